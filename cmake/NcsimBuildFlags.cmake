@@ -1,0 +1,19 @@
+# Flags that our own targets are compiled with and that no consumer inherits.
+add_library(ncsim_build_flags INTERFACE)
+
+# Contraction of a*b+c into one fused operation is the compiler's choice and
+# differs between targets; without this line two builds may disagree on the
+# sign of a determinant, and then on the topology of a part.
+# __int128 (the exact kernel) is an extension: -Wpedantic is told so by __extension__.
+target_compile_options(ncsim_build_flags INTERFACE
+  -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+
+if(NCSIM_WERROR)
+  target_compile_options(ncsim_build_flags INTERFACE -Werror)
+endif()
+
+if(NCSIM_SANITIZE)
+  target_compile_options(ncsim_build_flags INTERFACE
+    -fsanitize=${NCSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(ncsim_build_flags INTERFACE -fsanitize=${NCSIM_SANITIZE})
+endif()

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangles, for formats that know nothing else.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ncsim::cda {
+
+struct TriangleMesh {
+    std::vector<Vec3> vertices;
+    /// Counter-clockwise seen from outside.
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    /// For each triangle the face of the Boundary it is part of.
+    std::vector<std::uint32_t> face;
+};
+
+/// Cuts every face into triangles between its own vertices: none is added, none moved, so
+/// the mesh is closed if the boundary is. Vertices are those of the boundary, in order.
+/// Expected O(n log n) per face.
+TriangleMesh triangulate(const Boundary& boundary);
+
+}  // namespace ncsim::cda

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Oriented planes with integer coefficients. Planes are the input of the kernel: a cell is
+// a set of halfspaces, a vertex is where three planes meet, nothing else is stored.
+#pragma once
+
+#include "ncsim/cda/lattice.h"
+#include "ncsim/cda/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace ncsim::cda {
+
+/// The halfspace n·x <= d in lattice units. Canonical: the four numbers have no common divisor, so
+/// that equal planes are equal values. |n_i| <= 2^kNormalBits, n != 0.
+struct Plane {
+    std::int32_t nx = 0, ny = 0, nz = 1;
+    std::int64_t d = 0;
+
+    constexpr auto operator<=>(const Plane&) const = default;
+
+    /// The same plane seen from the other side.
+    constexpr Plane opposite() const { return {-nx, -ny, -nz, -d}; }
+    constexpr bool is_parallel_to(const Plane& o) const {
+        return std::int64_t{nx} * o.ny == std::int64_t{ny} * o.nx &&
+               std::int64_t{ny} * o.nz == std::int64_t{nz} * o.ny &&
+               std::int64_t{nx} * o.nz == std::int64_t{nz} * o.nx;
+    }
+};
+
+/// Divides out common divisors. Requires n != 0 and components within kNormalBits.
+Plane canonical(std::int64_t nx, std::int64_t ny, std::int64_t nz, std::int64_t d);
+
+/// Unit normal and distance in mm.
+Vec3 unit_normal(const Plane& plane);
+double offset_mm(const Plane& plane, const Lattice& lattice);
+
+struct PlaneHash {
+    std::size_t operator()(const Plane& p) const noexcept;
+};
+
+}  // namespace ncsim::cda

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/lattice.h"
+
+#include "ncsim/cda/cell.h"
+
+#include <array>
+
+namespace ncsim::cda {
+
+Lattice Lattice::for_stock(const Box& stock_mm) {
+    double reach = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        reach = std::max({reach, std::abs(stock_mm.min[axis]), std::abs(stock_mm.max[axis])});
+    }
+    const double limit = static_cast<double>(std::int64_t{1} << kCoordinateBits);
+    // 1, 2, 5 times a power of ten; the last of them holds any stock that can be named.
+    double decade = 1e-5;
+    for (int k = 0; k < 300; ++k, decade *= 10.0) {
+        for (const double step : {1.0, 2.0, 5.0}) {
+            if (reach <= limit * (step * decade)) return {step * decade};
+        }
+    }
+    return {decade};
+}
+
+LatticePoint Lattice::round(Vec3 p_mm) const {
+    const auto snap = [this](double mm) {
+        const double limit = static_cast<double>(kMaxPose);
+        return static_cast<std::int64_t>(std::round(std::clamp(mm / unit_mm, -limit, limit)));
+    };
+    return {snap(p_mm.x), snap(p_mm.y), snap(p_mm.z)};
+}
+
+Vec3 Lattice::to_mm(LatticePoint p) const {
+    return {static_cast<double>(p.x) * unit_mm, static_cast<double>(p.y) * unit_mm,
+            static_cast<double>(p.z) * unit_mm};
+}
+
+Cell box_cell(LatticePoint min, LatticePoint max, const Lattice& lattice, Origin origin) {
+    Cell cell;
+    cell.planes = {{1, 0, 0, max.x}, {-1, 0, 0, -min.x}, {0, 1, 0, max.y},
+                   {0, -1, 0, -min.y}, {0, 0, 1, max.z}, {0, 0, -1, -min.z}};
+    cell.bounds = {lattice.to_mm(min), lattice.to_mm(max)};
+    cell.origin = origin;
+    return cell;
+}
+
+}  // namespace ncsim::cda

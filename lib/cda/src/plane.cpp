@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/plane.h"
+
+#include <numeric>
+
+namespace ncsim::cda {
+
+Plane canonical(std::int64_t nx, std::int64_t ny, std::int64_t nz, std::int64_t d) {
+    const std::int64_t g = std::gcd(std::gcd(nx, ny), std::gcd(nz, d));
+    return {static_cast<std::int32_t>(nx / g), static_cast<std::int32_t>(ny / g),
+            static_cast<std::int32_t>(nz / g), d / g};
+}
+
+Vec3 unit_normal(const Plane& plane) {
+    return normalized({static_cast<double>(plane.nx), static_cast<double>(plane.ny),
+                       static_cast<double>(plane.nz)});
+}
+
+double offset_mm(const Plane& plane, const Lattice& lattice) {
+    const double length = norm({static_cast<double>(plane.nx), static_cast<double>(plane.ny),
+                                static_cast<double>(plane.nz)});
+    return static_cast<double>(plane.d) / length * lattice.unit_mm;
+}
+
+std::size_t PlaneHash::operator()(const Plane& p) const noexcept {
+    // Fixed multipliers (splitmix64): the same on every machine and in every run.
+    std::uint64_t h = static_cast<std::uint64_t>(p.d);
+    for (const std::int32_t n : {p.nx, p.ny, p.nz}) {
+        h = (h ^ static_cast<std::uint32_t>(n)) + 0x9e3779b97f4a7c15ULL;
+        h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
+        h ^= h >> 31;
+    }
+    return h;
+}
+
+}  // namespace ncsim::cda

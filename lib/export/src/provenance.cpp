@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/export/provenance.h"
+
+namespace ncsim::exporter {
+
+Provenance::Entry Provenance::of(cda::Origin origin) const {
+    const auto index = static_cast<std::size_t>(origin);
+    return index < entries.size() ? entries[index] : Entry{};
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What an NC program makes the machine do: the values that leave lib/gcode.
+//
+// Frame W (workpiece): the coordinate system of G54 as it stands when the program
+// starts, without tool length offset and without G92/G52/G68. Every position below is
+// absolute and in W, whatever offsets, units, scales and rotations the program used on the way, and
+// belongs to the *controlled point* (the tool tip, if tool lengths are entered as
+// measured). Units have ended here: lengths are Length, angles Angle.
+#pragma once
+
+#include "ncsim/gcode/source.h"
+#include "ncsim/gcode/units.h"
+
+#include <array>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace ncsim::gcode {
+
+/// Where all axes are. Rotary axes are not wrapped.
+struct Position {
+    Length x, y, z;
+    Angle a, b, c;
+    Length u, v, w;
+    bool operator==(const Position&) const = default;
+};
+
+enum class Plane : std::uint8_t { XY, ZX, YZ, UV, WU, VW };  ///< G17, G18, G19, G17.1, G18.1, G19.1
+
+/// A straight move, all axes in step.
+struct Linear {
+    Position from, to;
+    bool operator==(const Linear&) const = default;
+};
+
+/// A circular or helical move. In `plane`, seen from the positive end of its normal (for ZX: Y
+/// towards the viewer), with first and second axis X,Y (XY), Z,X (ZX), Y,Z (YZ). The third
+/// axis and the rotary axes run in step with the angle. Where `from` and `to` are not equally far
+/// from the centre, the radius changes linearly with the angle (a spiral).
+struct Arc {
+    Position from, to;
+    Plane plane = Plane::XY;
+    Length centre_1, centre_2;  ///< Along the first and the second axis of the plane.
+    int turns = 1;  ///< > 0 counter-clockwise, < 0 clockwise; |turns| - 1 extra full circles.
+    bool operator==(const Arc&) const = default;
+};
+
+/// A non-uniform rational B-spline (G5, G5.1, G5.2) in X and Y of W, the other axes constant.
+struct Spline {
+    struct ControlPoint {
+        Length x, y;
+        double weight = 1.0;
+        bool operator==(const ControlPoint&) const = default;
+    };
+    Position from, to;
+    int order = 4;  ///< Degree + 1.
+    std::vector<ControlPoint> control_points;
+    std::vector<double> knots;
+    bool operator==(const Spline&) const = default;
+};
+
+struct Dwell {
+    double seconds = 0.0;
+    bool operator==(const Dwell&) const = default;
+};
+
+/// The tool in the spindle from here on; 0: none. `at` is where the machine stands (M6 does not move).
+struct ToolChange {
+    int tool = 0;
+    Position at;
+    bool operator==(const ToolChange&) const = default;
+};
+
+enum class SpindleTurning : std::uint8_t { Stopped, Clockwise, Counterclockwise };
+enum class FeedMode : std::uint8_t { PerMinute, InverseTime, PerRevolution };
+
+/// How a move is made.
+enum class MoveKind : std::uint8_t {
+    Rapid,  ///< G0, also inside cycles, G28 and the like
+    Feed,   ///< G1, G2, G3, cycles
+    Probe,  ///< G38.x, G31: assumed to make contact at its target
+};
+
+/// Which axes of a start position were never set by the program: what is known of
+/// where a move begins. A move whose start is unknown in an axis must not cut a phantom path.
+struct KnownAxes {
+    bool x = true, y = true, z = true;
+    bool operator==(const KnownAxes&) const = default;
+};
+
+/// One thing the machine does, with everything a later stage asks of it.
+struct Motion {
+    std::variant<Linear, Arc, Spline, Dwell, ToolChange> what;
+    SourceSpan span;       ///< The block that made it (its main word).
+    std::uint32_t file = 0;  ///< Index into Interpretation::files; 0 is the program itself.
+    MoveKind kind = MoveKind::Feed;
+    FeedMode feed_mode = FeedMode::PerMinute;
+    /// mm/min (degrees/min for purely rotary moves), 1/min or mm/rev by `feed_mode`. 0: never set.
+    double feed = 0.0;
+    SpindleTurning spindle = SpindleTurning::Stopped;
+    double spindle_rpm = 0.0;  ///< As programmed by S; 0: never set.
+    int tool = 0;              ///< In the spindle, 0: none was called.
+    KnownAxes known_start;
+    bool machine_coordinates = false;  ///< The target came from G53, G28, G30: W knows it by assumption only.
+};
+
+/// Start and end of a motion; both the machine's place for dwells and tool changes is unknown here,
+/// so only moves (Linear, Arc, Spline) have them.
+const Position* start_of(const Motion& motion);
+const Position* end_of(const Motion& motion);
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Quantities that NC programs write in several units. A number in a program has the
+// unit of the moment; a Length or an Angle has none to mistake.
+#pragma once
+
+#include <compare>
+#include <numbers>
+
+namespace ncsim::gcode {
+
+/// A length. 1 inch is 25.4 mm exactly.
+class Length {
+public:
+    constexpr Length() = default;
+
+    static constexpr Length from_mm(double mm) { return Length(mm); }
+    static constexpr Length from_inch(double inch) { return Length(25.4 * inch); }
+
+    constexpr double mm() const { return mm_; }
+    constexpr double inch() const { return mm_ / 25.4; }
+
+    constexpr auto operator<=>(const Length&) const = default;
+    constexpr Length operator-() const { return Length(-mm_); }
+    constexpr Length& operator+=(Length o) { return mm_ += o.mm_, *this; }
+    constexpr Length& operator-=(Length o) { return mm_ -= o.mm_, *this; }
+    friend constexpr Length operator+(Length a, Length b) { return a += b; }
+    friend constexpr Length operator-(Length a, Length b) { return a -= b; }
+    friend constexpr Length operator*(double s, Length a) { return Length(s * a.mm_); }
+
+private:
+    explicit constexpr Length(double mm) : mm_(mm) {}
+    double mm_ = 0.0;
+};
+
+/// An angle, kept in degrees: rotary axes are programmed in degrees and run far beyond
+/// a full turn, so a value is never wrapped.
+class Angle {
+public:
+    constexpr Angle() = default;
+
+    static constexpr Angle from_degrees(double degrees) { return Angle(degrees); }
+    static constexpr Angle from_radians(double rad) {
+        return Angle(rad * (180.0 / std::numbers::pi));
+    }
+
+    constexpr double degrees() const { return degrees_; }
+    constexpr double radians() const { return degrees_ * (std::numbers::pi / 180.0); }
+
+    constexpr auto operator<=>(const Angle&) const = default;
+    constexpr Angle operator-() const { return Angle(-degrees_); }
+    constexpr Angle& operator+=(Angle o) { return degrees_ += o.degrees_, *this; }
+    constexpr Angle& operator-=(Angle o) { return degrees_ -= o.degrees_, *this; }
+    friend constexpr Angle operator+(Angle a, Angle b) { return a += b; }
+    friend constexpr Angle operator-(Angle a, Angle b) { return a -= b; }
+
+private:
+    explicit constexpr Angle(double degrees) : degrees_(degrees) {}
+    double degrees_ = 0.0;
+};
+
+}  // namespace ncsim::gcode
