@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part as glTF 2.0, for viewers, web pages and scripts. Khronos Group, glTF 2.0
+// Specification (ISO/IEC 12113:2022).
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/export/provenance.h"
+
+#include <iosfwd>
+
+namespace ncsim::exporter {
+
+/// Writes `boundary` as binary glTF (.glb): one mesh with a primitive and a material for each tool,
+/// flat normals.
+///
+/// Positions are millimetres from the centre of the part, so that little is lost in floats; the
+/// node carries that centre and turns millimetres, z up, into glTF's metres, y up. Each vertex has
+/// the attributes _NC_LINE (program line, 0 for uncut stock) and _TOOL: floats, since glTF has no
+/// 32-bit integers there, exact up to 2^24. The program's name and the unit are in the extras of
+/// the asset; a material's extras hold its tool number.
+///
+/// A part of which nothing is left gives a valid file with an empty scene. Equal input
+/// gives equal bytes. Throws std::runtime_error if the file would exceed the format's 4 GiB, or
+/// the stream fails.
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+
+}  // namespace ncsim::exporter

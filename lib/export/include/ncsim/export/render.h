@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pictures of a part, drawn off screen: no display, no graphics card.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/cda/workpiece.h"
+#include "ncsim/export/camera.h"
+#include "ncsim/export/image.h"
+#include "ncsim/export/provenance.h"
+
+#include <cstdint>
+
+namespace ncsim::exporter {
+
+/// Pixels along a side of the largest picture.
+inline constexpr std::uint32_t kMaxImageSide = 16384;
+
+enum class Background { White, Dark };
+
+struct RenderOptions {
+    std::uint32_t width = 1280, height = 960;  ///< In pixels, 1 … kMaxImageSide each.
+    Camera camera;  ///< For instance fit_camera(stock, View::Iso, 4 / 3.).
+    Background background = Background::White;
+    /// Every pixel is the mean of samples × samples; 1 … 4.
+    std::uint32_t samples = 2;
+    bool edges = true;  ///< Lines where faces meet at an angle and around the silhouette.
+};
+
+/// Draws what `model` hands out facet by facet, each behind its masks in the stencil buffer
+/// (Schüppel 2001, section 5.1): no boundary is computed. Uncut stock and the faces of each
+/// tool have a colour of their own.
+///
+/// Both functions: the same input gives the same bytes for any number of threads. Throws
+/// std::runtime_error if the size or the number of samples is out of range, or if no
+/// off-screen context can be made.
+Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+                   const RenderOptions& options);
+
+/// Draws `boundary`. Equal to the picture of the model whose boundary it is, but for pixels on
+/// edges.
+Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+                      const RenderOptions& options);
+
+}  // namespace ncsim::exporter

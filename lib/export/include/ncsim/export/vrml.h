@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part as VRML97, which CAD programs of every age read. ISO/IEC 14772-1:1997.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/export/provenance.h"
+
+#include <iosfwd>
+
+namespace ncsim::exporter {
+
+/// Writes `boundary` as VRML97 text, in millimetres, z up: a Group for each program line named
+/// LINE_<n> (STOCK for uncut stock), within it a Shape coloured by its tool. Faces are n-gons;
+/// those with holes, which VRML does not have, are cut into triangles. All shapes share one list
+/// of points, written with every digit, so the surface stays as closed as the boundary is.
+///
+/// A part of which nothing is left gives a valid file. Equal input gives equal bytes. Throws
+/// std::runtime_error if the stream fails.
+void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+
+}  // namespace ncsim::exporter
