@@ -32,14 +32,16 @@ double volume(const Boundary& boundary) {
 double area(const Boundary& boundary) {
     double twofold = 0.0;
     for (const BoundaryFace& face : boundary.faces) {
-        for (const auto& loop : face.loops) twofold += dot(face.normal, double_area(boundary, loop));
+        for (const auto& loop : face.loops)
+            twofold += dot(face.normal, double_area(boundary, loop));
     }
     return twofold / 2.0;
 }
 
 Box bounds(const Boundary& boundary) {
     Box box;
-    for (const Vec3& vertex : boundary.vertices) box.add(vertex);
+    for (const Vec3& vertex : boundary.vertices)
+        box.add(vertex);
     return box;
 }
 

@@ -14,7 +14,7 @@ namespace ncsim::cda {
 /// A flat face. `loops[0]` is its outline, counter-clockwise seen from outside the material;
 /// the others are holes, clockwise. Loops hold indices into Boundary::vertices.
 struct BoundaryFace {
-    Vec3 normal;     ///< Unit, pointing out of the material.
+    Vec3 normal;          ///< Unit, pointing out of the material.
     double offset = 0.0;  ///< normal · x == offset on the face, up to rounding.
     Origin origin = kStockOrigin;
     std::uint32_t shell = 0;  ///< Connected surfaces are numbered from 0.

@@ -15,8 +15,8 @@
 namespace ncsim::cda {
 
 /// On which side of the true hull the quantised one errs: a normal has kNormalBits, so a
-/// facet may turn by 2^-24 (6 nm over 100 mm). Outward: no point of the hull is lost. Inward: nothing
-/// beyond the hull is gained. Facets whose normal fits (axis-parallel ones and most others
+/// facet may turn by 2^-24 (6 nm over 100 mm). Outward: no point of the hull is lost. Inward:
+/// nothing beyond the hull is gained. Facets whose normal fits (axis-parallel ones and most others
 /// that NC programs make) are exact either way.
 enum class Rounding : std::uint8_t { Outward, Inward };
 
@@ -26,8 +26,8 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
                                 Origin origin, Rounding rounding = Rounding::Outward);
 
 /// A convex body that moves without turning: made once per tool piece and orientation, swept many
-/// times. Source: support functions, h(n) = h_T(n) + max(0, n·t): each facet keeps its normal, and each
-/// edge between a facet that goes with the motion and one that goes against it makes one more.
+/// times. Source: support functions, h(n) = h_T(n) + max(0, n·t): each facet keeps its normal, and
+/// each edge between a facet that goes with the motion and one that goes against it makes one more.
 class TranslationSweep {
 public:
     /// The hull of `points`, in the frame of the body. Nothing if they lie in a plane.
@@ -37,7 +37,8 @@ public:
 
     /// Convex hull of the body at `from` and at `to` (which may be equal). Erring on the side
     /// asked for by at most 2^-kNormalBits times the extent of the hull; where the side normals fit
-    /// kNormalBits, exact. O(edges of the body · vertices of the body), no allocation but the result.
+    /// kNormalBits, exact. O(edges of the body · vertices of the body), no allocation but the
+    /// result.
     Cell operator()(LatticePoint from, LatticePoint to, Origin origin) const;
 
 private:

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bits, for normals of N and coordinates of B bits: a plane that meets the stock has
+// |d| <= 3·2^(N+B); a vertex has w of 3N + log2 6 and coordinates of |d|·2^2N·6 … but Hadamard-like
+// cancellation keeps them at w·2^B, since the point lies within the stock; n·x − d·w adds
+// N + log2 3 to the one and |d| to the other.
+#include "ncsim/cda/predicates.h"
+
+#include <bit>
+#include <cmath>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Twice the bits, rounded up, of the largest sum in classify_exact: w has 3N + 2.6 bits, a
+// coordinate of the point w·2^B, and there are three products of N more bits and d·w of 1.6 more
+// again.
+constexpr double kClassifyBits = 4.0 * kNormalBits + kCoordinateBits + 2.6 + 1.6 + 1.0;
+static_assert(kClassifyBits < 127.0, "a sign needs more than 128 bits");
+
+// Largest error of the double evaluation n·approx − d, in plane units: coordinates below 2^B within
+// 2 ulp times normals below 2^N, three products, three sums: below 16 · 2^(N+B) · 2^-53.
+constexpr double kFilterError = 16.0 * static_cast<double>(std::int64_t{1} << kNormalBits) *
+                                static_cast<double>(std::int64_t{1} << kCoordinateBits) /
+                                9007199254740992.0;
+
+constexpr Int128 det2(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+    return static_cast<Int128>(a) * d - static_cast<Int128>(b) * c;
+}
+
+Side side_of(Int128 v) {
+    return v > 0 ? Side::Above : v < 0 ? Side::Below : Side::On;
+}
+
+__extension__ using UInt128 = unsigned __int128;
+
+int trailing_zeros(UInt128 v) {
+    const auto low = static_cast<std::uint64_t>(v);
+    return low != 0 ? std::countr_zero(low)
+                    : 64 + std::countr_zero(static_cast<std::uint64_t>(v >> 64));
+}
+
+// Binary algorithm (Stein): shifts and subtractions, since 128-bit division is slow.
+UInt128 gcd(UInt128 a, UInt128 b) {
+    if (a == 0) return b;
+    if (b == 0) return a;
+    const int shift = trailing_zeros(a | b);
+    a >>= trailing_zeros(a);
+    while (b != 0) {
+        b >>= trailing_zeros(b);
+        if (a > b) std::swap(a, b);
+        b -= a;
+    }
+    return a << shift;
+}
+
+UInt128 magnitude(Int128 v) {
+    return v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v);
+}
+
+}  // namespace
+
+ExactPoint ExactPoint::at(LatticePoint p) {
+    return {p.x,
+            p.y,
+            p.z,
+            1,
+            {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}};
+}
+
+std::optional<ExactPoint> meet(const Plane& p, const Plane& q, const Plane& r) {
+    // Cramer's rule, expanded along the column of distances: x = Σ d_i (n_j × n_k).
+    const auto minor = [](const Plane& a, const Plane& b) {
+        struct {
+            std::int64_t x, y, z;
+        } c{std::int64_t{a.ny} * b.nz - std::int64_t{a.nz} * b.ny,
+            std::int64_t{a.nz} * b.nx - std::int64_t{a.nx} * b.nz,
+            std::int64_t{a.nx} * b.ny - std::int64_t{a.ny} * b.nx};
+        return c;
+    };
+    const auto qr = minor(q, r);
+    const auto rp = minor(r, p);
+    const auto pq = minor(p, q);
+    const Int128 w = static_cast<Int128>(qr.x) * p.nx + static_cast<Int128>(qr.y) * p.ny +
+                     static_cast<Int128>(qr.z) * p.nz;
+    if (w == 0) return std::nullopt;
+    const auto sum = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
+        return static_cast<Int128>(p.d) * a + static_cast<Int128>(q.d) * b +
+               static_cast<Int128>(r.d) * c;
+    };
+    ExactPoint v{sum(qr.x, rp.x, pq.x), sum(qr.y, rp.y, pq.y), sum(qr.z, rp.z, pq.z), w, {}};
+    if (w < 0) v.x = -v.x, v.y = -v.y, v.z = -v.z, v.w = -v.w;
+    const auto dw = static_cast<double>(v.w);
+    v.approx = {static_cast<double>(v.x) / dw, static_cast<double>(v.y) / dw,
+                static_cast<double>(v.z) / dw};
+    return v;
+}
+
+Side classify_exact(const ExactPoint& p, const Plane& plane) {
+    return side_of(p.x * plane.nx + p.y * plane.ny + p.z * plane.nz - p.w * plane.d);
+}
+
+Side classify(const ExactPoint& p, const Plane& plane) {
+    const double v = p.approx.x * plane.nx + p.approx.y * plane.ny + p.approx.z * plane.nz -
+                     static_cast<double>(plane.d);
+    if (v > kFilterError) return Side::Above;
+    if (v < -kFilterError) return Side::Below;
+    return classify_exact(p, plane);
+}
+
+ExactPoint reduced(const ExactPoint& p) {
+    const UInt128 g = gcd(gcd(magnitude(p.x), magnitude(p.y)), gcd(magnitude(p.z), magnitude(p.w)));
+    if (g <= 1) return p;
+    const auto s = static_cast<Int128>(g);
+    return {p.x / s, p.y / s, p.z / s, p.w / s, p.approx};
+}
+
+bool same_point(const ExactPoint& a, const ExactPoint& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
+int turn(const Plane& s, const Plane& t, const Plane& h) {
+    const Int128 v = static_cast<Int128>(det2(s.ny, s.nz, t.ny, t.nz)) * h.nx +
+                     static_cast<Int128>(det2(s.nz, s.nx, t.nz, t.nx)) * h.ny +
+                     static_cast<Int128>(det2(s.nx, s.ny, t.nx, t.ny)) * h.nz;
+    return v > 0 ? 1 : v < 0 ? -1 : 0;
+}
+
+Side order_along(const Plane& s, const Plane& t, const ExactPoint& a, const Plane& through_b) {
+    const Side side = classify(a, through_b);
+    return turn(s, t, through_b) > 0 ? side : opposite(side);
+}
+
+}  // namespace ncsim::cda

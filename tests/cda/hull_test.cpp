@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/hull.h"
+
+#include "ncsim/cda/polytope.h"
+
+#include "support/random_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ncsim::cda {
+namespace {
+
+using test::kLattice;
+using test::Random;
+
+std::vector<LatticePoint> cube_corners(std::int64_t size) {
+    std::vector<LatticePoint> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners.push_back({(i & 1) ? size : 0, (i & 2) ? size : 0, (i & 4) ? size : 0});
+    }
+    return corners;
+}
+
+bool contains(const Cell& cell, LatticePoint p) {
+    return std::all_of(cell.planes.begin(), cell.planes.end(),
+                       [&](const Plane& h) { return h.nx * p.x + h.ny * p.y + h.nz * p.z <= h.d; });
+}
+
+TEST(ConvexHull, OfACubeIsTheCubeExactly) {
+    auto points = cube_corners(1000);
+    points.push_back({500, 500, 1000});  // in a face
+    points.push_back({500, 500, 500});   // inside
+    const auto cell = convex_hull(points, kLattice, Origin{3});
+    ASSERT_TRUE(cell);
+    EXPECT_EQ(cell->planes.size(), 6U);
+    EXPECT_EQ(cell->origin, Origin{3});
+    EXPECT_EQ(ConvexPolytope::of(*cell, kLattice)->volume(), 1e9);
+}
+
+TEST(ConvexHull, OfCoplanarPointsIsNothing) {
+    const std::vector<LatticePoint> square{
+        {0, 0, 5}, {10, 0, 5}, {10, 10, 5}, {0, 10, 5}, {5, 5, 5}};
+    EXPECT_FALSE(convex_hull(square, kLattice, kStockOrigin));
+    EXPECT_FALSE(convex_hull({}, kLattice, kStockOrigin));
+}
+
+TEST(ConvexHull, OutwardHullsLoseNoPointAndInwardHullsStayInside) {
+    Random random(21);
+    for (int i = 0; i < 100; ++i) {
+        SCOPED_TRACE(i);
+        std::vector<LatticePoint> points;
+        for (int k = 0; k < 50; ++k)
+            points.push_back(test::random_point(random, 20000000));
+        const auto outer = convex_hull(points, kLattice, kStockOrigin, Rounding::Outward);
+        const auto inner = convex_hull(points, kLattice, kStockOrigin, Rounding::Inward);
+        ASSERT_TRUE(outer && inner);
+        for (const LatticePoint& p : points)
+            EXPECT_TRUE(contains(*outer, p));
+        const auto big = ConvexPolytope::of(*outer, kLattice);
+        const auto small = ConvexPolytope::of(*inner, kLattice);
+        ASSERT_TRUE(big && small);
+        EXPECT_LE(small->volume(), big->volume());
+        // 2^-24 of 400 mm on each of about 600,000 mm².
+        EXPECT_NEAR(small->volume(), big->volume(), 1e-6 * big->volume());
+    }
+}
+
+TEST(TranslationSweep, OfACubeAlongXIsABox) {
+    const auto sweep = TranslationSweep::of(cube_corners(1000), kLattice);
+    ASSERT_TRUE(sweep);
+    const Cell cell = (*sweep)({0, 0, 0}, {5000, 0, 0}, Origin{1});
+    const auto body = ConvexPolytope::of(cell, kLattice);
+    ASSERT_TRUE(body);
+    EXPECT_EQ(body->facets().size(), 6U);
+    EXPECT_EQ(body->volume(), 6e9);
+}
+
+TEST(TranslationSweep, OfACubeAlongTheDiagonalHasTwelveFaces) {
+    const auto sweep = TranslationSweep::of(cube_corners(1000), kLattice);
+    const auto body =
+        ConvexPolytope::of((*sweep)({0, 0, 0}, {1000, 1000, 1000}, Origin{1}), kLattice);
+    ASSERT_TRUE(body);
+    EXPECT_EQ(body->facets().size(), 12U);
+    EXPECT_EQ(body->volume(), 4e9);  // two cubes and the six prisms between: V + |t·A|
+}
+
+TEST(TranslationSweep, AtRestIsTheBodyItself) {
+    const auto sweep = TranslationSweep::of(cube_corners(1000), kLattice);
+    const auto body = ConvexPolytope::of((*sweep)({7, 7, 7}, {7, 7, 7}, Origin{1}), kLattice);
+    ASSERT_TRUE(body);
+    EXPECT_EQ(body->volume(), 1e9);
+}
+
+// The analytic hull against Quickhull on both poses.
+TEST(TranslationSweep, AgreesWithTheHullOfBothPoses) {
+    Random random(22);
+    for (int i = 0; i < 200; ++i) {
+        SCOPED_TRACE(i);
+        std::vector<LatticePoint> points;
+        for (int k = 0; k < 25; ++k)
+            points.push_back(test::random_point(random, 300000));
+        const LatticePoint from = test::random_point(random, 3000000);
+        const LatticePoint to = test::random_point(random, 3000000);
+        const auto sweep = TranslationSweep::of(points, kLattice);
+        ASSERT_TRUE(sweep);
+        const Cell analytic = (*sweep)(from, to, Origin{1});
+        std::vector<LatticePoint> both;
+        for (const LatticePoint& p : points) {
+            both.push_back(p + from);
+            both.push_back(p + to);
+        }
+        const auto hull = convex_hull(both, kLattice, Origin{1});
+        ASSERT_TRUE(hull);
+        for (const LatticePoint& p : both)
+            EXPECT_TRUE(contains(analytic, p));
+        const double a = ConvexPolytope::of(analytic, kLattice)->volume();
+        const double b = ConvexPolytope::of(*hull, kLattice)->volume();
+        EXPECT_NEAR(a, b, 1e-5 * b);
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::cda

@@ -1,0 +1,10 @@
+ncsim_add_test(cda
+  LIBRARIES
+    ncsim::cda
+  SOURCES
+    hull_test.cpp
+    intersect_test.cpp
+    lattice_test.cpp
+    polytope_test.cpp
+    predicates_test.cpp)
+target_include_directories(ncsim_cda_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/cda/src)

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Seeded shapes for tests: the same in every run, on every machine.
+#pragma once
+
+#include "ncsim/cda/cell.h"
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/lattice.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ncsim::test {
+
+/// splitmix64.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+    std::uint64_t next() {
+        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+    /// From low to high, both possible.
+    std::int64_t between(std::int64_t low, std::int64_t high) {
+        return low + static_cast<std::int64_t>(next() % static_cast<std::uint64_t>(high - low + 1));
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+inline constexpr cda::Lattice kLattice{1e-5};
+
+inline cda::LatticePoint random_point(Random& random, std::int64_t reach) {
+    return {random.between(-reach, reach), random.between(-reach, reach),
+            random.between(-reach, reach)};
+}
+
+/// The hull of a few points about `centre`, in general position.
+inline cda::Cell random_hull(Random& random, cda::LatticePoint centre, std::int64_t reach,
+                             int points, cda::Origin origin = cda::kStockOrigin) {
+    while (true) {
+        std::vector<cda::LatticePoint> cloud;
+        for (int i = 0; i < points; ++i)
+            cloud.push_back(centre + random_point(random, reach));
+        if (auto cell = cda::convex_hull(cloud, kLattice, origin)) return *cell;
+    }
+}
+
+/// The box with corners at multiples of a millimetre.
+inline cda::Cell mm_box(std::int64_t x0, std::int64_t y0, std::int64_t z0, std::int64_t x1,
+                        std::int64_t y1, std::int64_t z1, cda::Origin origin = cda::kStockOrigin) {
+    constexpr std::int64_t k = 100000;
+    return cda::box_cell({x0 * k, y0 * k, z0 * k}, {x1 * k, y1 * k, z1 * k}, kLattice, origin);
+}
+
+}  // namespace ncsim::test
