@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From axis positions to tool poses.
+#pragma once
+
+#include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/pose.h"
+
+namespace ncsim::toolpath {
+
+/// X_WT of a machine whose rotary axes pass through the origin of W:
+///
+///     X_WT = Rz(C) · Ry(B) · Rx(A) · translation(X+U, Y+V, Z+W)
+///
+/// A, B and C turn the tool, tip and all, about the X, Y and Z axis of W, counter-clockwise seen
+/// from the positive end: what a rotary table under the part does, seen from the part (ISO 841).
+/// For multiples of 90 degrees the matrix is exact.
+Pose pose_at(const gcode::Position& position);
+
+/// X + U, Y + V, Z + W in mm.
+cda::Vec3 linear_axes(const gcode::Position& position);
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Milling tools: stacks of convex pieces of revolution about the tool axis. Frame T: tip at
+// the origin, +z towards the spindle. Lengths in mm, angles in degrees.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::toolpath {
+
+enum class ToolKind : std::uint8_t {
+    FlatEndMill,
+    BallEndMill,
+    BullNoseEndMill,
+    FaceMill,
+    VCutter,  ///< Chamfer mills, engravers, V-bits, spot and centre drills.
+    Drill,
+    TaperedEndMill,
+    Other,  ///< Put together by hand, piece by piece.
+};
+
+/// "flat end mill", "ball end mill" …
+std::string_view name_of(ToolKind kind);
+
+/// A corner of a profile; `fillet` rounds it with an arc tangent to both neighbouring lines.
+struct ProfilePoint {
+    double radius = 0.0;
+    double height = 0.0;
+    double fillet = 0.0;
+    bool operator==(const ProfilePoint&) const = default;
+};
+
+/// A convex body of revolution. `profile` runs from the lower end to the upper one, as seen on
+/// paper with the axis on the left: heights do not fall, all turns are to the left. Where it does
+/// not start or end on the axis, a flat disc closes it.
+struct ToolPiece {
+    std::vector<ProfilePoint> profile;
+    bool cutting = true;  ///< Else a shank or a holder, which may not touch material.
+    bool operator==(const ToolPiece&) const = default;
+};
+
+struct Tool {
+    int number = 0;
+    ToolKind kind = ToolKind::Other;
+    std::string description;
+    std::vector<ToolPiece> pieces;  ///< From the tip upwards.
+    bool operator==(const Tool&) const = default;
+};
+
+/// Cutters of one piece. `length` is the height of the cutting part, from the tip. All arguments
+/// must be finite and positive (`corner_radius`, `tip_diameter` may be 0). Where they
+/// contradict each other the nearest possible tool is made: a corner radius is at most half the
+/// diameter, a length at least the height of the shaped end.
+Tool flat_end_mill(double diameter, double length);
+Tool face_mill(double diameter, double length);
+Tool ball_end_mill(double diameter, double length);
+Tool bull_nose_end_mill(double diameter, double corner_radius, double length);
+/// A cone of `included_angle` (tip to tip, 90 for a 90 degree chamfer mill) up to `diameter`, then
+/// a cylinder. The tip is a flat of `tip_diameter`.
+Tool v_cutter(double diameter, double tip_diameter, double included_angle, double length);
+Tool drill(double diameter, double point_angle, double length);
+/// A cone that opens by `taper` degrees per side from a flat or rounded tip. The tip's rounding
+/// keeps its radius, as in a tapered ball end mill of tip diameter 2 · corner_radius.
+Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, double length);
+
+/// Puts a segment that does not cut on top of the tool: a shank, or one step of a holder.
+void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height);
+
+/// Height of the topmost point; 0 without pieces.
+double height_of(const Tool& tool);
+/// Height up to which the tool cuts.
+double cutting_height_of(const Tool& tool);
+/// Largest diameter of the cutting pieces.
+double cutting_diameter_of(const Tool& tool);
+
+}  // namespace ncsim::toolpath

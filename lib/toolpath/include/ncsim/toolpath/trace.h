@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a moving tool leaves behind: pairs of poses become cells.
+#pragma once
+
+#include "ncsim/cda/cell.h"
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/lattice.h"
+#include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/tool.h"
+#include "ncsim/toolpath/tool_polytope.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ncsim::toolpath {
+
+/// The cutting pieces of a tool as polytopes on a lattice, ready to be moved.
+class Cutter {
+public:
+    Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy);
+
+    /// Appends to `cells` the convex hull of each piece at X_WA and at X_WB. Poses that differ in
+    /// their translation only make exact hulls; turned ones are rounded to the lattice corner by
+    /// corner (half a unit an axis). Errs on the side of the tool's accuracy. A tool at rest leaves
+    /// its own shape. Poses beyond cda::kMaxPose units are clamped to it.
+    void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+               std::vector<cda::Cell>& cells);
+
+    /// Encloses everything `trace` can make of these poses; in mm.
+    cda::Box bounds(const std::vector<Pose>& X_WT) const;
+
+    const ToolExtent& extent() const { return extent_; }
+    /// Bound on the distance between the tool and its polytopes.
+    double error_mm() const { return error_mm_; }
+    /// Facets of the tool in the form it is moved in, for reports.
+    std::size_t pieces() const { return pieces_.size(); }
+    int sides() const { return sides_; }
+
+private:
+    using Rotation = std::array<cda::Vec3, 3>;
+    struct Oriented {
+        Rotation rows;
+        std::vector<std::optional<cda::TranslationSweep>> sweeps;  // one per piece
+    };
+
+    const Oriented& oriented(const Rotation& rows);
+    std::vector<cda::LatticePoint> turned(const Rotation& rows, std::size_t piece) const;
+
+    cda::Lattice lattice_;
+    cda::Rounding rounding_ = cda::Rounding::Outward;
+    std::vector<PiecePolytope> pieces_;
+    std::vector<Oriented> cache_;  // the latest orientations, newest last
+    ToolExtent extent_;
+    double radius_mm_ = 0.0;  // of a sphere about the tip around all corners
+    double error_mm_ = 0.0;
+    int sides_ = 0;
+};
+
+/// Does the program say where this motion starts? One that comes from an unknown place must not
+/// leave a trace: the path is made up.
+bool has_known_start(const gcode::Motion& motion);
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/angles.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+// Taylor series for |x| <= pi/4; the first term left out is below 2^-54.
+double sine_near_zero(double x) {
+    const double q = x * x;
+    double sum = 0.0;
+    for (int n = 17; n >= 3; n -= 2)
+        sum = (1.0 + sum) * (-q / (n * (n - 1)));
+    return x + x * sum;
+}
+
+double cosine_near_zero(double x) {
+    const double q = x * x;
+    double sum = 0.0;
+    for (int n = 18; n >= 2; n -= 2)
+        sum = (1.0 + sum) * (-q / (n * (n - 1)));
+    return 1.0 + sum;
+}
+
+// Of t in [0, 1], in degrees. Halving the angle twice leaves t below 0.2, where the series is
+// short.
+double arctangent(double t) {
+    if (t == 0.0) return 0.0;
+    if (t == 1.0) return 45.0;
+    for (int i = 0; i < 2; ++i)
+        t = t / (1.0 + std::sqrt(1.0 + t * t));
+    const double q = t * t;
+    double sum = 0.0;
+    for (int n = 25; n >= 1; n -= 2)
+        sum = 1.0 / n - q * sum;
+    return 4.0 * (t * sum) / kRadiansPerDegree;
+}
+
+}  // namespace
+
+SinCos sin_cos(double degrees) {
+    // Both steps are exact: IEEE 754 defines the remainder without rounding.
+    const double quarter_turns = std::nearbyint(std::remainder(degrees, 360.0) / 90.0);
+    const double rest = std::remainder(std::remainder(degrees, 360.0), 90.0);
+    const double s = sine_near_zero(rest * kRadiansPerDegree);
+    const double c = cosine_near_zero(rest * kRadiansPerDegree);
+    switch (static_cast<int>(quarter_turns)) {
+        case 1: return {c, -s};
+        case -1: return {-c, s};
+        case 2:
+        case -2: return {-s, -c};
+        default: return {s, c};
+    }
+}
+
+double tangent(double degrees) {
+    const SinCos v = sin_cos(degrees);
+    return v.sin / v.cos;
+}
+
+double angle_of(double x, double y) {
+    const double ax = std::abs(x);
+    const double ay = std::abs(y);
+    if (ax == 0.0 && ay == 0.0) return 0.0;
+    double angle = ay <= ax ? arctangent(ay / ax) : 90.0 - arctangent(ax / ay);
+    if (x < 0.0) angle = 180.0 - angle;
+    return y < 0.0 ? -angle : angle;
+}
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,9 @@
+ncsim_add_test(toolpath
+  LIBRARIES ncsim::toolpath
+  SOURCES
+    angles_test.cpp
+    machine_test.cpp
+    sampler_test.cpp
+    tool_polytope_test.cpp
+    tool_test.cpp
+    trace_test.cpp)

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/tool_polytope.h"
+
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/polytope.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::toolpath {
+namespace {
+
+constexpr cda::Lattice kLattice{1e-5};
+
+cda::ConvexPolytope polytope_of(const PiecePolytope& piece) {
+    const auto cell = cda::convex_hull(piece.points_T, kLattice, cda::kStockOrigin);
+    return *cda::ConvexPolytope::of(*cell, kLattice);
+}
+
+std::int64_t largest_x(const PiecePolytope& piece) {
+    std::int64_t x = 0;
+    for (const auto& p : piece.points_T)
+        x = std::max(x, p.x);
+    return x;
+}
+
+// Signed distance of a point from a ball end mill of radius r, from outside positive, where the
+// point stands at or below the upper end.
+double outside_ball_nose(cda::Vec3 p, double r) {
+    const double aside = std::hypot(p.x, p.y);
+    return p.z < r ? std::hypot(aside, p.z - r) - r : aside - r;
+}
+
+TEST(ToolPolytope, OfNothingIsNothing) {
+    EXPECT_TRUE(approximate({}, kLattice, {}).points_T.empty());
+    EXPECT_TRUE(approximate({{{0, 0, 0}, {0, 5, 0}}, true}, kLattice, {}).points_T.empty());
+}
+
+TEST(ToolPolytope, FlatEndMillHasItsNominalWidthInXAndY) {
+    for (const double diameter : {10.0, 3.175, 0.1, 19.05, 100.0, 6.00001}) {
+        SCOPED_TRACE(diameter);
+        const PiecePolytope mill = approximate(flat_end_mill(diameter, 20).pieces[0], kLattice, {});
+        const auto radius = static_cast<std::int64_t>(std::ceil(diameter / 2 / 1e-5 - 1e-6));
+        EXPECT_EQ(largest_x(mill), radius);
+        const cda::ConvexPolytope p = polytope_of(mill);
+        for (const cda::Plane plane :
+             {cda::Plane{1, 0, 0, radius}, cda::Plane{-1, 0, 0, radius},
+              cda::Plane{0, 1, 0, radius}, cda::Plane{0, -1, 0, radius}, cda::Plane{0, 0, -1, 0}}) {
+            EXPECT_TRUE(p.facet_in(plane));
+        }
+        EXPECT_EQ(p.facets().size(), static_cast<std::size_t>(mill.sides) + 2);
+        EXPECT_EQ(mill.sides % 4, 0);
+    }
+}
+
+TEST(ToolPolytope, StaysWithinTheToleranceItReports) {
+    for (const double diameter : {1.0, 6.0, 10.0, 25.4, 80.0}) {
+        for (const double tolerance : {0.2, 0.05, 0.01}) {
+            SCOPED_TRACE(testing::Message() << diameter << " within " << tolerance);
+            const double r = diameter / 2;
+            if (tolerance < r / 1000) continue;
+            const PiecePolytope flat =
+                approximate(flat_end_mill(diameter, 20).pieces[0], kLattice, {tolerance});
+            const PiecePolytope ball =
+                approximate(ball_end_mill(diameter, r + 20).pieces[0], kLattice, {tolerance});
+            EXPECT_LE(flat.error_mm, tolerance);
+            EXPECT_LE(ball.error_mm, tolerance);
+            for (const auto& corner : flat.points_T) {
+                const cda::Vec3 p = kLattice.to_mm(corner);
+                EXPECT_LE(std::hypot(p.x, p.y) - r, flat.error_mm);
+                EXPECT_GE(std::hypot(p.x, p.y), r);
+            }
+            for (const auto& corner : ball.points_T) {
+                EXPECT_LE(outside_ball_nose(kLattice.to_mm(corner), r), ball.error_mm);
+            }
+        }
+    }
+}
+
+TEST(ToolPolytope, CircumscribedContainsTheBallAndInscribedIsContainedInIt) {
+    for (const double diameter : {2.0, 3.175, 6.0, 16.0}) {
+        SCOPED_TRACE(diameter);
+        const double r = diameter / 2;
+        const ToolPiece piece = ball_end_mill(diameter, r + 10).pieces[0];
+        const PiecePolytope around = approximate(piece, kLattice, {0.05, Side::Circumscribed});
+        const PiecePolytope within = approximate(piece, kLattice, {0.05, Side::Inscribed});
+        // No facet of the outer polytope may come closer to the ball's centre than r.
+        const cda::ConvexPolytope outer = polytope_of(around);
+        for (const auto& facet : outer.facets()) {
+            const double d = offset_mm(facet.plane, kLattice) - r * unit_normal(facet.plane).z;
+            EXPECT_GE(d, r - 1e-9);
+        }
+        for (const auto& corner : within.points_T) {
+            EXPECT_LE(outside_ball_nose(kLattice.to_mm(corner), r), 2e-5);
+        }
+        EXPECT_LE(within.error_mm, 0.05);
+        const double exact = std::numbers::pi * r * r * 10 + 2.0 / 3 * std::numbers::pi * r * r * r;
+        const double unit3 = 1e-15;
+        EXPECT_GT(outer.volume() * unit3, exact);
+        EXPECT_LT(polytope_of(within).volume() * unit3, exact);
+    }
+}
+
+TEST(ToolPolytope, FacetsOfABallAreFlatTrapezoids) {
+    const PiecePolytope ball = approximate(ball_end_mill(6, 20).pieces[0], kLattice, {});
+    const cda::ConvexPolytope p = polytope_of(ball);
+    // Each strip between two rings has one facet per side: nothing fell apart into triangles.
+    EXPECT_EQ((p.facets().size() - 2) % static_cast<std::size_t>(ball.sides), 0U);
+    EXPECT_LT(p.facets().size(), 190U);
+    EXPECT_TRUE(p.facet_in({0, 0, -1, 0}));
+    EXPECT_TRUE(p.facet_in({1, 0, 0, 300000}));
+}
+
+TEST(ToolPolytope, ShapedEndsAreWithinTheirErrorToo) {
+    for (const Tool& tool : {bull_nose_end_mill(12, 2, 25), tapered_end_mill(3, 1.5, 5, 30),
+                             tapered_end_mill(4, 0.5, 10, 20), v_cutter(6, 0.2, 60, 20),
+                             drill(8.5, 118, 60), face_mill(63, 10)}) {
+        SCOPED_TRACE(name_of(tool.kind));
+        const PiecePolytope outer =
+            approximate(tool.pieces[0], kLattice, {0.05, Side::Circumscribed});
+        const PiecePolytope inner = approximate(tool.pieces[0], kLattice, {0.05, Side::Inscribed});
+        EXPECT_LE(outer.error_mm, 0.05);
+        EXPECT_LE(inner.error_mm, 0.05);
+        const double around = polytope_of(outer).volume() * 1e-15;
+        const double within = polytope_of(inner).volume() * 1e-15;
+        EXPECT_LT(within, around);
+        // A shell as thick as both errors lies between them.
+        const double side = std::numbers::pi * cutting_diameter_of(tool) *
+                            (cutting_height_of(tool) + cutting_diameter_of(tool));
+        EXPECT_LT(around - within, side * (outer.error_mm + inner.error_mm));
+    }
+}
+
+TEST(ToolPolytope, AWholeBallHasBothItsHalves) {
+    const ToolPiece ball{{{3, 0, 3}, {3, 6, 3}}, true};
+    const PiecePolytope p = approximate(ball, kLattice, {});
+    EXPECT_LE(p.error_mm, 0.05);
+    const double volume = polytope_of(p).volume() * 1e-15;
+    const double exact = 4.0 / 3 * std::numbers::pi * 27;
+    EXPECT_GT(volume, exact);
+    EXPECT_LT(volume, exact * 1.05);
+}
+
+TEST(ToolPolytope, IsTheSameForCoarserLattices) {
+    const cda::Lattice coarse{5e-4};
+    const PiecePolytope p = approximate(ball_end_mill(6, 20).pieces[0], coarse, {});
+    EXPECT_LE(p.error_mm, 0.05);
+    EXPECT_EQ(largest_x(p), 6000);
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath
