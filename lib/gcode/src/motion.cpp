@@ -17,7 +17,11 @@ const Position* place(const Motion& motion, bool start) {
 
 }  // namespace
 
-const Position* start_of(const Motion& motion) { return place(motion, true); }
-const Position* end_of(const Motion& motion) { return place(motion, false); }
+const Position* start_of(const Motion& motion) {
+    return place(motion, true);
+}
+const Position* end_of(const Motion& motion) {
+    return place(motion, false);
+}
 
 }  // namespace ncsim::gcode

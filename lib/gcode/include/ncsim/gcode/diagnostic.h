@@ -6,8 +6,13 @@
 
 #include "ncsim/gcode/source.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::gcode {
@@ -19,14 +24,48 @@ struct Diagnostic {
     std::string code;     ///< Stable, kebab-case: "arc-without-centre".
     std::string message;  ///< Lower case, no full stop, in the machinist's words.
     SourceSpan span;
-    std::string file;          ///< Set where the place is not in the main program (O-files).
-    std::uint32_t count = 1;   ///< How often it was met; the span is the first place.
+    std::string file;         ///< Set where the place is not in the main program (O-files).
+    std::uint32_t count = 1;  ///< How often it was met; the span is the first place.
     bool operator==(const Diagnostic&) const = default;
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
 bool has_errors(const Diagnostics& diagnostics);
+
+/// One entry of src/diagnostics.def.
+enum class Message : std::uint16_t;
+
+/// Collects diagnostics. What says the same (code and message) in the same file is told once,
+/// with a count; after kMaxDifferent different ones only a closing one is added, so that a file of
+/// garbage costs neither memory nor the reader's patience.
+class DiagnosticLog {
+public:
+    static constexpr std::size_t kMaxDifferent = 400;
+
+    /// Adds `message` with its "{}" filled in order.
+    void add(Message message, SourceSpan span,
+             std::initializer_list<std::string_view> arguments = {});
+    void add(Severity severity, Message message, SourceSpan span,
+             std::initializer_list<std::string_view> arguments = {});
+
+    /// The name of the file that spans belong to from here on; empty: the main program.
+    void set_file(std::string name) { file_ = std::move(name); }
+
+    /// How many errors were added, repetitions included.
+    std::size_t errors() const { return errors_; }
+
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+    Diagnostics take() { return std::move(diagnostics_); }
+
+private:
+    Diagnostics diagnostics_;
+    std::map<std::string, std::size_t, std::less<>> index_;  // code, message, file -> place
+    std::string file_;
+    std::string key_;
+    std::size_t errors_ = 0;
+    bool closed_ = false;
+};
 
 /// The diagnostic as people read it, with the line and a caret, ending in a newline:
 ///

@@ -19,7 +19,8 @@ enum class DefaultUnits : std::uint8_t { Millimetres, Inches };
 struct InterpreterOptions {
     /// For programs that say neither G20 nor G21.
     DefaultUnits default_units = DefaultUnits::Millimetres;
-    /// Origins of G54, G55 … G59.3 in machine coordinates at the start. Motions are relative to the first.
+    /// Origins of G54, G55 … G59.3 in machine coordinates at the start. Motions are relative to the
+    /// first.
     std::array<Position, 9> work_offsets{};
     bool block_delete = false;  ///< Skip blocks that start with '/'.
 };
@@ -27,8 +28,8 @@ struct InterpreterOptions {
 /// What was concluded on the way, for the assumption sheet and for reports.
 struct Interpretation {
     Diagnostics diagnostics;
-    bool units_stated = false;     ///< G20 or G21 came before the first length.
-    bool uses_inches = false;      ///< At the first length.
+    bool units_stated = false;  ///< G20 or G21 came before the first length.
+    bool uses_inches = false;   ///< At the first length.
     std::uint64_t lines = 0;
     std::uint64_t motions = 0;
     std::vector<std::string> files;  ///< [0] is the program; O-files that were called follow.

@@ -66,7 +66,8 @@ struct Dwell {
     bool operator==(const Dwell&) const = default;
 };
 
-/// The tool in the spindle from here on; 0: none. `at` is where the machine stands (M6 does not move).
+/// The tool in the spindle from here on; 0: none. `at` is where the machine stands (M6 does not
+/// move).
 struct ToolChange {
     int tool = 0;
     Position at;
@@ -93,7 +94,7 @@ struct KnownAxes {
 /// One thing the machine does, with everything a later stage asks of it.
 struct Motion {
     std::variant<Linear, Arc, Spline, Dwell, ToolChange> what;
-    SourceSpan span;       ///< The block that made it (its main word).
+    SourceSpan span;         ///< The block that made it (its main word).
     std::uint32_t file = 0;  ///< Index into Interpretation::files; 0 is the program itself.
     MoveKind kind = MoveKind::Feed;
     FeedMode feed_mode = FeedMode::PerMinute;
@@ -103,7 +104,8 @@ struct Motion {
     double spindle_rpm = 0.0;  ///< As programmed by S; 0: never set.
     int tool = 0;              ///< In the spindle, 0: none was called.
     KnownAxes known_start;
-    bool machine_coordinates = false;  ///< The target came from G53, G28, G30: W knows it by assumption only.
+    /// The target came from G53, G28, G30: W knows it by assumption only.
+    bool machine_coordinates = false;
 };
 
 /// Start and end of a motion; both the machine's place for dwells and tool changes is unknown here,

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/gcode/diagnostic.h"
+
+#include "message.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ncsim::gcode {
+namespace {
+
+constexpr auto kTexts = std::to_array<MessageText>({
+#define NCSIM_DIAGNOSTIC(name, severity, code, text) {Severity::severity, code, text},
+#include "diagnostics.def"
+#undef NCSIM_DIAGNOSTIC
+});
+
+std::string fill(std::string_view text, std::initializer_list<std::string_view> arguments) {
+    std::string out;
+    const auto* argument = arguments.begin();
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text.substr(i, 2) == "{}" && argument != arguments.end()) {
+            out += *argument++;
+            ++i;
+        } else {
+            out += text[i];
+        }
+    }
+    return out;
+}
+
+/// Bytes of programs may be anything; what we print of them is readable text.
+std::string printable(std::string_view text) {
+    std::string out(text);
+    std::ranges::replace_if(
+        out, [](char c) { return c >= 0 && c < ' '; }, ' ');
+    return out;
+}
+
+const char* name_of(Severity severity) {
+    switch (severity) {
+        case Severity::Note: return "note";
+        case Severity::Warning: return "warning";
+        case Severity::Error: return "error";
+    }
+    return "";
+}
+
+}  // namespace
+
+const MessageText& text_of(Message message) {
+    return kTexts[static_cast<std::size_t>(message)];
+}
+
+bool has_errors(const Diagnostics& diagnostics) {
+    return std::ranges::any_of(diagnostics,
+                               [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+void DiagnosticLog::add(Message message, SourceSpan span,
+                        std::initializer_list<std::string_view> arguments) {
+    add(text_of(message).severity, message, span, arguments);
+}
+
+void DiagnosticLog::add(Severity severity, Message message, SourceSpan span,
+                        std::initializer_list<std::string_view> arguments) {
+    if (severity == Severity::Error) ++errors_;
+    const MessageText& entry = text_of(message);
+    std::string text = printable(fill(entry.text, arguments));
+    key_.assign(entry.code).append(1, '\n').append(text).append(1, '\n').append(file_);
+    key_.push_back(static_cast<char>('0' + static_cast<int>(severity)));
+    if (const auto known = index_.find(key_); known != index_.end()) {
+        ++diagnostics_[known->second].count;
+        return;
+    }
+    if (diagnostics_.size() >= kMaxDifferent) {
+        if (!closed_) {
+            closed_ = true;
+            const MessageText& last = text_of(Message::TooManyDiagnostics);
+            diagnostics_.push_back(
+                {last.severity, std::string(last.code), std::string(last.text), span, file_, 1});
+        }
+        return;
+    }
+    index_.emplace(key_, diagnostics_.size());
+    diagnostics_.push_back({severity, std::string(entry.code), std::move(text), span, file_, 1});
+}
+
+std::string render(const Diagnostic& diagnostic, const SourceFile& file) {
+    std::string out = diagnostic.file.empty() ? file.name : diagnostic.file;
+    const SourceSpan& span = diagnostic.span;
+    if (span.line > 0) {
+        out += ':' + std::to_string(span.line) + ':' + std::to_string(span.column);
+    }
+    out.append(": ").append(name_of(diagnostic.severity)).append(": ").append(diagnostic.message);
+    out.append(" [").append(diagnostic.code).append("]");
+    if (diagnostic.count > 1) {
+        out.append(" (").append(std::to_string(diagnostic.count)).append(" times, first here)");
+    }
+    out += '\n';
+    if (span.line == 0 || (!diagnostic.file.empty() && diagnostic.file != file.name)) return out;
+
+    // Lines can be of any length; the part around the caret is what is wanted.
+    constexpr std::size_t kWidth = 100;
+    const std::string_view line = line_text(file, span.line);
+    std::size_t column = std::min<std::size_t>(std::max(span.column, 1U) - 1, line.size());
+    const std::size_t first = column > kWidth * 3 / 4 ? column - kWidth / 2 : 0;
+    const std::string_view shown = line.substr(first, kWidth);
+    column -= first;
+    if (shown.empty()) return out;
+    out += printable(shown) + '\n';
+    const std::size_t room = shown.size() > column ? shown.size() - column : 1;
+    const std::size_t length = std::clamp<std::size_t>(span.length, 1, room);
+    out.append(column, ' ').append(1, '^').append(length - 1, '~').append(1, '\n');
+    return out;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where lines end: LF, CRLF or CR; a UTF-8 byte order mark is no part of the first line.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+
+namespace ncsim::gcode {
+
+struct LineEnd {
+    std::size_t length;  ///< Of the line without its end.
+    std::size_t next;    ///< Where the next line starts.
+};
+
+inline LineEnd find_line_end(std::string_view text) {
+    const void* lf = std::memchr(text.data(), '\n', text.size());
+    const std::size_t length =
+        lf ? static_cast<std::size_t>(static_cast<const char*>(lf) - text.data()) : text.size();
+    if (const void* cr = std::memchr(text.data(), '\r', length)) {
+        const auto at = static_cast<std::size_t>(static_cast<const char*>(cr) - text.data());
+        return {at, at + 1 == length && lf ? length + 1 : at + 1};
+    }
+    return {length, lf ? length + 1 : length};
+}
+
+inline std::string_view after_byte_order_mark(std::string_view text) {
+    return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+}  // namespace ncsim::gcode

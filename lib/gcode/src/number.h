@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers as NC programs write them: a sign, digits, perhaps a point; "5.", ".5"; no exponent.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+
+namespace ncsim::gcode {
+
+struct PlainNumber {
+    double value = 0.0;
+    const char* end = nullptr;  ///< Behind the number; nullptr if there is none.
+};
+
+/// Reads the number at `p`, correctly rounded.
+inline PlainNumber read_plain_number(const char* p, const char* end) {
+    bool negative = false;
+    if (p != end && (*p == '-' || *p == '+')) negative = *p++ == '-';
+    const char* const first = p;
+    std::uint64_t digits = 0;
+    while (p != end && static_cast<unsigned char>(*p - '0') < 10) {
+        digits = digits * 10 + static_cast<std::uint64_t>(*p++ - '0');
+    }
+    int count = static_cast<int>(p - first);
+    int fraction = 0;
+    if (p != end && *p == '.') {
+        const char* const point = p++;
+        while (p != end && static_cast<unsigned char>(*p - '0') < 10) {
+            digits = digits * 10 + static_cast<std::uint64_t>(*p++ - '0');
+        }
+        fraction = static_cast<int>(p - point) - 1;
+        count += fraction;
+    }
+    if (count == 0) return {};
+    double value = 0.0;
+    // Up to 15 digits are exact in a double, and so are powers of ten up to 22: one division
+    // rounds once (Clinger, "How to read floating point numbers accurately", 1990).
+    if (count <= 15) {
+        constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+        value = static_cast<double>(digits) / kPowers[fraction];
+    } else {
+        // Out of range leaves 0, which is as good as any value for 400 digits.
+        std::from_chars(first, p, value, std::chars_format::fixed);
+    }
+    return {negative ? -value : value, p};
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,4 @@
+ncsim_add_test(gcode
+  LIBRARIES ncsim::gcode
+  SOURCES
+    parser_test.cpp)
