@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Text as the formats want it: UTF-8 that no reader refuses, numbers with every digit.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ncsim::exporter {
+
+/// `text` with U+FFFD in place of bytes that are not UTF-8 and of control characters: file names
+/// may hold anything, the formats may not.
+std::string printable_utf8(std::string_view text);
+
+/// Appends the shortest text that reads back as `number`; never an exponent's worth of surprise: no
+/// locale, no "-0".
+void append_number(std::string& text, double number);
+
+}  // namespace ncsim::exporter
