@@ -1,6 +1,7 @@
 ncsim_add_test(export
   LIBRARIES ncsim::export
   SOURCES
+    camera_test.cpp
     png_test.cpp
     stl_test.cpp
     text_test.cpp)

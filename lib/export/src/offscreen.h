@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// OpenGL without a window. One of two sources implements it, chosen by CMake: OSMesa where it is
+// there, EGL without a surface where not (Mesa has dropped OSMesa since).
+#pragma once
+
+#include <memory>
+
+namespace ncsim::exporter {
+
+/// An OpenGL context of the compatibility profile, current in this thread while it lives. It has no
+/// framebuffer worth drawing to: bring your own. Throws std::runtime_error if there can be none.
+class OffscreenContext {
+public:
+    OffscreenContext();
+    ~OffscreenContext();
+    OffscreenContext(const OffscreenContext&) = delete;
+    OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+private:
+    struct Handle;
+    std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace ncsim::exporter

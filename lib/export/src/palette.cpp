@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ncsim::exporter {
+
+namespace {
+
+// A dull grey for the stock, soft hues for fresh cuts; told apart in order by most kinds of
+// colour-blind eyes too (blue and orange first).
+constexpr Rgba8 kStockColour{150, 156, 164};
+constexpr std::array<Rgba8, 8> kToolColours{{{126, 182, 226},
+                                             {240, 172, 98},
+                                             {128, 200, 160},
+                                             {226, 146, 186},
+                                             {238, 218, 116},
+                                             {172, 156, 222},
+                                             {226, 124, 98},
+                                             {104, 192, 194}}};
+
+float to_linear(std::uint8_t channel) {
+    const float c = static_cast<float>(channel) / 255.0F;
+    return c * c;
+}
+
+std::uint8_t to_srgb(float channel) {
+    const float c = std::sqrt(std::clamp(channel, 0.0F, 1.0F));
+    return static_cast<std::uint8_t>(255.0F * c + 0.5F);
+}
+
+}  // namespace
+
+LinearColour to_linear(Rgba8 colour) {
+    return {to_linear(colour.r), to_linear(colour.g), to_linear(colour.b)};
+}
+
+Rgba8 to_srgb(LinearColour colour) {
+    return {to_srgb(colour.r), to_srgb(colour.g), to_srgb(colour.b), 255};
+}
+
+Palette::Palette(const Provenance& provenance) : tools_{0} {
+    for (const Provenance::Entry& entry : provenance.entries)
+        tools_.push_back(entry.tool);
+    std::sort(tools_.begin(), tools_.end());
+    tools_.erase(std::unique(tools_.begin(), tools_.end()), tools_.end());
+}
+
+std::size_t Palette::rank(std::uint32_t tool) const {
+    const auto found = std::lower_bound(tools_.begin(), tools_.end(), tool);
+    const bool known = found != tools_.end() && *found == tool;
+    return known ? static_cast<std::size_t>(found - tools_.begin()) : 0;
+}
+
+Rgba8 Palette::colour(Provenance::Entry entry) const {
+    const std::size_t position = rank(entry.tool);
+    return position == 0 ? kStockColour : kToolColours[(position - 1) % kToolColours.size()];
+}
+
+}  // namespace ncsim::exporter

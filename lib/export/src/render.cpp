@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Both renderers draw the numbers of surfaces, tile by tile, and leave the rest to Resolver:
+// what differs between them is only how hidden and removed parts of a surface are found.
+#include "ncsim/export/render.h"
+
+#include "ncsim/cda/mesh.h"
+
+#include "palette.h"
+#include "resolve.h"
+#include "surface.h"
+#include "visibility.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using cda::Vec3;
+
+constexpr std::uint32_t kMaxSamples = 4;
+// Samples along a side of the largest rectangle drawn at once: with colours, depth and the copy
+// that is read back some 12 bytes a sample, so 200 MB.
+constexpr std::uint32_t kTileSide = 4096;
+
+// Faces seen more flatly than this (a sine) are invisible: nothing of them would be seen, and
+// their depth could not be computed.
+constexpr double kGrazing = 1e-6;
+
+void check(const RenderOptions& options) {
+    const auto is_side = [](std::uint32_t n) { return n >= 1 && n <= kMaxImageSide; };
+    if (!is_side(options.width) || !is_side(options.height)) {
+        throw std::runtime_error("cannot render a picture of " + std::to_string(options.width) +
+                                 " by " + std::to_string(options.height) + " pixels: 1 to " +
+                                 std::to_string(kMaxImageSide) + " are possible");
+    }
+    if (options.samples < 1 || options.samples > kMaxSamples) {
+        throw std::runtime_error("cannot render with " + std::to_string(options.samples) +
+                                 " samples: 1 to " + std::to_string(kMaxSamples) + " are possible");
+    }
+}
+
+bool faces_camera(const Camera& camera, Vec3 normal, Vec3 point) {
+    const Vec3 towards_eye =
+        camera.is_orthographic()
+            ? camera.back
+            : cda::normalized(camera.target + camera.distance * camera.back - point);
+    return cda::dot(normal, towards_eye) > kGrazing;
+}
+
+// Draws everything `draw` draws, which is called once for each tile with the buffer.
+template <typename Draw>
+Image render(const ScreenMap& map, const RenderOptions& options,
+             const std::vector<Surface>& surfaces, Draw draw) {
+    const std::uint32_t tile = (kTileSide - 2 * kTileMargin) / options.samples;
+    const auto samples_of = [&](std::uint32_t pixels) {
+        return std::min(pixels, tile) * options.samples + 2 * kTileMargin;
+    };
+    VisibilityBuffer buffer(samples_of(options.width), samples_of(options.height));
+    Resolver resolver(map, options, surfaces);
+    Image image{options.width, options.height, {}};
+    image.pixels.resize(std::size_t{options.width} * options.height);
+    std::vector<SurfaceId> ids;
+    for (std::uint32_t y = 0; y < options.height; y += tile) {
+        for (std::uint32_t x = 0; x < options.width; x += tile) {
+            const std::uint32_t width = std::min(tile, options.width - x);
+            const std::uint32_t height = std::min(tile, options.height - y);
+            buffer.begin({std::int64_t{x} * options.samples - kTileMargin,
+                          std::int64_t{y} * options.samples - kTileMargin, samples_of(width),
+                          samples_of(height)});
+            draw(buffer);
+            buffer.read(ids);
+            resolver.resolve(ids, x, y, width, height, image);
+        }
+    }
+    return image;
+}
+
+ScreenMap screen_map(const RenderOptions& options) {
+    return {options.camera, static_cast<double>(options.width) * options.samples,
+            static_cast<double>(options.height) * options.samples};
+}
+
+Surface surface(const ScreenMap& map, Vec3 normal, Vec3 point, Rgba8 colour) {
+    const Vec3 n_C = map.direction_in_camera(normal);
+    return {n_C, cda::dot(n_C, map.point_in_camera(point)), to_linear(colour)};
+}
+
+// Hands the facets of a model to the stencil buffer. The facets come in the same order for every
+// tile, so their numbers stay the same; the table is filled by the first.
+class StencilCanvas : public cda::FacetCanvas {
+public:
+    StencilCanvas(const ScreenMap& map, const Palette& palette, const Provenance& provenance)
+        : map_(map), palette_(palette), provenance_(provenance) {}
+
+    const std::vector<Surface>& surfaces() const { return surfaces_; }
+
+    void begin(VisibilityBuffer& buffer) {
+        buffer_ = &buffer;
+        next_ = 0;
+    }
+
+    void draw(const cda::MaskedFacet& facet) override {
+        if (facet.outline.size() < 3 ||
+            !faces_camera(map_.camera(), facet.normal, facet.outline[0])) {
+            return;
+        }
+        if (next_ == surfaces_.size()) {
+            surfaces_.push_back(surface(map_, facet.normal, facet.outline[0],
+                                        palette_.colour(provenance_.of(facet.origin))));
+        }
+        const auto id = static_cast<SurfaceId>(++next_);
+        project(facet.outline, outline_);
+        masks_.resize(facet.masks.size());
+        for (std::size_t i = 0; i < facet.masks.size(); ++i)
+            project(facet.masks[i], masks_[i]);
+        buffer_->draw(outline_, id, masks_);
+    }
+
+private:
+    void project(std::span<const Vec3> polygon, std::vector<ScreenPoint>& result) const {
+        result.clear();
+        for (const Vec3& p : polygon)
+            result.push_back(map_(p));
+    }
+
+    const ScreenMap& map_;
+    const Palette& palette_;
+    const Provenance& provenance_;
+    VisibilityBuffer* buffer_ = nullptr;
+    std::size_t next_ = 0;
+    std::vector<Surface> surfaces_;
+    std::vector<ScreenPoint> outline_;
+    std::vector<std::vector<ScreenPoint>> masks_;
+};
+
+}  // namespace
+
+Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+                   const RenderOptions& options) {
+    check(options);
+    const ScreenMap map = screen_map(options);
+    const Palette palette(provenance);
+    StencilCanvas canvas(map, palette, provenance);
+    return render(map, options, canvas.surfaces(), [&](VisibilityBuffer& buffer) {
+        canvas.begin(buffer);
+        model.render(canvas);
+    });
+}
+
+Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+                      const RenderOptions& options) {
+    check(options);
+    const ScreenMap map = screen_map(options);
+    const Palette palette(provenance);
+    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    std::vector<Surface> surfaces;
+    std::vector<bool> is_visible;
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        const Vec3 point = boundary.vertices[face.loops.front().front()];
+        surfaces.push_back(
+            surface(map, face.normal, point, palette.colour(provenance.of(face.origin))));
+        is_visible.push_back(faces_camera(options.camera, face.normal, point));
+    }
+    std::vector<ScreenPoint> points;
+    points.reserve(mesh.vertices.size());
+    for (const Vec3& p : mesh.vertices)
+        points.push_back(map(p));
+    return render(map, options, surfaces, [&](VisibilityBuffer& buffer) {
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            if (!is_visible[mesh.face[t]]) continue;
+            const auto& [a, b, c] = mesh.triangles[t];
+            const std::array<ScreenPoint, 3> corners{points[a], points[b], points[c]};
+            buffer.draw(corners, mesh.face[t] + 1);
+        }
+    });
+}
+
+}  // namespace ncsim::exporter
