@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. Triangles are sorted by the rank of their tool: a primitive each.
+//  2. Within a primitive each face gets vertices of its own, since its normal is its own.
+//  3. The buffer is filled stream by stream (indices, positions, normals, lines, tools), an
+//     accessor for each stream of each primitive.
+#include "ncsim/export/gltf.h"
+
+#include "ncsim/cda/mesh.h"
+
+#include "palette.h"
+#include "text.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using FloatPoint = std::array<float, 3>;
+
+struct Primitive {
+    std::uint32_t tool = 0;
+    std::vector<std::uint32_t> indices;
+    std::vector<FloatPoint> positions;
+    std::vector<FloatPoint> normals;
+    std::vector<float> lines;
+    std::vector<float> tools;
+};
+
+FloatPoint to_float(cda::Vec3 p) {
+    return {static_cast<float>(p.x) + 0.0F, static_cast<float>(p.y) + 0.0F,
+            static_cast<float>(p.z) + 0.0F};
+}
+
+// Whole millimetres: positions given with few decimals keep them.
+cda::Vec3 whole_centre(const cda::Boundary& boundary) {
+    const cda::Vec3 centre = cda::bounds(boundary).centre();
+    return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
+}
+
+// Steps 1 and 2. Primitives without triangles are left out.
+std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenance& provenance,
+                                  const Palette& palette, cda::Vec3 centre) {
+    std::vector<Primitive> all(palette.tools().size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].tool = palette.tools()[i];
+    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t current_face = kNoFace;
+    std::unordered_map<std::uint32_t, std::uint32_t> local;  // vertex → its copy for this face
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.face[t] != current_face) local.clear();
+        current_face = mesh.face[t];
+        const cda::BoundaryFace& face = boundary.faces[current_face];
+        const Provenance::Entry entry = provenance.of(face.origin);
+        Primitive& primitive = all[palette.rank(entry.tool)];
+        for (const std::uint32_t vertex : mesh.triangles[t]) {
+            const auto next = static_cast<std::uint32_t>(primitive.positions.size());
+            const auto [found, is_new] = local.try_emplace(vertex, next);
+            if (is_new) {
+                primitive.positions.push_back(to_float(mesh.vertices[vertex] - centre));
+                primitive.normals.push_back(to_float(face.normal));
+                primitive.lines.push_back(static_cast<float>(entry.nc_line));
+                primitive.tools.push_back(static_cast<float>(entry.tool));
+            }
+            primitive.indices.push_back(found->second);
+        }
+    }
+    std::erase_if(all, [](const Primitive& primitive) { return primitive.indices.empty(); });
+    return all;
+}
+
+void append(std::vector<unsigned char>& bytes, std::uint32_t number) {
+    for (int shift = 0; shift < 32; shift += 8) {
+        bytes.push_back(static_cast<unsigned char>((number >> shift) & 0xFF));
+    }
+}
+void append(std::vector<unsigned char>& bytes, float number) {
+    append(bytes, std::bit_cast<std::uint32_t>(number));
+}
+void append(std::vector<unsigned char>& bytes, const FloatPoint& point) {
+    for (const float coordinate : point)
+        append(bytes, coordinate);
+}
+
+// Step 3: the one buffer of the model, and what refers to it.
+class Packer {
+public:
+    explicit Packer(tinygltf::Model& model) : model_(model) { model_.buffers.emplace_back(); }
+
+    // A new accessor over `values`; its number.
+    template <typename T>
+    int pack(const std::vector<T>& values, int component_type, int type, int target) {
+        std::vector<unsigned char>& bytes = model_.buffers.front().data;
+        tinygltf::BufferView view;
+        view.buffer = 0;
+        view.byteOffset = bytes.size();
+        view.byteLength = values.size() * sizeof(T);
+        view.target = target;
+        for (const T& value : values)
+            append(bytes, value);
+        model_.bufferViews.push_back(std::move(view));
+        tinygltf::Accessor accessor;
+        accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
+        accessor.componentType = component_type;
+        accessor.type = type;
+        accessor.count = values.size();
+        model_.accessors.push_back(std::move(accessor));
+        return static_cast<int>(model_.accessors.size()) - 1;
+    }
+
+    int pack_indices(const std::vector<std::uint32_t>& indices) {
+        return pack(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                    TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    }
+    int pack_floats(const std::vector<float>& values) {
+        return pack(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR,
+                    TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+    int pack_points(const std::vector<FloatPoint>& points) {
+        return pack(points, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
+                    TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+    // Positions must come with their bounds.
+    int pack_positions(const std::vector<FloatPoint>& points) {
+        const int number = pack_points(points);
+        tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(number)];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [least, greatest] = std::minmax_element(
+                points.begin(), points.end(),
+                [&](const FloatPoint& a, const FloatPoint& b) { return a[axis] < b[axis]; });
+            accessor.minValues.push_back(static_cast<double>((*least)[axis]));
+            accessor.maxValues.push_back(static_cast<double>((*greatest)[axis]));
+        }
+        return number;
+    }
+
+private:
+    tinygltf::Model& model_;
+};
+
+tinygltf::Material material(std::uint32_t tool, Rgba8 colour) {
+    const LinearColour linear = to_linear(colour);
+    tinygltf::Material result;
+    result.name = tool == 0 ? "stock" : "T" + std::to_string(tool);
+    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, 1.0};
+    result.pbrMetallicRoughness.metallicFactor = 0.0;
+    result.pbrMetallicRoughness.roughnessFactor = 0.6;
+    result.extras =
+        tinygltf::Value(tinygltf::Value::Object{{"tool", tinygltf::Value(static_cast<int>(tool))}});
+    return result;
+}
+
+tinygltf::Mesh mesh_of(const std::vector<Primitive>& primitives, const Palette& palette,
+                       tinygltf::Model& model) {
+    tinygltf::Mesh mesh;
+    mesh.name = "part";
+    Packer packer(model);
+    for (const Primitive& from : primitives) {
+        tinygltf::Primitive to;
+        to.mode = TINYGLTF_MODE_TRIANGLES;
+        to.material = static_cast<int>(model.materials.size());
+        model.materials.push_back(material(from.tool, palette.colour({0, from.tool})));
+        to.indices = packer.pack_indices(from.indices);
+        to.attributes["POSITION"] = packer.pack_positions(from.positions);
+        to.attributes["NORMAL"] = packer.pack_points(from.normals);
+        to.attributes["_NC_LINE"] = packer.pack_floats(from.lines);
+        to.attributes["_TOOL"] = packer.pack_floats(from.tools);
+        mesh.primitives.push_back(std::move(to));
+    }
+    return mesh;
+}
+
+// Millimetres about `centre`, z up → metres, y up: x stays, z becomes y, y becomes -z.
+tinygltf::Node node_of(cda::Vec3 centre) {
+    constexpr double kMetres = 0.001;
+    const double half_root = std::sqrt(0.5);
+    tinygltf::Node node;
+    node.name = "part";
+    node.mesh = 0;
+    node.translation = {kMetres * centre.x, kMetres * centre.z, 0.0 - kMetres * centre.y};
+    node.rotation = {-half_root, 0.0, 0.0, half_root};
+    node.scale = {kMetres, kMetres, kMetres};
+    return node;
+}
+
+void check_size(const std::vector<Primitive>& primitives) {
+    std::uint64_t bytes = 0;
+    for (const Primitive& p : primitives)
+        bytes += 4 * p.indices.size() + 32 * p.positions.size();
+    constexpr std::uint64_t kRoomForJson = std::uint64_t{1} << 26;
+    if (bytes + kRoomForJson > std::numeric_limits<std::uint32_t>::max()) {
+        throw std::runtime_error("the part is too large for a glTF file (4 GiB)");
+    }
+}
+
+}  // namespace
+
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+    const Palette palette(provenance);
+    const cda::Vec3 centre = whole_centre(boundary);
+    const std::vector<Primitive> parts = primitives(boundary, provenance, palette, centre);
+    check_size(parts);
+
+    tinygltf::Model model;
+    model.asset.version = "2.0";
+    model.asset.generator = "ncsim";
+    model.asset.extras = tinygltf::Value(
+        tinygltf::Value::Object{{"program", tinygltf::Value(printable_utf8(provenance.program))},
+                                {"unit", tinygltf::Value(std::string("mm"))}});
+    model.scenes.emplace_back();
+    model.scenes.front().name = "part";  // a scene without nodes and name would be written as null
+    model.defaultScene = 0;
+    if (!parts.empty()) {
+        model.meshes.push_back(mesh_of(parts, palette, model));
+        model.nodes.push_back(node_of(centre));
+        model.scenes.front().nodes = {0};
+    }
+
+    constexpr bool kPretty = false;
+    constexpr bool kBinary = true;
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, kPretty, kBinary) || !out) {
+        throw std::runtime_error("cannot write glTF: the stream failed");
+    }
+}
+
+}  // namespace ncsim::exporter
