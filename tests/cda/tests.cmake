@@ -2,6 +2,7 @@ ncsim_add_test(cda
   LIBRARIES
     ncsim::cda
   SOURCES
+    flat_test.cpp
     hull_test.cpp
     intersect_test.cpp
     lattice_test.cpp

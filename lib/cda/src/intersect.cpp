@@ -24,17 +24,30 @@ bool has_volume(const Box& box) {
     return box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z;
 }
 
-// Planes of both, each once, sorted.
-std::vector<Plane> joint_planes(const ConvexPolytope& a, const ConvexPolytope& b) {
+std::vector<Plane> planes_of(const ConvexPolytope& polytope) {
     std::vector<Plane> planes;
-    planes.reserve(a.facets().size() + b.facets().size());
-    for (const auto& facet : a.facets())
+    planes.reserve(polytope.facets().size());
+    for (const auto& facet : polytope.facets())
         planes.push_back(facet.plane);
-    for (const auto& facet : b.facets())
-        planes.push_back(facet.plane);
+    return planes;
+}
+
+// Planes of both, each once, sorted.
+std::vector<Plane> joint_planes(std::vector<Plane> planes, const std::vector<Plane>& others) {
+    planes.insert(planes.end(), others.begin(), others.end());
     std::sort(planes.begin(), planes.end());
     planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
     return planes;
+}
+
+// In whole units, not smaller.
+Box box_in_units(const Box& mm, const Lattice& lattice) {
+    const auto units = [&](Vec3 p, double widen) {
+        const double k = 1.0 / lattice.unit_mm;
+        return Vec3{std::round(p.x * k) + widen, std::round(p.y * k) + widen,
+                    std::round(p.z * k) + widen};
+    };
+    return {units(mm.min, -1.0), units(mm.max, 1.0)};
 }
 
 std::vector<Halfspace> halfspaces_of(const std::vector<Plane>& planes) {
@@ -174,24 +187,22 @@ IntersectionCosts& IntersectionCosts::operator+=(const IntersectionCosts& other)
 }
 
 std::optional<ConvexPolytope> intersect_exact(const ConvexPolytope& a, const ConvexPolytope& b) {
-    std::vector<Plane> planes;
-    planes.reserve(b.facets().size());
-    for (const auto& facet : b.facets())
-        planes.push_back(facet.plane);
-    return a.clip(planes);
+    return a.clip(planes_of(b));
 }
 
-std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const ConvexPolytope& b,
-                                        IntersectionCosts& costs, Clock clock) {
+namespace {
+
+// Within `box`, which is not smaller than the intersection.
+std::optional<ConvexPolytope> intersect_within(const Box& box, const ConvexPolytope& a,
+                                               const std::vector<Plane>& cuts,
+                                               IntersectionCosts& costs, Clock clock) {
     ++costs.intersections;
-    const Box box = common_box(a.bounds(), b.bounds());
     if (!has_volume(box)) {
         ++costs.empty;
         return std::nullopt;
     }
-    const std::vector<Plane> planes = joint_planes(a, b);
+    const std::vector<Plane> planes = joint_planes(planes_of(a), cuts);
     const std::vector<Halfspace> halfspaces = halfspaces_of(planes);
-
     std::optional<Vec3> inside;
     {
         const Timer timer(clock, costs.linear_programming_seconds);
@@ -208,15 +219,40 @@ std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const ConvexPol
             if (auto polytope = primal_of(*dual, planes)) return polytope;
         }
     }
-    auto polytope = intersect_exact(a, b);
+    auto polytope = a.clip(cuts);
     ++(polytope ? costs.exact_fallbacks : costs.empty);
     return polytope;
+}
+
+}  // namespace
+
+std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const ConvexPolytope& b,
+                                        IntersectionCosts& costs, Clock clock) {
+    return intersect_within(common_box(a.bounds(), b.bounds()), a, planes_of(b), costs, clock);
+}
+
+std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const Cell& cell,
+                                        const Lattice& lattice, IntersectionCosts& costs,
+                                        Clock clock) {
+    std::vector<Plane> cuts;
+    for (const Plane& plane : cell.planes) {
+        switch (classify_box(a.bounds(), plane)) {
+            case Side::Below: break;
+            case Side::On: cuts.push_back(plane); break;
+            case Side::Above:
+                ++costs.intersections;
+                ++costs.empty;
+                return std::nullopt;
+        }
+    }
+    return intersect_within(common_box(a.bounds(), box_in_units(cell.bounds, lattice)), a, cuts,
+                            costs, clock);
 }
 
 std::optional<Vec3> common_point(const ConvexPolytope& a, const ConvexPolytope& b) {
     const Box box = common_box(a.bounds(), b.bounds());
     if (!has_volume(box)) return std::nullopt;
-    const std::vector<Plane> planes = joint_planes(a, b);
+    const std::vector<Plane> planes = joint_planes(planes_of(a), planes_of(b));
     if (const auto point = proven_interior_point(planes, halfspaces_of(planes), box)) return point;
     const auto polytope = intersect_exact(a, b);
     if (!polytope) return std::nullopt;

@@ -6,7 +6,8 @@
 // N + log2 3 to the one and |d| to the other.
 #include "ncsim/cda/predicates.h"
 
-#include <bit>
+#include "wide.h"
+
 #include <cmath>
 
 namespace ncsim::cda {
@@ -33,30 +34,10 @@ Side side_of(Int128 v) {
     return v > 0 ? Side::Above : v < 0 ? Side::Below : Side::On;
 }
 
-__extension__ using UInt128 = unsigned __int128;
-
-int trailing_zeros(UInt128 v) {
-    const auto low = static_cast<std::uint64_t>(v);
-    return low != 0 ? std::countr_zero(low)
-                    : 64 + std::countr_zero(static_cast<std::uint64_t>(v >> 64));
-}
-
-// Binary algorithm (Stein): shifts and subtractions, since 128-bit division is slow.
-UInt128 gcd(UInt128 a, UInt128 b) {
-    if (a == 0) return b;
-    if (b == 0) return a;
-    const int shift = trailing_zeros(a | b);
-    a >>= trailing_zeros(a);
-    while (b != 0) {
-        b >>= trailing_zeros(b);
-        if (a > b) std::swap(a, b);
-        b -= a;
-    }
-    return a << shift;
-}
-
-UInt128 magnitude(Int128 v) {
-    return v < 0 ? -static_cast<UInt128>(v) : static_cast<UInt128>(v);
+Vec3 nearest(const ExactPoint& p) {
+    const auto w = static_cast<double>(p.w);
+    return {static_cast<double>(p.x) / w, static_cast<double>(p.y) / w,
+            static_cast<double>(p.z) / w};
 }
 
 }  // namespace
@@ -91,9 +72,7 @@ std::optional<ExactPoint> meet(const Plane& p, const Plane& q, const Plane& r) {
     };
     ExactPoint v{sum(qr.x, rp.x, pq.x), sum(qr.y, rp.y, pq.y), sum(qr.z, rp.z, pq.z), w, {}};
     if (w < 0) v.x = -v.x, v.y = -v.y, v.z = -v.z, v.w = -v.w;
-    const auto dw = static_cast<double>(v.w);
-    v.approx = {static_cast<double>(v.x) / dw, static_cast<double>(v.y) / dw,
-                static_cast<double>(v.z) / dw};
+    v.approx = nearest(v);
     return v;
 }
 
@@ -111,9 +90,11 @@ Side classify(const ExactPoint& p, const Plane& plane) {
 
 ExactPoint reduced(const ExactPoint& p) {
     const UInt128 g = gcd(gcd(magnitude(p.x), magnitude(p.y)), gcd(magnitude(p.z), magnitude(p.w)));
-    if (g <= 1) return p;
     const auto s = static_cast<Int128>(g);
-    return {p.x / s, p.y / s, p.z / s, p.w / s, p.approx};
+    ExactPoint r{p.x / s, p.y / s, p.z / s, p.w / s, {}};
+    // From the reduced numbers, so that the doubles too depend on the point alone.
+    r.approx = nearest(r);
+    return r;
 }
 
 bool same_point(const ExactPoint& a, const ExactPoint& b) {

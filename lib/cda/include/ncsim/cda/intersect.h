@@ -32,6 +32,12 @@ struct IntersectionCosts {
 std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const ConvexPolytope& b,
                                         IntersectionCosts& costs, Clock clock = nullptr);
 
+/// The same with a cell, which may reach far beyond the lattice: planes that do not cut the box of
+/// `a` are decided there.
+std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const Cell& cell,
+                                        const Lattice& lattice, IntersectionCosts& costs,
+                                        Clock clock = nullptr);
+
 /// The same polytope, cut plane by plane: the oracle of the above.
 std::optional<ConvexPolytope> intersect_exact(const ConvexPolytope& a, const ConvexPolytope& b);
 

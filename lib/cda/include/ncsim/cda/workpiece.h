@@ -37,17 +37,23 @@ class WorkpieceModel {
 public:
     virtual ~WorkpieceModel() = default;
 
-    /// A new, unharmed workpiece of this kind. `stock` must be full-dimensional.
-    virtual std::unique_ptr<WorkpieceModel> create(const Cell& stock) const = 0;
-    /// Takes `cell` away. Flat cells, and cells that only touch the part, change nothing.
-    virtual void subtract(const Cell& cell) = 0;
+    /// A new, unharmed workpiece of this kind. Throws std::invalid_argument if `stock` has no
+    /// volume.
+    virtual std::unique_ptr<WorkpieceModel> create(const Cell& stock,
+                                                   const Lattice& lattice) const = 0;
+    /// Takes `cell` away and returns how much of the part that was, in mm³; exactly 0 if the part
+    /// lost nothing. Flat cells, and cells that only touch the part, change nothing.
+    virtual double subtract(const Cell& cell) = 0;
     /// Draws every facet once with its masks, in an order that depends on the input only.
     virtual void render(FacetCanvas& canvas) const = 0;
     virtual std::unique_ptr<WorkpieceModel> clone() const = 0;
 
+    /// Volume of what is left, in mm³.
+    virtual double volume() const = 0;
     /// The surface of what is left.
     virtual Boundary boundary() const = 0;
-    /// Is the point in the part? Points of the surface count as inside.
+    /// Is the point in the part? Points of the surface count as inside. Exact for the point rounded
+    /// to 2^-16 of a lattice unit.
     virtual bool contains(Vec3 point) const = 0;
 };
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Operations on the flat CDA that are not its own business: thesis 6.3 (CDA::CVisitor). Rendering,
+// statistics and XML are visitors.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+
+namespace ncsim::cda {
+
+class FlatCda;
+struct CdaCell;
+struct Contact;
+struct FacetRef;
+
+class CdaVisitor {
+public:
+    virtual ~CdaVisitor() = default;
+    /// Before everything.
+    virtual void visit_cda(const FlatCda& cda) = 0;
+    /// The positive cell, then the negative ones, then the zero cells, each before its facets.
+    virtual void visit_cell(const CdaCell& cell, std::uint32_t index) = 0;
+    virtual void visit_facet(const CdaCell& cell, const FacetRef& facet) = 0;
+    virtual void visit_contact(const Contact& contact, std::uint32_t index) = 0;
+    /// After everything.
+    virtual void leave_cda(const FlatCda& cda) = 0;
+};
+
+/// One row a subtraction, comma-separated, after a row of names: costs in milliseconds and numbers
+/// of facets as in thesis figures 7.1, 7.2 and 7.6.
+void write_statistics_csv(std::ostream& out, const FlatCda& cda);
+
+/// The whole structure: cells with their corners (mm), facets with plane and bindings.
+void write_xml(std::ostream& out, const FlatCda& cda);
+
+}  // namespace ncsim::cda
