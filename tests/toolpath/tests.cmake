@@ -4,6 +4,8 @@ ncsim_add_test(toolpath
     angles_test.cpp
     machine_test.cpp
     sampler_test.cpp
+    stock_test.cpp
     tool_polytope_test.cpp
+    tool_table_test.cpp
     tool_test.cpp
     trace_test.cpp)

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tools and stock as programs tell them: in comments, which CAM systems write in many forms.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/tool_spec.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::toolpath {
+
+/// Who said it.
+enum class ToldBy : std::uint8_t { Comment, Option, Table, Assumption };
+
+struct ToolEntry {
+    ToolSpec spec;
+    ToldBy told_by = ToldBy::Comment;
+    gcode::SourceSpan span;  ///< Of the comment; line 0 for options.
+    std::string text;        ///< As written.
+};
+
+struct StockEntry {
+    cda::Box box;
+    ToldBy told_by = ToldBy::Comment;
+    gcode::SourceSpan span;
+    std::string text;  ///< As written; for a derived stock the rule.
+};
+
+/// What the comments of a program tell.
+struct ProgramNotes {
+    std::vector<ToolEntry> tools;  ///< One per number, in the order of the program.
+    std::optional<StockEntry> stock;
+    std::optional<cda::Vec3> start;  ///< FROM/X,Y,Z, in mm.
+    gcode::Diagnostics diagnostics;  ///< Comments that contradict each other.
+};
+
+/// Scans the comments of `program`. Total: any byte sequence gives a result; what is not understood
+/// is a comment. O(size of the program).
+///
+/// Understood for tools: Fusion 360 and its relatives (`T1 D=10. CR=0. TAPER=118deg - ZMIN=-5. -
+/// flat end mill`), CutViewer (`TOOL/MILL,Dia,CornerR,Height,Taper`, also DRILL, CHAMFER, CDRILL),
+/// Mastercam (`TOOL - 1 … DIA. - .0625`), Vectric (`T4 = End Mill {.75 inches}`), SolidCAM (`TOOL 1
+/// - DIA 3.`), FreeCAD, Makera and Carvera (`@MKR|TOOL|number=7|…`), and free text that names a
+/// kind of tool and a size. For the stock: `STOCK/BLOCK,L,W,H,Ox,Oy,Oz` (sizes, and the program's
+/// zero seen from the block's smallest corner), `stockMin:x, y, z` with `stockMax:x, y, z`.
+///
+/// A comment that names a number speaks of that tool; one that does not, of the tool called next
+/// before any move, else of the tool called last. A stated diameter (D=, DIA) beats a size in a
+/// name. A length without a unit is in the units of the program where the tool is called. The
+/// first comment about a tool wins; a later one of another diameter is a warning.
+ProgramNotes read_notes(const gcode::SourceFile& program, bool default_inches = false);
+
+/// The entry of a tool number, null if there is none.
+const ToolEntry* find_tool(const std::vector<ToolEntry>& tools, int number);
+
+}  // namespace ncsim::toolpath

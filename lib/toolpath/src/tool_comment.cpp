@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tool_comment.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+using text::Quantity;
+using text::Unit;
+
+constexpr std::size_t kNone = std::string_view::npos;
+
+std::size_t skip(std::string_view s, std::size_t at, std::string_view any_of) {
+    while (at < s.size() && any_of.find(s[at]) != kNone)
+        ++at;
+    return at;
+}
+
+// The number behind a key: `D=10.`, `D = 2.0 mm`, `DIA. - .0625`, `DIA-0.5000`, `Dia. 0.250`.
+std::optional<Quantity> value_after(std::string_view s, std::string_view key,
+                                    std::string_view separators) {
+    for (std::size_t at = text::find_word(s, key); at != kNone;
+         at = text::find_word(s, key, at + 1)) {
+        std::size_t number = skip(s, at + key.size(), separators);
+        if (number == at + key.size()) continue;
+        if (s[number - 1] == '.') --number;  // of .0625, not of DIA.
+        if (const auto q = text::quantity_at(s, number)) return q;
+    }
+    return std::nullopt;
+}
+
+// A whole number of a tool behind one of the ways to say so, at the start of `s` or after `key`.
+int tool_number_at(std::string_view s, std::size_t at) {
+    std::size_t end = at;
+    int number = 0;
+    while (end < s.size() && text::is_digit(s[end]) && number < 10000000) {
+        number = 10 * number + (s[end++] - '0');
+    }
+    const bool whole = end > at && (end == s.size() ||
+                                    (s[end] != '.' && s[end] != '/' && !text::is_digit(s[end])));
+    return whole ? number : 0;
+}
+
+// T4 …, TOOL 4 …, TOOL - 4 …, TOOL #4, TOOL NUMBER: 4, 4 = …
+int tool_number(std::string_view s) {
+    if (s.size() > 1 && s[0] == 'T' && text::is_digit(s[1])) return tool_number_at(s, 1);
+    for (const std::string_view key : {"TOOL NUMBER", "TOOL NO", "TOOL"}) {
+        const std::size_t at = text::find_word(s, key);
+        if (at == kNone) continue;
+        const std::size_t digits = skip(s, at + key.size(), " .#-:=");
+        const int number = tool_number_at(s, digits);
+        // `TOOL 2mm` is a size.
+        const auto q = text::quantity_at(s, digits);
+        if (number > 0 && q && q->unit == Unit::None) return number;
+    }
+    const std::size_t digits_end = s.find_first_not_of("0123456789");
+    if (digits_end != kNone && digits_end > 0 && s[skip(s, digits_end, " ")] == '=') {
+        return tool_number_at(s, 0);
+    }
+    const std::size_t t = text::find_word(s, "T");
+    if (t != kNone && t + 1 < s.size() && text::is_digit(s[t + 1])) return tool_number_at(s, t + 1);
+    return 0;
+}
+
+std::optional<ToolKind> kind_named(std::string_view s) {
+    const auto any = [s](std::initializer_list<std::string_view> names) {
+        return std::any_of(names.begin(), names.end(),
+                           [s](std::string_view name) { return s.find(name) != kNone; });
+    };
+    // From the special to the general: a "tapered ball end mill" is tapered first.
+    if (any({"TAPER MILL", "TAPERED", "TAPER END"})) return ToolKind::TaperedEndMill;
+    if (any({"V-BIT", "V BIT", "VBIT", "VEE BIT", "V-CUT", "CHAMFER", "ENGRAV", "SPOT DRILL",
+             "CENTER DRILL", "CENTRE DRILL", "COUNTERSINK", "COUNTER SINK", "DOVETAIL V"})) {
+        return ToolKind::VCutter;
+    }
+    if (any({"BALL"})) return ToolKind::BallEndMill;
+    if (any({"BULL", "RADIUS MILL", "RADIUSED", "CORNER RADIUS"})) return ToolKind::BullNoseEndMill;
+    if (any({"FACE MILL", "FACEMILL", "SHELL MILL", "SHELLMILL"})) return ToolKind::FaceMill;
+    if (any({"REAMER", " TAP", "THREAD MILL"}) && !any({"TAPER"})) return ToolKind::FlatEndMill;
+    if (any({"DRILL"})) return ToolKind::Drill;
+    if (any({"END MILL", "ENDMILL", "FLAT", "SLOT MILL", "SLOT CUTTER", "SQUARE", "UPCUT",
+             "DOWNCUT", "ROUTER", "BORING BAR"})) {
+        return ToolKind::FlatEndMill;
+    }
+    return std::nullopt;
+}
+
+bool names_something_else(std::string_view s) {
+    for (const std::string_view word :
+         {"STOCK", "HOLE", "HOLES", "THREAD", "BORE", "POCKET", "FEED", "HOLDER", "PITCH", "DEPTH",
+          "DEEP", "OFFSET", "CHANGE TO"}) {
+        if (text::has_word(s, word)) return true;
+    }
+    return false;
+}
+
+// Angles: TAPER is per side for mills, the whole point for drills, in Fusion's words.
+void take_taper(ToolSpec& spec, double degrees) {
+    if (degrees <= 0 || degrees >= 180) return;
+    if (!spec.kind && degrees >= 60) spec.kind = ToolKind::Drill;
+    if (!spec.kind) spec.kind = ToolKind::TaperedEndMill;
+    switch (*spec.kind) {
+        case ToolKind::Drill: spec.angle = degrees; break;
+        case ToolKind::VCutter: spec.angle = degrees < 60 ? 2 * degrees : degrees; break;
+        case ToolKind::TaperedEndMill: spec.taper = std::min(degrees, 80.0); break;
+        default: break;  // printed for tools that have none
+    }
+}
+
+// (T1 D=10. CR=0. TAPER=118deg - ZMIN=-5. - flat end mill), also with a name instead of T1.
+std::optional<ToolRemark> read_fusion(std::string_view s) {
+    const std::size_t d = s.find(" D=");
+    if (d == kNone) return std::nullopt;
+    const auto diameter = text::quantity_at(s, d + 3);
+    if (!diameter) return std::nullopt;
+    const bool numbered = s[0] == 'T' && s.size() > 1 && text::is_digit(s[1]);
+    if (!numbered && s[0] != '"') return std::nullopt;
+    ToolRemark remark;
+    remark.certain = true;
+    remark.unit = diameter->unit;
+    if (numbered) remark.spec.number = tool_number_at(s, 1);
+    remark.spec.diameter = diameter->value;
+    const std::size_t type = s.rfind(" - ");
+    if (type != kNone && type > d) remark.spec.kind = kind_named(s.substr(type));
+    if (const auto cr = value_after(s, "CR", "= ")) {
+        if (cr->value > 0) remark.spec.corner_radius = cr->value;
+    }
+    if (const auto taper = value_after(s, "TAPER", "= ")) take_taper(remark.spec, taper->value);
+    // A spot drill without an angle, a mill whose radius says more than its name.
+    if (remark.spec.kind == ToolKind::FlatEndMill && remark.spec.corner_radius) {
+        remark.spec.kind.reset();
+    }
+    // Vendors put a flute length between: FL=1.
+    if (const auto length = value_after(s, "FL", "=")) remark.spec.length = length->value;
+    return remark;
+}
+
+std::vector<double> numbers_after_comma(std::string_view s) {
+    std::vector<double> values;
+    const auto parts = text::split(s, ',');
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const std::string_view part = text::trimmed(parts[i]);
+        const auto q = text::quantity_at(part, 0);
+        if (!q) break;
+        values.push_back(q->value);
+    }
+    return values;
+}
+
+std::optional<double> positive(const std::vector<double>& v, std::size_t i) {
+    return i < v.size() && v[i] > 0 ? std::optional(v[i]) : std::nullopt;
+}
+
+// (TOOL/MILL,Dia,CornerR,Height,TaperAngle) and its relatives.
+std::optional<ToolRemark> read_cutviewer(std::string_view s) {
+    if (s.substr(0, 5) != "TOOL/") return std::nullopt;
+    ToolRemark remark;
+    remark.certain = true;
+    ToolSpec& spec = remark.spec;
+    const std::string_view name = text::trimmed(s.substr(5, s.find(',') - 5));
+    const std::vector<double> v = numbers_after_comma(s);
+    spec.diameter = positive(v, 0);
+    if (!spec.diameter) return std::nullopt;
+    if (name == "MILL") {
+        spec.corner_radius = positive(v, 1);
+        spec.length = positive(v, 2);
+        if (const auto taper = positive(v, 3)) {
+            spec.taper = std::min(*taper, 80.0);
+            spec.kind = ToolKind::TaperedEndMill;
+        } else if (!spec.corner_radius) {
+            spec.kind = ToolKind::FlatEndMill;
+        }
+    } else if (name == "DRILL" || name == "CHAMFER") {
+        spec.kind = name == "DRILL" ? ToolKind::Drill : ToolKind::VCutter;
+        spec.angle = positive(v, 1);
+        spec.length = positive(v, 2);
+    } else if (name == "CDRILL") {
+        // Two drills on top of each other: D1, A1 and L of the pilot, D2, A2 and H of all.
+        const auto a1 = positive(v, 1), l = positive(v, 2), d2 = positive(v, 3),
+                   a2 = positive(v, 4), h = positive(v, 5);
+        if (!a1 || !l || !d2 || !a2 || !h || *d2 < *spec.diameter) return std::nullopt;
+        spec.pieces = drill(*spec.diameter, *a1, *l).pieces;
+        ToolPiece body = v_cutter(*d2, *spec.diameter, *a2, *h - *l).pieces.front();
+        const double base = spec.pieces.front().profile.back().height;
+        for (ProfilePoint& p : body.profile)
+            p.height += base;
+        spec.pieces.push_back(std::move(body));
+        spec.kind = ToolKind::VCutter;
+    } else {
+        return std::nullopt;  // CRMILL: concave, and no polytope
+    }
+    return remark;
+}
+
+// (@FC|TOOL|number=3|type=Chamfer|diameter=3.175|…), ;@MKR|TOOL|…
+std::optional<ToolRemark> read_piped(std::string_view s) {
+    if (s.empty() || s[0] != '@' || s.find("|TOOL|") == kNone) return std::nullopt;
+    ToolRemark remark;
+    remark.certain = true;
+    ToolSpec& spec = remark.spec;
+    for (const std::string_view part : text::split(s, '|')) {
+        const std::size_t equals = part.find('=');
+        if (equals == kNone) continue;
+        const std::string_view key = part.substr(0, equals);
+        const std::string_view value = part.substr(equals + 1);
+        const auto q = text::quantity_at(value, 0);
+        if (key == "NUMBER") spec.number = tool_number_at(value, 0);
+        if (key == "TYPE") spec.kind = kind_named(value);
+        if (!q || q->value <= 0) continue;
+        if (key == "DIAMETER") spec.diameter = q->value;
+        if (key == "TIPDIAMETER") spec.tip_diameter = q->value;
+        if (key == "FLUTELENGTH") spec.length = q->value;
+        if (key == "CORNERRADIUS") spec.corner_radius = q->value;
+        if (key == "CUTTINGEDGEANGLE") spec.angle = q->value;
+    }
+    if (!spec.diameter) return std::nullopt;
+    return remark;
+}
+
+// The first number that can be a size: one with a unit of length, or a fraction.
+std::optional<Quantity> size_in_name(std::string_view s) {
+    for (std::size_t at = 0; at < s.size(); ++at) {
+        const bool starts = (text::is_digit(s[at]) || s[at] == '.') &&
+                            (at == 0 || (!text::is_letter(s[at - 1]) && s[at - 1] != '#'));
+        if (!starts) continue;
+        const auto q = text::quantity_at(s, at);
+        if (!q) continue;
+        const bool length = q->unit == Unit::Millimetre || q->unit == Unit::Inch ||
+                            (q->is_fraction && q->unit == Unit::None);
+        if (length && q->value > 0) return q;
+        at = std::max(at, q->end - 1);
+    }
+    return std::nullopt;
+}
+
+std::optional<double> angle_in_name(std::string_view s) {
+    for (std::size_t at = 0; at < s.size(); ++at) {
+        if (!text::is_digit(s[at])) continue;
+        const auto q = text::quantity_at(s, at);
+        if (q && q->unit == Unit::Degree) return q->value;
+        if (q) at = std::max(at, q->end - 1);
+    }
+    return std::nullopt;
+}
+
+// Everything else that names a tool and its size.
+std::optional<ToolRemark> read_free_text(std::string_view s) {
+    ToolRemark remark;
+    ToolSpec& spec = remark.spec;
+    spec.number = tool_number(s);
+    spec.kind = kind_named(s);
+    const bool says_tool = spec.kind || text::has_word(s, "TOOL") || text::has_word(s, "CUTTER");
+    if (!says_tool || names_something_else(s)) return std::nullopt;
+
+    std::optional<Quantity> diameter;
+    for (const std::string_view key : {"DIA", "DIAMETER", "D"}) {
+        // DIA. OFF. - 14 is a register: its number does not follow the key directly. D1 beside it,
+        // too.
+        const auto q = value_after(s, key, key == "D" ? "= " : " .:=-");
+        if (q && q->value > 0 && !(key == "D" && s.find("D=") == kNone && s.find("D =") == kNone)) {
+            diameter = q;
+            break;
+        }
+    }
+    remark.certain = diameter.has_value();
+    if (!diameter) diameter = size_in_name(s);
+    if (!diameter && spec.kind && s.find('=') != kNone) {  // Tool 8 = .250 Vee bit
+        const auto q = text::quantity_at(s, skip(s, s.find('=') + 1, " "));
+        if (q && q->value > 0) diameter = q;
+    }
+    if (!diameter) return std::nullopt;
+    spec.diameter = diameter->value;
+    remark.unit =
+        diameter->is_fraction && diameter->unit == Unit::None ? Unit::Inch : diameter->unit;
+    if (const auto cr = value_after(s, "CR", "= ")) {
+        if (cr->value > 0) spec.corner_radius = cr->value;
+    }
+    if (const auto angle = angle_in_name(s)) {
+        if (spec.kind == ToolKind::VCutter || spec.kind == ToolKind::Drill) spec.angle = *angle;
+        if (spec.kind == ToolKind::TaperedEndMill) spec.taper = *angle;
+    }
+    return remark;
+}
+
+// Three numbers behind a key, with or without units: "0.00mm, 0.00mm, -1.00mm".
+std::optional<Triple> triple_at(std::string_view s) {
+    const auto parts = text::split(s, ',');
+    if (parts.size() < 3) return std::nullopt;
+    Triple t;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view part = text::trimmed(parts[static_cast<std::size_t>(axis)]);
+        const auto q = text::quantity_at(part, 0);
+        if (!q || std::abs(q->value) > 1e6) return std::nullopt;
+        t.value[axis] = q->value;
+        if (q->unit != Unit::None) t.unit = q->unit;
+    }
+    return t;
+}
+
+}  // namespace
+
+std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
+    const std::string upper = text::upper(text::trimmed(comment));
+    if (upper.size() < 3) return std::nullopt;
+    for (const auto& form : {read_fusion, read_cutviewer, read_piped, read_free_text}) {
+        if (auto remark = form(upper)) {
+            remark->spec.description = std::string(text::trimmed(comment));
+            return remark;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<StockRemark> read_stock_remark(std::string_view comment) {
+    const std::string upper = text::upper(text::trimmed(comment));
+    const std::string_view s = upper;
+    StockRemark remark;
+    const auto starts = [s](std::string_view key) { return s.substr(0, key.size()) == key; };
+    if (starts("STOCK/BLOCK,")) {
+        const auto size = triple_at(s.substr(12));
+        if (!size || size->value.x <= 0 || size->value.y <= 0 || size->value.z <= 0) {
+            return std::nullopt;
+        }
+        remark.first = *size;
+        std::size_t comma = 11;
+        for (int i = 0; i < 3 && comma != kNone; ++i)
+            comma = s.find(',', comma + 1);
+        if (comma != kNone) {
+            if (const auto zero = triple_at(s.substr(comma + 1))) remark.second = *zero;
+        }
+        return remark;
+    }
+    using What = StockRemark::What;
+    for (const auto& [key, what] :
+         {std::pair{"STOCKMIN:", What::Min}, {"STOCKMAX:", What::Max}, {"FROM/", What::Start}}) {
+        if (!starts(key)) continue;
+        const auto corner = triple_at(s.substr(std::string_view(key).size()));
+        if (!corner) return std::nullopt;
+        remark.what = what;
+        remark.first = *corner;
+        return remark;
+    }
+    return std::nullopt;
+}
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One pass over the blocks collects remarks in order, tool calls, and units; then every remark is
+// given its tool and its unit.
+#include "ncsim/toolpath/tool_table.h"
+
+#include "ncsim/gcode/parser.h"
+
+#include "text.h"
+#include "tool_comment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+using gcode::Block;
+using text::Unit;
+
+struct PlacedRemark {
+    ToolRemark remark;
+    gcode::SourceSpan span;
+    std::string text;
+    int owner = 0;  // a tool number, 0: none yet
+};
+
+bool is_word(const gcode::Word& word, char letter, double number) {
+    return word.letter == letter && word.literal && !word.comma && word.number == number;
+}
+
+bool is_move(const Block& block) {
+    return std::any_of(block.words.begin(), block.words.end(), [](const gcode::Word& w) {
+        return w.letter == 'X' || w.letter == 'Y' || w.letter == 'Z';
+    });
+}
+
+void scale(ToolSpec& spec, double factor) {
+    for (auto* length : {&spec.diameter, &spec.corner_radius, &spec.tip_diameter, &spec.length,
+                         &spec.shank_diameter}) {
+        if (*length) **length *= factor;
+    }
+    for (ToolPiece& piece : spec.pieces) {
+        for (ProfilePoint& p : piece.profile) {
+            p.radius *= factor, p.height *= factor, p.fillet *= factor;
+        }
+    }
+}
+
+class NoteReader {
+public:
+    explicit NoteReader(bool default_inches)
+        : inches_(default_inches), inches_first_(default_inches) {}
+
+    void read(const Block& block) {
+        for (const gcode::Comment& comment : block.comments)
+            read(comment);
+        for (const gcode::Word& word : block.words) {
+            if (is_word(word, 'G', 20) || is_word(word, 'G', 21)) set_units(word.number == 20);
+            if (word.letter == 'T' && word.literal && word.number >= 1 && word.number < 1e8) {
+                call_tool(static_cast<int>(word.number));
+            }
+        }
+        if (is_move(block)) end_waiting();
+    }
+
+    ProgramNotes finish() {
+        end_waiting();
+        for (PlacedRemark& placed : remarks_)
+            keep(placed);
+        if (block_) {
+            const auto in_mm = [this](const Triple& t) {
+                return factor(t.unit, inches_first_) * t.value;
+            };
+            const cda::Vec3 size = in_mm(block_->first);
+            const cda::Vec3 min = -in_mm(block_->second);
+            set_stock({min, min + size}, block_span_, block_text_);
+        } else if (min_ && max_) {
+            cda::Box box;
+            box.add(factor(min_->unit, inches_first_) * min_->value);
+            box.add(factor(max_->unit, inches_first_) * max_->value);
+            set_stock(box, block_span_, block_text_);
+        }
+        if (start_) notes_.start = factor(start_->unit, inches_first_) * start_->value;
+        return std::move(notes_);
+    }
+
+private:
+    static double factor(Unit unit, bool inches) {
+        const bool is_inch = unit == Unit::None ? inches : unit == Unit::Inch;
+        return is_inch ? 25.4 : 1.0;
+    }
+
+    void read(const gcode::Comment& comment) {
+        // Nested parentheses come as one comment; the inner pair may be the remark.
+        if (auto stock = read_stock_remark(comment.text)) {
+            take_stock(*stock, comment);
+        } else if (auto tool = read_tool_remark(comment.text)) {
+            PlacedRemark placed{std::move(*tool), comment.span, std::string(comment.text), 0};
+            placed.owner = placed.remark.spec.number;
+            if (placed.owner == 0) waiting_.push_back(remarks_.size());
+            remarks_.push_back(std::move(placed));
+        }
+    }
+
+    void take_stock(const StockRemark& remark, const gcode::Comment& comment) {
+        using What = StockRemark::What;
+        const bool whole = remark.what == What::Block;
+        if (remark.what == What::Start && !start_) start_ = remark.first;
+        if (remark.what == What::Min && !min_) min_ = remark.first;
+        if (remark.what == What::Max && !max_) max_ = remark.first;
+        if (whole && !block_) block_ = remark;
+        if (remark.what != What::Start && (block_text_.empty() || (whole && !whole_seen_))) {
+            block_text_ = std::string(comment.text);
+            block_span_ = comment.span;
+        }
+        whole_seen_ = whole_seen_ || whole;
+    }
+
+    void set_units(bool inches) {
+        inches_ = inches;
+        if (!units_seen_) inches_first_ = inches;
+        units_seen_ = true;
+    }
+
+    // Numberless remarks before the call belong to this tool.
+    void call_tool(int number) {
+        last_tool_ = number;
+        if (units_seen_) tool_inches_.try_emplace(number, inches_);
+        for (const std::size_t i : waiting_)
+            remarks_[i].owner = number;
+        waiting_.clear();
+    }
+
+    // A move came before a call: they belong to the tool in the spindle.
+    void end_waiting() {
+        for (const std::size_t i : waiting_)
+            remarks_[i].owner = last_tool_;
+        waiting_.clear();
+    }
+
+    void keep(PlacedRemark& placed) {
+        if (placed.owner == 0) return;
+        ToolSpec spec = placed.remark.spec;
+        spec.number = placed.owner;
+        const auto called = tool_inches_.find(placed.owner);
+        const bool inches = called != tool_inches_.end() ? called->second : inches_first_;
+        scale(spec, factor(placed.remark.unit, inches));
+        if (!is_complete(spec)) return;
+        const auto known =
+            std::find_if(notes_.tools.begin(), notes_.tools.end(),
+                         [&](const ToolEntry& e) { return e.spec.number == spec.number; });
+        if (known == notes_.tools.end()) {
+            notes_.tools.push_back({std::move(spec), ToldBy::Comment, placed.span, placed.text});
+            certain_.push_back(placed.remark.certain);
+            return;
+        }
+        const auto index = static_cast<std::size_t>(known - notes_.tools.begin());
+        if (placed.remark.certain && !certain_[index]) {  // a stated diameter beats one in a name
+            *known = {std::move(spec), ToldBy::Comment, placed.span, placed.text};
+            certain_[index] = true;
+        } else if (placed.remark.certain && known->spec.diameter && spec.diameter &&
+                   std::abs(*known->spec.diameter - *spec.diameter) > 1e-3) {
+            gcode::Diagnostic d;
+            d.severity = gcode::Severity::Warning;
+            d.code = "tool-conflict";
+            d.message = "this comment says tool " + std::to_string(spec.number) +
+                        " has a diameter of " + text::number(*spec.diameter) + " mm, but line " +
+                        std::to_string(known->span.line) + " said " +
+                        text::number(*known->spec.diameter) + " mm, which is used";
+            d.span = placed.span;
+            notes_.diagnostics.push_back(std::move(d));
+        }
+    }
+
+    void set_stock(const cda::Box& box, gcode::SourceSpan span, const std::string& text) {
+        const cda::Vec3 size = box.size();
+        if (!text::is_sane_length(size.x) || !text::is_sane_length(size.y) ||
+            !text::is_sane_length(size.z)) {
+            gcode::Diagnostic d;
+            d.severity = gcode::Severity::Warning;
+            d.code = "stock-size";
+            d.message =
+                "this comment describes a block without volume, or one larger than a kilometre; it "
+                "is not used";
+            d.span = span;
+            notes_.diagnostics.push_back(std::move(d));
+            return;
+        }
+        notes_.stock = StockEntry{box, ToldBy::Comment, span, text};
+    }
+
+    ProgramNotes notes_;
+    std::vector<bool> certain_;  // beside notes_.tools
+    std::vector<PlacedRemark> remarks_;
+    std::vector<std::size_t> waiting_;  // remarks without an owner yet
+    std::map<int, bool> tool_inches_;   // units at the first call
+    std::optional<StockRemark> block_;
+    std::optional<Triple> min_, max_, start_;
+    gcode::SourceSpan block_span_;
+    std::string block_text_;
+    bool whole_seen_ = false;
+    bool inches_ = false;
+    bool inches_first_ = false;
+    bool units_seen_ = false;
+    int last_tool_ = 0;
+};
+
+}  // namespace
+
+ProgramNotes read_notes(const gcode::SourceFile& program, bool default_inches) {
+    NoteReader notes(default_inches);
+    gcode::BlockReader reader(program);
+    Block block;
+    while (reader.next(block))
+        notes.read(block);
+    return notes.finish();
+}
+
+const ToolEntry* find_tool(const std::vector<ToolEntry>& tools, int number) {
+    const auto found = std::find_if(tools.begin(), tools.end(), [number](const ToolEntry& e) {
+        return e.spec.number == number;
+    });
+    return found == tools.end() ? nullptr : &*found;
+}
+
+}  // namespace ncsim::toolpath

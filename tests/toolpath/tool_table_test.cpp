@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/tool_table.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ncsim::toolpath {
+namespace {
+
+ProgramNotes notes(const std::string& text) {
+    return read_notes({"test.nc", text});
+}
+
+// One comment and a call of tool 1 in metric: what is known of the tool, in one line.
+std::string tool_of(const std::string& comment) {
+    const ProgramNotes n = notes(std::string("G21\n(").append(comment).append(")\nT1 M6\nG0 X0\n"));
+    if (n.tools.empty()) return "nothing";
+    const ToolSpec& spec = n.tools[0].spec;
+    std::string line = "T";
+    return line.append(std::to_string(spec.number))
+        .append(" ")
+        .append(describe(make_tool(spec, 50)));
+}
+
+TEST(ToolComments, AreReadInAllTheirForms) {
+    const std::pair<const char*, const char*> table[] = {
+        {"T1 D=3.175 CR=0. - ZMIN=-4.2 - FLAT END MILL", "T1 flat end mill D3.175 L50"},
+        {"T1  D=3 CR=0 - ZMIN=-10 - flat end mill", "T1 flat end mill D3 L50"},
+        {"T3 D=1.5 CR=0.75 - ZMIN=-29.522 - BALL END MILL", "T3 ball end mill D1.5 L50"},
+        {"T2 D=6 CR=0.5 - ZMIN=-1 - bull nose end mill", "T2 bull nose end mill D6 R0.5 L50"},
+        {"T4 D=6. - drill", "T4 drill D6 L50"},
+        {"T4 D=2.705 CR=0. TAPER=118deg - ZMIN=-9.144 - drill", "T4 drill D2.705 L50"},
+        {"T3 D=6.35 CR=0. TAPER=45deg - ZMIN=-1.054 - chamfer mill", "T3 v-cutter D6.35 L50"},
+        {"T1 D=6 CR=0 - ZMIN=-35 - Schaftfr\xe4ser", "T1 flat end mill D6 L50"},
+        {"T5 D=3. CR=0. - ZMIN=-2.5 - FRESA CON PUNTA PLANA", "T5 flat end mill D3 L50"},
+        {"T7  End mill  D=0.25 SD=0.25 FL=1 BL=3 - flat end mill", "T7 flat end mill D0.25 L1"},
+        {"TOOL/MILL,3.17, 0.00, 0.00, 0.00", "T1 flat end mill D3.17 L50"},
+        {"TOOL/MILL,6, 3, 20, 0", "T1 ball end mill D6 L20"},
+        {"TOOL/DRILL,8,118,60", "T1 drill D8 L60"},
+        {"TOOL/CHAMFER,10,90,20,2", "T1 v-cutter D10 L20"},
+        {"TOOL/CDRILL,2,118,3,6,60,30", "T1 v-cutter D6 L30"},
+        {"@MKR|TOOL|number=7|name=End mill|type=Flat End|diameter=0.25|flutelength=1",
+         "T7 flat end mill D0.25 L1"},
+        {"@FC|TOOL|number=3|name=x|type=Chamfer|diameter=3.175|tipdiameter=0.1|cuttingedgeangle=90",
+         "T3 v-cutter D3.175 L50"},
+        {"T4 = End Mill {.75 inches}", "T4 flat end mill D19.05 L50"},
+        {"1 = End Mill {6 mm}", "T1 flat end mill D6 L50"},
+        {" T1 = End Mill 4 mm ", "T1 flat end mill D4 L50"},
+        {"TOOL: V-BIT {90 DEG 0.5\"}", "T1 v-cutter D12.7 L50"},
+        {"TOOL 1 - DIA 3.", "T1 flat end mill D3 L50"},
+        {"1/16 FLAT ENDMILL TOOL - 1 DIA. OFF. - 1 LEN. - 1 DIA. - .0625",
+         "T1 flat end mill D0.0625 L50"},
+        {"T1 | 1/4 FLAT ENDMILL | H1 | D1 | TOOL DIA. - .25 ", "T1 flat end mill D0.25 L50"},
+        {"T02 ID=002  DIA-0.5000                   1/2 ENDMILL", "T2 flat end mill D0.5 L50"},
+        {"T17: 1/16\"drill", "T17 drill D1.5875 L50"},
+        {"TOOL DIA. 4", "T1 flat end mill D4 L50"},
+        {"Endmill Dia. 0.250", "T1 flat end mill D0.25 L50"},
+        {"Tool 2mm dia.", "T1 flat end mill D2 L50"},
+        {"60deg. 1/2\" V bit", "T1 v-cutter D12.7 L50"},
+        {"Tool 8 = .250 Vee bit", "T8 v-cutter D0.25 L50"},
+        {"Tool change - D = 2.0 mm  type BALL flutes 2", "T1 ball end mill D2 L50"},
+        {"End mill 3mm", "T1 flat end mill D3 L50"},
+        // None of these is a tool.
+        {"", "nothing"},
+        {"drill 4 holes", "nothing"},
+        {"DRILL 6MM HOLES", "nothing"},
+        {"Machining time about 00:00:08 hours", "nothing"},
+        {"STOCK 100 x 50 mm", "nothing"},
+        {"Tool change", "nothing"},
+        {"tool.jetDiameter = 1.5", "nothing"},
+        {"TOOL/MILL,0,0,0,0", "nothing"},
+        {"TOOL/CRMILL,1,2,3,4,5", "nothing"},
+    };
+    for (const auto& [comment, expected] : table) {
+        SCOPED_TRACE(comment);
+        EXPECT_EQ(tool_of(comment), expected);
+    }
+}
+
+TEST(ToolComments, InInchProgramsAreInches) {
+    const ProgramNotes n = notes("(T1 D=0.25 CR=0. - ZMIN=-0.3 - FLAT END MILL)\nG20\nT1 M6\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    EXPECT_EQ(n.tools[0].spec.diameter, 6.35);
+}
+
+TEST(ToolComments, KeepTheirOwnUnitInAProgramOfTheOther) {
+    const ProgramNotes n = notes("G21\n(T4 = End Mill {0.5 inches})\nT4 M6\n");
+    EXPECT_EQ(n.tools.at(0).spec.diameter, 12.7);
+}
+
+TEST(ToolComments, WithoutANumberBelongToTheNextToolBeforeAnyMove) {
+    const ProgramNotes n = notes("G21\n(End mill 3mm)\nT7 M6\nG0 X0\n(Ball end mill 4mm)\nT8 M6\n");
+    ASSERT_EQ(n.tools.size(), 2U);
+    EXPECT_EQ(n.tools[0].spec.number, 7);
+    EXPECT_EQ(n.tools[1].spec.number, 8);
+}
+
+TEST(ToolComments, WithoutANumberAfterACallBelongToTheToolInTheSpindle) {
+    const ProgramNotes n = notes("G21\nT7 M6\n(End mill 3mm)\nG0 X0\nT8 M6\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    EXPECT_EQ(n.tools[0].spec.number, 7);
+}
+
+TEST(ToolComments, OnTheLineOfTheCallBelongToIt) {
+    EXPECT_EQ(notes("G21\nM6 T7(TOOL DIA. 4)\n").tools.at(0).spec.number, 7);
+}
+
+TEST(ToolComments, AStatedDiameterBeatsASizeInAName) {
+    const ProgramNotes n =
+        notes("G21\n(T1 = 6 mm end mill)\n(T1 D=5.9 CR=0. - flat end mill)\nT1 M6\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    EXPECT_EQ(n.tools[0].spec.diameter, 5.9);
+    EXPECT_TRUE(n.diagnostics.empty());
+}
+
+TEST(ToolComments, ThatContradictEachOtherAreReportedAndTheFirstIsUsed) {
+    const ProgramNotes n =
+        notes("G21\n(T1 D=6. CR=0. - flat end mill)\n(T1 D=8. CR=0. - flat end mill)\nT1 M6\n");
+    EXPECT_EQ(n.tools.at(0).spec.diameter, 6);
+    ASSERT_EQ(n.diagnostics.size(), 1U);
+    EXPECT_EQ(n.diagnostics[0].code, "tool-conflict");
+    EXPECT_EQ(n.diagnostics[0].span.line, 3U);
+}
+
+TEST(ToolComments, RememberWhereTheyStand) {
+    const ProgramNotes n = notes("%\nN10 G21 (T1 D=6. CR=0. - flat end mill)\nT1 M6\n");
+    EXPECT_EQ(n.tools.at(0).span.line, 2U);
+    EXPECT_EQ(n.tools.at(0).span.column, 9U);
+    EXPECT_EQ(n.tools.at(0).text, "T1 D=6. CR=0. - flat end mill");
+}
+
+TEST(StockComments, BlockIsSizeAndTheZeroSeenFromItsCorner) {
+    const ProgramNotes n = notes("(STOCK/BLOCK,100.00, 50.00, 10.00,20.00, 0.00, 10.00)\nG21\n");
+    ASSERT_TRUE(n.stock);
+    EXPECT_EQ(n.stock->box.min, (cda::Vec3{-20, 0, -10}));
+    EXPECT_EQ(n.stock->box.max, (cda::Vec3{80, 50, 0}));
+    EXPECT_EQ(n.stock->span.line, 1U);
+}
+
+TEST(StockComments, CornersHaveTheirOwnUnits) {
+    const ProgramNotes n =
+        notes("(stockMin:0.00mm, 0.00mm, -1.00mm)\n(stockMax:100.00mm, 90.00mm, 0.00mm)\nG20\n");
+    ASSERT_TRUE(n.stock);
+    EXPECT_EQ(n.stock->box.min, (cda::Vec3{0, 0, -1}));
+    EXPECT_EQ(n.stock->box.max, (cda::Vec3{100, 90, 0}));
+}
+
+TEST(StockComments, WithoutUnitsAreInThoseOfTheProgram) {
+    EXPECT_EQ(notes("(STOCK/BLOCK,4,2,1,0,0,1)\nG20\n").stock->box.max.x, 101.6);
+}
+
+TEST(StockComments, OneCornerIsNoBlock) {
+    EXPECT_FALSE(notes("(stockMin:0,0,-1)\n").stock);
+}
+
+TEST(StockComments, OfAbsurdSizeAreReported) {
+    EXPECT_FALSE(notes("(STOCK/BLOCK,0,50,10,0,0,0)\n").stock);
+    const ProgramNotes n = notes("(STOCK/BLOCK,999999,999999,999999,0,0,0)\nG20\n");
+    EXPECT_FALSE(n.stock);
+    EXPECT_EQ(n.diagnostics.at(0).code, "stock-size");
+}
+
+TEST(StockComments, StartPosition) {
+    EXPECT_EQ(notes("(FROM/0,0,50)\nG21\n").start, (cda::Vec3{0, 0, 50}));
+}
+
+TEST(Notes, OfAnyBytesAreATable) {
+    EXPECT_TRUE(notes("").tools.empty());
+    EXPECT_TRUE(notes(std::string("\0\xff(T\x01(((D=\n(T1 D=", 20)).tools.empty());
+    EXPECT_TRUE(notes("(T99999999999999999999 D=5. CR=0. - flat end mill)").tools.size() <= 1);
+}
+
+TEST(ToolOption, NamesKindAndValues) {
+    std::string message;
+    const auto spec = parse_tool_option("T12=bull:D10:R1.5:L40", message);
+    ASSERT_TRUE(spec) << message;
+    EXPECT_EQ(spec->number, 12);
+    EXPECT_EQ(describe(make_tool(*spec, 50)), "bull nose end mill D10 R1.5 L40");
+    EXPECT_EQ(parse_tool_option("3=ball:d1/4in", message)->diameter, 6.35);
+    EXPECT_EQ(parse_tool_option("t3=v:D6:A60:P0.2", message)->tip_diameter, 0.2);
+    EXPECT_EQ(parse_tool_option("T3=taper:D3:R1.5:A5", message)->taper, 5);
+}
+
+TEST(ToolOption, SaysWhatIsWrong) {
+    for (const char* bad : {"", "T1", "T0=D5", "flat:D5", "T1=flat", "T1=flat:D0", "T1=flat:Dx",
+                            "T1=flat:Q5", "T1=round:D5", "T1=flat:D1e9", "T1=flat:D10:L99999999",
+                            "T1.5=D5", "T1=flat:D-5", "T1=:"}) {
+        SCOPED_TRACE(bad);
+        std::string message;
+        EXPECT_FALSE(parse_tool_option(bad, message));
+        EXPECT_FALSE(message.empty());
+    }
+}
+
+TEST(ToolSpec, SaysWhatWasFilledIn) {
+    ToolSpec spec;
+    spec.diameter = 5;
+    EXPECT_EQ(filled_in(spec, 40), "kind flat end mill, length 40 mm");
+    spec.kind = ToolKind::Drill;
+    spec.length = 30;
+    EXPECT_EQ(filled_in(spec, 40), "angle 118 deg");
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath
