@@ -259,18 +259,6 @@ TEST(FlatCda, AgreesWithMembershipAndWithConvexPieces) {
     }
 }
 
-TEST(Collision, NeedsMaterialNotOnlyMilledSpace) {
-    const FlatCda part = part_of(mm_box(0, 0, 0, 4, 4, 4), {mm_box(1, 1, 2, 3, 3, 5)});
-    EXPECT_FALSE(part.collision(mm_box(1, 1, 2, 3, 3, 9)));  // fills the pocket exactly
-    EXPECT_FALSE(part.collision(mm_box(4, 0, 0, 9, 4, 4)));  // touches a side
-    EXPECT_FALSE(part.collision(mm_box(10, 0, 0, 11, 4, 4)));
-    // Meets both milled space and material: the case that thesis 5.2 misses.
-    const auto hit = part.collision(mm_box(1, 1, 1, 3, 3, 9));
-    ASSERT_TRUE(hit);
-    EXPECT_TRUE(part.contains(*hit));
-    EXPECT_TRUE((Box{{1, 1, 1}, {3, 3, 2}}.contains(*hit)));
-}
-
 TEST(Clone, IsIndependent) {
     FlatCda part(mm_box(0, 0, 0, 4, 4, 4), kLattice);
     part.subtract(mm_box(0, 0, 3, 4, 4, 4, Origin{1}));

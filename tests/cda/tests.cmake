@@ -2,6 +2,7 @@ ncsim_add_test(cda
   LIBRARIES
     ncsim::cda
   SOURCES
+    collision_test.cpp
     flat_test.cpp
     hull_test.cpp
     intersect_test.cpp

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/flat.h"
 
-#include "ncsim/cda/difference.h"
-
 #include "facet_difference.h"
 #include "stitch.h"
 
@@ -348,20 +346,6 @@ bool FlatCda::contains(Vec3 point) const {
     if (side(positive_.body) == Side::Above) return false;
     return std::none_of(negative_.begin(), negative_.end(),
                         [&](const CdaCell& cell) { return side(cell.body) == Side::Below; });
-}
-
-std::optional<Vec3> FlatCda::collision(const Cell& cell) const {
-    IntersectionCosts costs;
-    const auto body = intersect(positive_.body, cell, lattice_, costs);
-    if (!body) return std::nullopt;
-    std::vector<const ConvexPolytope*> milled;
-    for (const CdaCell& n : negative_) {
-        if (n.body.bounds().overlaps(body->bounds())) milled.push_back(&n.body);
-    }
-    const auto rest =
-        first_of_difference(*body, milled, [](const ConvexPolytope&) { return true; });
-    if (!rest) return std::nullopt;
-    return lattice_.unit_mm * inner_point(*rest);
 }
 
 void FlatCda::accept(CdaVisitor& visitor) const {

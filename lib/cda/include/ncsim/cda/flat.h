@@ -90,10 +90,6 @@ public:
     Boundary boundary() const override;
     bool contains(Vec3 point) const override;
 
-    /// A point of the material that `body` has in common with the part, in mm; nothing if they
-    /// touch at most. Right for bodies that meet both milled space and material: body ∩ P ⊄ ∪ Ni.
-    std::optional<Vec3> collision(const Cell& body) const;
-
     void accept(CdaVisitor& visitor) const;
 
     const Lattice& lattice() const { return lattice_; }
