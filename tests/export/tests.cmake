@@ -1,10 +1,57 @@
 ncsim_add_test(export
   LIBRARIES ncsim::export
   SOURCES
+    box_part.cpp
     camera_test.cpp
+    gltf_test.cpp
     png_test.cpp
+    render_test.cpp
     stl_test.cpp
-    text_test.cpp)
+    text_test.cpp
+    vrml_test.cpp)
 find_package(PNG REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
 target_link_libraries(ncsim_export_tests PRIVATE PNG::PNG)
+
+# What ncsim writes is read by programs that nobody here wrote. `write_samples` writes a folder of
+# files in all formats, each reader checks the ones it knows. A reader that is not there is a failure.
+set(samples ${CMAKE_CURRENT_BINARY_DIR}/export/samples)
+add_executable(ncsim_export_samples export/write_samples.cpp export/box_part.cpp)
+target_link_libraries(ncsim_export_samples PRIVATE ncsim::export ncsim_build_flags)
+add_test(NAME export.write_samples COMMAND ncsim_export_samples ${samples})
+set_tests_properties(export.write_samples PROPERTIES FIXTURES_SETUP export_samples)
+
+# glTF: the validator of the Khronos Group, installed beside the samples as its lock file says.
+set(gltf_tools ${CMAKE_CURRENT_BINARY_DIR}/export/gltf)
+foreach(file package.json package-lock.json validate.mjs)
+  configure_file(export/gltf/${file} ${gltf_tools}/${file} COPYONLY)
+endforeach()
+add_test(NAME export.install_gltf_validator
+  COMMAND npm ci --no-audit --no-fund
+  WORKING_DIRECTORY ${gltf_tools})
+set_tests_properties(export.install_gltf_validator PROPERTIES
+  FIXTURES_SETUP gltf_validator TIMEOUT 300)
+add_test(NAME export.gltf_is_valid
+  COMMAND node validate.mjs ${samples}
+  WORKING_DIRECTORY ${gltf_tools})
+set_tests_properties(export.gltf_is_valid PROPERTIES
+  FIXTURES_REQUIRED "export_samples;gltf_validator")
+
+# STL: admesh must find nothing to repair.
+add_test(NAME export.stl_needs_no_repair
+  COMMAND ${CMAKE_COMMAND} -D SAMPLES=${samples} -P ${CMAKE_CURRENT_SOURCE_DIR}/export/check_stl.cmake)
+set_tests_properties(export.stl_needs_no_repair PROPERTIES FIXTURES_REQUIRED export_samples)
+
+# VRML: Coin, the successor of Open Inventor, out of which VRML was made.
+find_package(Coin CONFIG REQUIRED)
+add_executable(ncsim_read_vrml export/read_vrml.cpp)
+target_compile_features(ncsim_read_vrml PRIVATE cxx_std_20)
+target_link_libraries(ncsim_read_vrml PRIVATE Coin::Coin)
+add_test(NAME export.vrml_is_read_by_coin COMMAND ncsim_read_vrml ${samples})
+set_tests_properties(export.vrml_is_read_by_coin PROPERTIES FIXTURES_REQUIRED export_samples)
+
+# The same bytes for any number of threads of the software renderer.
+add_test(NAME export.threads_change_no_byte
+  COMMAND ${CMAKE_COMMAND} -D WRITER=$<TARGET_FILE:ncsim_export_samples>
+    -D FOLDER=${CMAKE_CURRENT_BINARY_DIR}/export/threads
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/export/check_threads.cmake)

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// read_vrml <folder>: every .wrl in the folder is read by Coin, encloses the volume that the
+// .expect file beside it names, and has a group for each of its program lines.
+#include <Inventor/SoDB.h>
+#include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/VRMLnodes/SoVRMLGroup.h>
+#include <Inventor/actions/SoCallbackAction.h>
+#include <Inventor/actions/SoSearchAction.h>
+#include <Inventor/errors/SoReadError.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Expectation {
+    double volume = 0.0;
+    std::vector<std::string> groups;  // names
+};
+
+Expectation read_expectation(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    Expectation result;
+    std::string word;
+    in >> word >> result.volume >> word;
+    for (unsigned line = 0; in >> line;) {
+        result.groups.push_back(line == 0 ? "STOCK" : "LINE_" + std::to_string(line));
+    }
+    return result;
+}
+
+bool reported_error = false;
+
+// Sums up volumes of tetrahedra over the first point met: far from the origin, floats leave nothing
+// of volumes over the origin.
+struct VolumeSum {
+    bool has_apex = false;
+    SbVec3f apex;
+    double sixfold = 0.0;
+};
+
+void add_triangle(void* data, SoCallbackAction*, const SoPrimitiveVertex* a,
+                  const SoPrimitiveVertex* b, const SoPrimitiveVertex* c) {
+    auto* sum = static_cast<VolumeSum*>(data);
+    if (!sum->has_apex) sum->apex = a->getPoint();
+    sum->has_apex = true;
+    const SbVec3f p = a->getPoint() - sum->apex;
+    const SbVec3f q = b->getPoint() - sum->apex;
+    const SbVec3f r = c->getPoint() - sum->apex;
+    sum->sixfold += static_cast<double>(p.dot(q.cross(r)));
+}
+
+bool check(const std::filesystem::path& path) {
+    const Expectation expected =
+        read_expectation(std::filesystem::path(path).replace_extension(".expect"));
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream buffer;
+    buffer << file.rdbuf();
+    const std::string text = buffer.str();
+    SoInput input;
+    input.setBuffer(text.data(), text.size());
+    reported_error = false;
+    SoVRMLGroup* root = SoDB::readAllVRML(&input);
+    if (root == nullptr || reported_error) {
+        std::cerr << path << ": Coin cannot read it\n";
+        return false;
+    }
+    root->ref();
+    bool good = true;
+    VolumeSum sum;
+    SoCallbackAction action;
+    action.addTriangleCallback(SoNode::getClassTypeId(), add_triangle, &sum);
+    action.apply(root);
+    const double volume = sum.sixfold / 6.0;
+    if (std::abs(volume - expected.volume) > 1e-4 * expected.volume) {
+        std::cerr << path << ": volume " << volume << ", not " << expected.volume << '\n';
+        good = false;
+    }
+    for (const std::string& group : expected.groups) {
+        SoSearchAction search;
+        search.setName(SbName(group.c_str()));
+        search.apply(root);
+        if (search.getPath() == nullptr) {
+            std::cerr << path << ": no group " << group << '\n';
+            good = false;
+        }
+    }
+    root->unref();
+    std::cout << path << ": " << volume << " mm³, " << expected.groups.size() << " groups\n";
+    return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) return EXIT_FAILURE;
+    SoDB::init();
+    SoReadError::setHandlerCallback(
+        [](const SoError* error, void*) {
+            std::cerr << error->getDebugString().getString() << '\n';
+            reported_error = true;
+        },
+        nullptr);
+    int files = 0;
+    bool good = true;
+    for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
+        if (entry.path().extension() != ".wrl") continue;
+        ++files;
+        good = check(entry.path()) && good;
+    }
+    return good && files > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

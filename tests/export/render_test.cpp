@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/export/render.h"
+
+#include "ncsim/cda/flat.h"
+#include "ncsim/export/png.h"
+
+#include "box_part.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+namespace ncsim::exporter {
+namespace {
+
+RenderOptions options_for(const cda::Boundary& boundary, View view,
+                          Projection projection = Projection::Orthographic) {
+    RenderOptions options;
+    options.width = 400;
+    options.height = 300;
+    options.camera = fit_camera(cda::bounds(boundary), view, 4 / 3.0, projection);
+    return options;
+}
+
+int difference(Rgba8 a, Rgba8 b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+// Is there nothing but one colour within two pixels?
+bool is_flat(const Image& image, std::uint32_t x, std::uint32_t y) {
+    for (std::uint32_t v = y < 2 ? 0 : y - 2; v < std::min(y + 3, image.height); ++v) {
+        for (std::uint32_t u = x < 2 ? 0 : x - 2; u < std::min(x + 3, image.width); ++u) {
+            if (difference(image.at(u, v), image.at(x, y)) > 2) return false;
+        }
+    }
+    return true;
+}
+
+struct Comparison {
+    std::size_t flat = 0;            // pixels away from edges
+    std::size_t flat_different = 0;  // of these, different ones
+    std::size_t edge = 0;
+    std::size_t edge_different = 0;
+};
+
+Comparison compare(const Image& stencil, const Image& boundary) {
+    Comparison result;
+    for (std::uint32_t y = 0; y < boundary.height; ++y) {
+        for (std::uint32_t x = 0; x < boundary.width; ++x) {
+            const bool differs = difference(stencil.at(x, y), boundary.at(x, y)) > 2;
+            const bool flat = is_flat(boundary, x, y);
+            (flat ? result.flat : result.edge) += 1;
+            (flat ? result.flat_different : result.edge_different) += differs ? 1 : 0;
+        }
+    }
+    return result;
+}
+
+void expect_same_picture(const cda::WorkpieceModel& model, const Provenance& provenance, View view,
+                         Projection projection) {
+    SCOPED_TRACE(name(view));
+    const cda::Boundary boundary = model.boundary();
+    const RenderOptions options = options_for(boundary, view, projection);
+    const Image a = render_model(model, provenance, options);
+    const Image b = render_boundary(boundary, provenance, options);
+    const Comparison result = compare(a, b);
+    EXPECT_GT(result.flat, 40000U);
+    EXPECT_EQ(result.flat_different, 0U);
+    EXPECT_LE(result.edge_different, result.edge / 50);
+}
+
+TEST(Render, StencilAndBoundaryShowTheSamePicture) {
+    for (const auto& part : {test::grooved_part(), test::raster_part(),
+                             test::grooved_part().tilted(), test::raster_part().tilted()}) {
+        for (const View view : {View::Iso, View::Top, View::Front}) {
+            for (const Projection projection :
+                 {Projection::Orthographic, Projection::Perspective}) {
+                expect_same_picture(test::BoxModel(part), test::provenance_of(part), view,
+                                    projection);
+            }
+        }
+    }
+}
+
+// A convex body of 12 random planes 2 to 6 mm from a random point of the upper half of the stock.
+cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Origin origin) {
+    std::uniform_int_distribution<std::int64_t> component(-1000, 1000);
+    const auto between = [&](double a, double b) {
+        return a + (b - a) * static_cast<double>(component(random) + 1000) / 2000.0;
+    };
+    const cda::Vec3 centre{between(0, 40), between(0, 30), between(5, 15)};
+    cda::Cell cell;
+    cell.origin = origin;
+    const auto add_plane = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+        const cda::Vec3 n{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+        const double d = cda::dot(n, centre) + between(2, 6) * cda::norm(n);
+        cell.planes.push_back(
+            cda::canonical(x, y, z, static_cast<std::int64_t>(d / lattice.unit_mm)));
+    };
+    // Six about along the axes, so that it is bounded; six anyhow.
+    for (const std::int64_t sign : {-1, 1}) {
+        add_plane(sign * 1000, component(random) / 5, component(random) / 5);
+        add_plane(component(random) / 5, sign * 1000, component(random) / 5);
+        add_plane(component(random) / 5, component(random) / 5, sign * 1000);
+    }
+    for (int i = 0; i < 6; ++i)
+        add_plane(component(random), component(random), 1 + component(random));
+    cell.bounds.add(centre - cda::Vec3{20, 20, 20});
+    cell.bounds.add(centre + cda::Vec3{20, 20, 20});
+    return cell;
+}
+
+TEST(Render, StencilAndBoundaryOfAFlatCdaShowTheSamePicture) {
+    std::mt19937 random(20010117);
+    const cda::Box stock{{0, 0, 0}, {40, 30, 10}};
+    const cda::Lattice lattice = cda::Lattice::for_stock(stock);
+    cda::FlatCda part(cda::box_cell(lattice.round(stock.min), lattice.round(stock.max), lattice),
+                      lattice);
+    Provenance provenance;
+    provenance.entries.push_back({});
+    for (std::uint32_t i = 1; i <= 40; ++i) {
+        part.subtract(random_cell(random, lattice, cda::Origin{i}));
+        provenance.entries.push_back({i, 1 + i % 5});
+    }
+    for (const View view : {View::Iso, View::Top, View::Right}) {
+        expect_same_picture(part, provenance, view, Projection::Perspective);
+    }
+}
+
+TEST(Render, AnEmptyPartIsAnEmptyPicture) {
+    const auto part = test::vanished_part();
+    RenderOptions options = options_for(test::boundary_of(part), View::Iso);
+    const Image stencil = render_model(test::BoxModel(part), {}, options);
+    const Image boundary = render_boundary(test::boundary_of(part), {}, options);
+    EXPECT_EQ(stencil, boundary);
+    EXPECT_EQ(stencil.pixels, std::vector<Rgba8>(stencil.pixels.size(), Rgba8{255, 255, 255}));
+}
+
+TEST(Render, TellsStockAndToolsApart) {
+    const auto part = test::grooved_part();
+    const cda::Boundary boundary = test::boundary_of(part);
+    RenderOptions options = options_for(boundary, View::Top);
+    options.edges = false;
+    const Image image = render_boundary(boundary, test::provenance_of(part), options);
+    std::vector<std::array<int, 3>> colours;
+    for (const Rgba8& p : image.pixels) {
+        const std::array colour{int{p.r}, int{p.g}, int{p.b}};
+        if (std::count(colours.begin(), colours.end(), colour) == 0) colours.push_back(colour);
+    }
+    // White, stock, two tools; between them only averages.
+    std::size_t plain = 0;
+    for (const auto& colour : colours) {
+        const auto count = std::count_if(image.pixels.begin(), image.pixels.end(), [&](Rgba8 p) {
+            return std::array{int{p.r}, int{p.g}, int{p.b}} == colour;
+        });
+        if (count > 1000) ++plain;
+    }
+    EXPECT_EQ(plain, 4U);
+}
+
+// 4096 / 2 samples are one tile: 2500 pixels are two by two of them.
+TEST(Render, TilesHaveNoSeams) {
+    const auto part = test::grooved_part().tilted();
+    const cda::Boundary boundary = test::boundary_of(part);
+    RenderOptions options = options_for(boundary, View::Iso);
+    options.width = 2500;
+    options.height = 2100;
+    options.camera = fit_camera(cda::bounds(boundary), View::Iso, 2500.0 / 2100.0);
+    const Image tiled = render_boundary(boundary, test::provenance_of(part), options);
+    options.samples = 1;
+    const Image whole = render_boundary(boundary, test::provenance_of(part), options);
+    std::size_t flat_different = 0;
+    for (std::uint32_t y = 0; y < tiled.height; ++y) {
+        for (std::uint32_t x = 2000; x < 2100; ++x) {  // about the seam at 2044
+            if (is_flat(whole, x, y) && difference(tiled.at(x, y), whole.at(x, y)) > 2)
+                ++flat_different;
+        }
+    }
+    EXPECT_EQ(flat_different, 0U);
+    EXPECT_EQ(compare(render_model(test::BoxModel(part), test::provenance_of(part), options), whole)
+                  .flat_different,
+              0U);
+}
+
+TEST(Render, RefusesSizesThatCannotBe) {
+    const cda::Boundary boundary = test::boundary_of(test::grooved_part());
+    for (const auto& [width, height, samples] : {std::array{0U, 100U, 2U},
+                                                 {100U, 0U, 2U},
+                                                 {kMaxImageSide + 1, 100U, 2U},
+                                                 {100U, 4000000000U, 2U},
+                                                 {100U, 100U, 0U},
+                                                 {100U, 100U, 5U}}) {
+        RenderOptions options;
+        options.width = width;
+        options.height = height;
+        options.samples = samples;
+        EXPECT_THROW(render_boundary(boundary, {}, options), std::runtime_error);
+    }
+}
+
+TEST(Render, TheNarrowestPictureIsOnePixelWide) {
+    const auto part = test::grooved_part();
+    RenderOptions options = options_for(test::boundary_of(part), View::Top);
+    options.width = 1;
+    options.height = 1;
+    const Image image = render_boundary(test::boundary_of(part), {}, options);
+    EXPECT_EQ(image.pixels.size(), 1U);
+    EXPECT_NE(image.pixels[0], (Rgba8{255, 255, 255}));
+}
+
+TEST(Render, SaysTheSameTwice) {
+    const auto part = test::raster_part().tilted();
+    const cda::Boundary boundary = test::boundary_of(part);
+    const RenderOptions options = options_for(boundary, View::Iso);
+    EXPECT_EQ(render_boundary(boundary, test::provenance_of(part), options),
+              render_boundary(boundary, test::provenance_of(part), options));
+    EXPECT_EQ(render_model(test::BoxModel(part), test::provenance_of(part), options),
+              render_model(test::BoxModel(part), test::provenance_of(part), options));
+}
+
+}  // namespace
+}  // namespace ncsim::exporter

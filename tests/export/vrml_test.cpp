@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/export/vrml.h"
+
+#include "box_part.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+namespace ncsim::exporter {
+namespace {
+
+std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+    std::ostringstream out;
+    write_vrml(out, boundary, provenance);
+    return out.str();
+}
+
+// A square pyramid: one polygon of stock, four triangles cut by lines 7 and 9.
+cda::Boundary pyramid() {
+    cda::Boundary b;
+    b.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1.5}};
+    b.faces = {{{0, 0, -1}, 0, cda::kStockOrigin, 0, {{3, 2, 1, 0}}},
+               {{0, -0.83, 0.55}, 0, cda::Origin{1}, 0, {{0, 1, 4}}},
+               {{0.83, 0, 0.55}, 1.6, cda::Origin{2}, 0, {{1, 2, 4}}},
+               {{0, 0.83, 0.55}, 1.6, cda::Origin{1}, 0, {{2, 3, 4}}},
+               {{-0.83, 0, 0.55}, 0, cda::Origin{2}, 0, {{3, 0, 4}}}};
+    b.shells = 1;
+    return b;
+}
+
+Provenance pyramid_lines() {
+    return {{{}, {9, 4}, {7, 4}}, "pyramid.nc"};
+}
+
+TEST(WriteVrml, GroupsFacesByLineAndKeepsPolygons) {
+    EXPECT_EQ(written(pyramid(), pyramid_lines()), R"(#VRML V2.0 utf8
+WorldInfo { title "pyramid.nc" info [ "made by ncsim" "unit: mm, z up" ] }
+DEF STOCK Group { children [
+Shape {
+appearance DEF STOCK_LOOK Appearance { material Material { diffuseColor 0.588 0.611 0.643 specularColor 0.2 0.2 0.2 } }
+geometry IndexedFaceSet { convex FALSE
+coord Coordinate { point [
+0 2 0
+2 2 0
+2 0 0
+0 0 0
+] }
+coordIndex [
+0 1 2 3 -1
+] } }
+] }
+DEF LINE_7 Group { children [
+Shape {
+appearance DEF TOOL_4 Appearance { material Material { diffuseColor 0.494 0.713 0.886 specularColor 0.2 0.2 0.2 } }
+geometry IndexedFaceSet { convex FALSE
+coord Coordinate { point [
+2 0 0
+2 2 0
+1 1 1.5
+0 2 0
+0 0 0
+] }
+coordIndex [
+0 1 2 -1
+3 4 2 -1
+] } }
+] }
+DEF LINE_9 Group { children [
+Shape {
+appearance USE TOOL_4
+geometry IndexedFaceSet { convex FALSE
+coord Coordinate { point [
+0 0 0
+2 0 0
+1 1 1.5
+2 2 0
+0 2 0
+] }
+coordIndex [
+0 1 2 -1
+3 4 2 -1
+] } }
+] }
+)");
+}
+
+TEST(WriteVrml, AnEmptyPartIsAWorldWithoutShapes) {
+    EXPECT_EQ(written({}, {}),
+              "#VRML V2.0 utf8\n"
+              "WorldInfo { title \"\" info [ \"made by ncsim\" \"unit: mm, z up\" ] }\n");
+}
+
+TEST(WriteVrml, CutsFacesWithHolesIntoTriangles) {
+    const std::string text = written(test::plate_with_hole(), {{{}, {20, 3}}, "plate.nc"});
+    // 2 faces of 8 corners and 1 hole are 8 triangles each; 8 squares stay.
+    std::size_t polygons = 0;
+    for (std::size_t at = text.find("-1\n"); at != std::string::npos;
+         at = text.find("-1\n", at + 1)) {
+        ++polygons;
+    }
+    EXPECT_EQ(polygons, 16U + 8U);
+}
+
+TEST(WriteVrml, QuotesTheNameOfTheProgram) {
+    Provenance provenance;
+    provenance.program = "a\"b\\c\nd\xFF.nc";
+    EXPECT_NE(written({}, provenance)
+                  .find("title \"a\\\"b\\\\c\xEF\xBF\xBD"
+                        "d\xEF\xBF\xBD.nc\""),
+              std::string::npos);
+}
+
+TEST(WriteVrml, SaysTheSameTwice) {
+    const auto part = test::grooved_part().tilted();
+    const auto boundary = test::boundary_of(part);
+    EXPECT_EQ(written(boundary, test::provenance_of(part)),
+              written(boundary, test::provenance_of(part)));
+}
+
+TEST(WriteVrml, TellsThatTheStreamFailed) {
+    std::ostringstream out;
+    out.setstate(std::ios::badbit);
+    EXPECT_THROW(write_vrml(out, {}, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace ncsim::exporter

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// write_samples <folder>: parts in every format, for readers that nobody here wrote. Beside each
+// part a text of what a reader must find in it: "volume <mm³>" and "lines <numbers, ascending>".
+#include "ncsim/cda/mesh.h"
+#include "ncsim/export/gltf.h"
+#include "ncsim/export/png.h"
+#include "ncsim/export/render.h"
+#include "ncsim/export/stl.h"
+#include "ncsim/export/vrml.h"
+
+#include "box_part.h"
+
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <string>
+
+namespace ncsim::exporter::test {
+
+namespace {
+
+// Creates the file, or throws.
+std::ofstream create(const std::filesystem::path& path) {
+    std::ofstream out(path, std::ios::binary);
+    out.exceptions(std::ios::failbit | std::ios::badbit);
+    return out;
+}
+
+void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
+           const Provenance& provenance) {
+    const auto file = [&](const char* extension) {
+        return create(std::filesystem::path(stem).replace_extension(extension));
+    };
+    auto glb = file(".glb");
+    write_gltf(glb, boundary, provenance);
+    auto wrl = file(".wrl");
+    write_vrml(wrl, boundary, provenance);
+    auto stl = file(".stl");
+    write_stl(stl, cda::triangulate(boundary));
+
+    std::set<std::uint32_t> lines;
+    for (const auto& face : boundary.faces)
+        lines.insert(provenance.of(face.origin).nc_line);
+    auto expect = file(".expect");
+    expect.precision(17);
+    expect << "volume " << cda::volume(boundary) << "\nlines";
+    for (const std::uint32_t line : lines)
+        expect << ' ' << line;
+    expect << '\n';
+}
+
+// The part as both renderers see it.
+void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
+    const cda::Boundary boundary = boundary_of(part);
+    const Provenance provenance = provenance_of(part);
+    RenderOptions options;
+    options.width = 640;
+    options.height = 480;
+    options.camera = fit_camera(cda::bounds(boundary), View::Iso, 4 / 3.0, Projection::Perspective);
+    auto from_boundary = create(stem.string() + "_boundary.png");
+    write_png(from_boundary, render_boundary(boundary, provenance, options));
+    auto from_model = create(stem.string() + "_model.png");
+    write_png(from_model, render_model(BoxModel(part), provenance, options));
+}
+
+void write_all(const std::filesystem::path& folder) {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    const BoxPart grooved = grooved_part();
+    write(folder / "grooved", boundary_of(grooved), provenance_of(grooved));
+    write(folder / "tilted", boundary_of(grooved.tilted()), provenance_of(grooved));
+
+    write_pictures(folder / "tilted", grooved.tilted());
+
+    BoxPart far_away = raster_part().tilted();
+    far_away.shift = {1234.5, -4321.25, 987.125};
+    write(folder / "far_away", boundary_of(far_away), provenance_of(far_away));
+
+    write_pictures(folder / "far_away", far_away);
+
+    Provenance odd_name;
+    odd_name.entries = {{}, {20, 3}};
+    odd_name.program =
+        "d\xFC"
+        "bel \"quoted\" \\ \n \xE2\x82\xAC.nc";  // Latin-1 and UTF-8 mixed
+    write(folder / "plate_with_hole", plate_with_hole(), odd_name);
+
+    const BoxPart vanished = vanished_part();
+    write(folder / "vanished", boundary_of(vanished), provenance_of(vanished));
+}
+
+}  // namespace
+
+}  // namespace ncsim::exporter::test
+
+int main(int argc, char** argv) {
+    try {
+        if (argc != 2) throw std::runtime_error("usage: write_samples <folder>");
+        ncsim::exporter::test::write_all(argv[1]);
+        return EXIT_SUCCESS;
+    } catch (const std::exception& e) {
+        std::cerr << "write_samples: " << e.what() << '\n';
+        return EXIT_FAILURE;
+    }
+}
