@@ -86,6 +86,30 @@ TEST(Render, StencilAndBoundaryShowTheSamePicture) {
     }
 }
 
+TEST(Render, EveryColouringAndBackgroundIsTheSameForBoth) {
+    const auto part = test::grooved_part().tilted();
+    const cda::Boundary boundary = test::boundary_of(part);
+    RenderOptions options = options_for(boundary, View::Iso, Projection::Perspective);
+    options.depth_top = cda::bounds(boundary).max.z;
+    options.depth_bottom = cda::bounds(boundary).min.z;
+    for (const Colouring colouring : {Colouring::Tool, Colouring::Line, Colouring::Depth}) {
+        for (const Background background : {Background::White, Background::Dark}) {
+            options.colouring = colouring;
+            options.background = background;
+            const Image a = render_model(test::BoxModel(part), test::provenance_of(part), options);
+            const Image b = render_boundary(boundary, test::provenance_of(part), options);
+            EXPECT_EQ(compare(a, b).flat_different, 0U);
+        }
+    }
+}
+
+TEST(Render, RefusesDepthsUpsideDown) {
+    RenderOptions options;
+    options.colouring = Colouring::Depth;
+    options.depth_bottom = options.depth_top;
+    EXPECT_THROW(render_boundary({}, {}, options), std::runtime_error);
+}
+
 // A convex body of 12 random planes 2 to 6 mm from a random point of the upper half of the stock.
 cda::Cell random_cell(std::mt19937& random, const cda::Lattice& lattice, cda::Origin origin) {
     std::uniform_int_distribution<std::int64_t> component(-1000, 1000);

@@ -17,7 +17,9 @@
 #endif
 #ifdef NCSIM_HAS_LEAK_CHECKER
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so"; }
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libOSMesa.so";
+}
 #endif
 
 namespace ncsim::exporter {

@@ -21,6 +21,9 @@ constexpr std::array<Rgba8, 8> kToolColours{{{126, 182, 226},
                                              {226, 124, 98},
                                              {104, 192, 194}}};
 
+constexpr std::array<Rgba8, 5> kScale{
+    {{248, 222, 112}, {122, 200, 122}, {52, 152, 156}, {62, 96, 160}, {78, 48, 118}}};
+
 float to_linear(std::uint8_t channel) {
     const float c = static_cast<float>(channel) / 255.0F;
     return c * c;
@@ -39,6 +42,13 @@ LinearColour to_linear(Rgba8 colour) {
 
 Rgba8 to_srgb(LinearColour colour) {
     return {to_srgb(colour.r), to_srgb(colour.g), to_srgb(colour.b), 255};
+}
+
+LinearColour scale_colour(double t) {
+    const double position = std::clamp(t, 0.0, 1.0) * static_cast<double>(kScale.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(position), kScale.size() - 2);
+    const auto share = static_cast<float>(position - static_cast<double>(below));
+    return (1.0F - share) * to_linear(kScale[below]) + share * to_linear(kScale[below + 1]);
 }
 
 Palette::Palette(const Provenance& provenance) : tools_{0} {

@@ -26,6 +26,10 @@ struct LinearColour {
 LinearColour to_linear(Rgba8 colour);
 Rgba8 to_srgb(LinearColour colour);
 
+/// The colours of a scale from 0 to 1: yellow, green, blue, violet, ever darker, so that the order
+/// can be seen without telling hues apart. Numbers beyond are clamped.
+LinearColour scale_colour(double t);
+
 /// The tools of a program, each with a colour. Tools are coloured by their rank among the tools
 /// used, so neighbours in a program differ even where numbers are far apart; from the ninth tool
 /// on colours come again.

@@ -12,6 +12,7 @@
 #include "visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
@@ -39,6 +40,9 @@ void check(const RenderOptions& options) {
         throw std::runtime_error("cannot render a picture of " + std::to_string(options.width) +
                                  " by " + std::to_string(options.height) + " pixels: 1 to " +
                                  std::to_string(kMaxImageSide) + " are possible");
+    }
+    if (options.colouring == Colouring::Depth && !(options.depth_bottom < options.depth_top)) {
+        throw std::runtime_error("cannot colour by depth: the bottom is not below the top");
     }
     if (options.samples < 1 || options.samples > kMaxSamples) {
         throw std::runtime_error("cannot render with " + std::to_string(options.samples) +
@@ -87,17 +91,44 @@ ScreenMap screen_map(const RenderOptions& options) {
             static_cast<double>(options.height) * options.samples};
 }
 
-Surface surface(const ScreenMap& map, Vec3 normal, Vec3 point, Rgba8 colour) {
-    const Vec3 n_C = map.direction_in_camera(normal);
-    return {n_C, cda::dot(n_C, map.point_in_camera(point)), to_linear(colour)};
-}
+// Makes surfaces, coloured as the options say.
+class Paint {
+public:
+    Paint(const ScreenMap& map, const Provenance& provenance, const RenderOptions& options)
+        : map_(map),
+          provenance_(provenance),
+          palette_(provenance),
+          colouring_(options.colouring),
+          last_(provenance.entries.size() > 1 ? static_cast<double>(provenance.entries.size() - 1)
+                                              : 1.0) {}
+
+    Surface surface(Vec3 normal, Vec3 point, cda::Origin origin) const {
+        const Vec3 n_C = map_.direction_in_camera(normal);
+        Surface result{n_C, cda::dot(n_C, map_.point_in_camera(point)), {}, false};
+        const bool is_cut = origin != cda::kStockOrigin;
+        if (is_cut && colouring_ == Colouring::Line) {
+            // Origins are numbered as they were cut: program lines may come in loops.
+            result.colour = scale_colour(static_cast<double>(origin) / last_);
+        } else {
+            result.colour = to_linear(palette_.colour(provenance_.of(origin)));
+            result.by_depth = is_cut && colouring_ == Colouring::Depth;
+        }
+        return result;
+    }
+
+private:
+    const ScreenMap& map_;
+    const Provenance& provenance_;
+    Palette palette_;
+    Colouring colouring_;
+    double last_;
+};
 
 // Hands the facets of a model to the stencil buffer. The facets come in the same order for every
 // tile, so their numbers stay the same; the table is filled by the first.
 class StencilCanvas : public cda::FacetCanvas {
 public:
-    StencilCanvas(const ScreenMap& map, const Palette& palette, const Provenance& provenance)
-        : map_(map), palette_(palette), provenance_(provenance) {}
+    StencilCanvas(const ScreenMap& map, const Paint& paint) : map_(map), paint_(paint) {}
 
     const std::vector<Surface>& surfaces() const { return surfaces_; }
 
@@ -112,8 +143,7 @@ public:
             return;
         }
         if (next_ == surfaces_.size()) {
-            surfaces_.push_back(surface(map_, facet.normal, facet.outline[0],
-                                        palette_.colour(provenance_.of(facet.origin))));
+            surfaces_.push_back(paint_.surface(facet.normal, facet.outline[0], facet.origin));
         }
         const auto id = static_cast<SurfaceId>(++next_);
         project(facet.outline, outline_);
@@ -131,8 +161,7 @@ private:
     }
 
     const ScreenMap& map_;
-    const Palette& palette_;
-    const Provenance& provenance_;
+    const Paint& paint_;
     VisibilityBuffer* buffer_ = nullptr;
     std::size_t next_ = 0;
     std::vector<Surface> surfaces_;
@@ -146,8 +175,8 @@ Image render_model(const cda::WorkpieceModel& model, const Provenance& provenanc
                    const RenderOptions& options) {
     check(options);
     const ScreenMap map = screen_map(options);
-    const Palette palette(provenance);
-    StencilCanvas canvas(map, palette, provenance);
+    const Paint paint(map, provenance, options);
+    StencilCanvas canvas(map, paint);
     return render(map, options, canvas.surfaces(), [&](VisibilityBuffer& buffer) {
         canvas.begin(buffer);
         model.render(canvas);
@@ -158,14 +187,13 @@ Image render_boundary(const cda::Boundary& boundary, const Provenance& provenanc
                       const RenderOptions& options) {
     check(options);
     const ScreenMap map = screen_map(options);
-    const Palette palette(provenance);
+    const Paint paint(map, provenance, options);
     const cda::TriangleMesh mesh = cda::triangulate(boundary);
     std::vector<Surface> surfaces;
     std::vector<bool> is_visible;
     for (const cda::BoundaryFace& face : boundary.faces) {
         const Vec3 point = boundary.vertices[face.loops.front().front()];
-        surfaces.push_back(
-            surface(map, face.normal, point, palette.colour(provenance.of(face.origin))));
+        surfaces.push_back(paint.surface(face.normal, point, face.origin));
         is_visible.push_back(faces_camera(options.camera, face.normal, point));
     }
     std::vector<ScreenPoint> points;

@@ -31,7 +31,13 @@ public:
                  std::uint32_t height, Image& image);
 
 private:
+    // Light on a surface: its colour times `diffuse`, and `sheen` of white.
+    struct Lighting {
+        float diffuse = 0, sheen = 0;
+    };
+    static Lighting lighting(const Surface& surface);
     void light_new_surfaces();
+    LinearColour colour_at(SurfaceId id, double x, double y) const;
     void remove_specks(std::vector<SurfaceId>& ids);
     void find_lines(std::span<const SurfaceId> ids);
     float line_between(SurfaceId a, SurfaceId b, double x, double y) const;
@@ -41,7 +47,7 @@ private:
     ScreenMap map_;
     const RenderOptions& options_;
     const std::vector<Surface>& surfaces_;
-    std::vector<LinearColour> lit_;  // by SurfaceId
+    std::vector<LinearColour> lit_;  // by SurfaceId; for surfaces coloured by depth, unused
     std::vector<float> ink_;         // for each sample, 0 … 1
     SampleRect rect_;
 };

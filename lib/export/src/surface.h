@@ -17,9 +17,10 @@ namespace ncsim::exporter {
 /// Lengths in mm, in the camera's frame C: x to the right, y up, z towards the eye, the
 /// target at the origin.
 struct Surface {
-    cda::Vec3 n_C;        ///< Unit, out of the material, towards the eye.
-    double offset = 0.0;  ///< n_C · x == offset on the surface.
-    LinearColour colour;  ///< Of the material, before any light.
+    cda::Vec3 n_C;          ///< Unit, out of the material, towards the eye.
+    double offset = 0.0;    ///< n_C · x == offset on the surface.
+    LinearColour colour;    ///< Of the material, before any light.
+    bool by_depth = false;  ///< The colour depends on the height of each point instead.
 };
 
 /// Number of a surface in the table; 0 is the background, surface i has the number i + 1.
