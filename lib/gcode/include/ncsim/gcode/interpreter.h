@@ -4,17 +4,43 @@
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/dialect.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/gcode/source.h"
+#include "ncsim/gcode/state.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::gcode {
 
 enum class DefaultUnits : std::uint8_t { Millimetres, Inches };
+
+/// What the control has in its tool table. Lengths are offsets as G43 applies them; motions are
+/// of the tool tip, so they only move what is said in machine coordinates.
+struct ToolTableEntry {
+    int number = 0;
+    std::array<Length, 3> offset{};  ///< X, Y, Z.
+    std::optional<Length> diameter;  ///< For G41 and G42.
+};
+
+/// Called with each motion just before the sink: the frame it was programmed in.
+using FrameObserver = std::function<void(const Motion&, const ProgramFrame&)>;
+
+/// The text of a program beside the main one, by the name a call gives it ("probe", "O1234"), or
+/// nullopt. The library itself reads no files.
+using FileReader = std::function<std::optional<SourceFile>(std::string_view name)>;
+
+/// Where a program that does not end is stopped, with a diagnostic.
+struct Limits {
+    std::uint64_t repeated_blocks = 4'000'000;  ///< Blocks run again by loops, calls and repeats.
+    std::uint32_t call_depth = 64;
+};
 
 struct InterpreterOptions {
     /// For programs that say neither G20 nor G21.
@@ -23,6 +49,17 @@ struct InterpreterOptions {
     /// first.
     std::array<Position, 9> work_offsets{};
     bool block_delete = false;  ///< Skip blocks that start with '/'.
+
+    Dialect dialect = Dialect::Auto;
+    /// RS274/NGC as LinuxCNC runs it: what that control refuses is an error. Otherwise the
+    /// program gets what the machine it was written for gives it, with warnings.
+    bool strict = false;
+    /// Words that are known to be harmless, "G187", "M198": they are passed over in silence.
+    std::vector<std::string> allow;
+    std::vector<ToolTableEntry> tools;
+    FileReader read_file;
+    FrameObserver observe_frame;
+    Limits limits;
 };
 
 /// What was concluded on the way, for the assumption sheet and for reports.
@@ -33,6 +70,9 @@ struct Interpretation {
     std::uint64_t lines = 0;
     std::uint64_t motions = 0;
     std::vector<std::string> files;  ///< [0] is the program; O-files that were called follow.
+    DialectFindings dialect;         ///< What the program was read as, and why.
+    bool refused = false;            ///< Not a milling program we read; nothing was run.
+    bool ended = false;              ///< M2, M30, or a closing '%' was met.
 };
 
 /// Called for each motion in the order of execution. The reference is valid during the call.

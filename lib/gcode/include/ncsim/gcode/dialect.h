@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which control a program was written for.
+#pragma once
+
+#include "ncsim/gcode/source.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode {
+
+enum class Dialect : std::uint8_t { Auto, Rs274, Fanuc, Haas, Grbl, Mach3 };
+
+/// "rs274", "fanuc" …
+std::string_view name_of(Dialect dialect);
+
+/// Programs for other machines, and in other languages.
+enum class Kind : std::uint8_t {
+    Milling,
+    Heidenhain,
+    Siemens,
+    Lathe,
+    Laser,
+    Plasma,
+    Printer,
+    NotAProgram,
+};
+std::string_view name_of(Kind kind);
+
+/// One thing that speaks for a conclusion, with the place where it was seen first.
+struct Evidence {
+    std::string text;
+    std::uint32_t line = 0;
+};
+
+struct DialectFindings {
+    Dialect dialect = Dialect::Rs274;  ///< Never Auto.
+    bool stated = false;               ///< Given by the user, not concluded.
+    Kind kind = Kind::Milling;
+    std::vector<Evidence> evidence;  ///< For `dialect`; then for `kind`.
+};
+
+/// Looks at the program (its first 400 kB) and concludes. Without any sign: Rs274, the common core.
+DialectFindings detect_dialect(const SourceFile& program);
+
+}  // namespace ncsim::gcode

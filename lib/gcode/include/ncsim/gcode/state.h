@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a control remembers between two blocks. A value: to go back, keep a copy.
+//
+// Numbers that a program can write are kept as it writes them, in *program coordinates* and in
+// the units that are active, so that they stay exact until they leave as motions:
+//
+//     machine = rotate_z(rotation) * (position + offset_92) + work_offset + tool_offset
+#pragma once
+
+#include "ncsim/gcode/motion.h"
+
+#include <array>
+#include <cstdint>
+
+namespace ncsim::gcode {
+
+/// X Y Z A B C U V W: lengths in the units of the moment (or mm, where said), angles in degrees.
+using Axes = std::array<double, 9>;
+
+enum Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC, kU, kV, kW };
+
+constexpr bool is_rotary(std::size_t axis) {
+    return axis >= kA && axis <= kC;
+}
+
+/// On which side of the programmed path the cutter goes (G41, G42).
+enum class CutterSide : std::uint8_t { Off, Left, Right };
+
+/// What a canned cycle keeps from block to block. Program coordinates.
+struct CycleState {
+    double r = 0.0, z = 0.0, p = 0.0, q = 0.0;  ///< z: the depth, along the axis that drills.
+    bool has_r = false, has_z = false, has_p = false;
+    int code = 0;          ///< Ten times the G number of the cycle.
+    double initial = 0.0;  ///< Where the drilling axis stood before the first cycle of the series.
+    bool running = false;
+};
+
+/// G68, G51 and G16 of Fanuc and its kin: what happens to programmed coordinates first.
+struct Programmed {
+    bool rotated = false, scaled = false, polar = false;
+    Plane plane = Plane::XY;  ///< Of G68 and G16.
+    double angle = 0.0;       ///< Degrees, G68.
+    double centre_1 = 0.0, centre_2 = 0.0;
+    std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; negative mirrors.
+    std::array<double, 3> scale_centre{};
+};
+
+/// One coordinate system G54 … G59.3. Millimetres and degrees, machine coordinates.
+struct WorkOffset {
+    Axes origin{};
+    double rotation = 0.0;  ///< Degrees about Z.
+};
+
+struct MachineState {
+    // Modes
+    bool inches = false;
+    bool incremental = false;
+    bool absolute_centres = false;  ///< G90.1
+    bool retract_to_r = false;      ///< G99
+    bool offset_92_active = false;
+    bool constant_surface_speed = false;  ///< G96
+    bool lathe_diameter = false;          ///< G7
+    Plane plane = Plane::XY;
+    FeedMode feed_mode = FeedMode::PerMinute;
+    /// Ten times the G number of the motion mode (G38.2: 382); 800 after G80; -1: none yet.
+    int motion = -1;
+    int last_straight = 0;  ///< 0 or 10: what bare axis words after G80 mean where that is allowed.
+
+    // Values
+    double feed = 0.0;  ///< In active units per minute or revolution; 0: never set.
+    double spindle_rpm = 0.0;
+    SpindleTurning spindle = SpindleTurning::Stopped;
+    int selected_tool = -1;  ///< T; -1: none yet.
+    int tool = 0;            ///< In the spindle.
+    CutterSide cutter_side = CutterSide::Off;
+    double cutter_radius = 0.0;  ///< Active units; with `cutter_side`.
+
+    // Places
+    Axes position{};        ///< Of the controlled point, program coordinates.
+    Axes work_offset{};     ///< Of the active system.
+    Axes offset_92{};       ///< G92 and G52.
+    Axes tool_offset{};     ///< G43
+    double rotation = 0.0;  ///< Of the active system, degrees.
+    int system = 1;         ///< 1: G54 … 9: G59.3.
+    KnownAxes known{false, false, false};
+
+    Programmed programmed;
+    CycleState cycle;
+
+    double unit_mm() const { return inches ? 25.4 : 1.0; }
+};
+
+/// The frame a motion was programmed in, for those who want to show it as it was written.
+/// Lengths in the active units, angles in degrees.
+struct ProgramFrame {
+    bool inches = false;
+    int system = 1;
+    Axes work_offset{};
+    Axes offset_92{};
+    Axes tool_offset{};
+    double rotation = 0.0;
+    Plane plane = Plane::XY;
+    bool operator==(const ProgramFrame&) const = default;
+};
+
+}  // namespace ncsim::gcode

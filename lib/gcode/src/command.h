@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A block with all its values known: what a control has in hand when it starts to act on a line.
+#pragma once
+
+#include "ncsim/gcode/block.h"
+
+#include "codes.h"
+
+#include <array>
+#include <bit>
+
+namespace ncsim::gcode {
+
+constexpr int kNone = -1;
+
+/// Letters A … Z are 0 … 25; '@' is 26, '^' is 27.
+constexpr std::size_t letter_index(char letter) {
+    return letter == '@' ? 26U : letter == '^' ? 27U : static_cast<std::size_t>(letter - 'A');
+}
+
+struct Command {
+    const Block* block = nullptr;
+    SourceSpan span;            ///< The main word: the motion, else the first word.
+    std::uint32_t present = 0;  ///< A bit per letter.
+    std::array<double, 28> value;
+    std::array<std::int16_t, kGroups> g;  ///< Times ten; kNone.
+    std::array<std::int16_t, kMGroups> m;
+    std::int16_t second_coolant = kNone;
+    bool has_m = false;  ///< Any M word, known or not.
+    bool axis_words = false;  ///< Any of X … W, @, ^.
+
+    bool has(char letter) const { return (present >> letter_index(letter) & 1U) != 0; }
+    double operator[](char letter) const { return value[letter_index(letter)]; }
+    double get(char letter, double otherwise) const {
+        return has(letter) ? value[letter_index(letter)] : otherwise;
+    }
+    int group(Group group) const { return g[static_cast<std::size_t>(group)]; }
+    int group(MGroup group) const { return m[static_cast<std::size_t>(group)]; }
+    bool has_any(std::uint32_t letters) const { return (present & letters) != 0; }
+};
+
+template <typename... Letters>
+constexpr std::uint32_t letters(Letters... letter) {
+    return ((1U << letter_index(letter)) | ... | 0U);
+}
+constexpr std::uint32_t kAxisLetters =
+    letters('X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W', '@', '^');
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G28 and G30: over the intermediate point to a place of the machine.
+#include "machine.h"
+
+namespace ncsim::gcode {
+
+bool Machine::home(const Command& command, bool second) {
+    const int code = second ? 300 : 280;
+    if (state_.cutter_side != CutterSide::Off && rules_.strict) {
+        return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G28"});
+    }
+    Axes via = state_.position;
+    AxisMask mask = 0;
+    if (command.axis_words && !find_ends(command, via, mask)) return false;
+    if (mask == 0) mask = kAllAxes;
+    path_.straight(state_, via, MoveKind::Rapid, command.axis_words ? mask : 0);
+
+    Axes target = machine_position();
+    const Axes& home = homes_[second ? 1 : 0];
+    for (std::size_t i = 0; i < target.size(); ++i) {
+        if ((mask & 1U << i) != 0) target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
+    }
+    path_.set_machine_coordinates(true);
+    path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
+    path_.set_machine_coordinates(false);
+    if (rules_.home_cancels_length && state_.tool_offset != Axes{}) {
+        const Axes machine = machine_position();
+        state_.tool_offset = {};
+        recompute_position(machine);
+        path_.refresh();
+    }
+    return true;
+}
+
+void Machine::store_home(bool second) {
+    Axes& home = homes_[second ? 1 : 0];
+    home = machine_position();
+    for (std::size_t i = 0; i < home.size(); ++i) {
+        if (!is_rotary(i)) home[i] *= state_.unit_mm();
+    }
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order of execution, and the modes.
+#include "machine.h"
+
+#include "ncsim/gcode/print.h"
+
+#include "trig.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+Axes to_axes(const Position& p) {
+    return {p.x.mm(),      p.y.mm(), p.z.mm(), p.a.degrees(), p.b.degrees(),
+            p.c.degrees(), p.u.mm(), p.v.mm(), p.w.mm()};
+}
+
+}  // namespace
+
+Machine::Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log,
+                 Path& path, Parameters& parameters)
+    : options_(options),
+      rules_(rules),
+      log_(log),
+      path_(path),
+      parameters_(parameters),
+      tools_(options.tools) {
+    for (std::size_t i = 0; i < work_offsets_.size(); ++i) {
+        work_offsets_[i].origin = to_axes(options.work_offsets[i]);
+    }
+    state_.inches = options.default_units == DefaultUnits::Inches;
+    select_system(1);
+    parameters_.view.state = &state_;
+    parameters_.view.work_offsets = &work_offsets_;
+    parameters_.view.homes = &homes_;
+    parameters_.view.stored_92 = &stored_92_;
+    parameters_.view.probed = &probed_;
+}
+
+void Machine::execute(const Command& command) {
+    const MachineState before = state_;
+    const std::uint64_t motions = path_.count();
+    if (!act(command) && path_.count() == motions) state_ = before;
+}
+
+bool Machine::act(const Command& command) {
+    motion_was_named_ = command.group(Group::Motion) != kNone;
+    if (!check(command)) return false;
+    // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
+    const int units = command.group(Group::Units);
+    const auto switch_units = [&] {
+        if (units != kNone) set_units(units == 200 || units == 700);
+    };
+    if (!rules_.strict) switch_units();
+    if (!set_feed(command)) return false;
+    set_speeds_and_tools(command);
+    if (command.group(Group::OneShot) == 40 && !dwell(command)) return false;
+    if (const int plane = command.group(Group::Plane); plane != kNone) {
+        constexpr std::array<Plane, 6> kPlanes = {Plane::XY, Plane::ZX, Plane::YZ,
+                                                  Plane::UV, Plane::WU, Plane::VW};
+        const int which = (plane - 170) / 10 + (plane % 10 == 1 ? 3 : 0);
+        state_.plane = kPlanes[static_cast<std::size_t>(which)];
+    }
+    if (rules_.strict) switch_units();
+    if (!set_cutter_side(command) || !set_tool_length(command) || !set_work_offset(command)) {
+        return false;
+    }
+    set_modes(command);
+    if (!set_programmed(command) || !one_shot(command)) return false;
+    if (!move(command, command.group(Group::Motion))) return false;
+    if (command.group(MGroup::Stop) != kNone) stop(command);
+    return true;
+}
+
+// --- Faults ---
+
+SourceSpan Machine::span_of(const Command& command, char letter) const {
+    const Word* word = find_word(*command.block, letter);
+    return word ? word->span : command.span;
+}
+
+SourceSpan Machine::span_of_g(const Command& command, int code) const {
+    for (const Word& word : command.block->words) {
+        if (word.letter == 'G' && word.literal && std::lround(word.number * 10) == code) {
+            return word.span;
+        }
+    }
+    return command.span;
+}
+
+bool Machine::fail(Message message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments) {
+    log_.add(Severity::Error, message, span, arguments);
+    return false;
+}
+
+void Machine::warn(Message message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments) {
+    log_.add(message, span, arguments);
+}
+
+bool Machine::tolerate(Message message, SourceSpan span,
+                       std::initializer_list<std::string_view> arguments) {
+    if (rules_.strict) return fail(message, span, arguments);
+    log_.add(Severity::Warning, message, span, arguments);
+    return true;
+}
+
+std::string_view Machine::motion_name(int motion) {
+    char* p = name_buffer_.data();
+    *p++ = 'G';
+    const auto number = [&](int n) {
+        if (n >= 10) *p++ = static_cast<char>('0' + n / 10 % 10);
+        *p++ = static_cast<char>('0' + n % 10);
+    };
+    number(motion / 10);
+    if (motion % 10 != 0) {
+        *p++ = '.';
+        number(motion % 10);
+    }
+    return {name_buffer_.data(), static_cast<std::size_t>(p - name_buffer_.data())};
+}
+
+/// What RS274/NGC refuses before it does anything.
+bool Machine::check(const Command& command) {
+    const int motion = command.group(Group::Motion);
+    const int one_shot = command.group(Group::OneShot);
+    const bool takes_axes =
+        one_shot == 100 || one_shot == 280 || one_shot == 300 || one_shot == 520 || one_shot == 920;
+    if (takes_axes && motion != kNone && motion != 800 && rules_.strict) {
+        return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot),
+                    {motion_name(one_shot)});
+    }
+    if (!rules_.strict) return true;
+    return check_unused_words(command);
+}
+
+/// Words that no code of the block uses (RS274/NGC refuses them, others pass over them).
+bool Machine::check_unused_words(const Command& command) {
+    int motion = command.group(Group::Motion);
+    const int one_shot = command.group(Group::OneShot);
+    if (motion == kNone && command.axis_words) motion = state_.motion;
+    const bool is_arc = motion == 20 || motion == 30;
+    const bool is_cycle = (motion >= 730 && motion <= 760) || (motion >= 810 && motion <= 890);
+    const bool is_spline = motion >= 50 && motion <= 53;
+    const bool g10 = one_shot == 100;
+    const int side = command.group(Group::CutterSide);
+    const int length = command.group(Group::ToolLength);
+    struct Use {
+        char letter;
+        bool used;
+    };
+    const int g64 = command.group(Group::PathMode);
+    const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
+    const Use uses[] = {
+        {'D', side == 410 || side == 420 || side == 411 || side == 421 ||
+                  command.group(Group::SpindleSpeed) == 960},
+        {'E', motion == 760 || user_m},
+        {'H', length == 430 || length == 432 || motion == 760},
+        {'I', is_arc || is_spline || g10 || motion == 760 || motion == 870},
+        {'J', is_arc || is_spline || g10 || motion == 760 || motion == 870},
+        {'K',
+         is_arc || motion == 330 || motion == 331 || motion == 760 || motion == 870 || is_spline},
+        {'L',
+         is_cycle || g10 || side == 411 || side == 421 || motion == 52 || motion == 760 || user_m},
+        {'P', is_arc || is_cycle || is_spline || g10 || one_shot == 40 || g64 == 640 || user_m ||
+                  motion == 760},
+        {'Q', motion == 830 || motion == 730 || is_spline || g64 == 640 || g10 || user_m ||
+                  motion == 760},
+        {'R', is_arc || is_cycle || g10 || user_m || motion == 760},
+    };
+    for (const Use& use : uses) {
+        if (command.has(use.letter) && !use.used) {
+            const std::string_view letter(&use.letter, 1);
+            return fail(Message::WordUnused, span_of(command, use.letter), {letter});
+        }
+    }
+    return true;
+}
+
+// --- Modes ---
+
+bool Machine::set_feed(const Command& command) {
+    const int mode = command.group(Group::Feed);
+    if (mode != kNone) {
+        const FeedMode before = state_.feed_mode;
+        state_.feed_mode = mode == 930   ? FeedMode::InverseTime
+                           : mode == 940 ? FeedMode::PerMinute
+                                         : FeedMode::PerRevolution;
+        // A feed of another kind is no feed.
+        if (before != state_.feed_mode || rules_.strict) state_.feed = 0.0;
+    }
+    if (command.has('F')) {
+        if (command['F'] < 0.0) return fail(Message::NegativeValue, span_of(command, 'F'), {"F"});
+        state_.feed = command['F'];
+    }
+    return true;
+}
+
+void Machine::set_speeds_and_tools(const Command& command) {
+    if (const int mode = command.group(Group::SpindleSpeed); mode != kNone) {
+        state_.constant_surface_speed = mode == 960;
+    }
+    if (command.has('S')) state_.spindle_rpm = std::abs(command['S']);
+    if (command.has('T')) {
+        state_.selected_tool = static_cast<int>(std::clamp(command['T'], -1.0, 1e9));
+    }
+    const int change = command.group(MGroup::ToolChange);
+    if (change == 6 && state_.selected_tool >= 0) {
+        state_.tool = state_.selected_tool;
+        state_.spindle = SpindleTurning::Stopped;
+        path_.tool_change(state_);
+    } else if (change == 61 && command.has('Q')) {
+        state_.tool = static_cast<int>(std::clamp(command['Q'], 0.0, 1e9));
+        path_.tool_change(state_);
+    }
+    switch (command.group(MGroup::Spindle)) {
+        case 3: state_.spindle = SpindleTurning::Clockwise; break;
+        case 4: state_.spindle = SpindleTurning::Counterclockwise; break;
+        case 5: state_.spindle = SpindleTurning::Stopped; break;
+        default: break;
+    }
+}
+
+void Machine::set_units(bool inches) {
+    if (!first_length_seen_) units_stated_ = true;
+    if (inches == state_.inches) return;
+    const double factor = inches ? 1.0 / 25.4 : 25.4;
+    const auto scale = [&](Axes& axes) {
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            if (!is_rotary(i)) axes[i] *= factor;
+        }
+    };
+    scale(state_.position);
+    scale(state_.work_offset);
+    scale(state_.offset_92);
+    scale(state_.tool_offset);
+    scale(probed_);
+    state_.cutter_radius *= factor;
+    if (state_.feed_mode != FeedMode::InverseTime) state_.feed *= factor;
+    Programmed& programmed = state_.programmed;
+    programmed.centre_1 *= factor;
+    programmed.centre_2 *= factor;
+    for (double& c : programmed.scale_centre)
+        c *= factor;
+    state_.inches = inches;
+}
+
+void Machine::set_modes(const Command& command) {
+    if (const int g = command.group(Group::Distance); g != kNone) state_.incremental = g == 910;
+    if (const int g = command.group(Group::Centre); g != kNone) state_.absolute_centres = g == 901;
+    if (const int g = command.group(Group::Retract); g != kNone) state_.retract_to_r = g == 990;
+    if (const int g = command.group(Group::Diameter); g != kNone) state_.lathe_diameter = g == 70;
+}
+
+bool Machine::dwell(const Command& command) {
+    double seconds = 0.0;
+    char letter = 'P';
+    if (!command.has('P')) {
+        letter = command.has('X') ? 'X' : command.has('U') ? 'U' : command.has('F') ? 'F' : 'S';
+        if (rules_.strict || !command.has(letter)) {
+            return tolerate(Message::DwellWithoutTime, span_of_g(command, 40));
+        }
+    }
+    seconds = command[letter];
+    if (seconds < 0.0) return fail(Message::NegativeValue, span_of(command, letter), {"P"});
+    if (rules_.dwell_milliseconds && letter == 'P') {
+        // Fanuc's kin: P counts milliseconds unless it has a point.
+        const Word* word = find_word(*command.block, 'P');
+        const bool has_point =
+            word &&
+            command.block->text.substr(word->span.column - 1, word->span.length).find('.') !=
+                std::string_view::npos;
+        if (!has_point) seconds /= 1000.0;
+    }
+    path_.dwell(state_, seconds);
+    return true;
+}
+
+bool Machine::one_shot(const Command& command) {
+    const int code = command.group(Group::OneShot);
+    switch (code) {
+        case kNone:
+        case 40:
+        case 530: return true;
+        case 100: return set_data(command);
+        case 280: return home(command, false);
+        case 300: return home(command, true);
+        case 281: return store_home(false), true;
+        case 301: return store_home(true), true;
+        default: return offset_92(command, code);
+    }
+}
+
+void Machine::stop(const Command& command) {
+    const int code = command.group(MGroup::Stop);
+    if (code == 2 || code == 30) finish();
+}
+
+void Machine::finish() {
+    ended_ = true;
+    select_system(1);
+    state_.plane = Plane::XY;
+    state_.incremental = false;
+    state_.feed_mode = FeedMode::PerMinute;
+    state_.feed = 0.0;
+    state_.cutter_side = CutterSide::Off;
+    state_.spindle = SpindleTurning::Stopped;
+    state_.motion = 10;
+    state_.programmed = {};
+}
+
+// --- Moves ---
+
+bool Machine::move(const Command& command, int motion) {
+    const int one_shot = command.group(Group::OneShot);
+    const bool words_taken =
+        one_shot == 100 || one_shot == 280 || one_shot == 300 || one_shot == 520 ||
+        one_shot == 920 || (one_shot == 40 && !rules_.strict) ||
+        command.group(Group::ToolLength) == 431 || command.group(Group::Rotation) == 680 ||
+        command.group(Group::Scaling) == 510 || command.group(Group::Mirror) != kNone ||
+        (command.group(Group::Macro) != kNone);
+    if (motion != kNone) {
+        state_.motion = motion;
+        if (motion == 0 || motion == 10) state_.last_straight = motion;
+        if (motion < 730 || motion == 800) state_.cycle = {};
+        if (motion == 800) {
+            if (!command.axis_words || words_taken) return true;
+            if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
+            // Others go on as before the cycle: "G80 Z50."
+            warn(Message::AxesAfterG80, command.span, {motion_name(state_.last_straight)});
+            motion = state_.last_straight;
+        } else if (words_taken) {
+            return true;  // "G0 G28 Z0": the words belong to G28
+        }
+    } else {
+        if (!command.axis_words || words_taken) return true;
+        motion = state_.motion;
+        if (motion == -1 || motion == 800) {
+            if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
+            const bool start = motion == -1;
+            motion = start ? 0 : state_.last_straight;
+            if (start) state_.motion = 0;
+            warn(start ? Message::AxesBeforeMotion : Message::AxesAfterG80, command.span,
+                 {motion_name(motion)});
+        }
+    }
+    if (!first_length_seen_ && command.axis_words) {
+        first_length_seen_ = true;
+        first_length_in_inches_ = state_.inches;
+    }
+    previous_was_spline_ = previous_was_spline_ && motion == 50;
+    if (one_shot == 530 && motion != 0 && motion != 10) {
+        if (rules_.strict) return fail(Message::G53Motion, span_of_g(command, 530));
+        warn(Message::G53Motion, span_of_g(command, 530));
+        motion = 0;
+    }
+    switch (motion) {
+        case 0: return straight(command, MoveKind::Rapid);
+        case 10: return needs_feed(command, "G1") && straight(command, MoveKind::Feed);
+        case 20: return needs_feed(command, "G2") && arc(command, true);
+        case 30: return needs_feed(command, "G3") && arc(command, false);
+        case 50:
+        case 51: return spline(command, motion);
+        case 52:
+        case 53: return nurbs(command, motion);
+        case 310:
+        case 382:
+        case 383:
+        case 384:
+        case 385: return probe(command, motion);
+        case 330:
+        case 331: return threading(command, motion);
+        default: return cycle(command, motion);
+    }
+}
+
+bool Machine::needs_feed(const Command& command, std::string_view what) {
+    if (state_.feed_mode == FeedMode::InverseTime) {
+        if (command.has('F')) return true;
+        return tolerate(Message::InverseTimeFeed, command.span, {what});
+    }
+    if (state_.feed > 0.0) return true;
+    return tolerate(Message::FeedMissing, command.span, {what});
+}
+
+bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
+    mask = 0;
+    const bool machine = command.group(Group::OneShot) == 530;
+    if (machine && state_.incremental && !tolerate(Message::G53Incremental, command.span)) {
+        return false;
+    }
+    constexpr std::string_view kLetters = "XYZABCUVW";
+    constexpr std::uint32_t kPolarLetters = letters('@', '^');
+    const bool polar = state_.programmed.polar || command.has_any(kPolarLetters);
+    const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
+    const bool incremental = state_.incremental && !machine;
+    Axes at = machine ? machine_position() : state_.position;
+    if (transformed && !machine) at = programmed_from(at);
+    end = at;
+    for (std::size_t i = 0; i < kLetters.size(); ++i) {
+        if (!command.has(kLetters[i])) continue;
+        mask |= 1U << i;
+        double value = command[kLetters[i]];
+        if (i == kX && state_.lathe_diameter) value /= 2.0;
+        end[i] = incremental ? at[i] + value : value;
+    }
+    if (polar && !machine && !polar_ends(command, end, mask)) return false;
+    if (machine) {
+        end = from_machine(end);
+    } else if (transformed) {
+        end = programmed_to(end);
+    }
+    return true;
+}
+
+/// G16: the first axis word of the plane is a radius, the second an angle. "@" and "^" of
+/// RS274/NGC are the same without a mode, about the origin.
+bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const Axes at = programmed_from(state_.position);
+    const double x = at[axes.first];
+    const double y = at[axes.second];
+    double radius = std::hypot(x, y);
+    double angle = atan2_degrees(y, x);
+    const bool by_letters = command.has('@') || command.has('^');
+    const auto take = [&](bool has, double value, double& what) {
+        if (has) what = state_.incremental ? what + value : value;
+    };
+    if (by_letters) {
+        take(command.has('@'), command['@'], radius);
+        take(command.has('^'), command['^'], angle);
+    } else {
+        if ((mask & (1U << axes.first | 1U << axes.second)) == 0) return true;
+        constexpr std::string_view kLetters = "XYZABCUVW";
+        take((mask & 1U << axes.first) != 0, command[kLetters[axes.first]], radius);
+        take((mask & 1U << axes.second) != 0, command[kLetters[axes.second]], angle);
+    }
+    const SinCos direction = sin_cos_degrees(angle);
+    end[axes.first] = radius * direction.cos;
+    end[axes.second] = radius * direction.sin;
+    mask |= 1U << axes.first | 1U << axes.second;
+    return true;
+}
+
+bool Machine::straight(const Command& command, MoveKind kind) {
+    Axes end{};
+    AxisMask mask = 0;
+    if (!command.axis_words) {
+        // "G1" or "G1 F100" alone: the mode was set above.
+        if (!rules_.strict) return true;
+        return fail(Message::AxesMissing, command.span, {motion_name(state_.motion)});
+    }
+    if (!find_ends(command, end, mask)) return false;
+    const bool machine = command.group(Group::OneShot) == 530;
+    path_.set_machine_coordinates(machine);
+    path_.straight(state_, end, kind, mask);
+    path_.set_machine_coordinates(false);
+    return true;
+}
+
+/// G33 follows the spindle; G33.1 taps and comes back.
+bool Machine::threading(const Command& command, int motion) {
+    if (!command.has('K') &&
+        !tolerate(Message::PitchMissing, command.span, {motion_name(motion)})) {
+        return false;
+    }
+    Axes end{};
+    AxisMask mask = 0;
+    const Axes start = state_.position;
+    if (!find_ends(command, end, mask)) return false;
+    if (mask == 0) return fail(Message::AxesMissing, command.span, {motion_name(motion)});
+    const double feed = state_.feed;
+    const FeedMode mode = state_.feed_mode;
+    state_.feed = command.get('K', 0.0);
+    state_.feed_mode = FeedMode::PerRevolution;
+    path_.straight(state_, end, MoveKind::Feed, mask);
+    if (motion == 331) path_.straight(state_, start, MoveKind::Feed, mask);
+    state_.feed = feed;
+    state_.feed_mode = mode;
+    return true;
+}
+
+bool Machine::probe(const Command& command, int motion) {
+    if (!command.axis_words) {
+        return fail(Message::AxesMissing, command.span, {motion_name(motion)});
+    }
+    if (!needs_feed(command, motion_name(motion))) return false;
+    Axes end{};
+    AxisMask mask = 0;
+    if (!find_ends(command, end, mask)) return false;
+    warn(Message::ProbeAssumed, command.span, {motion_name(motion)});
+    path_.straight(state_, end, MoveKind::Probe, mask);
+    probed_ = state_.position;
+    return true;
+}
+
+}  // namespace ncsim::gcode

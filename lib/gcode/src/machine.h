@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Acts on one command after the other: the modes, offsets and moves of a control, in the order of
+// execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
+//
+// One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
+// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, cycle.cpp, spline.cpp, probe.cpp.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/state.h"
+
+#include "command.h"
+#include "message.h"
+#include "parameters.h"
+#include "path.h"
+#include "rules.h"
+
+#include <array>
+#include <initializer_list>
+#include <string_view>
+
+namespace ncsim::gcode {
+
+class Machine {
+public:
+    Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log, Path& path,
+            Parameters& parameters);
+
+    /// Acts on `command`. A command with an error is reported and leaves the state as it was.
+    void execute(const Command& command);
+
+    bool ended() const { return ended_; }  ///< M2 or M30.
+    const MachineState& state() const { return state_; }
+    MachineState& state() { return state_; }
+
+    /// The end of the program: modes go back to what a control starts a program with.
+    void finish();
+
+    // Which unit the first length was in, for the assumption sheet.
+    bool units_stated() const { return units_stated_; }
+    bool first_length_seen() const { return first_length_seen_; }
+    bool first_length_in_inches() const { return first_length_in_inches_; }
+
+private:
+    bool act(const Command& command);
+    bool check(const Command& command);
+    bool check_unused_words(const Command& command);
+
+    // Each returns false after reporting an error.
+    bool set_feed(const Command& command);
+    void set_speeds_and_tools(const Command& command);
+    void set_units(bool inches);
+    void set_modes(const Command& command);
+    bool set_cutter_side(const Command& command);
+    bool set_tool_length(const Command& command);
+    bool set_work_offset(const Command& command);
+    bool set_programmed(const Command& command);
+    bool one_shot(const Command& command);
+    bool dwell(const Command& command);
+    bool move(const Command& command, int motion);
+    void stop(const Command& command);
+
+    bool home(const Command& command, bool second);
+    void store_home(bool second);
+    bool offset_92(const Command& command, int code);
+    bool set_data(const Command& command);  // G10
+    bool set_work_data(const Command& command, int index);
+    bool set_tool_data(const Command& command, int index);
+    void select_system(int system);
+    void recompute_position(const Axes& machine);
+
+    bool straight(const Command& command, MoveKind kind);
+    bool threading(const Command& command, int motion);
+    bool arc(const Command& command, bool clockwise);
+    bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
+    bool arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc);
+    bool spline(const Command& command, int motion);
+    bool nurbs(const Command& command, int motion);
+    bool probe(const Command& command, int motion);
+    bool cycle(const Command& command, int motion);
+    bool cycle_words(const Command& command, int motion);
+    bool drill(int motion, const Axes& above, std::size_t depth_axis, double r, double bottom,
+               double clear);
+
+    /// Where the axis words point to, in program coordinates, and which axes they name.
+    bool find_ends(const Command& command, Axes& end, AxisMask& mask);
+    bool polar_ends(const Command& command, Axes& end, AxisMask& mask);
+    Axes programmed_from(const Axes& position) const;
+    Axes programmed_to(const Axes& programmed) const;
+    Axes machine_position() const;
+    Axes from_machine(const Axes& machine) const;
+    bool needs_feed(const Command& command, std::string_view what);
+    std::string_view motion_name(int motion);
+
+    SourceSpan span_of(const Command& command, char letter) const;
+    SourceSpan span_of_g(const Command& command, int code) const;
+    bool fail(Message message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    void warn(Message message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    /// A warning where other controls accept it; an error under strict rules.
+    bool tolerate(Message message, SourceSpan span,
+                  std::initializer_list<std::string_view> arguments = {});
+
+    const InterpreterOptions& options_;
+    const Rules& rules_;
+    DiagnosticLog& log_;
+    Path& path_;
+    Parameters& parameters_;
+
+    MachineState state_;
+    std::array<WorkOffset, 9> work_offsets_;
+    std::array<Axes, 2> homes_{};
+    Axes stored_92_{};
+    Axes probed_{};
+    std::vector<ToolTableEntry> tools_;
+    bool spline_open_ = false;  // between G5.2 and G5.3
+    Spline nurbs_;
+    bool previous_was_spline_ = false;  // G5 may leave out its first control point
+    std::array<double, 2> last_pq_{};
+    bool motion_was_named_ = false;
+    bool units_stated_ = false;
+    bool first_length_seen_ = false;
+    bool first_length_in_inches_ = false;
+    bool ended_ = false;
+    std::array<char, 8> name_buffer_{};
+};
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Coordinate systems: G54 … G59.3, G92 and G52, G10, G43, G41's radius, G68, G51, G16.
+#include "machine.h"
+#include "trig.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+constexpr std::string_view kAxisNames = "XYZABCUVW";
+
+void rotate(double& x, double& y, double degrees) {
+    if (degrees == 0.0) return;
+    const SinCos r = sin_cos_degrees(degrees);
+    const double turned = x * r.cos - y * r.sin;
+    y = x * r.sin + y * r.cos;
+    x = turned;
+}
+
+/// mm to the active units, rotary axes left alone.
+Axes from_mm(const Axes& mm, double unit) {
+    Axes out = mm;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        if (!is_rotary(i)) out[i] /= unit;
+    }
+    return out;
+}
+double mm_of(double value, std::size_t axis, double unit) {
+    return is_rotary(axis) ? value : value * unit;
+}
+
+}  // namespace
+
+Axes Machine::machine_position() const {
+    Axes m{};
+    for (std::size_t i = 0; i < m.size(); ++i)
+        m[i] = state_.position[i] + state_.offset_92[i];
+    rotate(m[kX], m[kY], state_.rotation);
+    for (std::size_t i = 0; i < m.size(); ++i)
+        m[i] += state_.work_offset[i] + state_.tool_offset[i];
+    return m;
+}
+
+Axes Machine::from_machine(const Axes& machine) const {
+    Axes p = machine;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] -= state_.work_offset[i] + state_.tool_offset[i];
+    rotate(p[kX], p[kY], -state_.rotation);
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] -= state_.offset_92[i];
+    return p;
+}
+
+/// Offsets changed and the machine did not move: the same place has other numbers.
+void Machine::recompute_position(const Axes& machine) {
+    state_.position = from_machine(machine);
+}
+
+void Machine::select_system(int system) {
+    const Axes machine = machine_position();
+    const WorkOffset& offset = work_offsets_[static_cast<std::size_t>(system - 1)];
+    state_.system = system;
+    state_.work_offset = from_mm(offset.origin, state_.unit_mm());
+    state_.rotation = offset.rotation;
+    recompute_position(machine);
+}
+
+bool Machine::set_work_offset(const Command& command) {
+    const int code = command.group(Group::WorkOffset);
+    if (code == kNone) return true;
+    if (code == 541 || (code == 540 && command.has('P') && !rules_.strict)) {
+        // G54.1 P1 … P48: systems that nobody told us the place of.
+        warn(Message::ExtendedOffset, span_of_g(command, code));
+        return true;
+    }
+    const int system = code <= 590 ? (code - 530) / 10 : 6 + code - 590;
+    if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
+        return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G54 … G59.3"});
+    }
+    select_system(system);
+    return true;
+}
+
+bool Machine::offset_92(const Command& command, int code) {
+    const double unit = state_.unit_mm();
+    if (state_.cutter_side != CutterSide::Off && rules_.strict) {
+        return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G92"});
+    }
+    const Axes machine = machine_position();
+    Axes offset = state_.offset_92;
+    switch (code) {
+        case 920:
+        case 520:
+            if (!command.axis_words) {
+                // Fanuc: "G92 S2000" limits the spindle.
+                if (rules_.strict) return fail(Message::AxesMissing, command.span, {"G92"});
+                return true;
+            }
+            for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+                if (!command.has(kAxisNames[i])) continue;
+                const double value = command[kAxisNames[i]];
+                offset[i] = code == 520 ? value : state_.position[i] + state_.offset_92[i] - value;
+            }
+            for (std::size_t i = 0; i < offset.size(); ++i)
+                stored_92_[i] = mm_of(offset[i], i, unit);
+            state_.offset_92_active = true;
+            break;
+        case 921: stored_92_ = {}; [[fallthrough]];
+        case 922:
+            offset = {};
+            state_.offset_92_active = false;
+            break;
+        case 923:
+            offset = from_mm(stored_92_, unit);
+            state_.offset_92_active = true;
+            break;
+        default: return true;
+    }
+    state_.offset_92 = offset;
+    recompute_position(machine);
+    return true;
+}
+
+// --- G10 ---
+
+bool Machine::set_data(const Command& command) {
+    const SourceSpan span = span_of_g(command, 100);
+    if (!command.has('L')) return tolerate(Message::G10Form, span);
+    const int l = static_cast<int>(std::lround(std::clamp(command['L'], -1e6, 1e6)));
+    const int p = static_cast<int>(std::lround(std::clamp(command.get('P', -1.0), -1e6, 1e6)));
+    switch (l) {
+        case 2:
+        case 20:
+            if (p < 0 || p > 9) {
+                if (rules_.strict || p < 0) return fail(Message::G10System, span_of(command, 'P'));
+                warn(Message::ExtendedOffset, span);
+                return true;
+            }
+            return set_work_data(command, p == 0 ? state_.system : p);
+        case 1:
+        case 10:
+        case 11:
+            if (p < 0) return fail(Message::G10Form, span);
+            return set_tool_data(command, p);
+        default: return tolerate(Message::G10Form, span);
+    }
+}
+
+bool Machine::set_work_data(const Command& command, int index) {
+    WorkOffset& offset = work_offsets_[static_cast<std::size_t>(index - 1)];
+    const double unit = state_.unit_mm();
+    const bool from_position = std::lround(command['L']) == 20;
+    const Axes machine = machine_position();
+    if (command.has('R') && !from_position) offset.rotation = command['R'];
+    // L20: the place of now shall have these coordinates.
+    double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
+    double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
+    rotate(x, y, -offset.rotation);
+    double wanted_x = x;
+    double wanted_y = y;
+    for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        const double value = command[kAxisNames[i]];
+        if (!from_position) {
+            const double before = state_.incremental && !rules_.strict ? offset.origin[i] : 0.0;
+            offset.origin[i] = before + mm_of(value, i, unit);
+        } else if (i == kX) {
+            wanted_x = value + state_.offset_92[kX];
+        } else if (i == kY) {
+            wanted_y = value + state_.offset_92[kY];
+        } else {
+            offset.origin[i] =
+                mm_of(machine[i] - state_.tool_offset[i] - state_.offset_92[i] - value, i, unit);
+        }
+    }
+    if (from_position && command.has_any(letters('X', 'Y'))) {
+        rotate(wanted_x, wanted_y, offset.rotation);
+        offset.origin[kX] = unit * (machine[kX] - state_.tool_offset[kX] - wanted_x);
+        offset.origin[kY] = unit * (machine[kY] - state_.tool_offset[kY] - wanted_y);
+    }
+    if (index == state_.system) {
+        state_.work_offset = from_mm(offset.origin, unit);
+        state_.rotation = offset.rotation;
+        recompute_position(machine);
+    }
+    return true;
+}
+
+bool Machine::set_tool_data(const Command& command, int index) {
+    auto entry = std::ranges::find(tools_, index, &ToolTableEntry::number);
+    if (entry == tools_.end()) {
+        if (tools_.size() > 10'000) return fail(Message::G10Form, command.span);
+        tools_.push_back({.number = index, .offset = {}, .diameter = {}});
+        entry = tools_.end() - 1;
+    }
+    const long l = std::lround(command['L']);
+    const double unit = state_.unit_mm();
+    const Axes machine = machine_position();
+    Axes zero = state_.work_offset;
+    if (l == 11 && work_offsets_[8].origin != Axes{}) zero = from_mm(work_offsets_[8].origin, unit);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        const double value = command[kAxisNames[i]];
+        // L10 and L11: with this offset the place of now has these coordinates.
+        const double offset =
+            l == 1 ? value : machine[i] - zero[i] - value - (l == 10 ? state_.offset_92[i] : 0.0);
+        entry->offset[i] = Length::from_mm(unit * offset);
+    }
+    if (command.has('R')) entry->diameter = Length::from_mm(2.0 * unit * command['R']);
+    if (!rules_.strict && l != 1 && !command.has_any(letters('X', 'Y', 'Z'))) {
+        // Fanuc: "G10 L10 P1 R120." sets the length, L12 the radius.
+        entry->offset[2] = Length::from_mm(unit * command.get('R', 0.0));
+    }
+    return true;
+}
+
+// --- Tools ---
+
+bool Machine::set_tool_length(const Command& command) {
+    const int code = command.group(Group::ToolLength);
+    if (code == kNone) return true;
+    const double unit = state_.unit_mm();
+    Axes offset{};
+    if (code == 431) {
+        for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+            if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
+        }
+    } else if (code != 490) {
+        const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
+        if (code == 432) offset = state_.tool_offset;
+        const auto entry = std::ranges::find(tools_, h, &ToolTableEntry::number);
+        if (entry != tools_.end()) {
+            const double sign = code == 440 ? -1.0 : 1.0;
+            for (std::size_t i = 0; i < 3; ++i)
+                offset[i] += sign * entry->offset[i].mm() / unit;
+        }
+    }
+    if (offset == state_.tool_offset) return true;
+    const Axes machine = machine_position();
+    state_.tool_offset = offset;
+    recompute_position(machine);
+    path_.refresh();
+    return true;
+}
+
+bool Machine::set_cutter_side(const Command& command) {
+    const int code = command.group(Group::CutterSide);
+    if (code == kNone) return true;
+    if (code == 400) {
+        state_.cutter_side = CutterSide::Off;
+        return true;
+    }
+    state_.cutter_side = code < 420 ? CutterSide::Left : CutterSide::Right;
+    return true;
+}
+
+// --- G68, G51, G16 ---
+
+Axes Machine::programmed_to(const Axes& programmed) const {
+    const Programmed& t = state_.programmed;
+    Axes p = programmed;
+    if (t.scaled) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = t.scale_centre[i] + t.scale[i] * (p[i] - t.scale_centre[i]);
+        }
+    }
+    if (t.rotated) {
+        const PlaneAxes axes = axes_of(t.plane);
+        double x = p[axes.first] - t.centre_1;
+        double y = p[axes.second] - t.centre_2;
+        rotate(x, y, t.angle);
+        p[axes.first] = t.centre_1 + x;
+        p[axes.second] = t.centre_2 + y;
+    }
+    return p;
+}
+
+Axes Machine::programmed_from(const Axes& position) const {
+    const Programmed& t = state_.programmed;
+    Axes p = position;
+    if (t.rotated) {
+        const PlaneAxes axes = axes_of(t.plane);
+        double x = p[axes.first] - t.centre_1;
+        double y = p[axes.second] - t.centre_2;
+        rotate(x, y, -t.angle);
+        p[axes.first] = t.centre_1 + x;
+        p[axes.second] = t.centre_2 + y;
+    }
+    if (t.scaled) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = t.scale_centre[i] + (p[i] - t.scale_centre[i]) / t.scale[i];
+        }
+    }
+    return p;
+}
+
+bool Machine::set_programmed(const Command& command) {
+    Programmed& t = state_.programmed;
+    if (const int code = command.group(Group::Polar); code != kNone) t.polar = code == 160;
+    const int rotation = command.group(Group::Rotation);
+    if (rotation == 690) t.rotated = false;
+    if (rotation == 680) {
+        if (!command.has('R')) return fail(Message::RotationWithoutAngle, span_of_g(command, 680));
+        const Axes at = programmed_from(state_.position);
+        t.plane = state_.plane;
+        const PlaneAxes axes = axes_of(t.plane);
+        t.centre_1 = command.get(kAxisNames[axes.first], at[axes.first]);
+        t.centre_2 = command.get(kAxisNames[axes.second], at[axes.second]);
+        t.angle = state_.incremental && t.rotated ? t.angle + command['R'] : command['R'];
+        t.rotated = true;
+    }
+    const int scaling = command.group(Group::Scaling);
+    if (scaling == 500) t.scaled = false;
+    if (scaling == 510) {
+        const Axes at = programmed_from(state_.position);
+        double all = command.get('P', 1.0);
+        if (all >= 100.0 && all == std::floor(all)) all /= 1000.0;  // P2000 is 2.0 on Fanuc
+        const char factors[] = {'I', 'J', 'K'};
+        for (std::size_t i = 0; i < 3; ++i) {
+            double factor = command.get(factors[i], all);
+            if (std::abs(factor) >= 100.0) factor /= 1000.0;
+            if (factor == 0.0) return fail(Message::ScaleZero, span_of_g(command, 510));
+            t.scale[i] = factor;
+            t.scale_centre[i] = command.get(kAxisNames[i], at[i]);
+        }
+        t.scaled = true;
+    }
+    if (const int mirror = command.group(Group::Mirror); mirror != kNone) {
+        const bool on = mirror == 511;
+        if (!t.scaled) t.scale = {1.0, 1.0, 1.0};
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!on && (command.has(kAxisNames[i]) || !command.axis_words))
+                t.scale[i] = std::abs(t.scale[i]);
+            if (!on || !command.has(kAxisNames[i])) continue;
+            t.scale[i] = -std::abs(t.scale[i]);
+            t.scale_centre[i] = command[kAxisNames[i]];
+        }
+        t.scaled = t.scale != std::array<double, 3>{1.0, 1.0, 1.0};
+    }
+    return true;
+}
+
+}  // namespace ncsim::gcode

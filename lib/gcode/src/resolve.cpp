@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "resolve.h"
+
+#include "ncsim/gcode/print.h"
+
+#include "number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+
+Resolver::Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
+                   const std::vector<std::string>& allow)
+    : rules_(rules), parameters_(parameters), log_(log) {
+    for (const std::string& word : allow) {
+        if (word.empty()) continue;
+        const char letter =
+            word[0] >= 'a' && word[0] <= 'z' ? static_cast<char>(word[0] - 32) : word[0];
+        const PlainNumber number = read_plain_number(word.data() + 1, word.data() + word.size());
+        allow_.emplace_back(letter, number.end ? number.value : kVacant);  // "E": with any number
+    }
+}
+
+bool Resolver::is_allowed(char letter, double value) const {
+    return std::ranges::any_of(allow_, [&](const auto& entry) {
+        return entry.first == letter &&
+               (std::isnan(entry.second) || std::abs(entry.second - value) < 1e-6);
+    });
+}
+
+std::string Resolver::text_of(const Word& word, double value) const {
+    std::string out(word.comma ? "," : "");
+    out += word.letter;
+    if (word.letter == 'G' || word.letter == 'M') {
+        print_number(out, std::round(value * 1e4) / 1e4);
+    }
+    return out;
+}
+
+bool Resolver::tolerate(Message message, SourceSpan span,
+                        std::initializer_list<std::string_view> arguments) {
+    log_.add(rules_.strict ? Severity::Error : Severity::Warning, message, span, arguments);
+    return !rules_.strict;
+}
+
+std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span, bool open) {
+    ExpressionFault fault;
+    const std::optional<double> value = evaluate(text, parameters_, rules_.arithmetic, fault, open);
+    if (!value) log_.add(Severity::Error, fault.message, span, {fault.argument});
+    return value;
+}
+
+std::optional<double> Resolver::value_of(const Word& word) {
+    if (word.literal) return word.number;
+    return value_of(word.text, word.span, false);
+}
+
+bool Resolver::take_g(const Word& word, double value, Command& command) {
+    const double tenths = std::round(value * 10.0);
+    const GCode* code = nullptr;
+    if (std::abs(value * 10.0 - tenths) < 1e-3 && tenths >= 0.0 && tenths < 1e5) {
+        code = find_g(static_cast<int>(tenths));
+    }
+    if (code && rules_.strict && !code->in_rs274) code = nullptr;
+    if (!code) {
+        if (is_allowed('G', value)) return true;
+        unknown_g_ = true;
+        unknown_span_ = word.span;
+        unknown_text_ = text_of(word, value);
+        return true;  // reported when the whole block is known
+    }
+    if (code->group == Group::Ignored) return true;
+    std::int16_t& slot = command.g[static_cast<std::size_t>(code->group)];
+    if (slot != kNone && (slot != code->number || rules_.strict)) {
+        std::string other = "G";
+        print_number(other, slot / 10.0);
+        // G53 goes with G0 and G1 of the motion group, and with nothing of its own.
+        if (!tolerate(Message::GroupTwice, word.span, {other, text_of(word, value)})) return false;
+    }
+    slot = code->number;
+    if (code->group == Group::Motion) command.span = word.span;
+    return true;
+}
+
+bool Resolver::take_m(const Word& word, double value, Command& command) {
+    const double whole = std::round(value);
+    const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
+    const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
+    const MGroup group = is_whole ? m_group(number) : MGroup::Unknown;
+    if (group == MGroup::Unknown) {
+        // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
+        if (is_allowed('M', value)) return true;
+        return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
+    }
+    std::int16_t& slot = command.m[static_cast<std::size_t>(group)];
+    if (slot != kNone && slot != number) {
+        if (group == MGroup::Coolant && slot != 9 && number != 9) return true;  // M7 and M8
+        std::string other = "M";
+        print_number(other, slot);
+        if (!tolerate(Message::GroupTwice, word.span, {other, text_of(word, value)})) return false;
+    }
+    slot = number;
+    return true;
+}
+
+bool Resolver::resolve(const Block& block, Command& command) {
+    command.block = &block;
+    command.span = block.words.empty() ? block.line_span() : block.words.front().span;
+    command.present = 0;
+    command.g.fill(kNone);
+    command.m.fill(kNone);
+    command.has_m = false;
+    unknown_g_ = false;
+    for (const Word& word : block.words) {
+        double value = word.number;
+        if (!word.literal) {
+            const std::optional<double> computed = value_of(word);
+            if (!computed) return false;
+            if (std::isnan(*computed)) continue;  // vacant: as if the word were not there
+            value = *computed;
+        }
+        if (word.letter == 'G') {
+            if (!take_g(word, value, command)) return false;
+            continue;
+        }
+        if (word.letter == 'M') {
+            command.has_m = true;
+            if (!take_m(word, value, command)) return false;
+            continue;
+        }
+        if (word.comma || word.letter == 'O' || word.letter == 'N') {
+            if (is_allowed(word.letter, value)) continue;
+            if (!tolerate(Message::UnknownWord, word.span, {text_of(word, value)})) return false;
+            continue;
+        }
+        const std::size_t i = letter_index(word.letter);
+        if ((command.present >> i & 1U) != 0) {
+            if (!tolerate(Message::WordTwice, word.span, {text_of(word, value)})) return false;
+        }
+        command.present |= 1U << i;
+        command.value[i] = value;
+    }
+    command.axis_words = command.has_any(kAxisLetters);
+    if (command.has('E') && !rules_.strict && !is_allowed('E', command['E'])) {
+        const Word* word = find_word(block, 'E');
+        log_.add(Message::UnknownWord, word ? word->span : command.span, {"E"});
+    }
+    if (unknown_g_) {
+        const bool moves = command.axis_words && command.group(Group::Motion) == kNone;
+        if (moves || rules_.strict) {
+            log_.add(Severity::Error, moves ? Message::UnknownGWithAxes : Message::UnknownG,
+                     unknown_span_, {unknown_text_});
+            return false;
+        }
+        log_.add(Message::UnknownG, unknown_span_, {unknown_text_});
+    }
+    return true;
+}
+
+}  // namespace ncsim::gcode

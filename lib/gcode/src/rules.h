@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where controls differ, as switches: the only place that knows what a dialect means.
+#pragma once
+
+#include "ncsim/gcode/dialect.h"
+
+#include "expression.h"
+
+namespace ncsim::gcode {
+
+struct Rules {
+    Dialect dialect = Dialect::Rs274;
+    bool strict = false;
+    Arithmetic arithmetic;
+    /// G4 P without a point is in milliseconds (Fanuc, Haas, Mach3's default).
+    bool dwell_milliseconds = false;
+    /// Retract of G73 and re-entry of G83 above the last depth.
+    double peck_clearance_mm = 1.0;
+    /// G28 and G30 cancel the tool length (Haas).
+    bool home_cancels_length = false;
+    /// G70 and G71 select inch and millimetre (not known as finishing and roughing cycles).
+    bool g70_is_units = true;
+    /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
+    bool k_repeats = false;
+    /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
+    bool macro_b = false;
+
+    static Rules of(Dialect dialect, bool strict) {
+        Rules rules;
+        rules.dialect = dialect;
+        rules.strict = strict;
+        rules.arithmetic.strict = strict;
+        const bool fanuc = !strict && (dialect == Dialect::Fanuc || dialect == Dialect::Haas);
+        rules.arithmetic.fix_truncates = fanuc;
+        rules.arithmetic.bitwise = fanuc;
+        rules.arithmetic.vacant = fanuc;
+        rules.dwell_milliseconds = fanuc;
+        rules.home_cancels_length = !strict && dialect == Dialect::Haas;
+        rules.k_repeats = fanuc;
+        rules.macro_b = fanuc;
+        rules.g70_is_units = !strict;
+        return rules;
+    }
+};
+
+}  // namespace ncsim::gcode

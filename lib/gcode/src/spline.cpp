@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G5, G5.1 (Bézier curves) and G5.2/G5.3 (NURBS) in the XY plane; the curves of Piegl, Tiller,
+// "The NURBS Book", 1997.
+#include "machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+Spline::ControlPoint point(double x, double y, double weight = 1.0) {
+    // In program coordinates, as Path::spline wants them.
+    return {Length::from_mm(x), Length::from_mm(y), weight};
+}
+
+/// A knot vector with which the curve begins and ends in its outer points.
+std::vector<double> clamped_knots(std::size_t points, int order) {
+    const auto k = static_cast<std::size_t>(order);
+    std::vector<double> knots;
+    for (std::size_t i = 0; i < points + k; ++i) {
+        const std::size_t inner = i < k ? 0 : std::min(i - k + 1, points - k + 1);
+        knots.push_back(static_cast<double>(inner));
+    }
+    return knots;
+}
+
+}  // namespace
+
+bool Machine::spline(const Command& command, int motion) {
+    const std::string_view name = motion == 50 ? "G5" : "G5.1";
+    if (!command.has_any(kAxisLetters | letters('I', 'J')) && !rules_.strict) {
+        return true;  // G5 P10000, G5.1 Q1: high speed modes of Fanuc
+    }
+    if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
+    if (!needs_feed(command, name)) return false;
+    Axes end{};
+    AxisMask mask = 0;
+    if (!find_ends(command, end, mask)) return false;
+    const double x0 = state_.position[kX];
+    const double y0 = state_.position[kY];
+    Spline out;
+    if (motion == 51) {
+        if (!command.has('I') && !command.has('J')) {
+            return fail(Message::SplineWords, command.span, {name, "I or J"});
+        }
+        out.order = 3;
+        out.control_points = {point(x0, y0),
+                              point(x0 + command.get('I', 0.0), y0 + command.get('J', 0.0)),
+                              point(end[kX], end[kY])};
+        previous_was_spline_ = false;
+    } else {
+        if (!command.has('P') || !command.has('Q')) {
+            return fail(Message::SplineWords, command.span, {name, "P and Q"});
+        }
+        double i = command.get('I', 0.0);
+        double j = command.get('J', 0.0);
+        if (!command.has('I') && !command.has('J')) {
+            if (!previous_was_spline_)
+                return fail(Message::SplineWords, command.span, {name, "I and J"});
+            i = -last_pq_[0];  // goes on smoothly
+            j = -last_pq_[1];
+        }
+        last_pq_ = {command['P'], command['Q']};
+        out.control_points = {point(x0, y0), point(x0 + i, y0 + j),
+                              point(end[kX] + last_pq_[0], end[kY] + last_pq_[1]),
+                              point(end[kX], end[kY])};
+        previous_was_spline_ = true;
+    }
+    out.knots = clamped_knots(out.control_points.size(), out.order);
+    path_.spline(state_, out, end, mask);
+    return true;
+}
+
+/// G5.2 opens a curve and gives its first points, further blocks give points, G5.3 closes it.
+bool Machine::nurbs(const Command& command, int motion) {
+    if (motion == 52) {
+        if (!spline_open_) {
+            nurbs_ = {};
+            nurbs_.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));
+            nurbs_.control_points.push_back(
+                point(state_.position[kX], state_.position[kY], command.get('P', 1.0)));
+            spline_open_ = true;
+        }
+        if (!command.has_any(letters('X', 'Y'))) return true;
+        constexpr std::size_t kMostPoints = 100'000;
+        if (nurbs_.control_points.size() >= kMostPoints) {
+            return fail(Message::SplineTooLong, command.span);
+        }
+        const Spline::ControlPoint& last = nurbs_.control_points.back();
+        double x = command.get('X', state_.incremental ? 0.0 : last.x.mm());
+        double y = command.get('Y', state_.incremental ? 0.0 : last.y.mm());
+        if (state_.incremental) x += last.x.mm(), y += last.y.mm();
+        nurbs_.control_points.push_back(point(x, y, command.get('P', 1.0)));
+        return true;
+    }
+    if (!spline_open_) return fail(Message::SplineNotOpen, command.span);
+    spline_open_ = false;
+    const auto points = nurbs_.control_points.size();
+    if (points < static_cast<std::size_t>(nurbs_.order)) {
+        return fail(Message::SplineTooFewPoints, command.span);
+    }
+    if (!needs_feed(command, "G5.3")) return false;
+    nurbs_.knots = clamped_knots(points, nurbs_.order);
+    Axes end = state_.position;
+    end[kX] = nurbs_.control_points.back().x.mm();
+    end[kY] = nurbs_.control_points.back().y.mm();
+    path_.spline(state_, nurbs_, end, 1U << kX | 1U << kY);
+    nurbs_ = {};
+    return true;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,2 @@
+; 2:4: error: expected a number after X [number-expected]
+G1 X Y2

@@ -1,0 +1,13 @@
+; full circles, helices, turns, R, absolute centres
+G21 G90 G17 F100
+G0 X0 Y0 Z0
+G2 I5
+G3 X10 Y0 Z-1 R5
+G3 X20 Y0 R-8
+G2 X0 Y0 I-10 Z-4 P3
+G18 G2 X10 I5
+G3 X0 Z-4 I-5
+G19 G2 Y10 Z-4 J5
+G17 G90.1 G3 X10 Y0 I5 J5
+G91.1 G2 Z-6 I5
+M2
