@@ -60,11 +60,34 @@ std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, std::span<const
     return part;
 }
 
+Overlap overlap(const ConvexPolygon& polygon, std::span<const Plane> cuts,
+                std::vector<Plane>& crossing) {
+    crossing.clear();
+    for (const Plane& cut : cuts) {
+        bool any_below = false;
+        bool any_above = false;
+        for (const ExactPoint& corner : polygon.corners) {
+            const Side side = classify(corner, cut);
+            any_below |= side == Side::Below;
+            any_above |= side == Side::Above;
+        }
+        if (!any_below) return Overlap::None;
+        if (any_above) crossing.push_back(cut);
+    }
+    return crossing.empty() ? Overlap::Covered : Overlap::Undecided;
+}
+
 void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
               std::vector<ConvexPolygon>& rest) {
+    std::vector<Plane> crossing;
+    switch (overlap(polygon, cuts, crossing)) {
+        case Overlap::None: rest.push_back(polygon); return;
+        case Overlap::Covered: return;
+        case Overlap::Undecided: break;
+    }
     const std::size_t before = rest.size();
     ConvexPolygon inside = polygon;
-    for (const Plane& cut : cuts) {
+    for (const Plane& cut : crossing) {
         auto next = below(inside, cut);
         if (!next) {  // no area in common
             rest.resize(before);

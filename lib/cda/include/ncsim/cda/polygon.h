@@ -30,6 +30,18 @@ std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, const Plane& cu
 /// What lies below all of `cuts`.
 std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, std::span<const Plane> cuts);
 
+/// What a polygon has in common with the points below all of `cuts`, as far as single cuts tell.
+enum class Overlap : std::uint8_t {
+    None,       ///< No area: one cut has all of it above.
+    Covered,    ///< All of it.
+    Undecided,  ///< Some cuts cross it.
+};
+
+/// `crossing` receives the cuts that have parts of the polygon on both sides, where Undecided.
+/// O(cuts · corners).
+Overlap overlap(const ConvexPolygon& polygon, std::span<const Plane> cuts,
+                std::vector<Plane>& crossing);
+
 /// polygon \ {points below all of `cuts`}, as convex polygons without common inner points,
 /// appended to `rest`. A polygon that loses no area is appended whole. O(cuts · corners).
 void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,

@@ -1,0 +1,639 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A cell is inserted by going down with the planes that are *active*: those that cut the box of
+// the node. A plane that has the box above it ends the way (the cell is not here); when no
+// plane is left, the cell covers the box and the node is empty for good. What remains are leaves
+// with the few cells whose surface passes through them, and only those are ever evaluated.
+#include "ncsim/cda/tree.h"
+
+#include "ncsim/cda/polygon.h"
+#include "ncsim/cda/polytope.h"
+
+#include "stitch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Boxes are not split below this many half units: cells that meet in a line or a point cannot be
+// told apart by smaller boxes, only multiplied.
+constexpr std::int64_t kSmallestBox = 2048;
+
+// How a box lies to a plane. Exact: |n| <= 2^24, coordinates below 2^27 half units, |d| < 2^52.
+template <class Bounds>
+Side side_of_box(const Bounds& min, const Bounds& max, const Plane& p) {
+    const auto reach = [&](const Bounds& positive, const Bounds& negative) {
+        return std::int64_t{p.nx} * (p.nx > 0 ? positive : negative)[0] +
+               std::int64_t{p.ny} * (p.ny > 0 ? positive : negative)[1] +
+               std::int64_t{p.nz} * (p.nz > 0 ? positive : negative)[2];
+    };
+    if (reach(max, min) <= 2 * p.d) return Side::Below;
+    if (reach(min, max) >= 2 * p.d) return Side::Above;
+    return Side::On;
+}
+
+// The middle of an interval of odd numbers, odd again.
+std::int64_t middle(std::int64_t low, std::int64_t high) {
+    return ((low + high) >> 1) | 1;
+}
+
+double distance_about(const Plane& plane, Vec3 centre) {
+    const Vec3 n{static_cast<double>(plane.nx), static_cast<double>(plane.ny),
+                 static_cast<double>(plane.nz)};
+    return (static_cast<double>(plane.d) - dot(n, centre)) / norm(n);
+}
+
+double cube(double x) {
+    return x * x * x;
+}
+
+bool same_direction(const Plane& a, const Plane& b) {
+    return std::int64_t{a.nx} * b.nx + std::int64_t{a.ny} * b.ny + std::int64_t{a.nz} * b.nz > 0;
+}
+
+// Of planes with the same direction: the sign of the distance of `b` less that of `a`. Exact.
+int compare_distances(const Plane& a, const Plane& b) {
+    // d/|n| in a component that is not zero: parallel normals are in proportion.
+    const auto component = [axis = a.nx != 0   ? 0
+                                   : a.ny != 0 ? 1
+                                               : 2](const Plane& p) {
+        return static_cast<Int128>(std::abs(axis == 0 ? p.nx : axis == 1 ? p.ny : p.nz));
+    };
+    const Int128 difference = b.d * component(a) - a.d * component(b);
+    return difference > 0 ? 1 : difference < 0 ? -1 : 0;
+}
+
+// The part of plane `s` within a box.
+std::optional<ConvexPolygon> section(const Plane& s, const std::array<std::int64_t, 3>& min,
+                                     const std::array<std::int64_t, 3>& max) {
+    // Half units: 2x <= max. Odd, hence canonical.
+    const auto wall = [&](int axis, bool upper) {
+        const std::int64_t d =
+            upper ? max[static_cast<std::size_t>(axis)] : -min[static_cast<std::size_t>(axis)];
+        const std::int32_t n = upper ? 2 : -2;
+        return Plane{axis == 0 ? n : 0, axis == 1 ? n : 0, axis == 2 ? n : 0, d};
+    };
+    // Four walls around the axis along which the plane is steepest cut a parallelogram out of it.
+    const std::array<std::int64_t, 3> n{s.nx, s.ny, s.nz};
+    const auto axis = static_cast<int>(
+        std::max_element(n.begin(), n.end(),
+                         [](auto p, auto q) { return std::abs(p) < std::abs(q); }) -
+        n.begin());
+    int u = (axis + 1) % 3;
+    int v = (axis + 2) % 3;
+    if (n[static_cast<std::size_t>(axis)] < 0) std::swap(u, v);
+    ConvexPolygon polygon;
+    polygon.plane = s;
+    polygon.edges = {wall(v, false), wall(u, true), wall(v, true), wall(u, false)};
+    for (std::size_t i = 0; i < 4; ++i) {
+        polygon.corners.push_back(*meet(s, polygon.edges[(i + 3) % 4], polygon.edges[i]));
+    }
+    const std::array<Plane, 2> lids{wall(axis, true), wall(axis, false)};
+    return below(polygon, lids);
+}
+
+ConvexPolygon turned_over(const ConvexPolygon& polygon) {
+    ConvexPolygon turned;
+    turned.plane = polygon.plane.opposite();
+    turned.corners.assign(polygon.corners.rbegin(), polygon.corners.rend());
+    const std::size_t n = polygon.edges.size();
+    for (std::size_t i = 0; i < n; ++i)
+        turned.edges.push_back(polygon.edges[(2 * n - 2 - i) % n]);
+    return turned;
+}
+
+}  // namespace
+
+// What is left of the facets of a set of cells, box by box. With a window, the surface of what the
+// window has in common with the part instead of that of the part.
+class TreeCda::Evaluation {
+public:
+    using Sink = std::function<void(const ConvexPolygon& piece, Origin origin, bool is_wall)>;
+
+    Evaluation(const TreeCda& tree, const std::vector<Plane>* window, Sink sink)
+        : tree_(tree), window_(window), sink_(std::move(sink)) {}
+
+    void run() {
+        std::vector<Plane> stock = active(tree_.stock_planes_, tree_.root_box_).value();
+        std::vector<Plane> window;
+        if (window_) {
+            auto planes = active(*window_, tree_.root_box_);
+            if (!planes) return;
+            window = std::move(*planes);
+        }
+        visit(0, tree_.root_box_, stock, window);
+    }
+    const TreeCounts& counts() const { return counts_; }
+
+private:
+    // A cell with the planes that cut the box at hand.
+    struct Local {
+        std::uint32_t cell;
+        std::vector<Plane> planes;
+    };
+
+    // Nothing if the box is outside of one of the planes.
+    template <class Planes>
+    static std::optional<std::vector<Plane>> active(const Planes& planes, const HalfBox& box) {
+        std::vector<Plane> cutting;
+        for (const Plane& plane : planes) {
+            switch (side_of_box(box.min, box.max, plane)) {
+                case Side::Below: break;
+                case Side::Above: return std::nullopt;
+                case Side::On: cutting.push_back(plane); break;
+            }
+        }
+        return cutting;
+    }
+
+    void visit(std::uint32_t number, const HalfBox& box, const std::vector<Plane>& stock,
+               const std::vector<Plane>& window) {
+        const Node& node = tree_.nodes_[number];
+        switch (node.kind) {
+            case NodeKind::Empty: return;
+            case NodeKind::Inner:
+                for (std::uint32_t child = 0; child < 8; ++child) {
+                    const HalfBox inner = child_box(box, child);
+                    const auto inner_stock = active(stock, inner);
+                    const auto inner_window = active(window, inner);
+                    if (!inner_stock || !inner_window) continue;
+                    visit(node.first_child + child, inner, *inner_stock, *inner_window);
+                }
+                return;
+            case NodeKind::Material: break;
+        }
+        if (stock.empty() && window.empty() && node.cells.empty()) return;
+        std::vector<Local> cells;
+        for (const std::uint32_t c : node.cells) {
+            auto planes = active(tree_.planes_of(c), box);
+            if (!planes) continue;
+            if (planes->empty()) return;  // covered
+            add(cells, {c, std::move(*planes)});
+        }
+        refine(box, stock, window, cells);
+    }
+
+    // Cells with the same planes here are one; the first of them makes the walls.
+    void add(std::vector<Local>& cells, Local local) const {
+        for (Local& other : cells) {
+            if (other.planes != local.planes) continue;
+            if (tree_.comes_before(local.cell, other.cell)) other.cell = local.cell;
+            return;
+        }
+        cells.push_back(std::move(local));
+    }
+
+    // Halves the box while many cells meet in it and halves still tell them apart: cells that all
+    // meet in a line or a point do so in smaller boxes too, only more often.
+    void refine(const HalfBox& box, const std::vector<Plane>& stock,
+                const std::vector<Plane>& window, const std::vector<Local>& cells,
+                int fruitless = 0) {
+        std::size_t axis = 0;
+        for (std::size_t i = 1; i < 3; ++i) {
+            if (box.max[i] - box.min[i] > box.max[axis] - box.min[axis]) axis = i;
+        }
+        if (cells.size() <= tree_.parameters_.evaluation_leaf || fruitless >= 3 ||
+            box.max[axis] - box.min[axis] < kSmallestBox) {
+            evaluate(box, stock, window, cells);
+            return;
+        }
+        const std::int64_t cut = middle(box.min[axis], box.max[axis]);
+        for (int half = 0; half < 2; ++half) {
+            HalfBox inner = box;
+            (half == 0 ? inner.max : inner.min)[axis] = cut;
+            const auto inner_stock = active(stock, inner);
+            const auto inner_window = active(window, inner);
+            if (!inner_stock || !inner_window) continue;
+            std::vector<Local> here;
+            bool covered = false;
+            for (const Local& local : cells) {
+                auto planes = active(local.planes, inner);
+                if (!planes) continue;
+                if (planes->empty()) {
+                    covered = true;
+                    break;
+                }
+                add(here, {local.cell, std::move(*planes)});
+            }
+            if (covered) continue;
+            refine(inner, *inner_stock, *inner_window, here,
+                   here.size() == cells.size() ? fruitless + 1 : 0);
+        }
+    }
+
+    void evaluate(const HalfBox& box, const std::vector<Plane>& stock,
+                  const std::vector<Plane>& window, const std::vector<Local>& cells) {
+        ++counts_.leaves_evaluated;
+        for (const Plane& s : stock) {
+            auto polygon = section(s, box.min, box.max);
+            if (polygon) polygon = within(std::move(*polygon), stock);
+            if (polygon) polygon = strictly_within(std::move(*polygon), window);
+            if (!polygon) continue;
+            finish(*polygon, kStockOrigin, false, cells,
+                   [&](const Local&, bool same) { return same; });
+        }
+        for (const Local& local : cells) {
+            for (const Plane& s : local.planes) {
+                auto polygon = section(s, box.min, box.max);
+                if (polygon) polygon = within(std::move(*polygon), local.planes);
+                if (polygon) polygon = strictly_within(std::move(*polygon), stock);
+                if (polygon) polygon = strictly_within(std::move(*polygon), window);
+                if (!polygon) continue;
+                // Opposite walls both go; of equal ones the first stays.
+                finish(
+                    *polygon, tree_.cells_[local.cell].origin, true, cells,
+                    [&](const Local& other, bool same) {
+                        return &other != &local &&
+                               (!same || tree_.comes_before(other.cell, local.cell));
+                    },
+                    &local);
+            }
+        }
+        for (const Plane& s : window) {
+            auto polygon = section(s, box.min, box.max);
+            if (polygon) polygon = within(std::move(*polygon), window);
+            if (polygon) polygon = within(std::move(*polygon), stock);
+            if (!polygon) continue;
+            finish(*polygon, kStockOrigin, false, cells,
+                   [&](const Local&, bool same) { return same; });
+        }
+    }
+
+    // What lies below the planes; planes in which the polygon itself lies do not count.
+    static std::optional<ConvexPolygon> within(ConvexPolygon polygon,
+                                               const std::vector<Plane>& planes) {
+        std::optional<ConvexPolygon> part = std::move(polygon);
+        for (const Plane& plane : planes) {
+            if (part->plane.is_parallel_to(plane)) {
+                const bool same = same_direction(part->plane, plane);
+                const Plane other = same ? plane : plane.opposite();
+                const int beyond = compare_distances(part->plane, other) * (same ? 1 : -1);
+                // In an opposite plane there is nothing between the two.
+                if (beyond < 0 || (beyond == 0 && !same)) return std::nullopt;
+                continue;
+            }
+            part = below(*part, plane);
+            if (!part) return std::nullopt;
+        }
+        return part;
+    }
+
+    // The same, but nothing if the polygon lies in one of the planes.
+    static std::optional<ConvexPolygon> strictly_within(ConvexPolygon polygon,
+                                                        const std::vector<Plane>& planes) {
+        for (const Plane& plane : planes) {
+            if (plane == polygon.plane || plane.opposite() == polygon.plane) return std::nullopt;
+        }
+        return within(std::move(polygon), planes);
+    }
+
+    // The facet rule: takes from the polygon what other cells have of it. `takes_coplanar(cell,
+    // same)` tells whether a cell with a facet in the same plane, in the same or the opposite
+    // orientation, does.
+    template <class TakesCoplanar>
+    void finish(const ConvexPolygon& polygon, Origin origin, bool is_wall,
+                const std::vector<Local>& cells, TakesCoplanar takes_coplanar,
+                const Local* self = nullptr) {
+        ++counts_.facets_tested;
+        std::vector<std::vector<Plane>> takers;
+        std::vector<Plane> cuts;
+        std::vector<Plane> crossing;
+        for (const Local& other : cells) {
+            if (&other == self) continue;
+            cuts.clear();
+            bool takes = true;
+            bool coplanar_same = false;
+            bool coplanar_opposite = false;
+            for (const Plane& plane : other.planes) {
+                if (!plane.is_parallel_to(polygon.plane)) {
+                    cuts.push_back(plane);
+                    continue;
+                }
+                const bool same = same_direction(polygon.plane, plane);
+                const int beyond =
+                    compare_distances(polygon.plane, same ? plane : plane.opposite()) *
+                    (same ? 1 : -1);
+                if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
+                if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same))) {
+                    takes = false;
+                    break;
+                }
+            }
+            if (coplanar_same && coplanar_opposite) takes = false;  // a flat cell
+            if (!takes) continue;
+            switch (overlap(polygon, cuts, crossing)) {
+                case Overlap::None: break;
+                case Overlap::Covered: return;
+                case Overlap::Undecided: takers.push_back(crossing); break;
+            }
+        }
+        std::vector<ConvexPolygon> pieces{polygon};
+        std::vector<ConvexPolygon> rest;
+        for (const auto& taker : takers) {
+            rest.clear();
+            for (const ConvexPolygon& piece : pieces)
+                cda::subtract(piece, taker, rest);
+            pieces.swap(rest);
+            if (pieces.empty()) return;
+        }
+        ++counts_.facets_alive;
+        counts_.fragments += pieces.size();
+        for (const ConvexPolygon& piece : pieces)
+            sink_(piece, origin, is_wall);
+    }
+
+    const TreeCda& tree_;
+    const std::vector<Plane>* window_;
+    Sink sink_;
+    TreeCounts counts_;
+};
+
+TreeCda::TreeCda(TreeParameters parameters) : parameters_(parameters) {}
+
+TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters)
+    : parameters_(parameters), lattice_(lattice), stock_(stock) {
+    const auto body = ConvexPolytope::of(stock, lattice);
+    if (!body) throw std::invalid_argument("the stock has no volume");
+    centre_ = body->bounds().centre();
+    for (const auto& facet : body->facets())
+        stock_planes_.push_back(facet.plane);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        root_box_.min[i] = 2 * static_cast<std::int64_t>(body->bounds().min[axis]) - 1;
+        root_box_.max[i] = 2 * static_cast<std::int64_t>(body->bounds().max[axis]) + 1;
+    }
+    nodes_.emplace_back();
+}
+
+std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice& lattice) const {
+    return std::make_unique<TreeCda>(stock, lattice, parameters_);
+}
+
+std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
+    return std::make_unique<TreeCda>(*this);
+}
+
+std::span<const Plane> TreeCda::planes_of(std::uint32_t cell) const {
+    return std::span(planes_).subspan(cells_[cell].begin, cells_[cell].end - cells_[cell].begin);
+}
+
+bool TreeCda::comes_before(std::uint32_t a, std::uint32_t b) const {
+    return std::pair{cells_[a].origin, a} < std::pair{cells_[b].origin, b};
+}
+
+TreeCda::HalfBox TreeCda::child_box(const HalfBox& box, std::uint32_t child) {
+    HalfBox inner = box;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::int64_t cut = middle(box.min[i], box.max[i]);
+        ((child >> i) & 1 ? inner.min : inner.max)[i] = cut;
+    }
+    return inner;
+}
+
+std::uint32_t TreeCda::new_children() {
+    if (!free_children_.empty()) {
+        const std::uint32_t first = free_children_.back();
+        free_children_.pop_back();
+        for (std::uint32_t i = 0; i < 8; ++i)
+            nodes_[first + i] = {};
+        return first;
+    }
+    const auto first = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.resize(nodes_.size() + 8);
+    return first;
+}
+
+void TreeCda::release(std::uint32_t number) {
+    Node& node = nodes_[number];
+    if (node.kind == NodeKind::Inner) {
+        const std::uint32_t first = node.first_child;
+        for (std::uint32_t i = 0; i < 8; ++i)
+            release(first + i);
+        free_children_.push_back(first);
+    }
+    nodes_[number] = {};
+}
+
+// Keeps what cuts the stock of a cell. Nothing if the cell lies outside.
+std::optional<std::uint32_t> TreeCda::store(const Cell& cell) {
+    const auto begin = static_cast<std::uint32_t>(planes_.size());
+    const Box stock_box{{0.5 * static_cast<double>(root_box_.min[0] + 1),
+                         0.5 * static_cast<double>(root_box_.min[1] + 1),
+                         0.5 * static_cast<double>(root_box_.min[2] + 1)},
+                        {0.5 * static_cast<double>(root_box_.max[0] - 1),
+                         0.5 * static_cast<double>(root_box_.max[1] - 1),
+                         0.5 * static_cast<double>(root_box_.max[2] - 1)}};
+    for (const Plane& plane : cell.planes) {
+        switch (classify_box(stock_box, plane)) {
+            case Side::Below: break;
+            case Side::On: planes_.push_back(plane); break;
+            case Side::Above: planes_.resize(begin); return std::nullopt;
+        }
+    }
+    cells_.push_back({begin, static_cast<std::uint32_t>(planes_.size()), cell.origin});
+    ++counts_.cells;
+    counts_.planes += planes_.size() - begin;
+    return static_cast<std::uint32_t>(cells_.size() - 1);
+}
+
+void TreeCda::insert(std::uint32_t number, const HalfBox& box, std::uint32_t cell,
+                     std::size_t active_begin) {
+    // The active planes of a node stand at the end of one stack that all levels share.
+    const std::size_t parent_end = active_.size();
+    for (std::size_t i = active_begin; i < parent_end; ++i) {
+        switch (side_of_box(box.min, box.max, planes_[active_[i]])) {
+            case Side::Below: break;
+            case Side::Above: active_.resize(parent_end); return;
+            case Side::On: active_.push_back(active_[i]); break;
+        }
+    }
+    if (active_.size() == parent_end) {
+        release(number);
+        nodes_[number].kind = NodeKind::Empty;
+        return;
+    }
+    if (nodes_[number].kind == NodeKind::Material) {
+        nodes_[number].cells.push_back(cell);
+        if (nodes_[number].cells.size() > parameters_.insertion_leaf) split(number, box);
+    } else {
+        const std::uint32_t first = nodes_[number].first_child;
+        bool all_empty = true;
+        for (std::uint32_t child = 0; child < 8; ++child) {
+            if (nodes_[first + child].kind != NodeKind::Empty) {
+                insert(first + child, child_box(box, child), cell, parent_end);
+            }
+            all_empty = all_empty && nodes_[first + child].kind == NodeKind::Empty;
+        }
+        if (all_empty) {
+            release(number);
+            nodes_[number].kind = NodeKind::Empty;
+        }
+    }
+    active_.resize(parent_end);
+}
+
+// Hands the cells of a leaf down to eight children; drops repeats first, since the same cell
+// cut a thousand times cannot be told apart by any box.
+void TreeCda::split(std::uint32_t number, const HalfBox& box) {
+    std::vector<std::vector<Plane>> seen;
+    std::vector<std::uint32_t> distinct;
+    for (const std::uint32_t cell : nodes_[number].cells) {
+        std::vector<Plane> cutting;
+        for (const Plane& plane : planes_of(cell)) {
+            if (side_of_box(box.min, box.max, plane) == Side::On) cutting.push_back(plane);
+        }
+        const auto same = std::find(seen.begin(), seen.end(), cutting);
+        if (same == seen.end()) {
+            seen.push_back(std::move(cutting));
+            distinct.push_back(cell);
+        } else {
+            std::uint32_t& other = distinct[static_cast<std::size_t>(same - seen.begin())];
+            if (comes_before(cell, other)) other = cell;
+        }
+    }
+    const bool is_small = box.max[0] - box.min[0] < kSmallestBox ||
+                          box.max[1] - box.min[1] < kSmallestBox ||
+                          box.max[2] - box.min[2] < kSmallestBox;
+    if (is_small || 2 * distinct.size() <= parameters_.insertion_leaf) {
+        nodes_[number].cells = std::move(distinct);
+        return;
+    }
+    const std::uint32_t first = new_children();
+    nodes_[number].kind = NodeKind::Inner;
+    nodes_[number].first_child = first;
+    nodes_[number].cells = {};
+    const std::size_t begin = active_.size();
+    for (const std::uint32_t cell : distinct) {
+        for (std::uint32_t i = cells_[cell].begin; i < cells_[cell].end; ++i)
+            active_.push_back(i);
+        for (std::uint32_t child = 0; child < 8; ++child) {
+            if (nodes_[first + child].kind == NodeKind::Empty) continue;
+            insert(first + child, child_box(box, child), cell, begin);
+        }
+        active_.resize(begin);
+    }
+}
+
+void TreeCda::subtract_unmeasured(const Cell& cell) {
+    const auto stored = store(cell);
+    if (!stored || nodes_[0].kind == NodeKind::Empty) return;
+    active_.clear();
+    for (std::uint32_t i = cells_[*stored].begin; i < cells_[*stored].end; ++i)
+        active_.push_back(i);
+    insert(0, root_box_, *stored, 0);
+}
+
+double TreeCda::subtract(const Cell& cell) {
+    const double removed = common_volume(cell);
+    subtract_unmeasured(cell);
+    return removed;
+}
+
+double TreeCda::common_volume(const Cell& cell) const {
+    std::vector<Plane> window;
+    for (const Plane& plane : cell.planes) {
+        // Planes beyond the range of the lattice do not cut the stock; see store().
+        if (std::abs(plane.d) < (std::int64_t{1} << 52)) {
+            window.push_back(plane);
+        } else if (plane.d < 0) {
+            return 0.0;
+        }
+    }
+    return evaluated_volume(&window);
+}
+
+double TreeCda::volume() const {
+    return evaluated_volume(nullptr);
+}
+
+// A third of the sum of distance times area over the surface; walls face the other way.
+double TreeCda::evaluated_volume(const std::vector<Plane>* window) const {
+    double threefold = 0.0;
+    Evaluation evaluation(*this, window, [&](const ConvexPolygon& piece, Origin, bool is_wall) {
+        const double part = distance_about(piece.plane, centre_) * area(piece);
+        threefold += is_wall ? -part : part;
+    });
+    evaluation.run();
+    return threefold / 3.0 * cube(lattice_.unit_mm);
+}
+
+std::vector<Fragment> TreeCda::fragments() const {
+    std::vector<Fragment> all;
+    Evaluation evaluation(*this, nullptr,
+                          [&](const ConvexPolygon& piece, Origin origin, bool is_wall) {
+                              const ConvexPolygon outer = is_wall ? turned_over(piece) : piece;
+                              Fragment fragment{outer.plane, origin, {{}}};
+                              for (std::size_t i = 0; i < outer.corners.size(); ++i) {
+                                  fragment.loops[0].push_back({outer.corners[i], outer.edges[i]});
+                              }
+                              all.push_back(std::move(fragment));
+                          });
+    evaluation.run();
+    counts_.nodes = nodes_.size() - 8 * free_children_.size();
+    counts_.leaves_evaluated = evaluation.counts().leaves_evaluated;
+    counts_.facets_tested = evaluation.counts().facets_tested;
+    counts_.facets_alive = evaluation.counts().facets_alive;
+    counts_.fragments = evaluation.counts().fragments;
+    return all;
+}
+
+Boundary TreeCda::boundary() const {
+    return stitch(fragments(), lattice_);
+}
+
+void TreeCda::render(FacetCanvas& canvas) const {
+    // Pieces of facets are what is left of them: nothing to mask.
+    for (const Fragment& fragment : fragments()) {
+        std::vector<Vec3> outline;
+        for (const auto& corner : fragment.loops[0]) {
+            outline.push_back(lattice_.unit_mm * corner.point.approx);
+        }
+        canvas.draw({unit_normal(fragment.plane), fragment.origin, outline, {}});
+    }
+}
+
+bool TreeCda::contains(Vec3 point) const {
+    constexpr double kScale = 65536.0;
+    constexpr double kReach = 1e12;
+    const auto fixed = [&](double mm) {
+        return static_cast<std::int64_t>(
+            std::round(std::clamp(mm / lattice_.unit_mm, -kReach, kReach) * kScale));
+    };
+    const std::array<std::int64_t, 3> p{fixed(point.x), fixed(point.y), fixed(point.z)};
+    const auto height = [&](const Plane& h) {
+        return static_cast<Int128>(h.nx) * p[0] + static_cast<Int128>(h.ny) * p[1] +
+               static_cast<Int128>(h.nz) * p[2] - static_cast<Int128>(h.d) * 65536;
+    };
+    if (std::any_of(stock_planes_.begin(), stock_planes_.end(),
+                    [&](const Plane& h) { return height(h) > 0; })) {
+        return false;
+    }
+    std::uint32_t number = 0;
+    HalfBox box = root_box_;
+    while (nodes_[number].kind == NodeKind::Inner) {
+        std::uint32_t child = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Half units are 2^15 of the fixed point.
+            if (p[i] > middle(box.min[i], box.max[i]) * 32768) child |= 1U << i;
+        }
+        box = child_box(box, child);
+        number = nodes_[number].first_child + child;
+    }
+    if (nodes_[number].kind == NodeKind::Empty) return false;
+    return std::none_of(nodes_[number].cells.begin(), nodes_[number].cells.end(),
+                        [&](std::uint32_t cell) {
+                            const auto planes = planes_of(cell);
+                            return std::all_of(planes.begin(), planes.end(),
+                                               [&](const Plane& h) { return height(h) < 0; });
+                        });
+}
+
+}  // namespace ncsim::cda

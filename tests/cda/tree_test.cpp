@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/tree.h"
+
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/mesh.h"
+
+#include "support/oracle.h"
+#include "support/random_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ncsim::cda {
+namespace {
+
+using test::kLattice;
+using test::mm_box;
+using test::Random;
+
+void expect_same(const Boundary& a, const Boundary& b) {
+    ASSERT_EQ(a.faces.size(), b.faces.size());
+    EXPECT_TRUE(a.vertices == b.vertices);
+    for (std::size_t i = 0; i < a.faces.size(); ++i) {
+        EXPECT_EQ(a.faces[i].origin, b.faces[i].origin);
+        EXPECT_EQ(a.faces[i].loops, b.faces[i].loops);
+    }
+}
+
+std::vector<Cell> random_cuts(std::uint64_t seed, int count, std::int64_t reach) {
+    Random random(seed);
+    std::vector<Cell> cuts;
+    for (int i = 0; i < count; ++i) {
+        cuts.push_back(test::random_hull(random, test::random_point(random, 300000), reach, 14,
+                                         Origin{static_cast<std::uint32_t>(i + 1)}));
+    }
+    return cuts;
+}
+
+template <class Model>
+Boundary milled(Model part, const std::vector<Cell>& cuts) {
+    for (const Cell& cut : cuts)
+        part.subtract_unmeasured(cut);
+    return part.boundary();
+}
+
+const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
+
+// The clever way against the readable one, face for face, corner for corner.
+TEST(TreeCda, HasTheSameBoundaryAsTheFlatAggregate) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        const auto cuts = random_cuts(seed, 10, 60000 + static_cast<std::int64_t>(seed) * 5000);
+        expect_same(milled(TreeCda(kStock, kLattice), cuts),
+                    milled(FlatCda(kStock, kLattice), cuts));
+    }
+}
+
+TEST(TreeCda, DoesNotDependOnHowItSplits) {
+    const auto cuts = random_cuts(77, 60, 60000);
+    const Boundary expected = milled(TreeCda(kStock, kLattice), cuts);
+    for (const TreeParameters parameters : {TreeParameters{1, 1}, TreeParameters{4, 2},
+                                            TreeParameters{8, 24}, TreeParameters{1000, 1000}}) {
+        SCOPED_TRACE(parameters.insertion_leaf);
+        expect_same(milled(TreeCda(kStock, kLattice, parameters), cuts), expected);
+    }
+}
+
+TEST(TreeCda, DoesNotDependOnTheOrderOfCuts) {
+    auto cuts = random_cuts(78, 60, 60000);
+    const Boundary expected = milled(TreeCda(kStock, kLattice), cuts);
+    std::reverse(cuts.begin(), cuts.end());
+    expect_same(milled(TreeCda(kStock, kLattice), cuts), expected);
+}
+
+// Unit cubes: every coincidence there is, volume and exposed area exactly right.
+TEST(TreeCda, AgreesWithUnitCubesFiveThousandTimes) {
+    Random random(42);
+    for (int i = 0; i < 5000; ++i) {
+        SCOPED_TRACE(i);
+        test::UnitCubes cubes;
+        TreeCda part(mm_box(0, 0, 0, 6, 6, 6), kLattice, {3, 2});
+        const auto cuts = random.between(1, 12);
+        for (std::int64_t k = 0; k < cuts; ++k) {
+            const auto b = test::random_grid_box(random);
+            cubes.remove(b);
+            part.subtract_unmeasured(mm_box(b[0], b[1], b[2], b[3], b[4], b[5],
+                                            Origin{static_cast<std::uint32_t>(k + 1)}));
+        }
+        const Boundary boundary = part.boundary();
+        ASSERT_NEAR(volume(boundary), cubes.volume(), 1e-9);
+        ASSERT_NEAR(area(boundary), cubes.area(), 1e-9);
+        ASSERT_TRUE(check(boundary).is_closed());
+        if (i % 20 == 0) {
+            ASSERT_TRUE(check(triangulate(boundary)).is_closed());
+        }
+    }
+}
+
+TEST(TreeCda, TakesTheSameCutAThousandTimes) {
+    TreeCda part(kStock, kLattice);
+    const auto cuts = random_cuts(5, 1, 200000);
+    for (int i = 0; i < 1000; ++i)
+        part.subtract_unmeasured(cuts[0]);
+    expect_same(part.boundary(), milled(FlatCda(kStock, kLattice), cuts));
+}
+
+TEST(TreeCda, PassesThatDifferByOneUnitLeaveWallsOfOneUnit) {
+    TreeCda part(mm_box(0, 0, 0, 1, 1, 1), kLattice);
+    for (std::int64_t i = 0; i < 100; ++i) {
+        part.subtract_unmeasured(box_cell({-1, i * 1000, 0}, {100001, i * 1000 + 999, 200000},
+                                          kLattice, Origin{static_cast<std::uint32_t>(i + 1)}));
+    }
+    const Boundary boundary = part.boundary();
+    EXPECT_EQ(boundary.shells, 100U);
+    EXPECT_NEAR(volume(boundary), 100 * 1e-5, 1e-12);
+    EXPECT_TRUE(check(boundary).is_closed());
+    EXPECT_TRUE(check(triangulate(boundary)).is_closed());
+}
+
+TEST(TreeCda, MeasuresWhatACutRemovesBeforeItIsMade) {
+    TreeCda part(kStock, kLattice);
+    FlatCda reference(kStock, kLattice);
+    for (const Cell& cut : random_cuts(9, 30, 120000)) {
+        const double expected = reference.subtract(cut);
+        EXPECT_NEAR(part.common_volume(cut), expected, 1e-9);
+        part.subtract_unmeasured(cut);
+        EXPECT_EQ(part.common_volume(cut), 0.0);
+    }
+    EXPECT_NEAR(part.volume(), reference.volume(), 1e-9);
+}
+
+}  // namespace
+}  // namespace ncsim::cda
