@@ -98,6 +98,35 @@ void draw_box(cda::FacetCanvas& canvas, const BoxPart& part, int i) {
 constexpr int kOutside = -2;
 constexpr int kMaterial = -1;
 
+// Faces that share a vertex are of one shell: parts that only touch do not occur here.
+void number_shells(cda::Boundary& boundary) {
+    constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    std::vector<std::vector<std::size_t>> faces_at(boundary.vertices.size());
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+        boundary.faces[f].shell = kNone;
+        for (const std::uint32_t v : boundary.faces[f].loops[0])
+            faces_at[v].push_back(f);
+    }
+    boundary.shells = 0;
+    for (std::size_t start = 0; start < boundary.faces.size(); ++start) {
+        if (boundary.faces[start].shell != kNone) continue;
+        std::vector<std::size_t> open{start};
+        boundary.faces[start].shell = boundary.shells;
+        while (!open.empty()) {
+            const std::size_t f = open.back();
+            open.pop_back();
+            for (const std::uint32_t v : boundary.faces[f].loops[0]) {
+                for (const std::size_t other : faces_at[v]) {
+                    if (boundary.faces[other].shell != kNone) continue;
+                    boundary.faces[other].shell = boundary.shells;
+                    open.push_back(other);
+                }
+            }
+        }
+        ++boundary.shells;
+    }
+}
+
 // What is in a cell: material, nothing (the cut that took it), or not even stock.
 int state_of(const BoxPart& part, std::array<int, 3> cell) {
     if (!part.stock.contains_cell(cell)) return kOutside;
@@ -186,7 +215,7 @@ cda::Boundary boundary_of(const BoxPart& part) {
             }
         }
     }
-    boundary.shells = boundary.faces.empty() ? 0 : 1;
+    number_shells(boundary);
     return boundary;
 }
 
@@ -228,6 +257,20 @@ BoxPart raster_part() {
     for (int column = 0; column < 8; ++column) {
         part.cuts.push_back({{3 * column, -1, 6 - column % 4}, {3 * column + 3, 25, 9}});
     }
+    return part;
+}
+
+BoxPart hollow_part() {
+    BoxPart part;
+    part.stock = {{0, 0, 0}, {6, 5, 4}};
+    part.cuts = {{{2, 2, 1}, {4, 3, 3}}};
+    return part;
+}
+
+BoxPart halved_part() {
+    BoxPart part;
+    part.stock = {{0, 0, 0}, {7, 5, 4}};
+    part.cuts = {{{3, -1, -1}, {4, 6, 5}}};
     return part;
 }
 

@@ -60,6 +60,10 @@ private:
 BoxPart grooved_part();
 /// Six times eight passes of a raster, abutting and crossing.
 BoxPart raster_part();
+/// With a void inside that no tool could have reached: two shells, one solid.
+BoxPart hollow_part();
+/// Cut in two: two shells, two solids.
+BoxPart halved_part();
 /// Nothing is left of it.
 BoxPart vanished_part();
 

@@ -4,8 +4,11 @@ ncsim_add_test(export
     box_part.cpp
     camera_test.cpp
     gltf_test.cpp
+    merge_faces_test.cpp
     png_test.cpp
+    polytope_part.cpp
     render_test.cpp
+    step_test.cpp
     stl_test.cpp
     text_test.cpp
     vrml_test.cpp)
@@ -16,7 +19,8 @@ target_link_libraries(ncsim_export_tests PRIVATE PNG::PNG)
 # What ncsim writes is read by programs that nobody here wrote. `write_samples` writes a folder of
 # files in all formats, each reader checks the ones it knows. A reader that is not there is a failure.
 set(samples ${CMAKE_CURRENT_BINARY_DIR}/export/samples)
-add_executable(ncsim_export_samples export/write_samples.cpp export/box_part.cpp)
+add_executable(ncsim_export_samples
+  export/write_samples.cpp export/box_part.cpp export/polytope_part.cpp)
 target_link_libraries(ncsim_export_samples PRIVATE ncsim::export ncsim_build_flags)
 add_test(NAME export.write_samples COMMAND ncsim_export_samples ${samples})
 set_tests_properties(export.write_samples PROPERTIES FIXTURES_SETUP export_samples)
@@ -55,3 +59,12 @@ add_test(NAME export.threads_change_no_byte
   COMMAND ${CMAKE_COMMAND} -D WRITER=$<TARGET_FILE:ncsim_export_samples>
     -D FOLDER=${CMAKE_CURRENT_BINARY_DIR}/export/threads
     -P ${CMAKE_CURRENT_SOURCE_DIR}/export/check_threads.cmake)
+
+# STEP: OpenCASCADE finds valid closed solids. Its package config names no version that can be asked for.
+find_package(OpenCASCADE CONFIG REQUIRED)
+add_executable(ncsim_read_step export/read_step.cpp)
+target_compile_features(ncsim_read_step PRIVATE cxx_std_20)
+target_include_directories(ncsim_read_step SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+target_link_libraries(ncsim_read_step PRIVATE TKernel TKMath TKBRep TKTopAlgo TKXSBase TKSTEP)
+add_test(NAME export.step_is_read_by_opencascade COMMAND ncsim_read_step ${samples})
+set_tests_properties(export.step_is_read_by_opencascade PROPERTIES FIXTURES_REQUIRED export_samples)

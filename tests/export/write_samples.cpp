@@ -6,10 +6,12 @@
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
+#include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/vrml.h"
 
 #include "box_part.h"
+#include "polytope_part.h"
 
 #include <cstdlib>
 #include <exception>
@@ -31,7 +33,7 @@ std::ofstream create(const std::filesystem::path& path) {
 }
 
 void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
-           const Provenance& provenance) {
+           const Provenance& provenance, int faces, int solids) {
     const auto file = [&](const char* extension) {
         return create(std::filesystem::path(stem).replace_extension(extension));
     };
@@ -42,6 +44,9 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     auto stl = file(".stl");
     write_stl(stl, cda::triangulate(boundary));
 
+    auto step = file(".step");
+    write_step(step, boundary, provenance);
+
     std::set<std::uint32_t> lines;
     for (const auto& face : boundary.faces)
         lines.insert(provenance.of(face.origin).nc_line);
@@ -50,7 +55,7 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     expect << "volume " << cda::volume(boundary) << "\nlines";
     for (const std::uint32_t line : lines)
         expect << ' ' << line;
-    expect << '\n';
+    expect << "\nfaces " << faces << "\nsolids " << solids << '\n';
 }
 
 // The part as both renderers see it.
@@ -71,14 +76,14 @@ void write_all(const std::filesystem::path& folder) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     const BoxPart grooved = grooved_part();
-    write(folder / "grooved", boundary_of(grooved), provenance_of(grooved));
-    write(folder / "tilted", boundary_of(grooved.tilted()), provenance_of(grooved));
+    write(folder / "grooved", boundary_of(grooved), provenance_of(grooved), 25, 1);
+    write(folder / "tilted", boundary_of(grooved.tilted()), provenance_of(grooved), 25, 1);
 
     write_pictures(folder / "tilted", grooved.tilted());
 
     BoxPart far_away = raster_part().tilted();
     far_away.shift = {1234.5, -4321.25, 987.125};
-    write(folder / "far_away", boundary_of(far_away), provenance_of(far_away));
+    write(folder / "far_away", boundary_of(far_away), provenance_of(far_away), 30, 1);
 
     write_pictures(folder / "far_away", far_away);
 
@@ -87,10 +92,18 @@ void write_all(const std::filesystem::path& folder) {
     odd_name.program =
         "d\xFC"
         "bel \"quoted\" \\ \n \xE2\x82\xAC.nc";  // Latin-1 and UTF-8 mixed
-    write(folder / "plate_with_hole", plate_with_hole(), odd_name);
+    write(folder / "plate_with_hole", plate_with_hole(), odd_name, 10, 1);
 
     const BoxPart vanished = vanished_part();
-    write(folder / "vanished", boundary_of(vanished), provenance_of(vanished));
+    write(folder / "vanished", boundary_of(vanished), provenance_of(vanished), 0, 0);
+
+    // One piece of it hangs in the air.
+    write(folder / "polytopes", polytope_part().boundary(), provenance_of_polytope_part(), 0, 2);
+
+    const BoxPart hollow = hollow_part();
+    write(folder / "hollow", boundary_of(hollow), provenance_of(hollow), 12, 1);
+    const BoxPart halves = halved_part();
+    write(folder / "halves", boundary_of(halves.tilted()), provenance_of(halves), 12, 2);
 }
 
 }  // namespace

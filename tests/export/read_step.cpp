@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// read_step <folder>: every .step in the folder is read by OpenCASCADE as valid closed solids, in
+// millimetres, with the volume and the number of faces that the .expect file beside it names.
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+namespace {
+
+struct Expectation {
+    double volume = 0.0;
+    int faces = 0;
+    int solids = 0;
+};
+
+Expectation read_expectation(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    Expectation result;
+    for (std::string word; in >> word;) {
+        if (word == "volume") in >> result.volume;
+        if (word == "faces") in >> result.faces;
+        if (word == "solids") in >> result.solids;
+    }
+    return result;
+}
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    TopTools_IndexedMapOfShape map;
+    TopExp::MapShapes(shape, kind, map);
+    return map.Extent();
+}
+
+bool all_shells_are_closed(const TopoDS_Shape& shape) {
+    for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+        if (!BRep_Tool::IsClosed(shell.Current())) return false;
+    }
+    return true;
+}
+
+bool check(const std::filesystem::path& path) {
+    const Expectation expected =
+        read_expectation(std::filesystem::path(path).replace_extension(".expect"));
+    bool good = true;
+    const auto expect = [&](bool condition, const std::string& message) {
+        if (!condition) std::cerr << path << ": " << message << '\n';
+        good = good && condition;
+    };
+    STEPControl_Reader reader;
+    expect(reader.ReadFile(path.c_str()) == IFSelect_RetDone, "OpenCASCADE cannot read it");
+    if (!good) return false;
+    reader.TransferRoots();
+    const TopoDS_Shape shape = reader.OneShape();
+    if (expected.solids == 0) {
+        expect(shape.IsNull() || count(shape, TopAbs_FACE) == 0, "there is something in it");
+        return good;
+    }
+    if (shape.IsNull()) return expect(false, "there is nothing in it"), false;
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    const int solids = count(shape, TopAbs_SOLID);
+    const int faces = count(shape, TopAbs_FACE);
+    expect(solids == expected.solids, std::to_string(solids) + " solids");
+    expect(faces == expected.faces || expected.faces == 0, std::to_string(faces) + " faces");
+    expect(BRepCheck_Analyzer(shape).IsValid(), "not valid");
+    expect(all_shells_are_closed(shape), "a shell is open");
+    expect(std::abs(properties.Mass() - expected.volume) <= 1e-9 * expected.volume,
+           "volume " + std::to_string(properties.Mass()));
+    std::cout << path << ": " << solids << " solids, " << faces << " faces, " << properties.Mass()
+              << " mm³\n";
+    return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) return EXIT_FAILURE;
+    int files = 0;
+    bool good = true;
+    for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
+        if (entry.path().extension() != ".step") continue;
+        ++files;
+        good = check(entry.path()) && good;
+    }
+    return good && files > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// That the files are valid solids is for OpenCASCADE to say (read_step.cpp).
+#include "ncsim/export/step.h"
+
+#include "box_part.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+namespace ncsim::exporter {
+namespace {
+
+std::string written(const cda::Boundary& boundary, const Provenance& provenance) {
+    std::ostringstream out;
+    write_step(out, boundary, provenance);
+    return out.str();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++n;
+    return n;
+}
+
+std::string box_text() {
+    test::BoxPart box;
+    box.stock = {{0, 0, 0}, {2, 2, 2}};
+    return written(test::boundary_of(box), test::provenance_of(box));
+}
+
+TEST(WriteStep, ABoxHasSharedPointsEdgesAndDirections) {
+    const std::string text = box_text();
+    EXPECT_EQ(count(text, "=VERTEX_POINT("), 8U);
+    EXPECT_EQ(count(text, "=EDGE_CURVE("), 12U);
+    EXPECT_EQ(count(text, "=ADVANCED_FACE('STOCK'"), 6U);
+    EXPECT_EQ(count(text, "=DIRECTION("), 6U);
+    EXPECT_EQ(count(text, "=CARTESIAN_POINT("), 9U);  // and the origin of the part
+}
+
+TEST(WriteStep, NamesFacesAfterTheirLines) {
+    const auto part = test::grooved_part();
+    const std::string text = written(test::boundary_of(part), test::provenance_of(part));
+    EXPECT_EQ(count(text, "ADVANCED_FACE('LINE_10_20_30'"), 1U);  // floor of the groove
+    EXPECT_GT(count(text, "ADVANCED_FACE('LINE_40'"), 0U);
+}
+
+TEST(WriteStep, WritesOtherAlphabetsByNumber) {
+    Provenance provenance;
+    provenance.program = "M\xC3\xBC'ller\\\xF0\x9F\x94\xA7.nc";
+    EXPECT_EQ(
+        count(written({}, provenance), "'M\\X2\\00FC\\X0\\''ller\\\\\\X4\\0001F527\\X0\\.nc'"), 3U);
+}
+
+TEST(WriteStep, APartOfWhichNothingIsLeftHasNoSolid) {
+    const std::string text = written({}, {});
+    EXPECT_EQ(count(text, "BREP"), 0U);
+    EXPECT_EQ(count(text, "END-ISO-10303-21;"), 1U);
+}
+
+TEST(WriteStep, RefusesMoreFacesThanAskedFor) {
+    const auto part = test::grooved_part();
+    std::ostringstream out;
+    EXPECT_THROW(write_step(out, test::boundary_of(part), {}, 24), std::runtime_error);
+    EXPECT_EQ(out.str(), "");
+    EXPECT_NO_THROW(write_step(out, test::boundary_of(part), {}, 25));
+}
+
+TEST(WriteStep, SaysTheSameTwice) {
+    EXPECT_EQ(box_text(), box_text());
+}
+
+TEST(WriteStep, TellsThatTheStreamFailed) {
+    std::ostringstream out;
+    out.setstate(std::ios::badbit);
+    EXPECT_THROW(write_step(out, {}, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace ncsim::exporter
