@@ -9,6 +9,7 @@
 #include "ncsim/cda/polygon.h"
 #include "ncsim/cda/polytope.h"
 
+#include "filtered_polygon.h"
 #include "stitch.h"
 
 #include <algorithm>
@@ -71,35 +72,6 @@ int compare_distances(const Plane& a, const Plane& b) {
     return difference > 0 ? 1 : difference < 0 ? -1 : 0;
 }
 
-// The part of plane `s` within a box.
-std::optional<ConvexPolygon> section(const Plane& s, const std::array<std::int64_t, 3>& min,
-                                     const std::array<std::int64_t, 3>& max) {
-    // Half units: 2x <= max. Odd, hence canonical.
-    const auto wall = [&](int axis, bool upper) {
-        const std::int64_t d =
-            upper ? max[static_cast<std::size_t>(axis)] : -min[static_cast<std::size_t>(axis)];
-        const std::int32_t n = upper ? 2 : -2;
-        return Plane{axis == 0 ? n : 0, axis == 1 ? n : 0, axis == 2 ? n : 0, d};
-    };
-    // Four walls around the axis along which the plane is steepest cut a parallelogram out of it.
-    const std::array<std::int64_t, 3> n{s.nx, s.ny, s.nz};
-    const auto axis = static_cast<int>(
-        std::max_element(n.begin(), n.end(),
-                         [](auto p, auto q) { return std::abs(p) < std::abs(q); }) -
-        n.begin());
-    int u = (axis + 1) % 3;
-    int v = (axis + 2) % 3;
-    if (n[static_cast<std::size_t>(axis)] < 0) std::swap(u, v);
-    ConvexPolygon polygon;
-    polygon.plane = s;
-    polygon.edges = {wall(v, false), wall(u, true), wall(v, true), wall(u, false)};
-    for (std::size_t i = 0; i < 4; ++i) {
-        polygon.corners.push_back(*meet(s, polygon.edges[(i + 3) % 4], polygon.edges[i]));
-    }
-    const std::array<Plane, 2> lids{wall(axis, true), wall(axis, false)};
-    return below(polygon, lids);
-}
-
 ConvexPolygon turned_over(const ConvexPolygon& polygon) {
     ConvexPolygon turned;
     turned.plane = polygon.plane.opposite();
@@ -116,67 +88,75 @@ ConvexPolygon turned_over(const ConvexPolygon& polygon) {
 // window has in common with the part instead of that of the part.
 class TreeCda::Evaluation {
 public:
-    using Sink = std::function<void(const ConvexPolygon& piece, Origin origin, bool is_wall)>;
+    using Sink = std::function<void(const FilteredPolygon& piece, Origin origin, bool is_wall)>;
 
     Evaluation(const TreeCda& tree, const std::vector<Plane>* window, Sink sink)
         : tree_(tree), window_(window), sink_(std::move(sink)) {}
 
     void run() {
-        std::vector<Plane> stock = active(tree_.stock_planes_, tree_.root_box_).value();
-        std::vector<Plane> window;
-        if (window_) {
-            auto planes = active(*window_, tree_.root_box_);
-            if (!planes) return;
-            window = std::move(*planes);
-        }
-        visit(0, tree_.root_box_, stock, window);
+        const HalfBox& box = tree_.root_box_;
+        const auto addresses = [](const std::vector<Plane>& planes) {
+            Planes result;
+            for (const Plane& plane : planes)
+                result.push_back(&plane);
+            return result;
+        };
+        Planes window;
+        if (window_ && !active(addresses(*window_), box, window)) return;
+        Planes stock;
+        active(addresses(tree_.stock_planes_), box, stock);
+        visit(0, box, stock, window);
     }
     const TreeCounts& counts() const { return counts_; }
 
 private:
+    using Planes = std::vector<const Plane*>;
+
     // A cell with the planes that cut the box at hand.
     struct Local {
         std::uint32_t cell;
-        std::vector<Plane> planes;
+        Planes planes;
     };
 
-    // Nothing if the box is outside of one of the planes.
-    template <class Planes>
-    static std::optional<std::vector<Plane>> active(const Planes& planes, const HalfBox& box) {
-        std::vector<Plane> cutting;
-        for (const Plane& plane : planes) {
-            switch (side_of_box(box.min, box.max, plane)) {
+    // The planes that cut the box; false if the box is outside of one of them.
+    static bool active(const Planes& planes, const HalfBox& box, Planes& cutting) {
+        cutting.clear();
+        for (const Plane* plane : planes) {
+            switch (side_of_box(box.min, box.max, *plane)) {
                 case Side::Below: break;
-                case Side::Above: return std::nullopt;
+                case Side::Above: return false;
                 case Side::On: cutting.push_back(plane); break;
             }
         }
-        return cutting;
+        return true;
     }
 
-    void visit(std::uint32_t number, const HalfBox& box, const std::vector<Plane>& stock,
-               const std::vector<Plane>& window) {
+    void visit(std::uint32_t number, const HalfBox& box, const Planes& stock,
+               const Planes& window) {
         const Node& node = tree_.nodes_[number];
-        switch (node.kind) {
-            case NodeKind::Empty: return;
-            case NodeKind::Inner:
-                for (std::uint32_t child = 0; child < 8; ++child) {
-                    const HalfBox inner = child_box(box, child);
-                    const auto inner_stock = active(stock, inner);
-                    const auto inner_window = active(window, inner);
-                    if (!inner_stock || !inner_window) continue;
-                    visit(node.first_child + child, inner, *inner_stock, *inner_window);
+        if (node.kind == NodeKind::Empty) return;
+        if (node.kind == NodeKind::Inner) {
+            Planes inner_stock;
+            Planes inner_window;
+            for (std::uint32_t child = 0; child < 8; ++child) {
+                const HalfBox inner = child_box(box, child);
+                if (active(stock, inner, inner_stock) && active(window, inner, inner_window)) {
+                    visit(node.first_child + child, inner, inner_stock, inner_window);
                 }
-                return;
-            case NodeKind::Material: break;
+            }
+            return;
         }
         if (stock.empty() && window.empty() && node.cells.empty()) return;
         std::vector<Local> cells;
+        Planes all;
         for (const std::uint32_t c : node.cells) {
-            auto planes = active(tree_.planes_of(c), box);
-            if (!planes) continue;
-            if (planes->empty()) return;  // covered
-            add(cells, {c, std::move(*planes)});
+            all.clear();
+            for (const Plane& plane : tree_.planes_of(c))
+                all.push_back(&plane);
+            Local local{c, {}};
+            if (!active(all, box, local.planes)) continue;
+            if (local.planes.empty()) return;  // covered
+            add(cells, std::move(local));
         }
         refine(box, stock, window, cells);
     }
@@ -184,7 +164,11 @@ private:
     // Cells with the same planes here are one; the first of them makes the walls.
     void add(std::vector<Local>& cells, Local local) const {
         for (Local& other : cells) {
-            if (other.planes != local.planes) continue;
+            if (!std::equal(other.planes.begin(), other.planes.end(), local.planes.begin(),
+                            local.planes.end(),
+                            [](const Plane* a, const Plane* b) { return *a == *b; })) {
+                continue;
+            }
             if (tree_.comes_before(local.cell, other.cell)) other.cell = local.cell;
             return;
         }
@@ -193,9 +177,8 @@ private:
 
     // Halves the box while many cells meet in it and halves still tell them apart: cells that all
     // meet in a line or a point do so in smaller boxes too, only more often.
-    void refine(const HalfBox& box, const std::vector<Plane>& stock,
-                const std::vector<Plane>& window, const std::vector<Local>& cells,
-                int fruitless = 0) {
+    void refine(const HalfBox& box, const Planes& stock, const Planes& window,
+                const std::vector<Local>& cells, int fruitless = 0) {
         std::size_t axis = 0;
         for (std::size_t i = 1; i < 3; ++i) {
             if (box.max[i] - box.min[i] > box.max[axis] - box.min[axis]) axis = i;
@@ -206,154 +189,160 @@ private:
             return;
         }
         const std::int64_t cut = middle(box.min[axis], box.max[axis]);
+        Planes inner_stock;
+        Planes inner_window;
         for (int half = 0; half < 2; ++half) {
             HalfBox inner = box;
             (half == 0 ? inner.max : inner.min)[axis] = cut;
-            const auto inner_stock = active(stock, inner);
-            const auto inner_window = active(window, inner);
-            if (!inner_stock || !inner_window) continue;
+            if (!active(stock, inner, inner_stock) || !active(window, inner, inner_window)) {
+                continue;
+            }
             std::vector<Local> here;
             bool covered = false;
             for (const Local& local : cells) {
-                auto planes = active(local.planes, inner);
-                if (!planes) continue;
-                if (planes->empty()) {
-                    covered = true;
-                    break;
-                }
-                add(here, {local.cell, std::move(*planes)});
+                Local inner_local{local.cell, {}};
+                if (!active(local.planes, inner, inner_local.planes)) continue;
+                covered = inner_local.planes.empty();
+                if (covered) break;
+                add(here, std::move(inner_local));
             }
             if (covered) continue;
-            refine(inner, *inner_stock, *inner_window, here,
+            refine(inner, inner_stock, inner_window, here,
                    here.size() == cells.size() ? fruitless + 1 : 0);
         }
     }
 
-    void evaluate(const HalfBox& box, const std::vector<Plane>& stock,
-                  const std::vector<Plane>& window, const std::vector<Local>& cells) {
+    void evaluate(const HalfBox& box, const Planes& stock, const Planes& window,
+                  const std::vector<Local>& cells) {
         ++counts_.leaves_evaluated;
-        for (const Plane& s : stock) {
-            auto polygon = section(s, box.min, box.max);
-            if (polygon) polygon = within(std::move(*polygon), stock);
-            if (polygon) polygon = strictly_within(std::move(*polygon), window);
-            if (!polygon) continue;
-            finish(*polygon, kStockOrigin, false, cells,
-                   [&](const Local&, bool same) { return same; });
+        std::array<Plane, 6> walls;
+        for (std::size_t i = 0; i < 3; ++i) {
+            // 2x <= max: odd distances, hence canonical.
+            std::array<std::int32_t, 3> n{};
+            n[i] = 2;
+            walls[2 * i + 1] = {n[0], n[1], n[2], box.max[i]};
+            walls[2 * i] = {-n[0], -n[1], -n[2], -box.min[i]};
+        }
+        const auto takes_same = [](const Local&, bool same) { return same; };
+        for (const Plane* s : stock) {
+            if (facet_.assign_section(*s, box.min, box.max, walls) && clip_to(stock) &&
+                clip_strictly_to(window)) {
+                finish(kStockOrigin, false, cells, nullptr, takes_same);
+            }
         }
         for (const Local& local : cells) {
-            for (const Plane& s : local.planes) {
-                auto polygon = section(s, box.min, box.max);
-                if (polygon) polygon = within(std::move(*polygon), local.planes);
-                if (polygon) polygon = strictly_within(std::move(*polygon), stock);
-                if (polygon) polygon = strictly_within(std::move(*polygon), window);
-                if (!polygon) continue;
-                // Opposite walls both go; of equal ones the first stays.
-                finish(
-                    *polygon, tree_.cells_[local.cell].origin, true, cells,
-                    [&](const Local& other, bool same) {
-                        return &other != &local &&
-                               (!same || tree_.comes_before(other.cell, local.cell));
-                    },
-                    &local);
-            }
-        }
-        for (const Plane& s : window) {
-            auto polygon = section(s, box.min, box.max);
-            if (polygon) polygon = within(std::move(*polygon), window);
-            if (polygon) polygon = within(std::move(*polygon), stock);
-            if (!polygon) continue;
-            finish(*polygon, kStockOrigin, false, cells,
-                   [&](const Local&, bool same) { return same; });
-        }
-    }
-
-    // What lies below the planes; planes in which the polygon itself lies do not count.
-    static std::optional<ConvexPolygon> within(ConvexPolygon polygon,
-                                               const std::vector<Plane>& planes) {
-        std::optional<ConvexPolygon> part = std::move(polygon);
-        for (const Plane& plane : planes) {
-            if (part->plane.is_parallel_to(plane)) {
-                const bool same = same_direction(part->plane, plane);
-                const Plane other = same ? plane : plane.opposite();
-                const int beyond = compare_distances(part->plane, other) * (same ? 1 : -1);
-                // In an opposite plane there is nothing between the two.
-                if (beyond < 0 || (beyond == 0 && !same)) return std::nullopt;
-                continue;
-            }
-            part = below(*part, plane);
-            if (!part) return std::nullopt;
-        }
-        return part;
-    }
-
-    // The same, but nothing if the polygon lies in one of the planes.
-    static std::optional<ConvexPolygon> strictly_within(ConvexPolygon polygon,
-                                                        const std::vector<Plane>& planes) {
-        for (const Plane& plane : planes) {
-            if (plane == polygon.plane || plane.opposite() == polygon.plane) return std::nullopt;
-        }
-        return within(std::move(polygon), planes);
-    }
-
-    // The facet rule: takes from the polygon what other cells have of it. `takes_coplanar(cell,
-    // same)` tells whether a cell with a facet in the same plane, in the same or the opposite
-    // orientation, does.
-    template <class TakesCoplanar>
-    void finish(const ConvexPolygon& polygon, Origin origin, bool is_wall,
-                const std::vector<Local>& cells, TakesCoplanar takes_coplanar,
-                const Local* self = nullptr) {
-        ++counts_.facets_tested;
-        std::vector<std::vector<Plane>> takers;
-        std::vector<Plane> cuts;
-        std::vector<Plane> crossing;
-        for (const Local& other : cells) {
-            if (&other == self) continue;
-            cuts.clear();
-            bool takes = true;
-            bool coplanar_same = false;
-            bool coplanar_opposite = false;
-            for (const Plane& plane : other.planes) {
-                if (!plane.is_parallel_to(polygon.plane)) {
-                    cuts.push_back(plane);
+            for (const Plane* s : local.planes) {
+                if (!facet_.assign_section(*s, box.min, box.max, walls) || !clip_to(local.planes) ||
+                    !clip_strictly_to(stock) || !clip_strictly_to(window)) {
                     continue;
                 }
-                const bool same = same_direction(polygon.plane, plane);
-                const int beyond =
-                    compare_distances(polygon.plane, same ? plane : plane.opposite()) *
-                    (same ? 1 : -1);
-                if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
-                if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same))) {
-                    takes = false;
-                    break;
-                }
+                // Opposite walls both go; of equal ones the first stays.
+                finish(tree_.cells_[local.cell].origin, true, cells, &local,
+                       [&](const Local& other, bool same) {
+                           return !same || tree_.comes_before(other.cell, local.cell);
+                       });
             }
-            if (coplanar_same && coplanar_opposite) takes = false;  // a flat cell
-            if (!takes) continue;
-            switch (overlap(polygon, cuts, crossing)) {
+        }
+        for (const Plane* s : window) {
+            if (facet_.assign_section(*s, box.min, box.max, walls) && clip_to(window) &&
+                clip_to(stock)) {
+                finish(kStockOrigin, false, cells, nullptr, takes_same);
+            }
+        }
+    }
+
+    // Keeps of facet_ what lies below the planes; a plane in which it lies itself does not count,
+    // but between it and an opposite one there is nothing.
+    bool clip_to(const Planes& planes) {
+        for (const Plane* plane : planes) {
+            if (facet_.plane().is_parallel_to(*plane)) {
+                const bool same = same_direction(facet_.plane(), *plane);
+                const int beyond = distance_beyond(facet_.plane(), *plane, same);
+                if (beyond < 0 || (beyond == 0 && !same)) return false;
+            } else if (!facet_.clip(*plane)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // The same, but nothing if it lies in one of the planes.
+    bool clip_strictly_to(const Planes& planes) {
+        return std::none_of(planes.begin(), planes.end(),
+                            [&](const Plane* p) { return *p == facet_.plane(); }) &&
+               clip_to(planes);
+    }
+
+    // Of a plane parallel to that of a facet: positive if the facet is below it, 0 if it lies in
+    // it.
+    static int distance_beyond(const Plane& facet, const Plane& plane, bool same) {
+        return compare_distances(facet, same ? plane : plane.opposite()) * (same ? 1 : -1);
+    }
+
+    // The facet rule: takes from facet_ what other cells have of it. `takes_coplanar(cell, same)`
+    // tells whether a cell with a facet in the same plane, in the same or the opposite orientation,
+    // does.
+    template <class TakesCoplanar>
+    void finish(Origin origin, bool is_wall, const std::vector<Local>& cells, const Local* self,
+                TakesCoplanar takes_coplanar) {
+        ++counts_.facets_tested;
+        std::size_t takers = 0;
+        for (const Local& other : cells) {
+            if (&other == self) continue;
+            if (takers == crossing_.size()) crossing_.emplace_back();
+            switch (taken_by(other, takes_coplanar, crossing_[takers])) {
                 case Overlap::None: break;
                 case Overlap::Covered: return;
-                case Overlap::Undecided: takers.push_back(crossing); break;
+                case Overlap::Undecided: ++takers; break;
             }
         }
-        std::vector<ConvexPolygon> pieces{polygon};
-        std::vector<ConvexPolygon> rest;
-        for (const auto& taker : takers) {
-            rest.clear();
-            for (const ConvexPolygon& piece : pieces)
-                cda::subtract(piece, taker, rest);
-            pieces.swap(rest);
-            if (pieces.empty()) return;
+        std::size_t pieces = 1;
+        if (pieces_.empty()) pieces_.emplace_back();
+        pieces_[0] = facet_;
+        for (std::size_t t = 0; t < takers; ++t) {
+            std::size_t rest = 0;
+            for (std::size_t i = 0; i < pieces; ++i)
+                pieces_[i].subtract(crossing_[t], rest_, rest);
+            pieces_.swap(rest_);
+            pieces = rest;
+            if (pieces == 0) return;
         }
         ++counts_.facets_alive;
-        counts_.fragments += pieces.size();
-        for (const ConvexPolygon& piece : pieces)
-            sink_(piece, origin, is_wall);
+        counts_.fragments += pieces;
+        for (std::size_t i = 0; i < pieces; ++i)
+            sink_(pieces_[i], origin, is_wall);
+    }
+
+    // What single planes tell of what `other` takes from facet_; `crossing` are those that do not.
+    template <class TakesCoplanar>
+    Overlap taken_by(const Local& other, TakesCoplanar takes_coplanar, Planes& crossing) {
+        bool coplanar_same = false;
+        bool coplanar_opposite = false;
+        cuts_.clear();
+        for (const Plane* plane : other.planes) {
+            if (!plane->is_parallel_to(facet_.plane())) {
+                cuts_.push_back(plane);
+                continue;
+            }
+            const bool same = same_direction(facet_.plane(), *plane);
+            const int beyond = distance_beyond(facet_.plane(), *plane, same);
+            if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same))) return Overlap::None;
+            if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
+        }
+        if (coplanar_same && coplanar_opposite) return Overlap::None;  // a flat cell
+        return facet_.overlap(cuts_, crossing);
     }
 
     const TreeCda& tree_;
     const std::vector<Plane>* window_;
     Sink sink_;
     TreeCounts counts_;
+    // Kept between facets, so that nothing is allocated for each.
+    FilteredPolygon facet_;
+    Planes cuts_;
+    std::vector<Planes> crossing_;
+    std::vector<FilteredPolygon> pieces_;
+    std::vector<FilteredPolygon> rest_;
 };
 
 TreeCda::TreeCda(TreeParameters parameters) : parameters_(parameters) {}
@@ -557,25 +546,27 @@ double TreeCda::volume() const {
 // A third of the sum of distance times area over the surface; walls face the other way.
 double TreeCda::evaluated_volume(const std::vector<Plane>* window) const {
     double threefold = 0.0;
-    Evaluation evaluation(*this, window, [&](const ConvexPolygon& piece, Origin, bool is_wall) {
-        const double part = distance_about(piece.plane, centre_) * area(piece);
-        threefold += is_wall ? -part : part;
-    });
+    Evaluation evaluation(
+        *this, window, [&](const FilteredPolygon& filtered, Origin, bool is_wall) {
+            const ConvexPolygon piece = filtered.exact();
+            const double part = distance_about(piece.plane, centre_) * area(piece);
+            threefold += is_wall ? -part : part;
+        });
     evaluation.run();
     return threefold / 3.0 * cube(lattice_.unit_mm);
 }
 
 std::vector<Fragment> TreeCda::fragments() const {
     std::vector<Fragment> all;
-    Evaluation evaluation(*this, nullptr,
-                          [&](const ConvexPolygon& piece, Origin origin, bool is_wall) {
-                              const ConvexPolygon outer = is_wall ? turned_over(piece) : piece;
-                              Fragment fragment{outer.plane, origin, {{}}};
-                              for (std::size_t i = 0; i < outer.corners.size(); ++i) {
-                                  fragment.loops[0].push_back({outer.corners[i], outer.edges[i]});
-                              }
-                              all.push_back(std::move(fragment));
-                          });
+    Evaluation evaluation(
+        *this, nullptr, [&](const FilteredPolygon& piece, Origin origin, bool is_wall) {
+            const ConvexPolygon outer = is_wall ? turned_over(piece.exact()) : piece.exact();
+            Fragment fragment{outer.plane, origin, {{}}};
+            for (std::size_t i = 0; i < outer.corners.size(); ++i) {
+                fragment.loops[0].push_back({outer.corners[i], outer.edges[i]});
+            }
+            all.push_back(std::move(fragment));
+        });
     evaluation.run();
     counts_.nodes = nodes_.size() - 8 * free_children_.size();
     counts_.leaves_evaluated = evaluation.counts().leaves_evaluated;

@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace ncsim::cda {
@@ -169,6 +170,85 @@ std::vector<Triangle> cut_ears(const Boundary& boundary, const BoundaryFace& fac
     return triangles;
 }
 
+// Two faces that share two corners may both have the diagonal between them, or one has as a
+// diagonal what is an edge of another: where corners lie on one line but for rounding. Such a
+// diagonal gets a corner of its own in the middle, so that no edge stands twice; edges of faces
+// stay.
+void split_repeated_diagonals(const Boundary& boundary, TriangleMesh& mesh) {
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<std::pair<Edge, std::uint32_t>> edges;  // without direction, triangle
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            edges.emplace_back(std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]),
+                               t);
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::set<std::pair<std::uint32_t, Edge>> outlines;  // of the faces concerned
+    std::set<std::uint32_t> known;
+    const auto is_outline = [&](std::uint32_t face, Edge edge) {
+        if (known.insert(face).second) {
+            for (const auto& loop : boundary.faces[face].loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    outlines.emplace(face, std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+                }
+            }
+        }
+        return outlines.contains({face, edge});
+    };
+    const auto halve = [&](std::uint32_t t, Edge edge, std::uint32_t middle) {
+        // (a, b, c) with the edge a → b: (a, m, c) and (m, b, c).
+        const Triangle old = mesh.triangles[t];
+        std::size_t i = 0;
+        while (std::minmax(old[i], old[(i + 1) % 3]) != std::minmax(edge.first, edge.second))
+            ++i;
+        mesh.triangles[t] = {old[i], middle, old[(i + 2) % 3]};
+        mesh.triangles.push_back({middle, old[(i + 1) % 3], old[(i + 2) % 3]});
+        mesh.face.push_back(mesh.face[t]);
+        return static_cast<std::uint32_t>(mesh.triangles.size() - 1);
+    };
+    // A triangle that was halved is found by what it was: its parts, by number.
+    std::map<std::uint32_t, std::vector<std::uint32_t>> parts;
+    const auto holder = [&](std::uint32_t t, Edge edge) {
+        std::vector<std::uint32_t> open{t};
+        while (!open.empty()) {
+            const std::uint32_t now = open.back();
+            open.pop_back();
+            const Triangle& corners = mesh.triangles[now];
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (Edge(std::minmax(corners[i], corners[(i + 1) % 3])) == edge) return now;
+            }
+            if (const auto it = parts.find(now); it != parts.end()) {
+                open.insert(open.end(), it->second.begin(), it->second.end());
+            }
+        }
+        return t;
+    };
+    for (std::size_t begin = 0; begin < edges.size();) {
+        std::size_t end = begin;
+        while (end < edges.size() && edges[end].first == edges[begin].first)
+            ++end;
+        const Edge edge = edges[begin].first;
+        if (end - begin > 2) {
+            std::map<std::uint32_t, std::vector<std::uint32_t>> by_face;
+            for (std::size_t i = begin; i < end; ++i) {
+                by_face[mesh.face[edges[i].second]].push_back(edges[i].second);
+            }
+            for (const auto& [face, triangles] : by_face) {
+                if (triangles.size() < 2 || is_outline(face, edge)) continue;
+                const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+                mesh.vertices.push_back(0.5 *
+                                        (mesh.vertices[edge.first] + mesh.vertices[edge.second]));
+                for (const std::uint32_t t : triangles) {
+                    const std::uint32_t now = holder(t, edge);
+                    parts[now].push_back(halve(now, edge, middle));
+                }
+            }
+        }
+        begin = end;
+    }
+}
+
 }  // namespace
 
 TriangleMesh triangulate(const Boundary& boundary) {
@@ -187,6 +267,7 @@ TriangleMesh triangulate(const Boundary& boundary) {
         mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
         mesh.face.insert(mesh.face.end(), triangles.size(), f);
     }
+    split_repeated_diagonals(boundary, mesh);
     return mesh;
 }
 

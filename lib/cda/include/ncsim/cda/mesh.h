@@ -19,9 +19,9 @@ struct TriangleMesh {
     std::vector<std::uint32_t> face;
 };
 
-/// Cuts every face into triangles between its own vertices: none is added, none moved, so
-/// the mesh is closed if the boundary is. Vertices are those of the boundary, in order.
-/// Expected O(n log n) per face.
+/// Cuts every face into triangles between its own vertices, so the mesh is closed if the boundary
+/// is. Vertices are those of the boundary, in order, none moved; a few may follow in the middle of
+/// diagonals that would otherwise stand twice. Expected O(n log n) per face.
 TriangleMesh triangulate(const Boundary& boundary);
 
 }  // namespace ncsim::cda
