@@ -7,8 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace ncsim::exporter {
 namespace {
@@ -43,6 +48,38 @@ TEST(WriteGltf, TheNodeMovesTheCentreBackAndTurnsItUpright) {
     EXPECT_TRUE(has(glb, R"("scale":[0.001,0.001,0.001])"));
     EXPECT_TRUE(has(glb, R"("translation":[0.13,0.01,-0.02])"));
     EXPECT_TRUE(has(glb, R"("max":[30.0,20.0,10.0])"));
+}
+
+// A roof of two slopes that meet at `rise` over 1, cut by `tool`; the normals written for it.
+std::vector<std::array<float, 3>> roof_normals(double rise, std::uint32_t tool) {
+    cda::Boundary b;
+    b.vertices = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {1, 0, rise}, {1, 3, rise}};
+    const double s = 1.0 / std::sqrt(1.0 + rise * rise);
+    const cda::Origin cut{1};
+    b.faces = {{{0, 0, -1}, 0, cda::kStockOrigin, 0, {{3, 2, 1, 0}}},
+               {{0, -1, 0}, 0, cda::kStockOrigin, 0, {{0, 1, 4}}},
+               {{0, 1, 0}, 3, cda::kStockOrigin, 0, {{2, 3, 5}}},
+               {{-rise * s, 0, s}, 0, cut, 0, {{0, 4, 5, 3}}},
+               {{rise * s, 0, s}, 2 * rise * s, cut, 0, {{1, 2, 5, 4}}}};
+    b.shells = 1;
+    const std::string glb = written(b, {{{}, {5, tool}}, ""});
+    // The last primitive is the tool's: 12 indices, then positions and normals of 8 vertices, 8
+    // lines, 8 tools, and nothing after them.
+    std::vector<std::array<float, 3>> normals(8);
+    const std::size_t tail = 8 * (4 + 4) + 8 * 12;
+    std::memcpy(normals.data(), &glb[glb.size() - tail], 8 * 12);
+    return normals;
+}
+
+TEST(WriteGltf, ShadesGentleBendsOfOneToolAsRound) {
+    // At the ridge the two normals of 2 × 10° average to straight up; at the eaves they stay.
+    const auto normals = roof_normals(0.176, 3);
+    EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 4);
+}
+
+TEST(WriteGltf, KeepsSharpEdges) {
+    const auto normals = roof_normals(0.3, 3);  // 2 × 17°
+    EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 0);
 }
 
 TEST(WriteGltf, AnEmptyPartIsAnEmptyScene) {

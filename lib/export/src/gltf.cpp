@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 //  1. Triangles are sorted by the rank of their tool: a primitive each.
-//  2. Within a primitive each face gets vertices of its own, since its normal is its own.
+//  2. Within a primitive each face gets vertices of its own, since its line is its own; their
+//     normals are averaged over neighbours of the same tool that hardly turn away.
 //  3. The buffer is filled stream by stream (indices, positions, normals, lines, tools), an
 //     accessor for each stream of each primitive.
 #include "ncsim/export/gltf.h"
 
 #include "ncsim/cda/mesh.h"
 
+#include "crease.h"
 #include "palette.h"
 #include "text.h"
 
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -52,6 +55,67 @@ cda::Vec3 whole_centre(const cda::Boundary& boundary) {
     return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
 }
 
+// Normals of face corners: the average of those of the faces around the vertex, weighted by area,
+// that were cut by the same tool and meet the face at less than the crease angle.
+class SmoothNormals {
+public:
+    SmoothNormals(const cda::Boundary& boundary, const Provenance& provenance)
+        : boundary_(boundary), first_(boundary.vertices.size() + 1, 0) {
+        for (const cda::BoundaryFace& face : boundary.faces) {
+            tool_.push_back(provenance.of(face.origin).tool);
+            weighted_.push_back(area_vector(face));
+            for (const auto& loop : face.loops) {
+                for (const std::uint32_t vertex : loop)
+                    ++first_[vertex + 1];
+            }
+        }
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        faces_.resize(first_.back());
+        std::vector<std::uint32_t> next(first_);
+        for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
+            for (const auto& loop : boundary.faces[f].loops) {
+                for (const std::uint32_t vertex : loop)
+                    faces_[next[vertex]++] = f;
+            }
+        }
+    }
+
+    cda::Vec3 at(std::uint32_t face, std::uint32_t vertex) const {
+        const cda::Vec3 own = boundary_.faces[face].normal;
+        if (tool_[face] == 0) return own;
+        cda::Vec3 sum;
+        for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
+            const std::uint32_t other = faces_[i];
+            const bool is_smooth = tool_[other] == tool_[face] &&
+                                   cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
+            if (is_smooth) sum = sum + weighted_[other];
+        }
+        const double length = cda::norm(sum);
+        // Slivers without an area have no say, not even about themselves.
+        return length > 0.0 ? (1.0 / length) * sum : own;
+    }
+
+private:
+    // The normal, as long as the face is large.
+    cda::Vec3 area_vector(const cda::BoundaryFace& face) const {
+        double twofold = 0.0;
+        for (const auto& loop : face.loops) {
+            const cda::Vec3 a = boundary_.vertices[loop[0]];
+            for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+                twofold += cda::dot(face.normal, cda::cross(boundary_.vertices[loop[i]] - a,
+                                                            boundary_.vertices[loop[i + 1]] - a));
+            }
+        }
+        return std::max(twofold, 0.0) * face.normal;
+    }
+
+    const cda::Boundary& boundary_;
+    std::vector<std::uint32_t> tool_;   // of each face
+    std::vector<cda::Vec3> weighted_;   // of each face
+    std::vector<std::uint32_t> first_;  // for each vertex, where in `faces_` its faces begin
+    std::vector<std::uint32_t> faces_;
+};
+
 // Steps 1 and 2. Primitives without triangles are left out.
 std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenance& provenance,
                                   const Palette& palette, cda::Vec3 centre) {
@@ -59,6 +123,7 @@ std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenanc
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].tool = palette.tools()[i];
     const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    const SmoothNormals normals(boundary, provenance);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
     std::unordered_map<std::uint32_t, std::uint32_t> local;  // vertex → its copy for this face
@@ -73,7 +138,7 @@ std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenanc
             const auto [found, is_new] = local.try_emplace(vertex, next);
             if (is_new) {
                 primitive.positions.push_back(to_float(mesh.vertices[vertex] - centre));
-                primitive.normals.push_back(to_float(face.normal));
+                primitive.normals.push_back(to_float(normals.at(current_face, vertex)));
                 primitive.lines.push_back(static_cast<float>(entry.nc_line));
                 primitive.tools.push_back(static_cast<float>(entry.tool));
             }

@@ -2,7 +2,8 @@
 //
 //  1. Faces that share an edge and a normal are joined into groups (union-find).
 //  2. Edges with the same group on both sides vanish; what is left of a group are its outlines.
-//  3. The outlines are walked anew, the interior on the left. Where they touch in a vertex, the walk
+//  3. The outlines are walked anew, the interior on the left. Where they touch in a vertex, the
+//  walk
 //     goes on along the first edge counter-clockwise from where it came: between the two there is
 //     nothing but outside. So each loop goes around one connected piece of the outside and passes
 //     no vertex twice: if it did, the group would hang together at that vertex only.

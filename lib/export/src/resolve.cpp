@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "resolve.h"
 
+#include "crease.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,10 +26,6 @@ constexpr double kFill = 0.15;
 constexpr double kSky = 0.22;
 constexpr double kEverywhere = 0.26;
 constexpr double kSheen = 0.16;
-
-// Faces that meet at less than this are facets of one round surface and get no line between
-// them: cos 25°. A ball of 66 planes has 15° and less; a drill point has 31°.
-constexpr double kCreaseCosine = 0.9063;
 
 // How much of a pixel's colour is line: where something stands before something else, and
 // where two faces meet.

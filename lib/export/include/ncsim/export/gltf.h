@@ -11,8 +11,9 @@
 
 namespace ncsim::exporter {
 
-/// Writes `boundary` as binary glTF (.glb): one mesh with a primitive and a material for each tool,
-/// flat normals.
+/// Writes `boundary` as binary glTF (.glb): one mesh with a primitive and a material for each tool.
+/// Stock is shaded flat; facets cut by the same tool that meet at less than 25° are shaded as
+/// one round surface, larger ones weighing more.
 ///
 /// Positions are millimetres from the centre of the part, so that little is lost in floats; the
 /// node carries that centre and turns millimetres, z up, into glTF's metres, y up. Each vertex has
