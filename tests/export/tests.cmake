@@ -5,6 +5,7 @@ ncsim_add_test(export
     camera_test.cpp
     gltf_test.cpp
     merge_faces_test.cpp
+    ply_test.cpp
     png_test.cpp
     polytope_part.cpp
     render_test.cpp
@@ -41,10 +42,14 @@ add_test(NAME export.gltf_is_valid
 set_tests_properties(export.gltf_is_valid PROPERTIES
   FIXTURES_REQUIRED "export_samples;gltf_validator")
 
-# STL: admesh must find nothing to repair.
-add_test(NAME export.stl_needs_no_repair
-  COMMAND ${CMAKE_COMMAND} -D SAMPLES=${samples} -P ${CMAKE_CURRENT_SOURCE_DIR}/export/check_stl.cmake)
-set_tests_properties(export.stl_needs_no_repair PROPERTIES FIXTURES_REQUIRED export_samples)
+# STL and PLY: admesh must find nothing to repair.
+foreach(extension stl ply)
+  add_test(NAME export.${extension}_needs_no_repair
+    COMMAND ${CMAKE_COMMAND} -D SAMPLES=${samples} -D EXTENSION=${extension}
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/export/check_meshes.cmake)
+  set_tests_properties(export.${extension}_needs_no_repair PROPERTIES
+    FIXTURES_REQUIRED export_samples)
+endforeach()
 
 # VRML: Coin, the successor of Open Inventor, out of which VRML was made.
 find_package(Coin CONFIG REQUIRED)

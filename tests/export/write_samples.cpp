@@ -4,6 +4,7 @@
 // part a text of what a reader must find in it: "volume <mm³>" and "lines <numbers, ascending>".
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/gltf.h"
+#include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
@@ -41,6 +42,8 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     write_gltf(glb, boundary, provenance);
     auto wrl = file(".wrl");
     write_vrml(wrl, boundary, provenance);
+    auto ply = file(".ply");
+    write_ply(ply, boundary, provenance);
     auto stl = file(".stl");
     write_stl(stl, cda::triangulate(boundary));
 

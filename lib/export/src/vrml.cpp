@@ -6,9 +6,8 @@
 //  3. A Shape lists the points its faces use, then the faces.
 #include "ncsim/export/vrml.h"
 
-#include "ncsim/cda/mesh.h"
-
 #include "palette.h"
+#include "pieces.h"
 #include "text.h"
 
 #include <algorithm>
@@ -28,41 +27,6 @@ namespace {
 using FaceIndex = std::uint32_t;
 
 constexpr std::size_t kFlushSize = std::size_t{1} << 20;
-
-// The faces with holes in triangles: VRML polygons have none.
-class Pieces {
-public:
-    explicit Pieces(const cda::Boundary& boundary) : first_(boundary.faces.size() + 1, 0) {
-        cda::Boundary pierced;
-        pierced.vertices = boundary.vertices;
-        std::vector<FaceIndex> original;
-        for (FaceIndex i = 0; i < boundary.faces.size(); ++i) {
-            if (boundary.faces[i].loops.size() < 2) continue;
-            pierced.faces.push_back(boundary.faces[i]);
-            original.push_back(i);
-        }
-        if (original.empty()) return;
-        mesh_ = cda::triangulate(pierced);
-        for (const FaceIndex face : mesh_.face)
-            ++first_[original[face] + 1];
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        sorted_.resize(mesh_.triangles.size());
-        std::vector<std::uint32_t> next(first_);
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-            sorted_[next[original[mesh_.face[t]]]++] = t;
-        }
-    }
-
-    std::size_t count(FaceIndex face) const { return first_[face + 1] - first_[face]; }
-    std::span<const std::uint32_t> corners(FaceIndex face, std::size_t piece) const {
-        return mesh_.triangles[sorted_[first_[face] + piece]];
-    }
-
-private:
-    cda::TriangleMesh mesh_;
-    std::vector<std::uint32_t> first_;   // for each face, where in `sorted_` its triangles begin
-    std::vector<std::uint32_t> sorted_;  // triangles of mesh_, by face
-};
 
 class Writer {
 public:
@@ -149,8 +113,6 @@ private:
         local_.clear();
         std::string polygons;
         for (const FaceIndex face : faces) {
-            const auto& loops = boundary_.faces[face].loops;
-            if (loops.size() == 1) polygon(loops.front(), polygons);
             for (std::size_t i = 0; i < pieces_.count(face); ++i) {
                 polygon(pieces_.corners(face, i), polygons);
             }
