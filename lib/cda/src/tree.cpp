@@ -95,22 +95,27 @@ public:
 
     void run() {
         const HalfBox& box = tree_.root_box_;
-        const auto addresses = [](const std::vector<Plane>& planes) {
-            Planes result;
-            for (const Plane& plane : planes)
-                result.push_back(&plane);
-            return result;
-        };
+        const std::vector<FilterPlane> stock_planes(tree_.stock_planes_.begin(),
+                                                    tree_.stock_planes_.end());
+        std::vector<FilterPlane> window_planes;
+        if (window_) window_planes = {window_->begin(), window_->end()};
         Planes window;
-        if (window_ && !active(addresses(*window_), box, window)) return;
+        if (!active(addresses(window_planes), box, window)) return;
         Planes stock;
-        active(addresses(tree_.stock_planes_), box, stock);
+        active(addresses(stock_planes), box, stock);
         visit(0, box, stock, window);
     }
     const TreeCounts& counts() const { return counts_; }
 
 private:
-    using Planes = std::vector<const Plane*>;
+    using Planes = std::vector<const FilterPlane*>;
+
+    static Planes addresses(const std::vector<FilterPlane>& planes) {
+        Planes result;
+        for (const FilterPlane& plane : planes)
+            result.push_back(&plane);
+        return result;
+    }
 
     // A cell with the planes that cut the box at hand.
     struct Local {
@@ -121,8 +126,8 @@ private:
     // The planes that cut the box; false if the box is outside of one of them.
     static bool active(const Planes& planes, const HalfBox& box, Planes& cutting) {
         cutting.clear();
-        for (const Plane* plane : planes) {
-            switch (side_of_box(box.min, box.max, *plane)) {
+        for (const FilterPlane* plane : planes) {
+            switch (side_of_box(box.min, box.max, plane->exact)) {
                 case Side::Below: break;
                 case Side::Above: return false;
                 case Side::On: cutting.push_back(plane); break;
@@ -147,15 +152,31 @@ private:
             return;
         }
         if (stock.empty() && window.empty() && node.cells.empty()) return;
-        std::vector<Local> cells;
-        Planes all;
+        // The planes that cut the box, in one place that does not move.
+        leaf_planes_.clear();
+        std::vector<std::pair<std::uint32_t, std::size_t>> ends;
         for (const std::uint32_t c : node.cells) {
-            all.clear();
-            for (const Plane& plane : tree_.planes_of(c))
-                all.push_back(&plane);
-            Local local{c, {}};
-            if (!active(all, box, local.planes)) continue;
-            if (local.planes.empty()) return;  // covered
+            const std::size_t begin = leaf_planes_.size();
+            bool is_here = true;
+            for (const Plane& plane : tree_.planes_of(c)) {
+                const Side side = side_of_box(box.min, box.max, plane);
+                is_here = side != Side::Above;
+                if (!is_here) break;
+                if (side == Side::On) leaf_planes_.emplace_back(plane);
+            }
+            if (!is_here) {
+                leaf_planes_.resize(begin);
+                continue;
+            }
+            if (leaf_planes_.size() == begin) return;  // covered
+            ends.emplace_back(c, leaf_planes_.size());
+        }
+        std::vector<Local> cells;
+        std::size_t at = 0;
+        for (const auto& [cell, end] : ends) {
+            Local local{cell, {}};
+            for (; at < end; ++at)
+                local.planes.push_back(&leaf_planes_[at]);
             add(cells, std::move(local));
         }
         refine(box, stock, window, cells);
@@ -165,8 +186,9 @@ private:
     void add(std::vector<Local>& cells, Local local) const {
         for (Local& other : cells) {
             if (!std::equal(other.planes.begin(), other.planes.end(), local.planes.begin(),
-                            local.planes.end(),
-                            [](const Plane* a, const Plane* b) { return *a == *b; })) {
+                            local.planes.end(), [](const FilterPlane* a, const FilterPlane* b) {
+                                return a->exact == b->exact;
+                            })) {
                 continue;
             }
             if (tree_.comes_before(local.cell, other.cell)) other.cell = local.cell;
@@ -215,23 +237,23 @@ private:
     void evaluate(const HalfBox& box, const Planes& stock, const Planes& window,
                   const std::vector<Local>& cells) {
         ++counts_.leaves_evaluated;
-        std::array<Plane, 6> walls;
+        std::array<FilterPlane, 6> walls;
         for (std::size_t i = 0; i < 3; ++i) {
             // 2x <= max: odd distances, hence canonical.
             std::array<std::int32_t, 3> n{};
             n[i] = 2;
-            walls[2 * i + 1] = {n[0], n[1], n[2], box.max[i]};
-            walls[2 * i] = {-n[0], -n[1], -n[2], -box.min[i]};
+            walls[2 * i + 1] = FilterPlane({n[0], n[1], n[2], box.max[i]});
+            walls[2 * i] = FilterPlane({-n[0], -n[1], -n[2], -box.min[i]});
         }
         const auto takes_same = [](const Local&, bool same) { return same; };
-        for (const Plane* s : stock) {
+        for (const FilterPlane* s : stock) {
             if (facet_.assign_section(*s, box.min, box.max, walls) && clip_to(stock) &&
                 clip_strictly_to(window)) {
                 finish(kStockOrigin, false, cells, nullptr, takes_same);
             }
         }
         for (const Local& local : cells) {
-            for (const Plane* s : local.planes) {
+            for (const FilterPlane* s : local.planes) {
                 if (!facet_.assign_section(*s, box.min, box.max, walls) || !clip_to(local.planes) ||
                     !clip_strictly_to(stock) || !clip_strictly_to(window)) {
                     continue;
@@ -243,7 +265,7 @@ private:
                        });
             }
         }
-        for (const Plane* s : window) {
+        for (const FilterPlane* s : window) {
             if (facet_.assign_section(*s, box.min, box.max, walls) && clip_to(window) &&
                 clip_to(stock)) {
                 finish(kStockOrigin, false, cells, nullptr, takes_same);
@@ -254,10 +276,10 @@ private:
     // Keeps of facet_ what lies below the planes; a plane in which it lies itself does not count,
     // but between it and an opposite one there is nothing.
     bool clip_to(const Planes& planes) {
-        for (const Plane* plane : planes) {
-            if (facet_.plane().is_parallel_to(*plane)) {
-                const bool same = same_direction(facet_.plane(), *plane);
-                const int beyond = distance_beyond(facet_.plane(), *plane, same);
+        for (const FilterPlane* plane : planes) {
+            if (facet_.plane().is_parallel_to(plane->exact)) {
+                const bool same = same_direction(facet_.plane(), plane->exact);
+                const int beyond = distance_beyond(facet_.plane(), plane->exact, same);
                 if (beyond < 0 || (beyond == 0 && !same)) return false;
             } else if (!facet_.clip(*plane)) {
                 return false;
@@ -269,7 +291,7 @@ private:
     // The same, but nothing if it lies in one of the planes.
     bool clip_strictly_to(const Planes& planes) {
         return std::none_of(planes.begin(), planes.end(),
-                            [&](const Plane* p) { return *p == facet_.plane(); }) &&
+                            [&](const FilterPlane* p) { return p->exact == facet_.plane(); }) &&
                clip_to(planes);
     }
 
@@ -287,12 +309,19 @@ private:
                 TakesCoplanar takes_coplanar) {
         ++counts_.facets_tested;
         std::size_t takers = 0;
+        // Most facets are covered by one cell, and often by the one that covered the facet before.
+        if (killer_ < cells.size() && &cells[killer_] != self) {
+            if (crossing_.empty()) crossing_.emplace_back();
+            if (taken_by(cells[killer_], takes_coplanar, crossing_[0]) == Overlap::Covered) return;
+        }
         for (const Local& other : cells) {
             if (&other == self) continue;
             if (takers == crossing_.size()) crossing_.emplace_back();
             switch (taken_by(other, takes_coplanar, crossing_[takers])) {
                 case Overlap::None: break;
-                case Overlap::Covered: return;
+                case Overlap::Covered:
+                    killer_ = static_cast<std::size_t>(&other - cells.data());
+                    return;
                 case Overlap::Undecided: ++takers; break;
             }
         }
@@ -319,13 +348,13 @@ private:
         bool coplanar_same = false;
         bool coplanar_opposite = false;
         cuts_.clear();
-        for (const Plane* plane : other.planes) {
-            if (!plane->is_parallel_to(facet_.plane())) {
+        for (const FilterPlane* plane : other.planes) {
+            if (!plane->exact.is_parallel_to(facet_.plane())) {
                 cuts_.push_back(plane);
                 continue;
             }
-            const bool same = same_direction(facet_.plane(), *plane);
-            const int beyond = distance_beyond(facet_.plane(), *plane, same);
+            const bool same = same_direction(facet_.plane(), plane->exact);
+            const int beyond = distance_beyond(facet_.plane(), plane->exact, same);
             if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same))) return Overlap::None;
             if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
         }
@@ -338,8 +367,10 @@ private:
     Sink sink_;
     TreeCounts counts_;
     // Kept between facets, so that nothing is allocated for each.
+    std::vector<FilterPlane> leaf_planes_;
     FilteredPolygon facet_;
     Planes cuts_;
+    std::size_t killer_ = 0;  // index into the cells of the leaf at hand
     std::vector<Planes> crossing_;
     std::vector<FilteredPolygon> pieces_;
     std::vector<FilteredPolygon> rest_;
