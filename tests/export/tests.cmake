@@ -9,6 +9,7 @@ ncsim_add_test(export
     png_test.cpp
     polytope_part.cpp
     render_test.cpp
+    sheet_test.cpp
     step_test.cpp
     stl_test.cpp
     text_test.cpp

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/export/sheet.h"
+
+#include "lettering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace ncsim::exporter {
+namespace {
+
+Image plain(std::uint32_t width, std::uint32_t height, Rgba8 colour) {
+    return {width, height, std::vector<Rgba8>(std::size_t{width} * height, colour)};
+}
+
+std::vector<LabelledImage> pictures(std::size_t count) {
+    std::vector<LabelledImage> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back({"", plain(60, 40, {static_cast<std::uint8_t>(10 * (i + 1)), 0, 0})});
+    }
+    return result;
+}
+
+// Pixels as rows of '#', '+' and ' ' by darkness.
+std::string drawn(const Image& image) {
+    std::string text(1, '\n');
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            const std::uint8_t grey = image.at(x, y).r;
+            text += grey < 100 ? '#' : grey < 200 ? '+' : ' ';
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        text += '\n';
+    }
+    return text;
+}
+
+TEST(DrawText, DrawsLettersAsOneReadsThem) {
+    Image image = plain(28, 17, {255, 255, 255});
+    draw_text(image, 2, 14, 12, {0, 0, 0}, "N7");
+    EXPECT_EQ(drawn(image), R"(
+
+ ##        +# +############
+ ##+       ## +############
+ ###+      ##           ##
+ ####+     ##          +#+
+ ##+##     ##          ##
+ ## +##    ##         ##+
+ ##  +##   ##        +##
+ ##   +##  ##        ##
+ ##    ##+ ##       +##
+ ##     ##+##       ##
+ ##      ####      +#+
+ ##      +###      ##
+ ##       +##     +#+
+ ##        ##     +#
+
+
+)");
+}
+
+TEST(DrawText, CutsOffWhatIsBeyondThePicture) {
+    Image image = plain(10, 10, {255, 255, 255});
+    draw_text(image, -30, 5, 8, {0, 0, 0}, "MMMMMMMMMMMMMM");
+    draw_text(image, 5, -100, 8, {0, 0, 0}, "M");
+    draw_text(image, 5, 1e9, 8, {0, 0, 0}, "M");
+    EXPECT_NE(image, plain(10, 10, {255, 255, 255}));
+}
+
+TEST(DrawText, OtherAlphabetsAreABoxPerCharacter) {
+    EXPECT_EQ(text_width(10, "\xC3\xBC\xE2\x82\xAC"), text_width(10, "xy"));
+}
+
+TEST(ContactSheet, PutsUpToThreeInARowAndMoreInAGrid) {
+    const auto size = [](std::size_t count) {
+        const Image sheet = contact_sheet(pictures(count), {});
+        return std::pair(sheet.width / 60, sheet.height / 40);
+    };
+    EXPECT_EQ(size(1), std::pair(1U, 1U));
+    EXPECT_EQ(size(3), std::pair(3U, 1U));
+    EXPECT_EQ(size(4), std::pair(2U, 2U));
+    EXPECT_EQ(size(5), std::pair(3U, 2U));
+    EXPECT_EQ(size(7), std::pair(3U, 3U));
+}
+
+TEST(ContactSheet, KeepsThePicturesInOrder) {
+    const Image sheet = contact_sheet(pictures(4), {});
+    EXPECT_EQ(sheet.at(0, 0).r, 10);
+    EXPECT_EQ(sheet.at(119, 0).r, 20);
+    EXPECT_EQ(sheet.at(0, 79).r, 30);
+    EXPECT_EQ(sheet.at(119, 79).r, 40);
+}
+
+TEST(ContactSheet, ThereIsRoomForEachLineOfTheCaption) {
+    const std::vector<std::string> lines{"pocket.nc", "60 x 40 x 15 mm"};
+    const Image one = contact_sheet(pictures(2), std::span(lines).first(1), Background::Dark);
+    const Image two = contact_sheet(pictures(2), lines, Background::Dark);
+    EXPECT_GT(one.height, 40U);
+    EXPECT_GT(two.height, one.height);
+    EXPECT_EQ(one.at(0, one.height - 1), (Rgba8{30, 33, 38, 255}));
+}
+
+TEST(ContactSheet, RefusesWhatCannotBe) {
+    EXPECT_THROW(contact_sheet({}, {}), std::runtime_error);
+    auto mixed = pictures(2);
+    mixed[1].picture = plain(60, 41, {});
+    EXPECT_THROW(contact_sheet(mixed, {}), std::runtime_error);
+    std::vector<LabelledImage> wide(2, {"", plain(kMaxImageSide / 2 + 1, 1, {})});
+    EXPECT_THROW(contact_sheet(wide, {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace ncsim::exporter
