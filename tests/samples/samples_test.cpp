@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The samples, from text to surface, with both models: the definition of the part, asked a hundred
+// thousand times near its surface; closed surfaces; equal pictures.
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/tree.h"
+#include "ncsim/export/camera.h"
+#include "ncsim/export/render.h"
+#include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/trace.h"
+
+#include "job.h"
+#include "pipeline.h"
+#include "support/random_shapes.h"
+#include "survey.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ncsim {
+namespace {
+
+using cda::Vec3;
+
+// A sample, run once with both models.
+struct Sample {
+    app::Job job;
+    app::Survey survey;
+    app::Simulation tree, flat;
+    cda::Boundary boundary;  // of the tree
+};
+
+const Sample& sample(const std::string& name) {
+    static std::map<std::string, std::unique_ptr<Sample>> samples;
+    auto& slot = samples[name];
+    if (!slot) {
+        slot = std::make_unique<Sample>();
+        app::Options options;
+        options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/" + name + ".nc";
+        options.model = "cda";
+        slot->job = app::read_job(options);
+        slot->survey = app::survey(slot->job);
+        slot->tree = app::simulate(slot->job, slot->survey, [](std::uint64_t) {});
+        slot->job.options.model = "cda-flat";
+        slot->flat = app::simulate(slot->job, slot->survey, [](std::uint64_t) {});
+        slot->boundary = slot->tree.part->boundary();
+    }
+    return *slot;
+}
+
+class Samples : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(All, Samples, testing::Values("simple", "complex", "wave"),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(Samples, RunWithoutFindings) {
+    const Sample& s = sample(GetParam());
+    EXPECT_TRUE(s.survey.is_ready());
+    EXPECT_TRUE(s.survey.diagnostics.empty());
+    EXPECT_GT(s.tree.part_volume, 0.0);
+    EXPECT_LT(s.tree.part_volume, s.tree.stock_volume);
+}
+
+TEST(SampleSizes, AreThoseOfTheThesis) {
+    const auto cells = [](const std::string& name) {
+        return dynamic_cast<const cda::FlatCda&>(*sample(name).flat.part).negative().size();
+    };
+    EXPECT_NEAR(static_cast<double>(cells("simple")), 20.0, 5.0);
+    EXPECT_NEAR(static_cast<double>(cells("complex")), 120.0, 20.0);
+    EXPECT_GE(cells("wave"), 900U);
+}
+
+TEST_P(Samples, HaveClosedSurfacesOfTheRightVolume) {
+    const Sample& s = sample(GetParam());
+    const cda::Boundary flat = s.flat.part->boundary();
+    for (const cda::Boundary* boundary : {&s.boundary, &flat}) {
+        EXPECT_TRUE(cda::check(*boundary).is_closed());
+        EXPECT_LE(cda::check(*boundary).relative_area_sum, 1e-12);
+        const cda::TriangleMesh mesh = cda::triangulate(*boundary);
+        EXPECT_TRUE(cda::check(mesh).is_closed());
+        // The flat aggregate counts its volume cut by cut; the tree sums it over its leaves; the
+        // mesh is what CGAL, or the stitching, made of the facets.
+        EXPECT_NEAR(cda::volume(mesh), s.flat.part_volume, 1e-9 * s.flat.part_volume);
+        EXPECT_NEAR(cda::volume(*boundary), s.tree.part_volume, 1e-9 * s.flat.part_volume);
+    }
+}
+
+TEST_P(Samples, BothModelsMakeTheSameSurface) {
+    const Sample& s = sample(GetParam());
+    const cda::Boundary flat = s.flat.part->boundary();
+    ASSERT_EQ(s.boundary.faces.size(), flat.faces.size());
+    EXPECT_TRUE(s.boundary.vertices == flat.vertices);
+    for (std::size_t i = 0; i < flat.faces.size(); ++i) {
+        ASSERT_EQ(s.boundary.faces[i].loops, flat.faces[i].loops);
+        ASSERT_EQ(s.boundary.faces[i].origin, flat.faces[i].origin);
+    }
+}
+
+// Every point near a surface is on the side that the definition says: in the stock and in no hull.
+TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
+    const Sample& s = sample(GetParam());
+    // The hulls, made again from the program.
+    std::vector<cda::Cell> hulls;
+    std::map<int, toolpath::Cutter> cutters;
+    for (const auto& [number, used] : s.survey.tools) {
+        cutters.try_emplace(number, used.tool, s.tree.lattice, toolpath::ToolAccuracy{});
+    }
+    gcode::interpret(s.job.program, s.job.interpreter, [&](const gcode::Motion& motion) {
+        const auto cutter = cutters.find(motion.tool);
+        if (cutter == cutters.end() || !toolpath::has_known_start(motion)) return;
+        const auto path = toolpath::sample(motion, cutter->second.extent(), {});
+        for (std::size_t i = 1; i < path.poses.size(); ++i) {
+            cutter->second.trace(path.poses[i - 1], path.poses[i], cda::Origin{1}, hulls);
+        }
+    });
+
+    const cda::TriangleMesh mesh = cda::triangulate(s.boundary);
+    test::Random random(7);
+    const auto unit = [&] { return static_cast<double>(random.next() >> 11) * 0x1p-53; };
+    const double lattice_unit = s.tree.lattice.unit_mm;
+    int disagreements = 0;
+    for (int i = 0; i < 100000; ++i) {
+        // On a random triangle, then up to 10 µm off it.
+        const auto& t = mesh.triangles[random.next() % mesh.triangles.size()];
+        double u = unit();
+        double v = unit();
+        if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+        const Vec3 a = mesh.vertices[t[0]];
+        Vec3 p = a + u * (mesh.vertices[t[1]] - a) + v * (mesh.vertices[t[2]] - a);
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] += 0.02 * (unit() - 0.5);
+        // A tenth of a unit about every plane is left to rounding.
+        const double slack = 0.1 * lattice_unit;
+        bool is_near = false;
+        const auto inside = [&](const std::vector<cda::Plane>& planes) {
+            double highest = -1e300;
+            for (const cda::Plane& h : planes) {
+                highest = std::max(highest,
+                                   dot(cda::unit_normal(h), p) - cda::offset_mm(h, s.tree.lattice));
+                if (highest > slack) return false;
+            }
+            is_near = is_near || highest > -slack;
+            return highest < 0.0;
+        };
+        const cda::Box& stock = s.survey.stock->box;
+        bool expected = stock.contains(p);
+        for (const cda::Cell& hull : hulls) {
+            if (!expected) break;
+            if (hull.bounds.contains(p)) expected = !inside(hull.planes);
+        }
+        if (is_near) continue;
+        disagreements += s.tree.part->contains(p) != expected;
+        disagreements += s.flat.part->contains(p) != expected;
+    }
+    EXPECT_EQ(disagreements, 0);
+}
+
+// The stencil buffer of the thesis against the computed surface: pixel for pixel, but for edges.
+TEST_P(Samples, LookTheSameThroughTheStencilAndAsASurface) {
+    const Sample& s = sample(GetParam());
+    exporter::RenderOptions options;
+    options.width = 640;
+    options.height = 480;
+    options.edges = false;
+    options.samples = 1;
+    options.camera = exporter::fit_camera(s.survey.stock->box, exporter::View::Iso, 640.0 / 480.0);
+    const exporter::Image masked = exporter::render_model(*s.flat.part, s.flat.provenance, options);
+    const exporter::Image surface =
+        exporter::render_boundary(s.boundary, s.tree.provenance, options);
+    ASSERT_EQ(masked.pixels.size(), surface.pixels.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < masked.pixels.size(); ++i) {
+        const exporter::Rgba8& a = masked.pixels[i];
+        const exporter::Rgba8& b = surface.pixels[i];
+        const int distance =
+            std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+        different += distance > 24;
+    }
+    // Pixels whose centre an edge passes may go either way.
+    EXPECT_LE(different, masked.pixels.size() / 200);
+}
+
+}  // namespace
+}  // namespace ncsim
