@@ -13,6 +13,7 @@ ncsim_add_test(export
     step_test.cpp
     stl_test.cpp
     text_test.cpp
+    threemf_test.cpp
     vrml_test.cpp)
 find_package(PNG REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
@@ -74,3 +75,14 @@ target_include_directories(ncsim_read_step SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_
 target_link_libraries(ncsim_read_step PRIVATE TKernel TKMath TKBRep TKTopAlgo TKXSBase TKSTEP)
 add_test(NAME export.step_is_read_by_opencascade COMMAND ncsim_read_step ${samples})
 set_tests_properties(export.step_is_read_by_opencascade PROPERTIES FIXTURES_REQUIRED export_samples)
+
+# 3MF: the library of the 3MF Consortium reads it without warnings, as one closed mesh.
+# (Its pkg-config file asks for the static library's libraries too.)
+find_library(LIB3MF_LIBRARY 3MF REQUIRED)
+find_path(LIB3MF_INCLUDE_DIR Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
+add_executable(ncsim_read_3mf export/read_3mf.cpp)
+target_compile_features(ncsim_read_3mf PRIVATE cxx_std_20)
+target_include_directories(ncsim_read_3mf SYSTEM PRIVATE ${LIB3MF_INCLUDE_DIR})
+target_link_libraries(ncsim_read_3mf PRIVATE ${LIB3MF_LIBRARY})
+add_test(NAME export.3mf_is_read_by_lib3mf COMMAND ncsim_read_3mf ${samples})
+set_tests_properties(export.3mf_is_read_by_lib3mf PROPERTIES FIXTURES_REQUIRED export_samples)

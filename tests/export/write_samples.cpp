@@ -9,6 +9,7 @@
 #include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
+#include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
 
 #include "box_part.h"
@@ -44,6 +45,8 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     write_vrml(wrl, boundary, provenance);
     auto ply = file(".ply");
     write_ply(ply, boundary, provenance);
+    auto threemf = file(".3mf");
+    write_3mf(threemf, boundary, provenance);
     auto stl = file(".stl");
     write_stl(stl, cda::triangulate(boundary));
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part as PLY, for scripts and scanners' software. Greg Turk, The PLY Polygon File Format, 1994.
+// The part as PLY, for scripts and scanners' software. Greg Turk, The PLY Polygon File Format,
+// 1994.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -10,8 +11,8 @@
 
 namespace ncsim::exporter {
 
-/// Writes `boundary` as binary little-endian PLY, in millimetres, with coordinates in doubles: nothing
-/// is rounded. Faces are n-gons; those with holes, which PLY does not have, are cut into
+/// Writes `boundary` as binary little-endian PLY, in millimetres, with coordinates in doubles:
+/// nothing is rounded. Faces are n-gons; those with holes, which PLY does not have, are cut into
 /// triangles. Each face has the properties nc_line and tool (0 for uncut stock) and red, green and
 /// blue.
 ///

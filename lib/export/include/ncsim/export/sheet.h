@@ -17,12 +17,12 @@ struct LabelledImage {
     Image picture;
 };
 
-/// Puts `pictures`, which must be equally large, side by side (up to three in a row, more in as square
-/// a grid as possible) and the lines of `caption` below them. Text is ASCII; other characters
-/// show as a box. The size of letters follows that of the pictures.
+/// Puts `pictures`, which must be equally large, side by side (up to three in a row, more in as
+/// square a grid as possible) and the lines of `caption` below them. Text is ASCII; other
+/// characters show as a box. The size of letters follows that of the pictures.
 ///
-/// Throws std::runtime_error if there is no picture, if pictures differ in size, or if the sheet would
-/// have a side of more than kMaxImageSide.
+/// Throws std::runtime_error if there is no picture, if pictures differ in size, or if the sheet
+/// would have a side of more than kMaxImageSide.
 Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std::string> caption,
                     Background background = Background::White);
 
