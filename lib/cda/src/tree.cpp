@@ -545,6 +545,7 @@ void TreeCda::split(std::uint32_t number, const HalfBox& box) {
 void TreeCda::subtract_unmeasured(const Cell& cell) {
     const auto stored = store(cell);
     if (!stored || nodes_[0].kind == NodeKind::Empty) return;
+    volume_.reset();
     active_.clear();
     for (std::uint32_t i = cells_[*stored].begin; i < cells_[*stored].end; ++i)
         active_.push_back(i);
@@ -571,34 +572,41 @@ double TreeCda::common_volume(const Cell& cell) const {
 }
 
 double TreeCda::volume() const {
-    return evaluated_volume(nullptr);
+    if (!volume_) volume_ = evaluated_volume(nullptr);
+    return *volume_;
 }
 
 // A third of the sum of distance times area over the surface; walls face the other way.
+double TreeCda::volume_below(const ConvexPolygon& piece, bool is_wall) const {
+    const double part = distance_about(piece.plane, centre_) * area(piece) / 3.0;
+    return (is_wall ? -part : part) * cube(lattice_.unit_mm);
+}
+
 double TreeCda::evaluated_volume(const std::vector<Plane>* window) const {
-    double threefold = 0.0;
-    Evaluation evaluation(
-        *this, window, [&](const FilteredPolygon& filtered, Origin, bool is_wall) {
-            const ConvexPolygon piece = filtered.exact();
-            const double part = distance_about(piece.plane, centre_) * area(piece);
-            threefold += is_wall ? -part : part;
-        });
+    double sum = 0.0;
+    Evaluation evaluation(*this, window, [&](const FilteredPolygon& piece, Origin, bool is_wall) {
+        sum += volume_below(piece.exact(), is_wall);
+    });
     evaluation.run();
-    return threefold / 3.0 * cube(lattice_.unit_mm);
+    return sum;
 }
 
 std::vector<Fragment> TreeCda::fragments() const {
     std::vector<Fragment> all;
-    Evaluation evaluation(
-        *this, nullptr, [&](const FilteredPolygon& piece, Origin origin, bool is_wall) {
-            const ConvexPolygon outer = is_wall ? turned_over(piece.exact()) : piece.exact();
-            Fragment fragment{outer.plane, origin, {{}}};
-            for (std::size_t i = 0; i < outer.corners.size(); ++i) {
-                fragment.loops[0].push_back({outer.corners[i], outer.edges[i]});
-            }
-            all.push_back(std::move(fragment));
-        });
+    double sum = 0.0;
+    Evaluation evaluation(*this, nullptr,
+                          [&](const FilteredPolygon& filtered, Origin origin, bool is_wall) {
+                              const ConvexPolygon piece = filtered.exact();
+                              sum += volume_below(piece, is_wall);
+                              const ConvexPolygon outer = is_wall ? turned_over(piece) : piece;
+                              Fragment fragment{outer.plane, origin, {{}}};
+                              for (std::size_t i = 0; i < outer.corners.size(); ++i) {
+                                  fragment.loops[0].push_back({outer.corners[i], outer.edges[i]});
+                              }
+                              all.push_back(std::move(fragment));
+                          });
     evaluation.run();
+    volume_ = sum;
     counts_.nodes = nodes_.size() - 8 * free_children_.size();
     counts_.leaves_evaluated = evaluation.counts().leaves_evaluated;
     counts_.facets_tested = evaluation.counts().facets_tested;

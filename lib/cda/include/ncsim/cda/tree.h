@@ -15,6 +15,7 @@
 
 namespace ncsim::cda {
 
+struct ConvexPolygon;
 struct Fragment;
 
 /// What work was done, counted: the same on every machine.
@@ -86,6 +87,7 @@ private:
     void split(std::uint32_t node, const HalfBox& box);
     void release(std::uint32_t node);
     std::uint32_t new_children();
+    double volume_below(const ConvexPolygon& piece, bool is_wall) const;
     double evaluated_volume(const std::vector<Plane>* window) const;
     std::vector<Fragment> fragments() const;
 
@@ -101,6 +103,8 @@ private:
     std::vector<Plane> planes_;
     std::vector<std::uint32_t> active_;  // stack of insert()
     mutable TreeCounts counts_;
+    // Of what is there now, once somebody asked: by volume() or on the way to boundary().
+    mutable std::optional<double> volume_;
 };
 
 }  // namespace ncsim::cda
