@@ -145,8 +145,8 @@ bool Machine::drill(int motion, const Axes& above, std::size_t depth_axis, doubl
     const double seconds = rules_.dwell_milliseconds ? cycle.p / 1000.0 : cycle.p;
 
     if (motion == 730 || motion == 830) {
-        const double clearance =
-            rules_.strict && state_.inches ? 0.050 : rules_.peck_clearance_mm / state_.unit_mm();
+        const double clearance = options_.peck_clearance.value_or(0.254 / state_.unit_mm());
+        const double highest = options_.peck_clearance ? bottom + 1e12 : r;
         constexpr double kMostPecks = 100'000.0;
         const double q = cycle.q > 0.0 ? cycle.q : r - bottom;
         if (q > 0.0 && (r - bottom) / q > kMostPecks) {
@@ -158,9 +158,9 @@ bool Machine::drill(int motion, const Axes& above, std::size_t depth_axis, doubl
             to(depth, MoveKind::Feed);
             if (motion == 830) {
                 to(r, MoveKind::Rapid);
-                to(std::min(depth + clearance, r), MoveKind::Rapid);
+                to(std::min(depth + clearance, highest), MoveKind::Rapid);
             } else {
-                to(std::min(depth + clearance, r), MoveKind::Rapid);
+                to(std::min(depth + clearance, highest), MoveKind::Rapid);
             }
         }
         to(bottom, MoveKind::Feed);

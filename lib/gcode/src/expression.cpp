@@ -153,7 +153,8 @@ private:
         if (!number) return std::nullopt;
         if (const std::optional<double> found = parameters_.numbered(*number)) return found;
         return fail(Message::ParameterRange,
-                    std::to_string(static_cast<long long>(std::clamp(*number, -1e15, 1e15))));
+                    std::to_string(static_cast<long long>(
+                        std::isnan(*number) ? 0.0 : std::clamp(*number, -1e15, 1e15))));
     }
 
     std::optional<double> function() {
@@ -172,16 +173,24 @@ private:
         return of_one(name, std::isnan(*x) ? 0.0 : *x);
     }
 
+    /// Of a name: whether it was ever set; of a number: whether there is such a parameter.
     std::optional<double> exists() {
-        const std::size_t close = text_.find(']', at_);
-        const std::string_view inside = close == std::string_view::npos
-                                            ? std::string_view()
-                                            : text_.substr(at_ + 1, close - at_ - 1);
-        if (!inside.starts_with("#<") || !inside.ends_with('>')) {
+        if (!skip('[') || at_ >= text_.size() || text_[at_] != '#')
             return fail(Message::ExistsArgument);
+        ++at_;
+        bool found = false;
+        if (at_ < text_.size() && text_[at_] == '<') {
+            const std::size_t close = text_.find('>', at_);
+            if (close == std::string_view::npos) return fail(Message::NameUnclosed);
+            found = parameters_.named(text_.substr(at_ + 1, close - at_ - 1)).has_value();
+            at_ = close + 1;
+        } else {
+            const std::optional<double> number = value();
+            if (!number) return std::nullopt;
+            found = parameters_.numbered(*number).has_value();
         }
-        at_ = close + 1;
-        return parameters_.named(inside.substr(2, inside.size() - 3)) ? 1.0 : 0.0;
+        if (!skip(']')) return fail(Message::ExistsArgument);
+        return found ? 1.0 : 0.0;
     }
 
     /// ATAN[y]/[x] everywhere; ATAN[y,x], ATAN[y] and POW[x,y] on Fanuc's kin.

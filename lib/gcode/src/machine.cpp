@@ -32,6 +32,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
         work_offsets_[i].origin = to_axes(options.work_offsets[i]);
     }
     state_.inches = options.default_units == DefaultUnits::Inches;
+    state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
     select_system(1);
     parameters_.view.state = &state_;
     parameters_.view.work_offsets = &work_offsets_;
@@ -142,7 +143,7 @@ bool Machine::check(const Command& command) {
 bool Machine::check_unused_words(const Command& command) {
     int motion = command.group(Group::Motion);
     const int one_shot = command.group(Group::OneShot);
-    if (motion == kNone && command.axis_words) motion = state_.motion;
+    if (motion == kNone && (command.axis_words || is_modal_arc(command))) motion = state_.motion;
     const bool is_arc = motion == 20 || motion == 30;
     const bool is_cycle = (motion >= 730 && motion <= 760) || (motion >= 810 && motion <= 890);
     const bool is_spline = motion >= 50 && motion <= 53;
@@ -337,7 +338,7 @@ bool Machine::move(const Command& command, int motion) {
             return true;  // "G0 G28 Z0": the words belong to G28
         }
     } else {
-        if (!command.axis_words || words_taken) return true;
+        if ((!command.axis_words && !is_modal_arc(command)) || words_taken) return true;
         motion = state_.motion;
         if (motion == -1 || motion == 800) {
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
@@ -376,6 +377,12 @@ bool Machine::move(const Command& command, int motion) {
         case 331: return threading(command, motion);
         default: return cycle(command, motion);
     }
+}
+
+/// "I-7.5 J0" alone is a full circle while G2 or G3 is on.
+bool Machine::is_modal_arc(const Command& command) const {
+    return (state_.motion == 20 || state_.motion == 30) &&
+           command.has_any(letters('I', 'J', 'K')) && command.group(Group::OneShot) == kNone;
 }
 
 bool Machine::needs_feed(const Command& command, std::string_view what) {
@@ -451,8 +458,8 @@ bool Machine::straight(const Command& command, MoveKind kind) {
     AxisMask mask = 0;
     if (!command.axis_words) {
         // "G1" or "G1 F100" alone: the mode was set above.
-        if (!rules_.strict) return true;
-        return fail(Message::AxesMissing, command.span, {motion_name(state_.motion)});
+        if (rules_.strict) path_.straight(state_, state_.position, kind, 0);
+        return true;
     }
     if (!find_ends(command, end, mask)) return false;
     const bool machine = command.group(Group::OneShot) == 530;

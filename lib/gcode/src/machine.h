@@ -35,6 +35,9 @@ public:
     const MachineState& state() const { return state_; }
     MachineState& state() { return state_; }
 
+    /// Lets out what waits for the next move (cutter compensation).
+    void flush() {}
+
     /// The end of the program: modes go back to what a control starts a program with.
     void finish();
 
@@ -92,6 +95,7 @@ private:
     Axes machine_position() const;
     Axes from_machine(const Axes& machine) const;
     bool needs_feed(const Command& command, std::string_view what);
+    bool is_modal_arc(const Command& command) const;
     std::string_view motion_name(int motion);
 
     SourceSpan span_of(const Command& command, char letter) const;

@@ -413,7 +413,8 @@ private:
         const std::string_view rest = text_.substr(at_);
         const std::size_t start = at_;
         const bool is_if = rest.starts_with("if");
-        const bool is_while = rest.starts_with("while");
+        const bool is_do = rest.size() > 2 && rest.starts_with("do") && is_digit(rest[2]);
+        const bool is_while = rest.starts_with("while") || is_do;
         if (!is_if && !is_while && !rest.starts_with("goto") &&
             !(rest.starts_with("end") && rest.size() > 3 && is_digit(rest[3]))) {
             return false;
@@ -425,7 +426,9 @@ private:
         }
         Control& control = block_.control;
         control.span = span(start, start + (is_while ? 5 : is_if ? 2 : rest[0] == 'g' ? 4 : 3));
-        if (is_if || is_while) {
+        if (is_do) {
+            at_ = start + 2;
+        } else if (is_if || is_while) {
             const std::size_t condition = start + (is_if ? 2 : 5);
             const std::size_t jump = find_outside_brackets(condition, is_if ? "goto" : "do");
             const std::size_t then =

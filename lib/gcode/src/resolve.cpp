@@ -9,6 +9,12 @@
 #include <cmath>
 
 namespace ncsim::gcode {
+namespace {
+
+/// Larger than any machine, and small enough that sums and squares stay numbers.
+constexpr double kLargest = 1e12;
+
+}  // namespace
 
 Resolver::Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
                    const std::vector<std::string>& allow)
@@ -72,6 +78,10 @@ bool Resolver::take_g(const Word& word, double value, Command& command) {
     }
     if (code->group == Group::Ignored) return true;
     std::int16_t& slot = command.g[static_cast<std::size_t>(code->group)];
+    if (code->group == Group::Motion && (slot == 800 || code->number == 800) && slot != kNone) {
+        if (slot == 800) slot = code->number;  // "G0 G80": ends the cycle and moves
+        return true;
+    }
     if (slot != kNone && (slot != code->number || rules_.strict)) {
         std::string other = "G";
         print_number(other, slot / 10.0);
@@ -119,6 +129,10 @@ bool Resolver::resolve(const Block& block, Command& command) {
             if (!computed) return false;
             if (std::isnan(*computed)) continue;  // vacant: as if the word were not there
             value = *computed;
+        }
+        if (std::abs(value) > kLargest) {
+            log_.add(Message::ValueTooLarge, word.span, {text_of(word, 0.0)});
+            return false;
         }
         if (word.letter == 'G') {
             if (!take_g(word, value, command)) return false;

@@ -15,8 +15,6 @@ struct Rules {
     Arithmetic arithmetic;
     /// G4 P without a point is in milliseconds (Fanuc, Haas, Mach3's default).
     bool dwell_milliseconds = false;
-    /// Retract of G73 and re-entry of G83 above the last depth.
-    double peck_clearance_mm = 1.0;
     /// G28 and G30 cancel the tool length (Haas).
     bool home_cancels_length = false;
     /// G70 and G71 select inch and millimetre (not known as finishing and roughing cycles).

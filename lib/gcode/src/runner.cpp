@@ -4,26 +4,27 @@
 #include "number.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ncsim::gcode {
 
 Runner::Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
                const MotionSink& sink, DiagnosticLog& log, Interpretation& result)
-    : program_(program),
-      options_(options),
+    : options_(options),
       rules_(rules),
       log_(log),
       result_(result),
       path_(options, sink, result),
       machine_(options, rules, log, path_, parameters_),
-      resolver_(rules, parameters_, log, options.allow),
-      reader_(program, {.strict = rules.strict}) {
+      resolver_(rules, parameters_, log, options.allow) {
     parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
+    files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});
 }
 
 void Runner::run() {
     while (!ended_ && step()) {
     }
+    machine_.flush();
     if (!result_.ended) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
                  {block_.line, 1, 0});
@@ -33,74 +34,137 @@ void Runner::run() {
         machine_.first_length_seen() ? machine_.first_length_in_inches() : machine_.state().inches;
 }
 
+void Runner::end_program() {
+    result_.ended = true;
+    ended_ = true;
+}
+
 bool Runner::step() {
-    if (!reader_.next(block_, log_)) return false;
+    if (!file().reader.next(block_, log_)) {
+        if (frames_.empty()) return false;
+        // A subprogram file that ends without M99 or endsub returns.
+        if (rules_.strict && frames_.back().kind == CallKind::OWord) {
+            fault(Message::SubEndMissing, {block_.line, 1, 0}, {frames_.back().label});
+        }
+        leave_frame();
+        return true;
+    }
     ++result_.lines;
+    // Blocks read beyond the length of the program were read before: by a loop or a call.
+    if (!frames_.empty() || repeated_ > 0) {
+        if (++repeated_ > options_.limits.repeated_blocks) {
+            fault(Message::StepLimit, block_.line_span());
+            return false;
+        }
+    }
     parameters_.view.line = block_.line;
     if (block_.kind != BlockKind::Words) {
         if (block_.kind == BlockKind::Percent) return percent();
         return true;
     }
     if (block_.block_delete && options_.block_delete) return true;
+    if (block_.control.word != ControlWord::None) {
+        something_read_ = true;
+        if (block_.control.word < ControlWord::If) {
+            o_word();
+            if (block_.control.word != ControlWord::ProgramNumber) return !ended_;
+        } else if (!macro_word()) {
+            return !ended_;
+        }
+    }
     if (block_.words.empty() && block_.assignments.empty()) {
         if (!block_.comments.empty() && !rules_.strict) tool_change_in_comment();
         return true;
     }
     something_read_ = true;
-    if (!block_.words.empty()) {
-        if (!resolver_.resolve(block_, command_)) return true;
-        path_.set_origin(command_.span, 0);
-        machine_.execute(command_);
-        if (machine_.ended()) {
-            result_.ended = true;
-            ended_ = true;
-        }
-    }
+    if (!block_.words.empty()) act_on_words();
     if (!block_.assignments.empty()) assign(block_);
     return true;
 }
 
+void Runner::act_on_words() {
+    if (!rules_.strict) {
+        const Word* g = find_word(block_, 'G');
+        if (g && g->literal && (g->number == 65.0 || g->number == 66.0 || g->number == 67.0)) {
+            return macro_call(static_cast<int>(g->number));
+        }
+    }
+    if (!resolver_.resolve(block_, command_)) return;
+    path_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
+    const std::uint64_t motions = path_.count();
+    const int call = command_.group(MGroup::Call);
+    if (call != kNone) {
+        // P, L, Q belong to the call; what else the block says is done first.
+        Command rest = command_;
+        rest.present &= ~letters('P', 'L', 'Q');
+        rest.m[static_cast<std::size_t>(MGroup::Call)] = kNone;
+        rest.axis_words = rest.has_any(kAxisLetters);
+        if (block_.words.size() > 1) machine_.execute(rest);
+        call_code(call);
+        return;
+    }
+    machine_.execute(command_);
+    if (machine_.ended()) return end_program();
+    if (!modal_call_.empty() && path_.count() > motions) macro_call(0);
+}
+
 /// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing.
 bool Runner::percent() {
-    if (!something_read_ && !percent_opened_) {
+    if (current_ != 0) return true;
+    if (!something_read_ && (!percent_opened_ || !rules_.strict)) {
         percent_opened_ = true;
         return true;
     }
     if (!percent_opened_) return true;
-    result_.ended = true;
-    ended_ = true;
+    machine_.flush();
+    end_program();
     return true;
 }
 
 /// Assignments of a block take effect together, after its words and their own right sides are read.
-void Runner::assign(const Block& block) {
+bool Runner::assign(const Block& block) {
+    struct Pending {
+        const Assignment* assignment;
+        double value;
+        double number;
+    };
+    std::vector<Pending> pending;
     for (const Assignment& assignment : block.assignments) {
         const std::optional<double> value =
             resolver_.value_of(assignment.value, assignment.span, !rules_.strict);
-        if (!value) return;
-        std::string_view target = assignment.target;
+        if (!value) return false;
+        double number = 0.0;
+        if (!assignment.target.starts_with('<')) {
+            const std::optional<double> n =
+                resolver_.value_of(assignment.target, assignment.span, false);
+            if (!n) return false;
+            number = *n;
+        }
+        pending.push_back({&assignment, *value, number});
+    }
+    for (const Pending& p : pending) {
+        std::string_view target = p.assignment->target;
         if (target.starts_with('<')) {
             target = target.substr(1, target.size() - 2);
-            if (!parameters_.set_named(target, *value)) {
-                log_.add(Message::ParameterReadOnly, assignment.span, {assignment.target});
+            if (!parameters_.set_named(target, p.value)) {
+                log_.add(Message::ParameterReadOnly, p.assignment->span, {p.assignment->target});
             }
-            continue;
-        }
-        const std::optional<double> number = resolver_.value_of(target, assignment.span, false);
-        if (!number) return;
-        if (!parameters_.set_numbered(*number, *value)) {
-            log_.add(Parameters::is_read_only(*number) ? Message::ParameterReadOnly
-                                                       : Message::ParameterRange,
-                     assignment.span, {target});
+        } else if (!parameters_.set_numbered(p.number, p.value)) {
+            log_.add(Parameters::is_read_only(p.number) ? Message::ParameterReadOnly
+                                                        : Message::ParameterRange,
+                     p.assignment->span, {target});
         }
     }
+    return true;
 }
 
 /// FreeCAD's post for grbl writes the tool change as a comment, "( M6 T3 )", and means it.
 void Runner::tool_change_in_comment() {
     for (const Comment& comment : block_.comments) {
-        if (comment.text.size() > 20 || comment.text.find_first_of("Mm") == std::string_view::npos)
+        if (comment.text.size() > 20 ||
+            comment.text.find_first_of("Mm") == std::string_view::npos) {
             continue;
+        }
         const SourceFile inside{{}, std::string(comment.text)};
         BlockReader reader(inside);
         Block block;
@@ -111,7 +175,7 @@ void Runner::tool_change_in_comment() {
         log_.add(Message::ToolChangeInComment, comment.span);
         if (!resolver_.resolve(block, command_)) continue;
         command_.span = comment.span;
-        path_.set_origin(comment.span, 0);
+        path_.set_origin(comment.span, static_cast<std::uint32_t>(current_));
         machine_.execute(command_);
     }
 }

@@ -57,6 +57,12 @@ struct InterpreterOptions {
     /// Words that are known to be harmless, "G187", "M198": they are passed over in silence.
     std::vector<std::string> allow;
     std::vector<ToolTableEntry> tools;
+    /// How far above the last depth G83 starts to feed again and how far G73 draws back, in units
+    /// of the program: a parameter of the machine. Without it 0.254 mm, and never above R.
+    std::optional<double> peck_clearance;
+    /// What canned cycles retract to before the program says G98 or G99, a parameter of the
+    /// machine, too. Without it: G98, under strict rules G99.
+    std::optional<bool> starts_with_g99;
     FileReader read_file;
     FrameObserver observe_frame;
     Limits limits;

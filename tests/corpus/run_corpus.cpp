@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// run_corpus DIR [--only TEXT] [--quiet] — runs the programs of a folder and says of each whether
+// it was read, refused, agrees with its reference or differs from it; a table at the end.
+//
+// DIR/INDEX.tsv, if there, names the programs (below DIR/programs), their kind, and what the
+// reference interpreter said of them ("ok": strict rules must agree; "ok-lenient": the default must
+// agree in geometry; "error": the default should run them). Else every file below DIR that looks
+// like a program is run by the default rules. Exit code 1 if anything differs or takes too long.
+#include "ncsim/gcode/interpreter.h"
+
+#include "reference.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace fs = std::filesystem;
+using namespace ncsim;
+
+namespace {
+
+constexpr double kMostSeconds = 10.0;
+
+std::string read_file(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Entry {
+    fs::path path;
+    std::string name;
+    std::string kind = "?";
+    std::string status = "none";
+    fs::path reference;
+};
+
+std::vector<std::string> split(const std::string& line) {
+    std::vector<std::string> out;
+    std::stringstream in(line);
+    std::string field;
+    while (std::getline(in, field, '\t'))
+        out.push_back(field);
+    return out;
+}
+
+std::vector<Entry> entries_of(const fs::path& directory) {
+    std::vector<Entry> entries;
+    if (std::ifstream index(directory / "INDEX.tsv"); index) {
+        std::string line;
+        std::getline(index, line);
+        const std::vector<std::string> head = split(line);
+        const auto column = [&](const char* name) {
+            return static_cast<std::size_t>(std::ranges::find(head, name) - head.begin());
+        };
+        while (std::getline(index, line)) {
+            std::vector<std::string> fields = split(line);
+            fields.resize(std::max(fields.size(), head.size()));
+            Entry e;
+            e.name = fields[column("program")];
+            e.path = directory / "programs" / e.name;
+            e.kind = fields[column("kind")];
+            e.status = fields[column("reference_status")];
+            if (const std::string& r = fields[column("reference")]; !r.empty())
+                e.reference = directory / r;
+            entries.push_back(std::move(e));
+        }
+        return entries;
+    }
+    for (const auto& file : fs::recursive_directory_iterator(directory)) {
+        if (!file.is_regular_file() || file.path().extension() == ".gz") continue;
+        static constexpr const char* kExtensions[] = {".nc",    ".ngc", ".tap", ".cnc",
+                                                      ".gcode", ".gc",  ".mpf", ".h",
+                                                      ".eia",   ".txt", ".ncc", ".min"};
+        std::string extension = file.path().extension().string();
+        std::ranges::transform(extension, extension.begin(), [](char c) {
+            return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        });
+        if (std::ranges::find(kExtensions, extension) == std::end(kExtensions)) continue;
+        Entry e;
+        e.path = file.path();
+        e.name = fs::relative(file.path(), directory).string();
+        const fs::path reference = file.path().string() + ".canon.gz";
+        if (fs::exists(reference)) {
+            e.reference = reference;
+            e.status = "ok";
+        }
+        entries.push_back(std::move(e));
+    }
+    std::ranges::sort(entries, {}, &Entry::name);
+    return entries;
+}
+
+/// O-files beside the program, under the names that controls look for.
+std::optional<gcode::SourceFile> find_file(const fs::path& directory, std::string_view name) {
+    const std::string plain(name);
+    std::vector<std::string> tries = {plain + ".ngc", plain + ".nc", plain};
+    if (plain.starts_with('O') || plain.starts_with('o')) tries.push_back(plain.substr(1) + ".ngc");
+    for (const std::string& file : tries) {
+        std::error_code error;
+        if (fs::is_regular_file(directory / file, error)) {
+            return gcode::SourceFile{file, read_file(directory / file)};
+        }
+    }
+    return std::nullopt;
+}
+
+struct Tally {
+    int programs = 0, agree = 0, differ = 0, read = 0, with_errors = 0, refused = 0, slow = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: run_corpus DIR [--only TEXT] [--quiet]\n");
+        return 2;
+    }
+    const fs::path directory = argv[1];
+    const char* only = nullptr;
+    bool quiet = false;
+    for (int i = 2; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--only") == 0 && i + 1 < argc) only = argv[++i];
+        if (std::strcmp(argv[i], "--quiet") == 0) quiet = true;
+    }
+    std::map<std::string, Tally> table;
+    bool clean = true;
+    for (const Entry& entry : entries_of(directory)) {
+        if (only && entry.name.find(only) == std::string::npos) continue;
+        const gcode::SourceFile file{entry.name, read_file(entry.path)};
+        gcode::InterpreterOptions options;
+        options.strict = entry.status == "ok";
+        // What the reference machine was configured with.
+        if (!entry.reference.empty()) {
+            options.peck_clearance = 1.0;
+            options.starts_with_g99 = true;
+        }
+        options.read_file = [&](std::string_view name) {
+            return find_file(entry.path.parent_path(), name);
+        };
+        std::vector<corpus::Event> events;
+        const bool has_reference = !entry.reference.empty();
+        if (has_reference) {
+            options.observe_frame = [&](const gcode::Motion& motion,
+                                        const gcode::ProgramFrame& frame) {
+                events.push_back(corpus::to_event(motion, frame));
+            };
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const gcode::Interpretation result = gcode::interpret(file, options, {});
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+        Tally& tally = table[entry.status + " " + entry.kind];
+        ++tally.programs;
+        std::string verdict;
+        std::string detail;
+        const auto error = std::ranges::find(result.diagnostics, gcode::Severity::Error,
+                                             &gcode::Diagnostic::severity);
+        const bool has_error = error != result.diagnostics.end();
+        if (result.refused) {
+            verdict = "refused";
+            ++tally.refused;
+        } else if (has_reference) {
+            std::optional<std::string> text = corpus::read_gzip(entry.reference.string());
+            const std::vector<corpus::Event> expected = corpus::read_reference(text.value_or(""));
+            const auto difference = corpus::compare(events, expected, entry.status != "ok");
+            verdict = difference ? "differs" : "agrees";
+            if (difference) detail = difference->text;
+            ++(difference ? tally.differ : tally.agree);
+            clean = clean && !difference;
+        } else {
+            verdict = has_error ? "errors" : "read";
+            ++(has_error ? tally.with_errors : tally.read);
+        }
+        if (seconds > kMostSeconds) {
+            verdict += " SLOW";
+            ++tally.slow;
+            clean = false;
+        }
+        if (has_error) {
+            detail += (detail.empty() ? "" : " / ") + gcode::render(*error, {"", ""});
+            while (!detail.empty() && detail.back() == '\n')
+                detail.pop_back();
+        }
+        if (!quiet || verdict.starts_with("differs")) {
+            std::printf("%-8s %-10s %-8s %s%s%s\n", verdict.c_str(), entry.status.c_str(),
+                        entry.kind.c_str(), entry.name.c_str(), detail.empty() ? "" : "\n         ",
+                        detail.c_str());
+        }
+    }
+    std::printf("\n%-28s %8s %7s %7s %6s %7s %8s %6s\n", "reference, kind", "programs", "agree",
+                "differ", "read", "errors", "refused", "slow");
+    Tally sum;
+    for (const auto& [name, t] : table) {
+        std::printf("%-28s %8d %7d %7d %6d %7d %8d %6d\n", name.c_str(), t.programs, t.agree,
+                    t.differ, t.read, t.with_errors, t.refused, t.slow);
+        sum.programs += t.programs, sum.agree += t.agree, sum.differ += t.differ,
+            sum.read += t.read;
+        sum.with_errors += t.with_errors, sum.refused += t.refused, sum.slow += t.slow;
+    }
+    std::printf("%-28s %8d %7d %7d %6d %7d %8d %6d\n", "all", sum.programs, sum.agree, sum.differ,
+                sum.read, sum.with_errors, sum.refused, sum.slow);
+    return clean ? 0 : 1;
+}
