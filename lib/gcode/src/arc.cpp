@@ -93,9 +93,11 @@ bool Machine::arc(const Command& command, bool clockwise) {
                                      state_.position[axes.second] - out.centre_2);
     if (radius * state_.unit_mm() < kTiny) {
         if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
-        path_.straight(state_, out.end, MoveKind::Feed, mask);
-        return true;
+        return feed_straight(out.end, MoveKind::Feed, mask);
     }
+    if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
+    if (just_left_compensation_ && !tolerate(Message::CompensationExit, command.span)) return false;
+    just_left_compensation_ = false;
     path_.arc(state_, out, mask);
     return true;
 }

@@ -102,14 +102,14 @@ bool Machine::cycle(const Command& command, int motion) {
     double r = cycle.r;
     double bottom = cycle.z;
     if (state_.incremental) {
-        r += rules_.strict ? height : std::max(cycle.initial, height);
+        r += cycle.initial;
         bottom += r;
     }
     if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {name})) return false;
     const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
 
     const AxisMask depth_mask = 1U << depth_axis;
-    if (height < r) {
+    if (rules_.strict ? cycle.initial < r : height < r) {
         Axes up = state_.position;
         up[depth_axis] = height = r;
         path_.straight(state_, up, MoveKind::Rapid, depth_mask);

@@ -293,9 +293,9 @@ private:
             case Operator::Equal: return std::abs(a - b) < kSame ? 1.0 : 0.0;
             case Operator::NotEqual: return std::abs(a - b) < kSame ? 0.0 : 1.0;
             case Operator::Greater: return a > b ? 1.0 : 0.0;
-            case Operator::GreaterEqual: return a >= b ? 1.0 : 0.0;
+            case Operator::GreaterEqual: return a >= b || std::abs(a - b) < kSame ? 1.0 : 0.0;
             case Operator::Less: return a < b ? 1.0 : 0.0;
-            case Operator::LessEqual: return a <= b ? 1.0 : 0.0;
+            case Operator::LessEqual: return a <= b || std::abs(a - b) < kSame ? 1.0 : 0.0;
             case Operator::And:
             case Operator::Or:
             case Operator::Xor: return logic(op, a, b);

@@ -27,6 +27,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
       log_(log),
       path_(path),
       parameters_(parameters),
+      compensation_(path, log),
       tools_(options.tools) {
     for (std::size_t i = 0; i < work_offsets_.size(); ++i) {
         work_offsets_[i].origin = to_axes(options.work_offsets[i]);
@@ -41,6 +42,20 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
     parameters_.view.probed = &probed_;
 }
 
+void Machine::set_origin(SourceSpan span, std::uint32_t file) {
+    span_ = span;
+    file_ = file;
+    path_.set_origin(span, file);
+}
+
+/// A move of the programmed path, with or without compensation.
+bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
+    if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
+    path_.straight(state_, end, kind, mask);
+    just_left_compensation_ = false;
+    return true;
+}
+
 void Machine::execute(const Command& command) {
     const MachineState before = state_;
     const std::uint64_t motions = path_.count();
@@ -52,6 +67,15 @@ bool Machine::act(const Command& command) {
     if (!check(command)) return false;
     // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
     const int units = command.group(Group::Units);
+    const int one_shot_code = command.group(Group::OneShot);
+    if (compensation_.is_on() &&
+        (units != kNone || (one_shot_code != kNone && one_shot_code != 40) ||
+         command.group(Group::WorkOffset) != kNone || command.group(Group::Plane) != kNone ||
+         command.group(Group::ToolLength) != kNone || command.group(MGroup::ToolChange) != kNone ||
+         command.group(MGroup::Stop) == 2 || command.group(MGroup::Stop) == 30)) {
+        compensation_.flush(state_);
+        path_.set_origin(span_, file_);
+    }
     const auto switch_units = [&] {
         if (units != kNone) set_units(units == 200 || units == 700);
     };
@@ -277,7 +301,7 @@ bool Machine::dwell(const Command& command) {
                 std::string_view::npos;
         if (!has_point) seconds /= 1000.0;
     }
-    path_.dwell(state_, seconds);
+    compensation_.dwell(state_, seconds, span_, file_);
     return true;
 }
 
@@ -303,6 +327,7 @@ void Machine::stop(const Command& command) {
 
 void Machine::finish() {
     ended_ = true;
+    compensation_.end(state_);
     select_system(1);
     state_.plane = Plane::XY;
     state_.incremental = false;
@@ -463,7 +488,8 @@ bool Machine::straight(const Command& command, MoveKind kind) {
     }
     if (!find_ends(command, end, mask)) return false;
     const bool machine = command.group(Group::OneShot) == 530;
-    path_.set_machine_coordinates(machine);
+    if (!machine) return feed_straight(end, kind, mask);
+    path_.set_machine_coordinates(true);
     path_.straight(state_, end, kind, mask);
     path_.set_machine_coordinates(false);
     return true;

@@ -12,6 +12,7 @@
 #include "ncsim/gcode/state.h"
 
 #include "command.h"
+#include "compensation.h"
 #include "message.h"
 #include "parameters.h"
 #include "path.h"
@@ -36,7 +37,9 @@ public:
     MachineState& state() { return state_; }
 
     /// Lets out what waits for the next move (cutter compensation).
-    void flush() {}
+    void flush() { compensation_.flush(state_); }
+    /// Where the following motions come from.
+    void set_origin(SourceSpan span, std::uint32_t file);
 
     /// The end of the program: modes go back to what a control starts a program with.
     void finish();
@@ -95,6 +98,7 @@ private:
     Axes machine_position() const;
     Axes from_machine(const Axes& machine) const;
     bool needs_feed(const Command& command, std::string_view what);
+    bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
     bool is_modal_arc(const Command& command) const;
     std::string_view motion_name(int motion);
 
@@ -114,6 +118,10 @@ private:
     Path& path_;
     Parameters& parameters_;
 
+    Compensation compensation_;
+    SourceSpan span_;
+    std::uint32_t file_ = 0;
+    bool just_left_compensation_ = false;
     MachineState state_;
     std::array<WorkOffset, 9> work_offsets_;
     std::array<Axes, 2> homes_{};

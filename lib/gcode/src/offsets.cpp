@@ -250,10 +250,40 @@ bool Machine::set_cutter_side(const Command& command) {
     const int code = command.group(Group::CutterSide);
     if (code == kNone) return true;
     if (code == 400) {
+        if (compensation_.is_on()) {
+            compensation_.end(state_);
+            path_.set_origin(span_, file_);
+            just_left_compensation_ = true;
+        }
         state_.cutter_side = CutterSide::Off;
         return true;
     }
-    state_.cutter_side = code < 420 ? CutterSide::Left : CutterSide::Right;
+    const SourceSpan span = span_of_g(command, code);
+    if (state_.cutter_side != CutterSide::Off && !tolerate(Message::CompensationTwice, span)) {
+        return false;
+    }
+    if (state_.plane != Plane::XY && state_.plane != Plane::ZX) {
+        return fail(Message::CompensationPlane, span);
+    }
+    const bool stated = code == 411 || code == 421;  // G41.1 D3.5: the diameter itself
+    double radius = 0.0;
+    if (stated) {
+        radius = command.get('D', 0.0) / 2.0;
+    } else {
+        const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+        const auto entry = std::ranges::find(tools_, d, &ToolTableEntry::number);
+        if (entry != tools_.end() && entry->diameter) {
+            radius = entry->diameter->mm() / 2.0 / state_.unit_mm();
+        } else if (!rules_.strict && d != 0) {
+            warn(Message::CompensationRadiusUnknown, span,
+                 {std::string("D").append(std::to_string(d))});
+        }
+    }
+    const bool left = (code < 420) == (radius >= 0.0);  // a negative radius is the other side
+    if (compensation_.is_on()) compensation_.end(state_);
+    state_.cutter_side = left ? CutterSide::Left : CutterSide::Right;
+    state_.cutter_radius = std::abs(radius);
+    if (radius != 0.0) compensation_.begin(state_.cutter_side, std::abs(radius));
     return true;
 }
 

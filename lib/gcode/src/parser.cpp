@@ -344,8 +344,22 @@ private:
     bool read_o_word() {
         const std::size_t start = at_++;
         const std::size_t label = at_;
+        const bool is_name = at_ < text_.size() && is_letter(text_[at_]) && text_[start] == 'o';
         if (at_ < text_.size() && text_[at_] == '<') {
             if (!skip_name()) return false;
+        } else if (is_name && !reader_.options_.strict) {
+            while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_])))
+                ++at_;
+            block_.control = {
+                ControlWord::ProgramNumber, text_.substr(label, at_ - label), {}, span(start, at_)};
+            return true;  // "OCIRCLE": a program with a name
+        } else if (text_[start] == ':' && !reader_.options_.strict && at_ < text_.size() &&
+                   !is_digit(text_[at_])) {
+            at_ = text_.size();  // ": G90 …": a remark of other controls
+            block_.kind = BlockKind::Command;
+            report(Message::ConsoleCommand, span(start, at_),
+                   {line_.substr(0, std::min<std::size_t>(line_.size(), 20))});
+            return true;
         } else if (!skip_value()) {
             if (!reported_) {
                 report(Message::NumberExpected, span(start, start + 1), {text_.substr(start, 1)});
@@ -359,6 +373,13 @@ private:
         const std::string_view command = text_.substr(at_, end - at_);
         block_.control.word = o_command(command);
         if (block_.control.word == ControlWord::None) {
+            if (!reader_.options_.strict && end < text_.size() + 1 && !command.empty() &&
+                text_[label] != '[' && text_[label] != '#') {
+                at_ = end;  // "O7997A": a number with a letter
+                while (at_ < text_.size() && is_digit(text_[at_]))
+                    ++at_;
+                if (command.size() > 2) at_ = end;
+            }
             if (command.size() > 2 && (end == text_.size() || text_[end] == '[')) {
                 report(Message::ControlWordUnknown, span(at_, end), {command});
                 return false;

@@ -90,7 +90,7 @@ void Runner::act_on_words() {
         }
     }
     if (!resolver_.resolve(block_, command_)) return;
-    path_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
+    machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
     const std::uint64_t motions = path_.count();
     const int call = command_.group(MGroup::Call);
     if (call != kNone) {
@@ -175,7 +175,7 @@ void Runner::tool_change_in_comment() {
         log_.add(Message::ToolChangeInComment, comment.span);
         if (!resolver_.resolve(block, command_)) continue;
         command_.span = comment.span;
-        path_.set_origin(comment.span, static_cast<std::uint32_t>(current_));
+        machine_.set_origin(comment.span, static_cast<std::uint32_t>(current_));
         machine_.execute(command_);
     }
 }
