@@ -96,22 +96,37 @@ std::vector<Entry> entries_of(const fs::path& directory) {
     return entries;
 }
 
-/// O-files beside the program, under the names that controls look for.
-std::optional<gcode::SourceFile> find_file(const fs::path& directory, std::string_view name) {
+/// O-files beside the program, below it, or beside one of its parent folders, under the names that
+/// controls look for.
+std::optional<gcode::SourceFile> find_file(fs::path directory, const fs::path& top,
+                                           std::string_view name) {
     const std::string plain(name);
-    std::vector<std::string> tries = {plain + ".ngc", plain + ".nc", plain};
-    if (plain.starts_with('O') || plain.starts_with('o')) tries.push_back(plain.substr(1) + ".ngc");
-    for (const std::string& file : tries) {
-        std::error_code error;
-        if (fs::is_regular_file(directory / file, error)) {
-            return gcode::SourceFile{file, read_file(directory / file)};
+    std::vector<std::string> tries = {plain + ".ngc", plain + ".nc", plain + ".NC", plain};
+    if (plain.starts_with('O')) {
+        tries.push_back(plain.substr(1) + ".ngc");
+        tries.push_back(plain.substr(1) + ".nc");
+    }
+    std::error_code error;
+    for (int level = 0; level < 3; ++level) {
+        for (const std::string& file : tries) {
+            if (fs::is_regular_file(directory / file, error)) {
+                return gcode::SourceFile{file, read_file(directory / file)};
+            }
         }
+        for (const auto& entry : fs::recursive_directory_iterator(directory, error)) {
+            if (std::ranges::find(tries, entry.path().filename().string()) != tries.end()) {
+                return gcode::SourceFile{entry.path().filename().string(), read_file(entry.path())};
+            }
+        }
+        if (directory == top || directory.parent_path() == top) break;
+        directory = directory.parent_path();
     }
     return std::nullopt;
 }
 
 struct Tally {
-    int programs = 0, agree = 0, differ = 0, read = 0, with_errors = 0, refused = 0, slow = 0;
+    int programs = 0, agree = 0, differ = 0, read = 0, with_errors = 0, stopped = 0, refused = 0,
+        slow = 0;
 };
 
 }  // namespace
@@ -141,7 +156,7 @@ int main(int argc, char** argv) {
             options.starts_with_g99 = true;
         }
         options.read_file = [&](std::string_view name) {
-            return find_file(entry.path.parent_path(), name);
+            return find_file(entry.path.parent_path(), directory / "programs", name);
         };
         std::vector<corpus::Event> events;
         const bool has_reference = !entry.reference.empty();

@@ -63,6 +63,12 @@ bool Runner::step() {
         return true;
     }
     if (block_.block_delete && options_.block_delete) return true;
+    if (block_.block_delete && block_.control.word != ControlWord::None &&
+        block_.control.word < ControlWord::If &&
+        block_.control.word != ControlWord::ProgramNumber) {
+        log_.add(Message::ControlBehindSlash, block_.control.span);
+        return true;
+    }
     if (block_.control.word != ControlWord::None) {
         something_read_ = true;
         if (block_.control.word < ControlWord::If) {
@@ -111,11 +117,18 @@ void Runner::act_on_words() {
 /// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing.
 bool Runner::percent() {
     if (current_ != 0) return true;
-    if (!something_read_ && (!percent_opened_ || !rules_.strict)) {
+    if (!something_read_ && !percent_opened_) {
         percent_opened_ = true;
         return true;
     }
     if (!percent_opened_) return true;
+    if (!rules_.strict) {
+        // "% spindle on": a remark. And what closes a program has nothing to close before its first
+        // block.
+        const std::string_view text = block_.text;
+        const bool bare = text.find_first_not_of(" \t%") == std::string_view::npos;
+        if (!bare || !something_read_) return true;
+    }
     machine_.flush();
     end_program();
     return true;

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compensation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::gcode {
+namespace {
+
+/// Corners flatter than this (radians) are none: the moved paths meet by themselves.
+constexpr double kFlat = 1e-5;
+
+/// Nearer to a reversal than this the corner counts as an outside one (LinuxCNC's figure).
+constexpr double kReversal = 0.05;
+
+double cross(double ax, double ay, double bx, double by) {
+    return ax * by - ay * bx;
+}
+
+}  // namespace
+
+void Compensation::begin(CutterSide side, double radius) {
+    side_ = side == CutterSide::Left ? 1.0 : -1.0;
+    radius_ = radius;
+    entering_ = true;
+    holds_ = false;
+    followers_.clear();
+}
+
+double Compensation::radius_of(const Element& e) const {
+    return std::hypot(e.to.x - e.centre.x, e.to.y - e.centre.y);
+}
+
+/// Left of a counter-clockwise arc lies its centre.
+double Compensation::offset_radius(const Element& e) const {
+    return radius_of(e) - side_ * (e.turns > 0 ? radius_ : -radius_);
+}
+
+Compensation::Vec Compensation::start_tangent(const Element& e) const {
+    if (!e.is_arc) {
+        const double length = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y);
+        return {(e.to.x - e.from.x) / length, (e.to.y - e.from.y) / length};
+    }
+    const double r = std::hypot(e.from.x - e.centre.x, e.from.y - e.centre.y);
+    const double turn = e.turns > 0 ? 1.0 : -1.0;
+    return {-turn * (e.from.y - e.centre.y) / r, turn * (e.from.x - e.centre.x) / r};
+}
+
+Compensation::Vec Compensation::end_tangent(const Element& e) const {
+    if (!e.is_arc) return start_tangent(e);
+    const double r = radius_of(e);
+    const double turn = e.turns > 0 ? 1.0 : -1.0;
+    return {-turn * (e.to.y - e.centre.y) / r, turn * (e.to.x - e.centre.x) / r};
+}
+
+Compensation::Vec Compensation::beside(Vec point, Vec tangent) const {
+    return {point.x - side_ * radius_ * tangent.y, point.y + side_ * radius_ * tangent.x};
+}
+
+bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
+                            SourceSpan span, std::uint32_t file) {
+    const PlaneAxes axes = axes_of(state.plane);
+    const Vec from{state.position[axes.first], state.position[axes.second]};
+    const Vec to{end[axes.first], end[axes.second]};
+    if (from.x == to.x && from.y == to.y) {
+        if (!holds_) {
+            path_.straight(state, end, kind, mask);
+            return true;
+        }
+        followers_.push_back({state, end, kind, mask, span, file, false, 0.0});
+        state.position = end;
+        return true;
+    }
+    Element element;
+    element.state = state;
+    element.end = end;
+    element.kind = kind;
+    element.mask = mask;
+    element.span = span;
+    element.file = file;
+    element.from = from;
+    element.to = to;
+    return take(state, std::move(element));
+}
+
+bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
+                       std::uint32_t file) {
+    const PlaneAxes axes = axes_of(state.plane);
+    Element element;
+    element.state = state;
+    element.end = arc.end;
+    element.mask = mask;
+    element.span = span;
+    element.file = file;
+    element.is_arc = true;
+    element.from = {state.position[axes.first], state.position[axes.second]};
+    element.to = {arc.end[axes.first], arc.end[axes.second]};
+    element.centre = {arc.centre_1, arc.centre_2};
+    element.turns = arc.turns;
+    if (offset_radius(element) <= 0.0) {
+        log_.add(Message::CompensationArc, span);
+        return false;
+    }
+    return take(state, std::move(element));
+}
+
+void Compensation::dwell(const MachineState& state, double seconds, SourceSpan span,
+                         std::uint32_t file) {
+    if (!holds_) return path_.dwell(state, seconds);
+    followers_.push_back({state, {}, MoveKind::Feed, 0, span, file, true, seconds});
+}
+
+bool Compensation::take(MachineState& state, Element element) {
+    if (entering_) {
+        const double length =
+            std::hypot(element.to.x - element.from.x, element.to.y - element.from.y);
+        if (length <= radius_) {
+            log_.add(Message::CompensationEntry, element.span);
+            return false;
+        }
+        at_ = state.position;
+        entering_ = false;
+    } else if (holds_ && !join(element)) {
+        return false;
+    }
+    const Axes end = element.end;
+    held_ = std::move(element);
+    holds_ = true;
+    state.position = end;
+    state.known.x = state.known.x || (held_.mask & 1U << kX) != 0;
+    state.known.y = state.known.y || (held_.mask & 1U << kY) != 0;
+    state.known.z = state.known.z || (held_.mask & 1U << kZ) != 0;
+    return true;
+}
+
+/// Ends the held element where `next` begins.
+bool Compensation::join(const Element& next) {
+    const Vec corner = held_.to;
+    const Vec in = end_tangent(held_);
+    const Vec out = start_tangent(next);
+    const double turn = std::atan2(cross(in.x, in.y, out.x, out.y), in.x * out.x + in.y * out.y);
+    if (std::abs(turn) < kFlat) {
+        emit(held_, beside(corner, out));
+        return true;
+    }
+    const bool outside = turn * side_ < 0.0 || std::abs(turn) > std::numbers::pi - kReversal;
+    if (!outside) {
+        Vec point;
+        if (!meeting_point(held_, next, point)) {
+            log_.add(Message::CompensationGouge, next.span);
+            return false;
+        }
+        emit(held_, point);
+        return true;
+    }
+    emit(held_, beside(corner, in));
+    // Round the corner, on behalf of the next move.
+    MachineState state = next.state;
+    state.position = at_;
+    const PlaneAxes axes = axes_of(state.plane);
+    const Vec to = beside(corner, out);
+    ProgramArc arc;
+    arc.end = at_;
+    arc.end[axes.first] = to.x;
+    arc.end[axes.second] = to.y;
+    arc.centre_1 = corner.x;
+    arc.centre_2 = corner.y;
+    arc.turns = side_ > 0.0 ? -1 : 1;
+    path_.set_origin(next.span, next.file);
+    path_.arc(state, arc, 0);
+    at_ = state.position;
+    return true;
+}
+
+/// Where the two elements meet after they were moved aside: the place nearest to the corner.
+bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point) const {
+    const Vec corner = a.to;
+    std::vector<Vec> candidates;
+    const auto line_circle = [&](const Element& line, const Circle& circle) {
+        const Vec d = start_tangent(line);
+        const Vec p = beside(line.from, d);
+        const double along = (circle.centre.x - p.x) * d.x + (circle.centre.y - p.y) * d.y;
+        const double distance = cross(d.x, d.y, circle.centre.x - p.x, circle.centre.y - p.y);
+        const double square = circle.radius * circle.radius - distance * distance;
+        if (square < 0.0) return;
+        for (const double step : {along - std::sqrt(square), along + std::sqrt(square)}) {
+            candidates.push_back({p.x + step * d.x, p.y + step * d.y});
+        }
+    };
+    // Rounded programs have arcs that end a little nearer or farther than they start.
+    const auto circle_of = [&](const Element& e) {
+        const double at_start = std::hypot(e.from.x - e.centre.x, e.from.y - e.centre.y);
+        const double programmed = &e == &a ? radius_of(e) : at_start;
+        return Circle{e.centre, offset_radius(e) - radius_of(e) + programmed};
+    };
+    if (!a.is_arc && !b.is_arc) {
+        const Vec d = start_tangent(a);
+        const Vec e = start_tangent(b);
+        const Vec p = beside(corner, d);
+        const Vec q = beside(corner, e);
+        const double denominator = cross(d.x, d.y, e.x, e.y);
+        const double step = cross(q.x - p.x, q.y - p.y, e.x, e.y) / denominator;
+        candidates.push_back({p.x + step * d.x, p.y + step * d.y});
+    } else if (!a.is_arc || !b.is_arc) {
+        line_circle(a.is_arc ? b : a, circle_of(a.is_arc ? a : b));
+    } else {
+        const Circle c = circle_of(a);
+        const Circle k = circle_of(b);
+        const double dx = k.centre.x - c.centre.x;
+        const double dy = k.centre.y - c.centre.y;
+        const double distance = std::hypot(dx, dy);
+        if (distance == 0.0) return false;
+        const double along =
+            (distance * distance + c.radius * c.radius - k.radius * k.radius) / (2.0 * distance);
+        const double square = c.radius * c.radius - along * along;
+        if (square < 0.0) return false;
+        for (const double height : {std::sqrt(square), -std::sqrt(square)}) {
+            candidates.push_back({c.centre.x + (along * dx - height * dy) / distance,
+                                  c.centre.y + (along * dy + height * dx) / distance});
+        }
+    }
+    if (candidates.empty()) return false;
+    point = *std::ranges::min_element(
+        candidates, {}, [&](Vec v) { return std::hypot(v.x - corner.x, v.y - corner.y); });
+    // Trimmed to less than nothing: the cutter does not fit in.
+    const PlaneAxes axes = axes_of(a.state.plane);
+    const Vec start{at_[axes.first], at_[axes.second]};
+    const auto backwards = [&](const Element& e, Vec from, Vec to) {
+        const Vec d = start_tangent(e);
+        return (to.x - from.x) * d.x + (to.y - from.y) * d.y < -1e-9;
+    };
+    if (!a.is_arc && backwards(a, start, point)) return false;
+    return b.is_arc || !backwards(b, point, beside(b.to, end_tangent(b)));
+}
+
+void Compensation::emit(Element& element, Vec end) {
+    MachineState& state = element.state;
+    state.position = at_;
+    const PlaneAxes axes = axes_of(state.plane);
+    Axes target = element.end;
+    target[axes.first] = end.x;
+    target[axes.second] = end.y;
+    path_.set_origin(element.span, element.file);
+    if (element.is_arc) {
+        ProgramArc arc;
+        arc.end = target;
+        arc.centre_1 = element.centre.x;
+        arc.centre_2 = element.centre.y;
+        arc.turns = element.turns;
+        path_.arc(state, arc, element.mask);
+    } else {
+        path_.straight(state, target, element.kind, element.mask);
+    }
+    at_ = state.position;
+    for (Follower& follower : followers_) {
+        path_.set_origin(follower.span, follower.file);
+        follower.state.position = at_;
+        if (follower.is_dwell) {
+            path_.dwell(follower.state, follower.seconds);
+            continue;
+        }
+        Axes to = follower.end;
+        to[axes.first] = end.x;
+        to[axes.second] = end.y;
+        path_.straight(follower.state, to, follower.kind, follower.mask);
+        at_ = follower.state.position;
+    }
+    followers_.clear();
+    holds_ = false;
+}
+
+void Compensation::flush(MachineState& state) {
+    if (!holds_) return;
+    emit(held_, beside(held_.to, end_tangent(held_)));
+    state.position = at_;
+    entering_ = true;
+}
+
+void Compensation::end(MachineState& state) {
+    flush(state);
+    radius_ = 0.0;
+}
+
+}  // namespace ncsim::gcode
