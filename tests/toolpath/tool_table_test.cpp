@@ -102,6 +102,12 @@ TEST(ToolComments, WithoutANumberAfterACallBelongToTheToolInTheSpindle) {
     EXPECT_EQ(n.tools[0].spec.number, 7);
 }
 
+TEST(ToolComments, InAProgramThatCallsNoToolSpeakOfToolZero) {
+    const ProgramNotes n = notes("G21\n(End mill 3mm)\nG0 X0\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    EXPECT_EQ(n.tools[0].spec.number, 0);
+}
+
 TEST(ToolComments, OnTheLineOfTheCallBelongToIt) {
     EXPECT_EQ(notes("G21\nM6 T7(TOOL DIA. 4)\n").tools.at(0).spec.number, 7);
 }

@@ -105,7 +105,7 @@ TEST(Trace, BoundsEncloseTheCells) {
     for (const auto& [from, to] : {std::pair{pose(0, 0, 0), pose(9, -4, 2)},
                                    {pose(0, 0, 0, 30), pose(9, -4, 2, 30)},
                                    {pose(0, 0, 0, 30), pose(9, -4, 2, 31)}}) {
-        const cda::Box box = cutter.bounds({from, to});
+        const cda::Box box = cutter.bounds(from, to);
         for (const cda::Cell& cell : trace(cutter, from, to)) {
             EXPECT_TRUE(box.contains(cell.bounds.min));
             EXPECT_TRUE(box.contains(cell.bounds.max));

@@ -141,8 +141,8 @@ private:
         waiting_.clear();
     }
 
+    // Owner 0: no tool is called anywhere, and the remark speaks of the one that is in the spindle.
     void keep(PlacedRemark& placed) {
-        if (placed.owner == 0) return;
         ToolSpec spec = placed.remark.spec;
         spec.number = placed.owner;
         const auto called = tool_inches_.find(placed.owner);

@@ -28,7 +28,10 @@ Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy
         error_mm_ = std::max(error_mm_, polytope.error_mm);
         sides_ = std::max(sides_, polytope.sides);
         for (const LatticePoint& p : polytope.points_T) {
-            radius_mm_ = std::max(radius_mm_, norm(lattice.to_mm(p)));
+            const auto x = static_cast<double>(p.x), y = static_cast<double>(p.y);
+            radius_ = std::max(radius_, std::sqrt(x * x + y * y));
+            low_ = std::min(low_, static_cast<double>(p.z));
+            high_ = std::max(high_, static_cast<double>(p.z));
         }
         pieces_.push_back(std::move(polytope));
     }
@@ -80,29 +83,27 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
     }
 }
 
-cda::Box Cutter::bounds(const std::vector<Pose>& X_WT) const {
-    // In lattice units, as the cells' own bounds are, so that no rounding can put a cell outside.
-    // Not the sphere about the tip where the tool stands upright: its lower half would reach
-    // into stock far below.
-    const auto units = [this](double mm) {
-        return static_cast<std::int64_t>(std::ceil(mm / lattice_.unit_mm)) + 1;
-    };
-    const std::int64_t r = units(radius_mm_);
-    const LatticePoint low_sphere{-r, -r, -r};
-    LatticePoint low{0, 0, 0};
-    LatticePoint high{0, 0, 0};
-    for (const PiecePolytope& piece : pieces_) {
-        for (const LatticePoint& p : piece.points_T) {
-            low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-        }
-    }
+cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB) const {
+    // The cylinder around all corners, turned: along a unit direction it reaches its radius times
+    // the sine, and its ends times the cosine, of the angle to the axis. A unit more for the
+    // rounding of the turned corners; in lattice units, as the cells' own bounds are.
     cda::Box box;
-    for (const Pose& pose : X_WT) {
-        const LatticePoint t = lattice_.round(pose.translation);
-        const bool upright = pose.rows == Pose{}.rows;
-        box.add(lattice_.to_mm(t + (upright ? low : low_sphere)));
-        box.add(lattice_.to_mm(t + (upright ? high : -low_sphere)));
+    for (const Pose* pose : {&X_WA, &X_WB}) {
+        const LatticePoint t = lattice_.round(pose->translation);
+        LatticePoint low, high;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 row = pose->rows[static_cast<std::size_t>(axis)];
+            const double aside = radius_ * std::sqrt(row.x * row.x + row.y * row.y);
+            const double ends[] = {low_ * row.z, high_ * row.z};
+            const auto down =
+                static_cast<std::int64_t>(std::floor(std::min(ends[0], ends[1]) - aside)) - 1;
+            const auto up =
+                static_cast<std::int64_t>(std::ceil(std::max(ends[0], ends[1]) + aside)) + 1;
+            (axis == 0 ? low.x : axis == 1 ? low.y : low.z) = down;
+            (axis == 0 ? high.x : axis == 1 ? high.y : high.z) = up;
+        }
+        box.add(lattice_.to_mm(t + low));
+        box.add(lattice_.to_mm(t + high));
     }
     return box;
 }

@@ -51,9 +51,10 @@ struct ProgramNotes {
 /// zero seen from the block's smallest corner), `stockMin:x, y, z` with `stockMax:x, y, z`.
 ///
 /// A comment that names a number speaks of that tool; one that does not, of the tool called next
-/// before any move, else of the tool called last. A stated diameter (D=, DIA) beats a size in a
-/// name. A length without a unit is in the units of the program where the tool is called. The
-/// first comment about a tool wins; a later one of another diameter is a warning.
+/// before any move, else of the tool called last; without any call, of tool 0. A stated diameter
+/// (D=, DIA) beats a size in a name. A length without a unit is in the units of the program where
+/// the tool is called. The first comment about a tool wins; a later one of another diameter is a
+/// warning.
 ProgramNotes read_notes(const gcode::SourceFile& program, bool default_inches = false);
 
 /// The entry of a tool number, null if there is none.

@@ -30,8 +30,8 @@ public:
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                std::vector<cda::Cell>& cells);
 
-    /// Encloses everything `trace` can make of these poses; in mm.
-    cda::Box bounds(const std::vector<Pose>& X_WT) const;
+    /// Encloses everything `trace` makes of these poses; in mm. Cheap: to ask before tracing.
+    cda::Box bounds(const Pose& X_WA, const Pose& X_WB) const;
 
     const ToolExtent& extent() const { return extent_; }
     /// Bound on the distance between the tool and its polytopes.
@@ -55,7 +55,7 @@ private:
     std::vector<PiecePolytope> pieces_;
     std::vector<Oriented> cache_;  // the latest orientations, newest last
     ToolExtent extent_;
-    double radius_mm_ = 0.0;  // of a sphere about the tip around all corners
+    double radius_ = 0.0, low_ = 0.0, high_ = 0.0;  // of a cylinder around all corners, in units
     double error_mm_ = 0.0;
     int sides_ = 0;
 };
