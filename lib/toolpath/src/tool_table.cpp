@@ -75,7 +75,7 @@ public:
                 return factor(t.unit, inches_first_) * t.value;
             };
             const cda::Vec3 size = in_mm(block_->first);
-            const cda::Vec3 min = -in_mm(block_->second);
+            const cda::Vec3 min = cda::Vec3{} - in_mm(block_->second);
             set_stock({min, min + size}, block_span_, block_text_);
         } else if (min_ && max_) {
             cda::Box box;
