@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a run works on: the program as text, and what is told about its tools and its stock.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include "options.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+/// Where the origins of G54 … G59.3 are assumed to be, seen from machine zero: so far below it that
+/// G28 and G53 Z0 lead away from the part. mm.
+inline constexpr double kHomeHeight = 300.0;
+
+struct Job {
+    Options options;
+    gcode::SourceFile program;
+    gcode::InterpreterOptions interpreter;
+    /// From options first, then from comments: the first of a number counts.
+    std::vector<toolpath::ToolEntry> tools;
+    std::optional<toolpath::StockEntry> stock;
+    gcode::Diagnostics diagnostics;  ///< Comments that contradict each other.
+};
+
+/// Reads what `options` names. Throws std::runtime_error if the program cannot be read or is not
+/// text.
+Job read_job(Options options);
+
+/// The program's name without folders.
+std::string base_name(const std::string& path);
+
+}  // namespace ncsim::app

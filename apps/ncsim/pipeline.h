@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Job → part: the one place where all stages meet.
+#pragma once
+
+#include "ncsim/cda/lattice.h"
+#include "ncsim/cda/workpiece.h"
+#include "ncsim/export/provenance.h"
+#include "ncsim/toolpath/sampler.h"
+
+#include "job.h"
+#include "survey.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace ncsim::app {
+
+/// A round tool as it was moved.
+struct CutterFacts {
+    int sides = 0;
+    double error_mm = 0.0;
+};
+
+/// The part, and what happened on the way to it.
+struct Simulation {
+    cda::Lattice lattice;
+    std::unique_ptr<cda::WorkpieceModel> part;
+    exporter::Provenance provenance;  ///< For the origins in `part`.
+    double stock_volume = 0.0;        ///< mm³
+    double part_volume = 0.0;
+    std::uint64_t hulls = 0;                ///< Cells that were subtracted.
+    std::map<int, double> removed_by_tool;  ///< mm³
+    /// mm³, by line of the program. Only where it was asked for (a report) or costs nothing
+    /// (cda-flat).
+    std::map<std::uint32_t, double> removed_by_line;
+    std::map<int, CutterFacts> cutters;
+    toolpath::SampleBounds bounds;  ///< The worst of all motions that met the stock.
+};
+
+/// The lattice on which `stock` lies, and where `simulate` puts it.
+cda::Lattice lattice_for(const toolpath::StockEntry& stock);
+
+/// How far it got: moves done.
+using ProgressSink = std::function<void(std::uint64_t)>;
+
+/// Requires survey.is_ready(). The result depends on `job` only.
+Simulation simulate(const Job& job, const Survey& survey, const ProgressSink& progress);
+
+}  // namespace ncsim::app

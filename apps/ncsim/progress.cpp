@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace ncsim::app {
+
+std::string progress_bar(std::uint64_t done, std::uint64_t total, double seconds) {
+    constexpr int kWidth = 40;
+    const double share =
+        total == 0 ? 1.0 : std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
+    const int filled = static_cast<int>(share * kWidth);
+    std::string bar(static_cast<std::size_t>(filled), '=');
+    if (filled < kWidth) bar += '>';
+    std::string text = fmt::format("[{:<{}}] {:3d} %", bar, kWidth, static_cast<int>(share * 100));
+    if (seconds >= 2.0 && share > 0.0) {
+        const auto left = static_cast<std::int64_t>(seconds / share * (1 - share) + 0.5);
+        text += fmt::format("  ETA {}:{:02d}", left / 60, left % 60);
+    }
+    return text;
+}
+
+Progress::Progress(std::uint64_t total, bool visible)
+    : total_(total), visible_(visible), start_(Clock::now()), last_(start_) {}
+
+Progress::~Progress() {
+    if (drawn_) std::fputs("\r\x1b[K", stderr);
+}
+
+void Progress::update(std::uint64_t done) {
+    if (!visible_) return;
+    const auto now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    drawn_ = true;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    fmt::print(stderr, "\r{}\x1b[K", progress_bar(done, total_, seconds));
+    std::fflush(stderr);
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run.h"
+
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/visitor.h"
+#include "ncsim/export/gltf.h"
+#include "ncsim/export/png.h"
+#include "ncsim/export/render.h"
+#include "ncsim/export/step.h"
+#include "ncsim/export/stl.h"
+#include "ncsim/export/vrml.h"
+
+#include "job.h"
+#include "output.h"
+#include "pipeline.h"
+#include "progress.h"
+#include "report.h"
+#include "sheet.h"
+#include "survey.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+
+namespace ncsim::app {
+
+namespace {
+
+void say(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+}
+
+void print_findings(const Job& job, const gcode::Diagnostics& diagnostics) {
+    for (const gcode::Diagnostic& d : diagnostics) {
+        say(printable(gcode::render(d, job.program)));
+    }
+}
+
+exporter::Image picture(const Job& job, const Survey& survey, const Simulation& simulation) {
+    exporter::RenderOptions options;
+    options.width = job.options.width;
+    options.height = job.options.height;
+    const double aspect = static_cast<double>(options.width) / options.height;
+    options.colouring = job.options.colouring;
+    options.depth_top = survey.stock->box.max.z;
+    options.depth_bottom = std::max(survey.stock->box.min.z, survey.tip_positions.min.z);
+    options.camera = exporter::fit_camera(survey.stock->box, job.options.view, aspect);
+    return exporter::render_model(*simulation.part, simulation.provenance, options);
+}
+
+void write_outputs(const Outcome& outcome, OutputSet& outputs) {
+    const Options& o = outcome.job.options;
+    const Simulation& s = *outcome.simulation;
+    outputs.write(o.png, [&](std::ostream& out) {
+        exporter::write_png(out, picture(outcome.job, outcome.survey, s));
+    });
+    outputs.write(o.gltf, [&](std::ostream& out) {
+        exporter::write_gltf(out, *outcome.boundary, s.provenance);
+    });
+    outputs.write(o.vrml, [&](std::ostream& out) {
+        exporter::write_vrml(out, *outcome.boundary, s.provenance);
+    });
+    outputs.write(o.stl, [&](std::ostream& out) {
+        exporter::write_stl(out, cda::triangulate(*outcome.boundary));
+    });
+    const auto* flat = dynamic_cast<const cda::FlatCda*>(s.part.get());
+    const auto flat_only = [&](const std::string& path, const auto& writer) {
+        outputs.write(path, [&](std::ostream& out) {
+            if (!flat) throw std::runtime_error("--stats and --xml need --model cda-flat");
+            writer(out, *flat);
+        });
+    };
+    outputs.write(o.step, [&](std::ostream& out) {
+        exporter::write_step(out, *outcome.boundary, s.provenance);
+    });
+    flat_only(o.stats, cda::write_statistics_csv);
+    flat_only(o.xml, cda::write_xml);
+}
+
+}  // namespace
+
+int run(Options options) {
+    OutputSet outputs;
+    const Job job = read_job(std::move(options));
+    const Options& o = job.options;
+    for (const std::string& path : outputs_of(o))
+        outputs.reserve(path);
+
+    const Survey survey = app::survey(job);
+    if (!o.quiet) say(assumption_sheet(job, survey));
+    print_findings(job, survey.diagnostics);
+
+    Outcome outcome{job, survey, nullptr, nullptr};
+    std::optional<Simulation> simulation;
+    std::optional<cda::Boundary> boundary;
+    if (survey.is_ready()) {
+        Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
+        simulation = simulate(job, survey, [&](std::uint64_t done) { progress.update(done); });
+        outcome.simulation = &*simulation;
+        const bool needs_surface = !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
+                                   !o.step.empty() || !o.report.empty();
+        if (needs_surface) {
+            boundary = simulation->part->boundary();
+            outcome.boundary = &*boundary;
+        }
+        write_outputs(outcome, outputs);
+    }
+    outputs.write(o.report, [&](std::ostream& out) { write_report(out, outcome); });
+    outputs.commit();
+
+    const bool faulty = gcode::has_errors(survey.diagnostics);
+    if (!survey.is_ready()) {
+        say("ncsim: the program was not simulated\n");
+    } else {
+        if (!o.quiet) {
+            const std::string text = summary(outcome);
+            if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+                throw std::runtime_error("cannot write to the standard output");
+            }
+        }
+        if (faulty)
+            say("ncsim: blocks with errors were left out: the part is not what they would make of "
+                "it\n");
+    }
+    return faulty ? kFindings : kClean;
+}
+
+}  // namespace ncsim::app

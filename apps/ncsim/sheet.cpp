@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet.h"
+
+#include "pipeline.h"
+#include "version.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace ncsim::app {
+
+namespace {
+
+class Sheet {
+public:
+    template <typename... Args>
+    void line(const char* key, fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), "  {:<11}", key);
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+    template <typename... Args>
+    void title(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+    std::string text_;
+};
+
+std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
+                 const char* option) {
+    switch (by) {
+        case toolpath::ToldBy::Comment:
+            return fmt::format("line {}: ({})", span.line, printable(text));
+        case toolpath::ToldBy::Option: return fmt::format("from {}", option);
+        case toolpath::ToldBy::Table: return fmt::format("from a tool table: {}", printable(text));
+        case toolpath::ToldBy::Assumption: break;
+    }
+    return fmt::format("assumed: {}", printable(text));
+}
+
+std::string units(const Survey& survey) {
+    const char* name = survey.interpretation.uses_inches ? "inches" : "millimetres";
+    if (survey.interpretation.units_stated) return fmt::format("{}, as the program says", name);
+    return fmt::format("{}, assumed: neither G20 nor G21 stands before the first length (--units)",
+                       name);
+}
+
+std::string dialect(const Survey& survey) {
+    const gcode::DialectFindings& found = survey.interpretation.dialect;
+    std::string text(gcode::name_of(found.dialect));
+    if (found.stated) return text;
+    if (found.evidence.empty()) return text + ", assumed: nothing speaks for another";
+    for (std::size_t i = 0; i < found.evidence.size() && i < 3; ++i) {
+        text += fmt::format("{} {} (line {})", i == 0 ? ", because of" : ",",
+                            printable(found.evidence[i].text), found.evidence[i].line);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    std::string result(text);
+    unsigned char before = 0;
+    for (char& c : result) {
+        const auto byte = static_cast<unsigned char>(c);
+        // The control characters of ASCII, and those of Latin-1 as UTF-8 writes them.
+        const bool control =
+            byte < 0x20 || byte == 0x7f || (before == 0xc2 && byte >= 0x80 && byte < 0xa0);
+        if (control && byte != '\n') c = byte == '\t' ? ' ' : '?';
+        before = byte;
+    }
+    return result;
+}
+
+std::string describe(const cda::Box& box) {
+    const cda::Vec3 size = box.size();
+    return fmt::format(
+        "{:.6g} x {:.6g} x {:.6g} mm, X {:.6g} to {:.6g}, Y {:.6g} to {:.6g}, Z {:.6g} to {:.6g}",
+        size.x, size.y, size.z, box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z);
+}
+
+std::string assumption_sheet(const Job& job, const Survey& survey) {
+    Sheet sheet;
+    sheet.title("ncsim {}: {}, {} lines, {} moves", kVersion, printable(job.program.name),
+                survey.interpretation.lines, survey.moves);
+    sheet.line("dialect", "{}", dialect(survey));
+    sheet.line("units", "{}", units(survey));
+    if (survey.moves_from_nowhere > 0) {
+        sheet.line("start", "not told: {} move{} until all of X, Y and Z are known leave no trace",
+                   survey.moves_from_nowhere, survey.moves_from_nowhere == 1 ? "" : "s");
+    } else {
+        sheet.line("start", "known");
+    }
+    if (survey.uses_machine_coordinates) {
+        sheet.line(
+            "home",
+            "assumed: machine zero {:g} mm above the program zero, tool lengths 0 (G28, G30, G53)",
+            kHomeHeight);
+    }
+    if (survey.turns_tools) {
+        sheet.line("rotation",
+                   "assumed: A, B, C turn the tool about X, Y, Z through the program zero");
+    }
+    for (const auto& [number, used] : survey.tools) {
+        sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}", describe(used.tool),
+                   told(used.told_by, used.span, used.text, "--tool"));
+        if (!used.filled_in.empty()) sheet.line("", "assumed: {}", used.filled_in);
+    }
+    if (survey.stock) {
+        sheet.line("stock", "{}", describe(survey.stock->box));
+        sheet.line("", "{}",
+                   told(survey.stock->told_by, survey.stock->span, survey.stock->text, "--stock"));
+        sheet.line("model", "{}, lattice unit {:g} nm", job.options.model,
+                   lattice_for(*survey.stock).unit_mm * 1e6);
+    }
+    sheet.line(
+        "tolerance",
+        "arcs {:g} mm; round tools {:g} mm, outwards; turning tools {:g} mm missed, {:g} mm gained",
+        job.options.tolerance, job.options.tool_tolerance, job.options.tolerance,
+        10 * job.options.tolerance);
+    return sheet.text_;
+}
+
+}  // namespace ncsim::app

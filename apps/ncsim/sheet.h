@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The assumption sheet: what the program said, what was concluded, what had to be assumed. Nobody
+// should have to guess what a result stands on.
+#pragma once
+
+#include "job.h"
+#include "survey.h"
+
+#include <string>
+
+namespace ncsim::app {
+
+/// Text for people, a line for each thing; ends in a newline.
+std::string assumption_sheet(const Job& job, const Survey& survey);
+
+/// `text` without what a terminal would obey: control characters other than line ends become '?'.
+/// What comes out of a program is shown through this.
+std::string printable(std::string_view text);
+
+/// "50 x 40 x 10 mm, X 0 to 50, Y 0 to 40, Z -10 to 0"
+std::string describe(const cda::Box& box);
+
+}  // namespace ncsim::app

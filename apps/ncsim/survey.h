@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The first look at a program, before anything is cut: how long it is, which tools it calls, where
+// it goes. It decides what has to be assumed, and whether the program can be simulated at all.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/toolpath/tool.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include "job.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace ncsim::app {
+
+/// A tool as it will be used, and why it is taken to be so.
+struct UsedTool {
+    toolpath::Tool tool;
+    toolpath::ToldBy told_by = toolpath::ToldBy::Comment;
+    gcode::SourceSpan span;   ///< Of the comment.
+    std::string text;         ///< As told.
+    std::string filled_in;    ///< What was not told and had to be assumed.
+    gcode::SourceSpan first;  ///< The block that first moves it.
+};
+
+struct Distances {
+    double rapid_mm = 0.0;
+    double feed_mm = 0.0;
+};
+
+struct Survey {
+    gcode::Interpretation interpretation;
+    std::uint64_t moves = 0;
+    std::uint64_t feed_moves = 0;
+    /// Moves whose start the program does not tell; they leave no trace.
+    std::uint64_t moves_from_nowhere = 0;
+    bool cuts_from_nowhere = false;  ///< One of them is a feed move.
+    bool turns_tools = false;
+    bool uses_machine_coordinates = false;
+    gcode::SourceSpan first_move;
+    cda::Box tip_positions;              ///< Of all moves with a known start, mm, in W.
+    std::map<int, Distances> distances;  ///< By tool number.
+    std::map<int, UsedTool> tools;       ///< Those that move.
+    std::optional<toolpath::StockEntry> stock;
+    gcode::Diagnostics diagnostics;  ///< Of the interpreter, of comments, and of this.
+
+    /// Can it be simulated? Else `diagnostics` says why not.
+    bool is_ready() const { return ready; }
+    bool ready = false;
+};
+
+Survey survey(const Job& job);
+
+}  // namespace ncsim::app

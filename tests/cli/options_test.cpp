@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options.h"
+
+#include "progress.h"
+#include "sheet.h"
+
+#include <gtest/gtest.h>
+
+namespace ncsim::app {
+namespace {
+
+Options options(const std::vector<std::string>& arguments) {
+    auto parsed = parse_options(arguments);
+    const auto* farewell = std::get_if<Farewell>(&parsed);
+    EXPECT_FALSE(farewell) << farewell->text;
+    return farewell ? Options{} : std::get<Options>(parsed);
+}
+
+std::string refusal(const std::vector<std::string>& arguments) {
+    auto parsed = parse_options(arguments);
+    const auto* farewell = std::get_if<Farewell>(&parsed);
+    if (!farewell) return "accepted";
+    EXPECT_EQ(farewell->exit_code, kEnvironment);
+    return farewell->text;
+}
+
+TEST(Options, OfAPlainRunAreTheDefaults) {
+    const Options o = options({"run", "part.nc"});
+    EXPECT_EQ(o.program, "part.nc");
+    EXPECT_EQ(o.model, "cda");
+    EXPECT_EQ(o.width, 1280U);
+    EXPECT_FALSE(o.inches);
+    EXPECT_TRUE(outputs_of(o).empty());
+}
+
+TEST(Options, TakeEverythingThatCanBeAskedFor) {
+    const Options o = options({"run",
+                               "part.nc",
+                               "--png",
+                               "a.png",
+                               "--gltf=a.glb",
+                               "--vrml",
+                               "a.wrl",
+                               "--stl",
+                               "a.stl",
+                               "--step",
+                               "a.step",
+                               "--report",
+                               "a.json",
+                               "--stats",
+                               "a.csv",
+                               "--xml",
+                               "a.xml",
+                               "--stock",
+                               "10x20x30",
+                               "--tool",
+                               "T1=flat:D10",
+                               "--tool",
+                               "T2=ball:D6:L30",
+                               "--assume-tool",
+                               "flat:D3",
+                               "--units",
+                               "inch",
+                               "--block-delete",
+                               "--tolerance",
+                               "0.01",
+                               "--threads",
+                               "4",
+                               "--view",
+                               "top",
+                               "--size",
+                               "640x480",
+                               "--colour",
+                               "depth",
+                               "-q"});
+    EXPECT_EQ(outputs_of(o).size(), 8U);
+    EXPECT_EQ(o.model, "cda-flat") << "statistics and XML show its cells";
+    EXPECT_EQ(o.stock->max, (cda::Vec3{5, 10, 0}));
+    EXPECT_EQ(o.tools.size(), 2U);
+    EXPECT_EQ(o.assumed_tool->diameter, 3);
+    EXPECT_TRUE(o.inches);
+    EXPECT_TRUE(o.block_delete);
+    EXPECT_EQ(o.tolerance, 0.01);
+    EXPECT_EQ(o.threads, 4U);
+    EXPECT_EQ(o.view, exporter::View::Top);
+    EXPECT_EQ(o.height, 480U);
+    EXPECT_TRUE(o.quiet);
+}
+
+TEST(Options, RefuseWhatMakesNoSense) {
+    const std::vector<std::vector<std::string>> table = {
+        {},
+        {"walk", "part.nc"},
+        {"run"},
+        {"run", "part.nc", "other.nc"},
+        {"run", "part.nc", "--nonsense"},
+        {"run", "part.nc", "--size", "0x10"},
+        {"run", "part.nc", "--size", "10"},
+        {"run", "part.nc", "--size", "99999x99999"},
+        {"run", "part.nc", "--size", "10x10x10"},
+        {"run", "part.nc", "--size", "-5x10"},
+        {"run", "part.nc", "--tolerance", "0"},
+        {"run", "part.nc", "--tolerance", "nan"},
+        {"run", "part.nc", "--tolerance", "1e9"},
+        {"run", "part.nc", "--threads", "0"},
+        {"run", "part.nc", "--view", "sideways"},
+        {"run", "part.nc", "--units", "furlong"},
+        {"run", "part.nc", "--model", "voxel"},
+        {"run", "part.nc", "--model", "cda", "--stats", "a.csv"},
+        {"run", "part.nc", "--stock", "1x2"},
+        {"run", "part.nc", "--stock", "1e12x1x1"},
+        {"run", "part.nc", "--tool", "T1=flat"},
+        {"run", "part.nc", "--tool", "T1=flat:D1", "--tool", "T1=flat:D2"},
+        {"run", "part.nc", "--png", "a", "--stl", "./a"},
+        {"run", "part.nc", "--report", "part.nc"},
+    };
+    for (const auto& arguments : table) {
+        std::string all;
+        for (const std::string& a : arguments)
+            all.append(a).append(" ");
+        SCOPED_TRACE(all);
+        const std::string text = refusal(arguments);
+        EXPECT_EQ(text.rfind("ncsim: ", 0), 0U) << text;
+    }
+}
+
+TEST(Options, HelpNamesTheExitCodesAndEndsWithAnExample) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--help"}, {"run", "--help"}}) {
+        auto parsed = parse_options(arguments);
+        const auto& farewell = std::get<Farewell>(parsed);
+        EXPECT_EQ(farewell.exit_code, kClean);
+        EXPECT_NE(farewell.text.find("Exit codes: 0 clean, 1"), std::string::npos);
+        EXPECT_NE(farewell.text.find("Example: ncsim run samples/simple.nc"), std::string::npos);
+    }
+}
+
+TEST(ProgressBar, TellsShareAndTimeLeft) {
+    EXPECT_EQ(progress_bar(0, 10, 0.0), "[>                                       ]   0 %");
+    EXPECT_EQ(progress_bar(5, 10, 0.5), "[====================>                   ]  50 %");
+    EXPECT_EQ(progress_bar(5, 10, 61.0),
+              "[====================>                   ]  50 %  ETA 1:01");
+    EXPECT_EQ(progress_bar(12, 10, 0.0), "[========================================] 100 %");
+    EXPECT_EQ(progress_bar(0, 0, 0.0), "[========================================] 100 %");
+}
+
+TEST(Printable, KeepsTextAndTakesControlOverNothing) {
+    EXPECT_EQ(printable("fr\xc3\xa4ser \xc3\x84"), "fr\xc3\xa4ser \xc3\x84");
+    EXPECT_EQ(printable("\x1b[2J\t\x07\x7f"), "?[2J ??");
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "2J"),
+              "\xc2?2J");
+}
+
+}  // namespace
+}  // namespace ncsim::app

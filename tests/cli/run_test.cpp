@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Run, SaysWhatItStandsOnAndWhatIsLeft) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran = folder.run({"run", "slot.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(
+        contains(ran.out, "part      11.200 cm3 of 12.000 cm3; 0.800 cm3 removed in 1 hulls"))
+        << ran.out;
+    EXPECT_TRUE(contains(ran.err, "units      millimetres, as the program says")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "line 1: (T1 D=10. CR=0. - ZMIN=-2. - flat end mill)"));
+    EXPECT_TRUE(contains(ran.err, "line 2: (STOCK/BLOCK,40.,30.,10.,20.,15.,10.)"));
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"slot.nc"});
+}
+
+TEST(Run, IsSilentWhenAskedTo) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran = folder.run({"run", "slot.nc", "-q"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_EQ(ran.err, "");
+}
+
+TEST(Run, WritesEveryFormat) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran =
+        folder.run({"run",    "slot.nc", "-q",    "--png", "a.png",  "--gltf", "a.glb",
+                    "--vrml", "a.wrl",   "--stl", "a.stl", "--step", "a.step", "--report",
+                    "a.json", "--stats", "a.csv", "--xml", "a.xml",  "--size", "200x100"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(folder.read("a.png").substr(1, 3), "PNG");
+    EXPECT_EQ(folder.read("a.glb").substr(0, 4), "glTF");
+    EXPECT_EQ(folder.read("a.wrl").substr(0, 10), "#VRML V2.0");
+    EXPECT_EQ(folder.read("a.step").substr(0, 12), "ISO-10303-21");
+    EXPECT_GT(folder.read("a.stl").size(), 84U);
+    EXPECT_TRUE(contains(folder.read("a.xml"), "<"));
+    EXPECT_TRUE(contains(folder.read("a.csv"), ","));
+    EXPECT_EQ(folder.files().size(), 9U) << "nothing but what was asked for";
+}
+
+TEST(Run, ReportsVolumesByToolAndByBlock) {
+    for (const char* model : {"cda", "cda-flat"}) {
+        SCOPED_TRACE(model);
+        Folder folder;
+        folder.write("slot.nc", kSlot);
+        folder.run({"run", "slot.nc", "-q", "--report", "a.json", "--model", model});
+        const json report = json::parse(folder.read("a.json"));
+        EXPECT_DOUBLE_EQ(report["volume_mm3"]["stock"], 12000.0);
+        EXPECT_DOUBLE_EQ(report["volume_mm3"]["part"], 11200.0);
+        EXPECT_DOUBLE_EQ(report["tools"][0]["removed_mm3"], 800.0);
+        EXPECT_EQ(report["blocks"].size(), 1U);
+        EXPECT_EQ(report["blocks"][0]["line"], 8);
+        EXPECT_DOUBLE_EQ(report["blocks"][0]["removed_mm3"], 800.0);
+        EXPECT_EQ(report["tools"][0]["told"]["line"], 1);
+        EXPECT_DOUBLE_EQ(report["distance_mm"]["feed"], 60.0);
+        EXPECT_EQ(report["part"]["extents"]["max"], json::array({20.0, 15.0, 0.0}));
+        EXPECT_TRUE(report["findings"].empty());
+    }
+}
+
+TEST(Run, GivesTheSameBytesAgainAndForAnyNumberOfThreads) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.run({"run", "slot.nc", "-q", "--png", "a.png", "--gltf", "a.glb", "--report", "a.json",
+                "--threads", "1"});
+    folder.run({"run", "slot.nc", "-q", "--png", "b.png", "--gltf", "b.glb", "--report", "b.json",
+                "--threads", "4"});
+    for (const char* type : {".png", ".glb", ".json"}) {
+        EXPECT_EQ(folder.read(std::string("a").append(type)),
+                  folder.read(std::string("b").append(type)));
+    }
+}
+
+TEST(Run, TakesToolsAndStockFromTheCommandLineFirst) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran = folder.run({"run", "slot.nc", "--tool", "T1=flat:D5", "--stock", "40x40x10"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "0.400 cm3 removed")) << ran.out;
+    EXPECT_TRUE(contains(ran.err, "from --tool"));
+    EXPECT_TRUE(contains(ran.err, "from --stock"));
+}
+
+TEST(Run, DerivesAStockThatNobodyTells) {
+    Folder folder;
+    folder.write("part.nc",
+                 "(T1 D=10. - flat end mill)\nG21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-2 F100\nG1 X50\nG0 "
+                 "Z5\nM30\n");
+    const Ran ran = folder.run({"run", "part.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "assumed: derived: what the tools sweep in cutting moves"))
+        << ran.err;
+}
+
+TEST(Run, AToolWhoseLengthIsUnknownLeavesNothingStandingAboveIt) {
+    Folder folder;
+    folder.write("part.nc",
+                 "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,40,30,100,20,15,100)\nG21 G90\nT1 M6\n"
+                 "G0 X-30 Y0 Z5\nZ-90\nG1 X30 F100\nM30\n");
+    const Ran ran = folder.run({"run", "part.nc"});
+    EXPECT_TRUE(contains(ran.out, "36.000 cm3 removed")) << ran.out << ran.err;
+}
+
+TEST(Run, InchesAreInches) {
+    Folder folder;
+    folder.write("part.nc",
+                 "(T1 D=.5 CR=0. - flat end mill)\n(STOCK/BLOCK,2,1,1,1,.5,1)\nT1 M6\nG20 G90\n"
+                 "G0 X-2 Y0 Z1\nZ-.5\nG1 X2 F10\nM30\n");
+    folder.run({"run", "part.nc", "-q", "--report", "a.json"});
+    const json report = json::parse(folder.read("a.json"));
+    EXPECT_NEAR(report["volume_mm3"]["removed"].get<double>(), 0.5 * 16387.064, 1e-3);
+}
+
+TEST(Run, WithoutG20OrG21TheUnitsAreWhatTheUserSays) {
+    Folder folder;
+    folder.write("part.nc", "T1 M6\nG90\nG0 X-2 Y0 Z1\nZ-.5\nG1 X2 F10\nM30\n");
+    const Ran mm = folder.run({"run", "part.nc", "--tool", "T1=flat:D1"});
+    EXPECT_TRUE(contains(mm.err, "millimetres, assumed")) << mm.err;
+    const Ran inch = folder.run({"run", "part.nc", "--tool", "T1=flat:D1", "--units", "inch"});
+    EXPECT_TRUE(contains(inch.err, "inches, assumed")) << inch.err;
+    EXPECT_TRUE(contains(inch.out, "101.6 mm at feed")) << inch.out;
+}
+
+TEST(Run, BlockDeleteSkipsBlocks) {
+    Folder folder;
+    folder.write("part.nc",
+                 std::string(kSlot).insert(std::string(kSlot).find("G0 Z5.\nM30"), "/G1 Y40.\n"));
+    const Ran all = folder.run({"run", "part.nc"});
+    const Ran some = folder.run({"run", "part.nc", "--block-delete"});
+    EXPECT_TRUE(contains(all.out, "100.0 mm at feed")) << all.out;
+    EXPECT_TRUE(contains(some.out, "60.0 mm at feed")) << some.out;
+}
+
+TEST(Run, RetractsThroughMachineZeroLeadAwayFromThePart) {
+    Folder folder;
+    std::string text(kSlot);
+    text.replace(text.find("G0 Z5.\nM30"), 7, "G53 G0 Z0.\nG28 G91 Z0.\nG90\n");
+    folder.write("part.nc", text);
+    const Ran ran = folder.run({"run", "part.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "0.800 cm3 removed")) << ran.out;
+    EXPECT_TRUE(contains(ran.err, "machine zero 300 mm above the program zero"));
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
