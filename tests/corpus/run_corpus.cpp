@@ -190,8 +190,10 @@ int main(int argc, char** argv) {
             ++(difference ? tally.differ : tally.agree);
             clean = clean && !difference;
         } else {
-            verdict = has_error ? "errors" : "read";
-            ++(has_error ? tally.with_errors : tally.read);
+            // Ran to its end with some blocks left out, or not to its end at all.
+            const bool stopped = has_error && (result.stopped || result.motions == 0);
+            verdict = stopped ? "stopped" : has_error ? "errors" : "read";
+            ++(stopped ? tally.stopped : has_error ? tally.with_errors : tally.read);
         }
         if (seconds > kMostSeconds) {
             verdict += " SLOW";
@@ -209,17 +211,18 @@ int main(int argc, char** argv) {
                         detail.c_str());
         }
     }
-    std::printf("\n%-28s %8s %7s %7s %6s %7s %8s %6s\n", "reference, kind", "programs", "agree",
-                "differ", "read", "errors", "refused", "slow");
+    std::printf("\n%-28s %8s %7s %7s %6s %7s %8s %8s %6s\n", "reference, kind", "programs", "agree",
+                "differ", "read", "errors", "stopped", "refused", "slow");
     Tally sum;
     for (const auto& [name, t] : table) {
-        std::printf("%-28s %8d %7d %7d %6d %7d %8d %6d\n", name.c_str(), t.programs, t.agree,
-                    t.differ, t.read, t.with_errors, t.refused, t.slow);
+        std::printf("%-28s %8d %7d %7d %6d %7d %8d %8d %6d\n", name.c_str(), t.programs, t.agree,
+                    t.differ, t.read, t.with_errors, t.stopped, t.refused, t.slow);
         sum.programs += t.programs, sum.agree += t.agree, sum.differ += t.differ,
             sum.read += t.read;
-        sum.with_errors += t.with_errors, sum.refused += t.refused, sum.slow += t.slow;
+        sum.with_errors += t.with_errors, sum.stopped += t.stopped, sum.refused += t.refused,
+            sum.slow += t.slow;
     }
-    std::printf("%-28s %8d %7d %7d %6d %7d %8d %6d\n", "all", sum.programs, sum.agree, sum.differ,
-                sum.read, sum.with_errors, sum.refused, sum.slow);
+    std::printf("%-28s %8d %7d %7d %6d %7d %8d %8d %6d\n", "all", sum.programs, sum.agree,
+                sum.differ, sum.read, sum.with_errors, sum.stopped, sum.refused, sum.slow);
     return clean ? 0 : 1;
 }

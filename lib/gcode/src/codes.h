@@ -29,9 +29,10 @@ enum class Group : std::uint8_t {
     Mirror,
     Polar,
     Macro,
-    Ignored,  ///< Known, and without effect on where the tool goes.
+    Unsupported,  ///< Known, and not simulated: after it every place would be wrong.
+    Ignored,      ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 20;
+constexpr std::size_t kGroups = 21;
 
 struct GCode {
     std::int16_t number;  ///< Times ten.

@@ -62,6 +62,7 @@ bool Machine::cycle_words(const Command& command, int motion) {
 bool Machine::cycle(const Command& command, int motion) {
     const std::string_view name = motion_name(motion);
     if (motion == 760 && (rules_.strict || command.has('K'))) {
+        stopped_ = true;
         return fail(Message::LatheCycle, command.span, {name});
     }
     if (!command.axis_words) {

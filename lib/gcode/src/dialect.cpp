@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/gcode/dialect.h"
 
+#include "line_end.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 namespace ncsim::gcode {
 
 std::string_view name_of(Dialect dialect) {
@@ -18,19 +24,341 @@ std::string_view name_of(Dialect dialect) {
 std::string_view name_of(Kind kind) {
     switch (kind) {
         case Kind::Milling: return "milling";
-        case Kind::Heidenhain: return "Heidenhain";
-        case Kind::Siemens: return "Siemens";
-        case Kind::Lathe: return "lathe";
-        case Kind::Laser: return "laser";
-        case Kind::Plasma: return "plasma";
-        case Kind::Printer: return "3-D printer";
+        case Kind::Heidenhain: return "Heidenhain controls";
+        case Kind::Siemens: return "Siemens controls";
+        case Kind::Lathe: return "a lathe";
+        case Kind::Laser: return "a laser";
+        case Kind::Plasma: return "a plasma torch";
+        case Kind::Printer: return "a 3-D printer";
         case Kind::NotAProgram: return "no NC program";
     }
     return "";
 }
 
-DialectFindings detect_dialect(const SourceFile&) {
-    return {};
+namespace {
+
+constexpr std::size_t kMostBytes = 400'000;  // posts put their signs at the beginning
+
+/// A text that speaks for a conclusion, in upper case, and how much. In code, words start at a
+/// letter that follows no letter; `in_comments` looks at remarks instead.
+struct Sign {
+    std::string_view text;
+    int weight;
+    bool in_comments;
+    std::string_view because;
+};
+
+struct DialectSigns {
+    Dialect dialect;
+    std::array<Sign, 8> signs;
+};
+constexpr std::array<DialectSigns, 5> kDialects = {{
+    {Dialect::Rs274,
+     {{{"LINUXCNC", 4, true, "a comment names LinuxCNC"},
+       {"#<", 3, false, "named parameters"},
+       {" SUB", 3, false, "O-word subroutines"},
+       {" ENDIF", 3, false, "O-word branches"},
+       {" ENDWHILE", 3, false, "O-word loops"},
+       {"G64P", 1, false, "G64 with a tolerance"},
+       {"G64 P", 1, false, "G64 with a tolerance"},
+       {"G38.", 1, false, "G38 probing"}}}},
+    {Dialect::Fanuc,
+     {{{"FANUC", 4, true, "a comment names Fanuc"},
+       {"GOTO", 3, false, "GOTO of Macro B"},
+       {"WHILE[", 3, false, "WHILE of Macro B"},
+       {"IF[", 3, false, "IF of Macro B"},
+       {"G65", 2, false, "G65 macro calls"},
+       {"G91G28", 1, false, "G91 G28"},
+       {"G91 G28", 1, false, "G91 G28"},
+       {"G05.1", 2, false, "G05.1"}}}},
+    {Dialect::Haas,
+     {{{"HAAS", 5, true, "a comment names Haas"},
+       {"G187", 4, false, "G187"},
+       {"G154", 4, false, "G154 work offsets"},
+       {"M97", 4, false, "M97 calls"},
+       {"G103", 4, false, "G103"},
+       {"G47", 3, false, "G47 engraving"},
+       {"G150", 3, false, "G150 pockets"},
+       {"M130", 2, false, "M130"}}}},
+    {Dialect::Grbl,
+     {{{"GRBL", 4, true, "a comment names grbl"},
+       {"$H", 4, false, "the console command $H"},
+       {"$X", 4, false, "the console command $X"},
+       {"$J", 4, false, "the console command $J"},
+       {"$G", 4, false, "the console command $G"},
+       {"$1", 3, false, "a grbl setting"},
+       {"MPCNC", 2, true, "a comment names MPCNC"},
+       {"SHAPEOKO", 3, true, "a comment names a grbl machine"}}}},
+    {Dialect::Mach3,
+     {{{"MACH3", 5, true, "a comment names Mach3"},
+       {"MACH4", 5, true, "a comment names Mach4"},
+       {"MACH2", 5, true, "a comment names Mach2"},
+       {"VECTRIC", 1, true, "a comment names Vectric"},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""}}}},
+}};
+
+struct KindSigns {
+    Kind kind;
+    int enough;
+    std::array<Sign, 10> signs;
+};
+constexpr std::array<KindSigns, 5> kKinds = {{
+    {Kind::Heidenhain,
+     4,
+     {{{"BEGIN PGM", 4, false, "BEGIN PGM"},
+       {"END PGM", 4, false, "END PGM"},
+       {"TOOL CALL", 4, false, "TOOL CALL"},
+       {"CYCL DEF", 4, false, "CYCL DEF"},
+       {"BLK FORM", 4, false, "BLK FORM"},
+       {"FMAX", 2, false, "FMAX"},
+       {" R0 F", 2, false, "R0 F"},
+       {"LBL ", 2, false, "LBL"},
+       {"CALL LBL", 4, false, "CALL LBL"},
+       {"FN 0", 2, false, "FN 0"}}}},
+    {Kind::Siemens,
+     4,
+     {{{"WORKPIECE(", 4, false, "WORKPIECE(…)"},
+       {"CYCLE8", 4, false, "CYCLE8x(…)"},
+       {"CYCLE7", 4, false, "CYCLE7x(…)"},
+       {"CYCLE800", 4, false, "CYCLE800"},
+       {"DEF REAL", 4, false, "DEF REAL"},
+       {"MSG(\"", 3, false, "MSG(\"…\")"},
+       {";$PATH=", 4, true, ";$PATH="},
+       {"_MPF", 4, false, "%_N_…_MPF"},
+       {"SUPA", 2, false, "SUPA"},
+       {"CYCLE832", 4, false, "CYCLE832"}}}},
+    {Kind::Printer,
+     5,
+     {{{"M104", 3, false, "M104 heats an extruder"},
+       {"M109", 3, false, "M109 waits for an extruder"},
+       {"M140", 3, false, "M140 heats a bed"},
+       {"M190", 3, false, "M190 waits for a bed"},
+       {"G92 E", 3, false, "G92 E"},
+       {"M82", 1, false, "M82"},
+       {"M83", 1, false, "M83"},
+       {"LAYER:", 2, true, "layers in comments"},
+       {"FILAMENT", 3, true, "filament in comments"},
+       {"SLIC3R", 4, true, "a slicer's name"}}}},
+    {Kind::Laser,
+     4,
+     {{{"LIGHTBURN", 5, true, "a comment names LightBurn"},
+       {"LASERGRBL", 5, true, "a comment names LaserGRBL"},
+       {"LASER", 3, true, "a comment speaks of a laser"},
+       {"LASER ON", 2, true, "laser on"},
+       {"LASER POWER", 2, true, "laser power"},
+       {"T2LASER", 5, true, "T2Laser"},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""}}}},
+    {Kind::Plasma,
+     4,
+     {{{"PLASMA", 4, true, "a comment speaks of plasma"},
+       {"TORCH ON", 3, true, "torch on"},
+       {"TORCH", 2, true, "a comment speaks of a torch"},
+       {"PIERCE", 2, true, "a comment speaks of piercing"},
+       {"SHEETCAM", 2, true, "SheetCam"},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""},
+       {"", 0, true, ""}}}},
+}};
+
+constexpr bool is_letter(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Whether `what` stands in `text` and is not a piece of a longer word or number.
+bool contains(std::string_view text, std::string_view what) {
+    for (std::size_t at = text.find(what); at != std::string_view::npos;
+         at = text.find(what, at + 1)) {
+        const bool starts = at == 0 || !is_letter(what[0]) || !is_letter(text[at - 1]);
+        const std::size_t end = at + what.size();
+        const bool ends = end == text.size() || !is_digit(what.back()) ||
+                          (!is_digit(text[end]) && text[end] != '.');
+        if (starts && ends) return true;
+    }
+    return false;
+}
+
+/// One line in upper case, taken apart into code and remarks.
+struct SplitLine {
+    std::string code, remarks;
+
+    void split(std::string_view line) {
+        code.clear();
+        remarks.clear();
+        int depth = 0;
+        for (const char raw : line.substr(0, 400)) {
+            const char c = raw >= 'a' && raw <= 'z' ? static_cast<char>(raw - 32) : raw;
+            if (c == '(') ++depth;
+            if (c == ';') depth = 1000;
+            (depth > 0 ? remarks : code) += c;
+            if (c == ')' && depth > 0 && depth < 1000) --depth;
+        }
+    }
+};
+
+class Detective {
+public:
+    void look_at(std::string_view line, std::uint32_t number) {
+        split_.split(line);
+        for (std::size_t i = 0; i < kDialects.size(); ++i)
+            weigh(kDialects[i].signs, dialects_[i], number);
+        for (std::size_t i = 0; i < kKinds.size(); ++i)
+            weigh(kKinds[i].signs, kinds_[i], number);
+        look_for_turning(number);
+        look_for_header(number);
+        const std::string& code = split_.code;
+        for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+            const char next = code[i + 1];
+            if (is_letter(code[i]) && (is_digit(next) || next == '-' || next == '.' ||
+                                       next == '#' || next == '[' || next == ' ' || next == '+')) {
+                has_words_ = true;
+            }
+        }
+    }
+
+    void conclude(DialectFindings& findings) const {
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < dialects_.size(); ++i) {
+            if (dialects_[i].weight > dialects_[best].weight) best = i;
+        }
+        if (dialects_[best].weight >= 2) {
+            findings.dialect = kDialects[best].dialect;
+            findings.evidence = dialects_[best].evidence;
+        }
+        for (std::size_t i = 0; i < kKinds.size(); ++i) {
+            if (kinds_[i].weight >= kKinds[i].enough && findings.kind == Kind::Milling) {
+                findings.kind = kKinds[i].kind;
+                findings.kind_evidence = kinds_[i].evidence;
+            }
+        }
+        if (findings.kind == Kind::Milling && turning_.weight >= 4 && !has_y_ && has_xz_) {
+            findings.kind = Kind::Lathe;
+            findings.kind_evidence = turning_.evidence;
+        }
+        if (!has_words_) {
+            findings.kind = Kind::NotAProgram;
+            findings.kind_evidence = {{"no word of a letter and a number in it", 0}};
+        }
+    }
+
+private:
+    struct Case {
+        int weight = 0;
+        std::vector<Evidence> evidence;
+        std::uint64_t seen = 0;
+    };
+
+    static void add(Case& which, std::size_t sign, int weight, std::string_view because,
+                    std::uint32_t line) {
+        if ((which.seen >> sign & 1U) != 0) return;  // each sign speaks once
+        which.seen |= std::uint64_t{1} << sign;
+        which.weight += weight;
+        which.evidence.push_back({std::string(because), line});
+    }
+
+    template <typename Signs>
+    void weigh(const Signs& signs, Case& which, std::uint32_t line) const {
+        for (std::size_t i = 0; i < signs.size(); ++i) {
+            const Sign& sign = signs[i];
+            if (sign.text.empty() || (which.seen >> i & 1U) != 0) continue;
+            if (contains(sign.in_comments ? split_.remarks : split_.code, sign.text)) {
+                add(which, i, sign.weight, sign.because, line);
+            }
+        }
+    }
+
+    /// Lathe programs: no Y at all, tools as T0101, constant surface speed, cycles from P to Q.
+    void look_for_turning(std::uint32_t line) {
+        const std::string& code = split_.code;
+        for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+            if (!is_letter(code[i]) || (i > 0 && is_letter(code[i - 1]))) continue;
+            const bool number = is_digit(code[i + 1]) || code[i + 1] == '-' || code[i + 1] == '.' ||
+                                code[i + 1] == '#' || code[i + 1] == '[' || code[i + 1] == ' ';
+            if (code[i] == 'Y' && number) has_y_ = true;
+            if ((code[i] == 'X' || code[i] == 'Z') && number) has_xz_ = true;
+            if (code[i] == 'T') {
+                std::size_t digits = 0;
+                while (i + 1 + digits < code.size() && is_digit(code[i + 1 + digits]))
+                    ++digits;
+                if (digits == 4 && code.substr(i + 1, 2) == code.substr(i + 3, 2)) {
+                    add(turning_, 0, 3, "tools like T0101", line);
+                }
+            }
+        }
+        if (contains(code, "G96")) add(turning_, 1, 2, "constant surface speed (G96)", line);
+        if (contains(code, "G50") && contains(code, "S")) add(turning_, 6, 1, "G50 S", line);
+        for (const std::string_view cycle : {"G70", "G71", "G72", "G73", "G76"}) {
+            if (contains(code, cycle) && code.find('P') != std::string::npos &&
+                code.find('Q') != std::string::npos) {
+                add(turning_, 2, 4, "turning cycles from P to Q", line);
+            }
+        }
+        if (contains(split_.remarks, "LATHE"))
+            add(turning_, 3, 3, "a comment speaks of a lathe", line);
+        if (contains(split_.remarks, "TURNING"))
+            add(turning_, 4, 2, "a comment speaks of turning", line);
+        if (contains(code, "G7")) add(turning_, 5, 3, "diameters (G7)", line);
+    }
+
+    /// "%", then "O1234": how Fanuc programs begin.
+    void look_for_header(std::uint32_t line) {
+        const std::string& code = split_.code;
+        if (line > 5 || code.size() < 5 || (code[0] != 'O' && code[0] != ':')) return;
+        for (std::size_t i = 1; i < 5; ++i) {
+            if (!is_digit(code[i])) return;
+        }
+        if (code.find("SUB") == std::string::npos)
+            add(dialects_[1], 60, 2, "a program number (O1234)", line);
+    }
+
+    SplitLine split_;
+    std::array<Case, kDialects.size()> dialects_;
+    std::array<Case, kKinds.size()> kinds_;
+    Case turning_;
+    bool has_y_ = false;
+    bool has_xz_ = false;
+    bool has_words_ = false;
+};
+
+/// NUL and other control bytes do not come in programs.
+bool looks_binary(std::string_view text) {
+    const std::string_view head = text.substr(0, 4096);
+    const auto odd = std::ranges::count_if(head, [](char c) {
+        return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f' &&
+               c != '\x1a' && c != '\x1b';
+    });
+    return odd > 16 && static_cast<std::size_t>(odd) * 20 > head.size();
+}
+
+}  // namespace
+
+DialectFindings detect_dialect(const SourceFile& program) {
+    DialectFindings findings;
+    std::string_view rest = after_byte_order_mark(program.text);
+    if (looks_binary(rest)) {
+        findings.kind = Kind::NotAProgram;
+        findings.kind_evidence = {{"its bytes are no text", 1}};
+        return findings;
+    }
+    rest = rest.substr(0, kMostBytes);
+    Detective detective;
+    for (std::uint32_t line = 1; !rest.empty(); ++line) {
+        const LineEnd end = find_line_end(rest);
+        detective.look_at(rest.substr(0, end.length), line);
+        rest.remove_prefix(end.next);
+    }
+    detective.conclude(findings);
+    return findings;
 }
 
 }  // namespace ncsim::gcode

@@ -6,6 +6,50 @@
 #include "runner.h"
 
 namespace ncsim::gcode {
+namespace {
+
+std::string reasons(const std::vector<Evidence>& evidence) {
+    std::string out;
+    for (const Evidence& e : evidence) {
+        if (!out.empty()) out += ", ";
+        out += e.text;
+        if (e.line > 0) out.append(" (line ").append(std::to_string(e.line)).append(")");
+    }
+    return out;
+}
+
+SourceSpan place(const std::vector<Evidence>& evidence) {
+    return {evidence.empty() ? 0 : evidence.front().line, 1, 0};
+}
+
+/// Programs that would be misread from beginning to end are not run at all; those that move a tool
+/// like a milling machine does are run with a warning.
+bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
+    const SourceSpan span = place(findings.kind_evidence);
+    const std::string why = reasons(findings.kind_evidence);
+    switch (findings.kind) {
+        case Kind::Milling: return false;
+        case Kind::NotAProgram: log.add(Message::NoProgram, span, {why}); return true;
+        case Kind::Heidenhain:
+        case Kind::Siemens:
+            log.add(Message::ForeignProgram, span, {name_of(findings.kind), why});
+            return true;
+        case Kind::Printer:
+        case Kind::Lathe:
+            if (!strict) {
+                log.add(Message::ForeignProgram, span, {name_of(findings.kind), why});
+                return true;
+            }
+            [[fallthrough]];
+        case Kind::Laser:
+        case Kind::Plasma:
+            log.add(Message::ForeignKind, span, {name_of(findings.kind), why});
+            return false;
+    }
+    return false;
+}
+
+}  // namespace
 
 Interpretation interpret(const SourceFile& program, const InterpreterOptions& options,
                          const MotionSink& sink) {
@@ -18,6 +62,16 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
         result.dialect.stated = true;
     }
     if (options.strict) result.dialect.dialect = Dialect::Rs274;
+    if (refuse(result.dialect, options.strict, log)) {
+        result.refused = true;
+        result.diagnostics = log.take();
+        return result;
+    }
+    const std::vector<Evidence>& evidence = result.dialect.evidence;
+    if (!options.strict && !result.dialect.stated && !evidence.empty()) {
+        log.add(Message::DialectConcluded, place(evidence),
+                {name_of(result.dialect.dialect), reasons(evidence)});
+    }
     const Rules rules = Rules::of(result.dialect.dialect, options.strict);
     Runner runner(program, options, rules, sink, log, result);
     runner.run();

@@ -63,6 +63,12 @@ void Machine::execute(const Command& command) {
 }
 
 bool Machine::act(const Command& command) {
+    if (const int code = command.group(Group::Unsupported); code != kNone) {
+        stopped_ = true;
+        const bool lathe = code >= 700 && code < 730;
+        return fail(lathe ? Message::LatheCycle : Message::TiltedPlane, command.span,
+                    {motion_name(code)});
+    }
     motion_was_named_ = command.group(Group::Motion) != kNone;
     if (!check(command)) return false;
     // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.

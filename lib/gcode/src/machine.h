@@ -33,6 +33,8 @@ public:
     void execute(const Command& command);
 
     bool ended() const { return ended_; }  ///< M2 or M30.
+    /// Met a code after which nothing could be simulated rightly; it was reported.
+    bool stopped() const { return stopped_; }
     const MachineState& state() const { return state_; }
     MachineState& state() { return state_; }
 
@@ -137,6 +139,7 @@ private:
     bool first_length_seen_ = false;
     bool first_length_in_inches_ = false;
     bool ended_ = false;
+    bool stopped_ = false;
     std::array<char, 8> name_buffer_{};
 };
 

@@ -68,6 +68,8 @@ bool Resolver::take_g(const Word& word, double value, Command& command) {
     if (std::abs(value * 10.0 - tenths) < 1e-3 && tenths >= 0.0 && tenths < 1e5) {
         code = find_g(static_cast<int>(tenths));
     }
+    // G70 and G71 are units on some controls and cycles of a lathe on RS274/NGC.
+    if (code && rules_.strict && (code->number == 700 || code->number == 710)) code = find_g(722);
     if (code && rules_.strict && !code->in_rs274) code = nullptr;
     if (!code) {
         if (is_allowed('G', value)) return true;

@@ -25,7 +25,8 @@ void Runner::run() {
     while (!ended_ && step()) {
     }
     machine_.flush();
-    if (!result_.ended) {
+    result_.stopped = ended_ && !result_.ended;
+    if (!result_.ended && !ended_) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
                  {block_.line, 1, 0});
     }
@@ -54,6 +55,7 @@ bool Runner::step() {
     if (!frames_.empty() || repeated_ > 0) {
         if (++repeated_ > options_.limits.repeated_blocks) {
             fault(Message::StepLimit, block_.line_span());
+            ended_ = true;
             return false;
         }
     }
@@ -63,12 +65,6 @@ bool Runner::step() {
         return true;
     }
     if (block_.block_delete && options_.block_delete) return true;
-    if (block_.block_delete && block_.control.word != ControlWord::None &&
-        block_.control.word < ControlWord::If &&
-        block_.control.word != ControlWord::ProgramNumber) {
-        log_.add(Message::ControlBehindSlash, block_.control.span);
-        return true;
-    }
     if (block_.control.word != ControlWord::None) {
         something_read_ = true;
         if (block_.control.word < ControlWord::If) {
@@ -110,6 +106,11 @@ void Runner::act_on_words() {
         return;
     }
     machine_.execute(command_);
+    if (machine_.stopped()) {
+        result_.refused = true;
+        ended_ = true;
+        return;
+    }
     if (machine_.ended()) return end_program();
     if (!modal_call_.empty() && path_.count() > motions) macro_call(0);
 }

@@ -40,7 +40,8 @@ struct DialectFindings {
     Dialect dialect = Dialect::Rs274;  ///< Never Auto.
     bool stated = false;               ///< Given by the user, not concluded.
     Kind kind = Kind::Milling;
-    std::vector<Evidence> evidence;  ///< For `dialect`; then for `kind`.
+    std::vector<Evidence> evidence;       ///< For `dialect`.
+    std::vector<Evidence> kind_evidence;  ///< For `kind`.
 };
 
 /// Looks at the program (its first 400 kB) and concludes. Without any sign: Rs274, the common core.

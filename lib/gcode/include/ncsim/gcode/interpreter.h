@@ -78,6 +78,7 @@ struct Interpretation {
     std::vector<std::string> files;  ///< [0] is the program; O-files that were called follow.
     DialectFindings dialect;         ///< What the program was read as, and why.
     bool refused = false;            ///< Not a milling program we read; nothing was run.
+    bool stopped = false;            ///< Stopped before its end, by a limit or a missing part.
     bool ended = false;              ///< M2, M30, or a closing '%' was met.
 };
 
