@@ -191,7 +191,8 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
         centre(state_.absolute_centres);
         // What grbl and most controls let pass ends up as a spiral.
         const double difference = std::abs(r0 - r1);
-        if (difference * state_.unit_mm() <= 0.5 && difference <= 0.05 * std::max(r0, r1)) {
+        const double mm = difference * state_.unit_mm();
+        if (mm <= 0.1 || (mm <= 0.5 && difference <= 0.05 * std::max(r0, r1))) {
             warn(Message::ArcSpiral, command.span, {name, number(r0), number(r1)});
             return true;
         }

@@ -303,6 +303,14 @@ private:
                 add(turning_, 2, 4, "turning cycles from P to Q", line);
             }
         }
+        const bool is_arc = contains(code, "G2") || contains(code, "G02") || contains(code, "G3") ||
+                            contains(code, "G03");
+        if (contains(code, "G18") || contains(code, "G19")) has_plane_ = true;
+        if (is_arc && !has_plane_ && code.find('K') != std::string::npos &&
+            code.find('Z') != std::string::npos && code.find('X') != std::string::npos &&
+            code.find('J') == std::string::npos) {
+            add(turning_, 7, 4, "arcs in X and Z without G18", line);
+        }
         if (contains(split_.remarks, "LATHE"))
             add(turning_, 3, 3, "a comment speaks of a lathe", line);
         if (contains(split_.remarks, "TURNING"))
@@ -328,6 +336,7 @@ private:
     bool has_y_ = false;
     bool has_xz_ = false;
     bool has_words_ = false;
+    bool has_plane_ = false;
 };
 
 /// NUL and other control bytes do not come in programs.

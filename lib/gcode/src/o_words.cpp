@@ -55,7 +55,9 @@ void Runner::o_word() {
                 }
             }
             if (!end) {
-                fault(Message::SubEndMissing, control.span, {label});
+                // The rest of the file belongs to it.
+                log_.add(rules_.strict ? Severity::Error : Severity::Warning,
+                         Message::SubEndMissing, control.span, {label});
                 ended_ = true;
                 return;
             }

@@ -189,7 +189,7 @@ std::optional<double> Parameters::named(std::string_view name) const {
 
 bool Parameters::set_named(std::string_view name, double value) {
     const bool global = name.starts_with('_');
-    if (global && name != "_value" && predefined(name, view)) return false;
+    if (strict_ && global && name != "_value" && predefined(name, view)) return false;
     auto& names = global ? global_names_ : local_names_;
     if (const auto found = names.find(name); found != names.end()) {
         found->second = value;

@@ -221,9 +221,13 @@ private:
         static constexpr std::array<std::string_view, 5> kFanucOutput = {"dprnt", "bprnt", "popen",
                                                                          "pclos", "setvn"};
         const char c = text_[0];
+        // M117 and M118 show the rest of their line on a display.
+        const bool shows = (text_.starts_with("m117") || text_.starts_with("m118")) &&
+                           text_.size() > 4 && is_letter(text_[4]);
         const bool fanuc = std::ranges::any_of(
             kFanucOutput, [&](std::string_view name) { return text_.starts_with(name); });
-        if (c != '$' && c != '?' && c != '!' && c != '~' && c != '<' && c != '&' && !fanuc)
+        if (c != '$' && c != '?' && c != '!' && c != '~' && c != '<' && c != '&' && !fanuc &&
+            !shows)
             return false;
         block_.kind = tolerate(Message::ConsoleCommand, span(0, text_.size()),
                                {line_.substr(0, std::min<std::size_t>(line_.size(), 20))})
@@ -305,6 +309,11 @@ private:
             }
             return false;
         }
+        // "X#1-#2": some controls calculate without brackets, too.
+        const bool goes_on = at_ + 1 < text_.size() &&
+                             std::string_view("+-*/").find(text_[at_]) != std::string_view::npos &&
+                             starts_value(text_[at_ + 1]);
+        if (goes_on && !reader_.options_.strict && !skip_operations()) return false;
         block_.words.push_back(
             {letter, comma, false, 0.0, span(start, at_), text_.substr(value, at_ - value)});
         return true;
@@ -353,8 +362,8 @@ private:
             block_.control = {
                 ControlWord::ProgramNumber, text_.substr(label, at_ - label), {}, span(start, at_)};
             return true;  // "OCIRCLE": a program with a name
-        } else if (text_[start] == ':' && !reader_.options_.strict && at_ < text_.size() &&
-                   !is_digit(text_[at_])) {
+        } else if (text_[start] == ':' && !reader_.options_.strict &&
+                   (at_ >= text_.size() || !is_digit(text_[at_]))) {
             at_ = text_.size();  // ": G90 …": a remark of other controls
             block_.kind = BlockKind::Command;
             report(Message::ConsoleCommand, span(start, at_),
@@ -435,7 +444,8 @@ private:
         const std::size_t start = at_;
         const bool is_if = rest.starts_with("if");
         const bool is_do = rest.size() > 2 && rest.starts_with("do") && is_digit(rest[2]);
-        const bool is_while = rest.starts_with("while") || is_do;
+        const bool is_short = rest.starts_with("wh[");  // Fanuc reads the first two letters
+        const bool is_while = rest.starts_with("while") || is_short || is_do;
         if (!is_if && !is_while && !rest.starts_with("goto") &&
             !(rest.starts_with("end") && rest.size() > 3 && is_digit(rest[3]))) {
             return false;
@@ -450,7 +460,7 @@ private:
         if (is_do) {
             at_ = start + 2;
         } else if (is_if || is_while) {
-            const std::size_t condition = start + (is_if ? 2 : 5);
+            const std::size_t condition = start + (is_if || is_short ? 2 : 5);
             const std::size_t jump = find_outside_brackets(condition, is_if ? "goto" : "do");
             const std::size_t then =
                 is_if ? find_outside_brackets(condition, "then") : std::string_view::npos;

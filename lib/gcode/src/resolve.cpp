@@ -59,7 +59,7 @@ std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span,
 
 std::optional<double> Resolver::value_of(const Word& word) {
     if (word.literal) return word.number;
-    return value_of(word.text, word.span, false);
+    return value_of(word.text, word.span, !rules_.strict);
 }
 
 bool Resolver::take_g(const Word& word, double value, Command& command) {
