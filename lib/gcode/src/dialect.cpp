@@ -37,7 +37,7 @@ std::string_view name_of(Kind kind) {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 400'000;  // posts put their signs at the beginning
+constexpr std::size_t kMostBytes = 128'000;  // posts put their signs at the beginning
 
 /// A text that speaks for a conclusion, in upper case, and how much. In code, words start at a
 /// letter that follows no letter; `in_comments` looks at remarks instead.

@@ -44,7 +44,8 @@ std::optional<std::size_t> ProgramIndex::find(ControlWord word, std::string_view
 
 std::optional<BlockReader::Place> ProgramIndex::find_number(std::uint32_t number,
                                                             std::uint32_t from) const {
-    const auto [first, last] = std::ranges::equal_range(numbers_, number, {}, &Number::number);
+    const auto first = std::ranges::lower_bound(numbers_, number, {}, &Number::number);
+    const auto last = std::ranges::upper_bound(numbers_, number, {}, &Number::number);
     if (first == last) return std::nullopt;
     const auto after = std::find_if(first, last, [&](const Number& n) { return n.line >= from; });
     return (after == last ? first : after)->at;

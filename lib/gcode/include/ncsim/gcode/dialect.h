@@ -44,7 +44,7 @@ struct DialectFindings {
     std::vector<Evidence> kind_evidence;  ///< For `kind`.
 };
 
-/// Looks at the program (its first 400 kB) and concludes. Without any sign: Rs274, the common core.
+/// Looks at the program (its first 128 kB) and concludes. Without any sign: Rs274, the common core.
 DialectFindings detect_dialect(const SourceFile& program);
 
 }  // namespace ncsim::gcode
