@@ -120,14 +120,14 @@ constexpr std::array<KindSigns, 5> kKinds = {{
        {"FN 0", 2, false, "FN 0"}}}},
     {Kind::Siemens,
      4,
-     {{{"WORKPIECE(", 4, false, "WORKPIECE(…)"},
-       {"CYCLE8", 4, false, "CYCLE8x(…)"},
-       {"CYCLE7", 4, false, "CYCLE7x(…)"},
+     {{{"WORKPIECE", 4, false, "WORKPIECE"},
+       {"CYCLE8", 4, false, "CYCLE8x"},
+       {"CYCLE7", 4, false, "CYCLE7x"},
        {"CYCLE800", 4, false, "CYCLE800"},
        {"DEF REAL", 4, false, "DEF REAL"},
-       {"MSG(\"", 3, false, "MSG(\"…\")"},
+       {"MSG", 3, false, "MSG"},
        {";$PATH=", 4, true, ";$PATH="},
-       {"_MPF", 4, false, "%_N_…_MPF"},
+       {"_MPF", 4, false, "a name ending in _MPF"},
        {"SUPA", 2, false, "SUPA"},
        {"CYCLE832", 4, false, "CYCLE832"}}}},
     {Kind::Printer,
@@ -219,8 +219,9 @@ public:
         const std::string& code = split_.code;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
             const char next = code[i + 1];
-            if (is_letter(code[i]) && (is_digit(next) || next == '-' || next == '.' ||
-                                       next == '#' || next == '[' || next == ' ' || next == '+')) {
+            if (is_letter(code[i]) &&
+                (is_digit(next) || next == '-' || next == '.' || next == '#' || next == '[' ||
+                 next == ' ' || next == '+' || next == '<')) {
                 has_words_ = true;
             }
         }

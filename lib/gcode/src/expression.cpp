@@ -152,9 +152,8 @@ private:
         const std::optional<double> number = value();
         if (!number) return std::nullopt;
         if (const std::optional<double> found = parameters_.numbered(*number)) return found;
-        return fail(Message::ParameterRange,
-                    std::to_string(static_cast<long long>(
-                        std::isnan(*number) ? 0.0 : std::clamp(*number, -1e15, 1e15))));
+        const double shown = std::isnan(*number) ? 0.0 : std::clamp(*number, -1e15, 1e15);
+        return fail(Message::ParameterRange, std::to_string(static_cast<long long>(shown)));
     }
 
     std::optional<double> function() {

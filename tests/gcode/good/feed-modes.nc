@@ -1,0 +1,8 @@
+; G93, G94, G95; a rotary move is fed in degrees
+G21 G90 G0 X0 Y0 Z0 A0
+G93 G1 X10 F2
+G94 G1 X20 F100
+G95 G1 X30 F0.1
+G94 F360 G1 A90
+G1 X40 A0 F100
+M2

@@ -1,0 +1,8 @@
+; dialect: haas
+G21 G90 G0 X0
+M97 P100 L2
+X9
+M30
+N100 G91 X1
+G90
+M99

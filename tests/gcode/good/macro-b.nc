@@ -1,0 +1,22 @@
+; dialect: fanuc
+G21 G90 G0 X0 Y0 Z5
+#1=3
+N10 IF[#1LT1]GOTO20
+G0 X#1
+#1=#1-1
+GOTO10
+N20 IF [#2 EQ #0] THEN #3=7
+G0 X#3 Y#2 (vacant: Y is not there)
+WHILE[#3LE9]DO1
+G0 Y#3
+#3=#3+1
+END1
+G65 P9001 A1.5 B2 I10 I20
+G0 Z[FIX[-2.8]]
+G4 P500
+G4 X1.5
+M30
+O9001
+G0 X#1 Y#2 Z#4
+G0 Z#7
+M99

@@ -1,0 +1,13 @@
+; dialect: fanuc
+G21 G91 G0 X0 Y0
+M98 P7 L2
+M98 P30007
+M98 P77
+M30
+O7
+X1
+M98 P8
+M99
+O8
+Y1
+M99

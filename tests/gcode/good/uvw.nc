@@ -1,0 +1,5 @@
+; secondary axes
+G21 G90 G0 X0 Y0 Z0 U0 V0 W0 F100
+G1 U5 W-2
+G17.1 G2 U10 I2.5
+M2
