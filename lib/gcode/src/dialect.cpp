@@ -218,12 +218,13 @@ public:
         look_for_header(number);
         const std::string& code = split_.code;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
-            const char next = code[i + 1];
-            if (is_letter(code[i]) &&
-                (is_digit(next) || next == '-' || next == '.' || next == '#' || next == '[' ||
-                 next == ' ' || next == '+' || next == '<')) {
-                has_words_ = true;
-            }
+            const std::size_t value = code.find_first_not_of(' ', i + 1);
+            if (!is_letter(code[i]) || value == std::string::npos) continue;
+            const char first = code[value];
+            const bool signed_or_point = first == '-' || first == '+' || first == '.';
+            const bool digit_follows = value + 1 < code.size() && is_digit(code[value + 1]);
+            has_words_ = has_words_ || is_digit(first) || first == '#' || first == '[' ||
+                         first == '<' || (signed_or_point && digit_follows);
         }
     }
 

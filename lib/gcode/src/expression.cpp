@@ -198,7 +198,7 @@ private:
         const std::optional<double> a = expression(0);
         if (!a) return std::nullopt;
         std::optional<double> b = 1.0;
-        if (skip(',')) {
+        if (!arithmetic_.strict && skip(',')) {
             b = expression(0);
             if (!b) return std::nullopt;
             if (!skip(']')) return fail(Message::BracketExpected, rest());

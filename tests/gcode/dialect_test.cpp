@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a program is taken for, and that stating a dialect wins over concluding one.
+#include "ncsim/gcode/dialect.h"
+
+#include "ncsim/gcode/interpreter.h"
+
+#include <gtest/gtest.h>
+
+namespace ncsim::gcode {
+namespace {
+
+struct Case {
+    const char* text;
+    Dialect dialect;
+    Kind kind;
+};
+
+TEST(Dialect, IsConcludedFromSignsInTheProgram) {
+    const Case cases[] = {
+        {"G21\nG1 X1 Y1 F1\n", Dialect::Rs274, Kind::Milling},
+        {"%\nO1234 (PART)\nG28 G91 Z0\n", Dialect::Fanuc, Kind::Milling},
+        {"#1=2\nIF[#1LT3]GOTO10\nN10 X1 Y1\n", Dialect::Fanuc, Kind::Milling},
+        {"o<a> sub\nG0 X1 Y1\no<a> endsub\n", Dialect::Rs274, Kind::Milling},
+        {"%\nO00001\nG187 P1\nG0 X1 Y1\n", Dialect::Haas, Kind::Milling},
+        {"$H\nG0 X1 Y1\n", Dialect::Grbl, Kind::Milling},
+        {"(Mach3 post)\nG0 X1 Y1\n", Dialect::Mach3, Kind::Milling},
+        {"0 BEGIN PGM A MM\n1 L X+1 Y+1 R0 FMAX\n", Dialect::Rs274, Kind::Heidenhain},
+        {"WORKPIECE(,\"\",,\"BOX\")\nG0 X1 Y1\n", Dialect::Rs274, Kind::Siemens},
+        {"M104 S200\nM140 S60\nG1 X1 Y1 E1\n", Dialect::Rs274, Kind::Printer},
+        {"T0101\nG96 S200 M3\nG0 X20 Z2\n", Dialect::Rs274, Kind::Lathe},
+        {"; LightBurn 1.0\nM4 S0\nG1 X1 Y1 S100\n", Dialect::Rs274, Kind::Laser},
+        {"(plasma cut)\nM3\nG1 X1 Y1\n", Dialect::Rs274, Kind::Plasma},
+        {"Dear reader,\nthis is prose.\n", Dialect::Rs274, Kind::NotAProgram},
+        {"", Dialect::Rs274, Kind::NotAProgram},
+    };
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.text);
+        const DialectFindings findings = detect_dialect({"t.nc", c.text});
+        EXPECT_EQ(name_of(findings.dialect), name_of(c.dialect));
+        EXPECT_EQ(name_of(findings.kind), name_of(c.kind));
+    }
+}
+
+TEST(Dialect, OfBinaryBytesIsNone) {
+    std::string bytes(4096, '\x01');
+    EXPECT_EQ(detect_dialect({"t.bin", bytes}).kind, Kind::NotAProgram);
+    const Interpretation result = interpret({"t.bin", bytes}, {}, {});
+    EXPECT_TRUE(result.refused);
+    EXPECT_TRUE(has_errors(result.diagnostics));
+}
+
+TEST(Dialect, ThatIsStatedWins) {
+    InterpreterOptions options;
+    options.dialect = Dialect::Grbl;
+    const Interpretation result = interpret({"t.nc", "%\nO1234\nG0 X1 Y1\nM30\n"}, options, {});
+    EXPECT_EQ(result.dialect.dialect, Dialect::Grbl);
+    EXPECT_TRUE(result.dialect.stated);
+}
+
+TEST(Interpreter, PassesOverAllowedWordsInSilence) {
+    InterpreterOptions options;
+    options.allow = {"G187", "m333", "E"};
+    const SourceFile file{"t.nc", "G21 G0 X1 Y1\nG187 P1\nM333\nG1 X2 E4 F1\nM2\n"};
+    options.dialect = Dialect::Haas;
+    EXPECT_TRUE(interpret(file, options, {}).diagnostics.empty());
+    options.allow.clear();
+    EXPECT_EQ(interpret(file, options, {}).diagnostics.size(), 3U);
+}
+
+TEST(Interpreter, SaysWhichUnitsTheFirstLengthHad) {
+    EXPECT_FALSE(interpret({"t.nc", "G0 X1\nG20\n"}, {}, {}).units_stated);
+    const Interpretation inches = interpret({"t.nc", "G20 G0 X1\nG21\n"}, {}, {});
+    EXPECT_TRUE(inches.units_stated);
+    EXPECT_TRUE(inches.uses_inches);
+}
+
+TEST(Interpreter, SkipsDeletedBlocksOnlyWhenAsked) {
+    InterpreterOptions options;
+    const SourceFile file{"t.nc", "G0 X1\n/X2\nM2\n"};
+    EXPECT_EQ(interpret(file, options, {}).motions, 2U);
+    options.block_delete = true;
+    EXPECT_EQ(interpret(file, options, {}).motions, 1U);
+}
+
+TEST(Interpreter, TellsTheFrameAMotionWasProgrammedIn) {
+    InterpreterOptions options;
+    std::vector<ProgramFrame> frames;
+    options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
+        frames.push_back(frame);
+    };
+    interpret({"t.nc", "G20 G55 G92 X1\nG18 G0 X2\nM2\n"}, options, {});
+    ASSERT_EQ(frames.size(), 1U);
+    EXPECT_TRUE(frames[0].inches);
+    EXPECT_EQ(frames[0].system, 2);
+    EXPECT_EQ(frames[0].offset_92[kX], -1.0);
+    EXPECT_EQ(frames[0].plane, Plane::ZX);
+}
+
+TEST(Interpreter, StaysWithinItsLimits) {
+    InterpreterOptions options;
+    options.limits.repeated_blocks = 100;
+    const Interpretation result =
+        interpret({"t.nc", "o1 while [1]\nG91 G0 X1\no1 endwhile\n"}, options, {});
+    EXPECT_TRUE(result.stopped);
+    EXPECT_LE(result.motions, 100U);
+}
+
+}  // namespace
+}  // namespace ncsim::gcode
