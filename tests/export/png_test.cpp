@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/export/png.h"
 
+#include "read_png.h"
+
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -29,17 +31,6 @@ std::string written(const Image& image) {
     return out.str();
 }
 
-Image read_back(const std::string& bytes) {
-    png_image header{};
-    header.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()), 0);
-    header.format = PNG_FORMAT_RGBA;
-    Image image{header.width, header.height, {}};
-    image.pixels.resize(std::size_t{header.width} * header.height);
-    EXPECT_NE(png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr), 0);
-    return image;
-}
-
 // Takes so many bytes, then no more, as a full disk does.
 class FullDisk : public std::streambuf {
 public:
@@ -59,7 +50,7 @@ private:
 
 TEST(WritePng, ReadsBackAsItWas) {
     for (const auto& image : {chequered(1, 1, 255), chequered(31, 7, 255), chequered(5, 40, 90)}) {
-        EXPECT_EQ(read_back(written(image)), image);
+        EXPECT_EQ(test::read_png(written(image)), image);
     }
 }
 

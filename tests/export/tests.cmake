@@ -4,10 +4,12 @@ ncsim_add_test(export
     box_part.cpp
     camera_test.cpp
     gltf_test.cpp
+    golden_test.cpp
     merge_faces_test.cpp
     ply_test.cpp
     png_test.cpp
     polytope_part.cpp
+    read_png.cpp
     render_test.cpp
     sheet_test.cpp
     step_test.cpp
