@@ -58,6 +58,7 @@ std::optional<std::size_t> Runner::open_file(const std::string& name) {
     const SourceFile* kept = owned.get();
     files_.push_back(
         {kept, std::move(owned), BlockReader(*kept, {.strict = rules_.strict}), nullptr});
+    most_blocks_ += line_count(*kept);
     result_.files.push_back(kept->name);
     return files_.size() - 1;
 }
@@ -119,7 +120,7 @@ void Runner::leave_frame() {
     repeats_.resize(std::min(repeats_.size(), frame.repeats));
     if (frame.remaining > 0) {
         --frame.remaining;
-        if (++repeated_ > options_.limits.repeated_blocks) {
+        if (++repeated_ > most_blocks_) {
             fault(Message::StepLimit, block_.line_span());
             ended_ = true;
         }

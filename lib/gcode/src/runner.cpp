@@ -18,7 +18,12 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
       machine_(options, rules, log, path_, parameters_),
       resolver_(rules, parameters_, log, options.allow) {
     parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
+    most_blocks_ = options.limits.repeated_blocks + line_count(program);
     files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});
+}
+
+std::uint64_t Runner::line_count(const SourceFile& file) {
+    return static_cast<std::uint64_t>(std::ranges::count(file.text, '\n')) + 1;
 }
 
 void Runner::run() {
@@ -51,9 +56,9 @@ bool Runner::step() {
         return true;
     }
     ++result_.lines;
-    // Blocks read beyond the length of the program were read before: by a loop or a call.
+    // What exceeds the lines there are was read before, by a loop or a call.
     if (!frames_.empty() || repeated_ > 0) {
-        if (++repeated_ > options_.limits.repeated_blocks) {
+        if (++repeated_ > most_blocks_) {
             fault(Message::StepLimit, block_.line_span());
             ended_ = true;
             return false;

@@ -56,6 +56,8 @@ private:
         std::size_t marker = 0;
     };
 
+    static std::uint64_t line_count(const SourceFile& file);
+
     // One block
     bool step();
     bool percent();
@@ -106,8 +108,9 @@ private:
     std::vector<Repeat> repeats_;
     Block block_;
     Command command_;
-    std::uint64_t repeated_ = 0;      // blocks run again
-    std::uint64_t first_run_ = 0;     // how far each file was read straight on
+    std::uint64_t repeated_ = 0;  // blocks since the first jump or call
+    std::uint64_t most_blocks_ =
+        0;  // what `repeated_` may reach: the limit and the lines there are
     std::uint32_t else_if_line_ = 0;  // an elseif that was jumped to, not run into
     std::string modal_call_;          // G66: the block to run after each move
     bool in_main_title_ = false;      // after "O1" of the main program

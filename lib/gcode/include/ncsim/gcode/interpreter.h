@@ -38,7 +38,7 @@ using FileReader = std::function<std::optional<SourceFile>(std::string_view name
 
 /// Where a program that does not end is stopped, with a diagnostic.
 struct Limits {
-    std::uint64_t repeated_blocks = 4'000'000;  ///< Blocks run again by loops, calls and repeats.
+    std::uint64_t repeated_blocks = 4'000'000;  ///< Blocks run again by loops, calls, repeats.
     std::uint32_t call_depth = 64;
 };
 
@@ -77,9 +77,10 @@ struct Interpretation {
     std::uint64_t motions = 0;
     std::vector<std::string> files;  ///< [0] is the program; O-files that were called follow.
     DialectFindings dialect;         ///< What the program was read as, and why.
-    bool refused = false;            ///< Not a milling program we read; nothing was run.
-    bool stopped = false;            ///< Stopped before its end, by a limit or a missing part.
-    bool ended = false;              ///< M2, M30, or a closing '%' was met.
+    /// Not a milling program we read, or stopped at a code that would misplace all that follows.
+    bool refused = false;
+    bool stopped = false;  ///< Stopped before its end, by a limit or a missing part.
+    bool ended = false;    ///< M2, M30, or a closing '%' was met.
 };
 
 /// Called for each motion in the order of execution. The reference is valid during the call.
