@@ -25,7 +25,11 @@ double now_in_seconds() {
 
 // Models by name; the one place that knows them.
 std::unique_ptr<cda::WorkpieceModel> prototype(const Options& options) {
-    if (options.model == "cda") return std::make_unique<cda::TreeCda>();
+    if (options.model == "cda") {
+        cda::TreeParameters parameters;
+        parameters.threads = options.threads;
+        return std::make_unique<cda::TreeCda>(parameters);
+    }
     if (options.model == "cda-flat") {
         const bool timed = !options.stats.empty();
         return std::make_unique<cda::FlatCda>(timed ? &now_in_seconds : nullptr);

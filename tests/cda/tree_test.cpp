@@ -67,6 +67,20 @@ TEST(TreeCda, DoesNotDependOnHowItSplits) {
     }
 }
 
+TEST(TreeCda, DoesNotDependOnTheNumberOfThreads) {
+    const auto cuts = random_cuts(79, 80, 60000);
+    TreeCda one(kStock, kLattice, {4, 2, 1});
+    for (const Cell& cut : cuts)
+        one.subtract_unmeasured(cut);
+    for (const std::uint32_t threads : {2U, 8U}) {
+        TreeCda many(kStock, kLattice, {4, 2, threads});
+        for (const Cell& cut : cuts)
+            many.subtract_unmeasured(cut);
+        EXPECT_EQ(many.volume(), one.volume());  // to the last bit
+        expect_same(many.boundary(), one.boundary());
+    }
+}
+
 TEST(TreeCda, DoesNotDependOnTheOrderOfCuts) {
     auto cuts = random_cuts(78, 60, 60000);
     const Boundary expected = milled(TreeCda(kStock, kLattice), cuts);

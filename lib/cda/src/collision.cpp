@@ -145,7 +145,7 @@ private:
 std::optional<Vec3> collision(const FlatCda& part, const Cell& body) {
     const auto piece = first_piece(part, body, [](const ConvexPolytope&) { return true; });
     if (!piece) return std::nullopt;
-    return part.lattice().unit_mm * inner_point(*piece);
+    return part.lattice().to_mm(inner_point(*piece));
 }
 
 std::optional<Vec3> collision(const FlatCda& part, const TriangleMesh& body) {
@@ -163,7 +163,7 @@ std::optional<Vec3> collision(const FlatCda& part, const TriangleMesh& body) {
         return certificate.has_value();
     });
     if (!certificate) return std::nullopt;
-    return part.lattice().unit_mm * *certificate;
+    return part.lattice().to_mm(*certificate);
 }
 
 }  // namespace ncsim::cda

@@ -264,7 +264,7 @@ void FlatCda::render(FacetCanvas& canvas) const {
         std::vector<Vec3> corners;
         corners.reserve(p.corners.size());
         for (const ExactPoint& c : p.corners)
-            corners.push_back(lattice_.unit_mm * c.approx);
+            corners.push_back(lattice_.to_mm(c.approx));
         return corners;
     };
     const auto draw = [&](const CdaCell& cell, const FacetRef& facet, bool inside_out) {

@@ -32,8 +32,14 @@ LatticePoint Lattice::round(Vec3 p_mm) const {
 }
 
 Vec3 Lattice::to_mm(LatticePoint p) const {
-    return {static_cast<double>(p.x) * unit_mm, static_cast<double>(p.y) * unit_mm,
-            static_cast<double>(p.z) * unit_mm};
+    return to_mm(
+        Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+}
+
+Vec3 Lattice::to_mm(Vec3 p_units) const {
+    if (unit_mm >= 1.0) return unit_mm * p_units;
+    const double units_in_mm = std::round(1.0 / unit_mm);
+    return {p_units.x / units_in_mm, p_units.y / units_in_mm, p_units.z / units_in_mm};
 }
 
 Cell box_cell(LatticePoint min, LatticePoint max, const Lattice& lattice, Origin origin) {

@@ -520,7 +520,7 @@ private:
         const auto name = [&](std::uint32_t& number, Vec3 p) {
             if (number == kNone) {
                 number = static_cast<std::uint32_t>(boundary.vertices.size());
-                boundary.vertices.push_back(lattice_.unit_mm * p);
+                boundary.vertices.push_back(lattice_.to_mm(p));
             }
             return number;
         };

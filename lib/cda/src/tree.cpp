@@ -13,11 +13,17 @@
 #include "stitch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <functional>
+#include <iterator>
+#include <mutex>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 namespace ncsim::cda {
@@ -93,8 +99,8 @@ public:
     Evaluation(const TreeCda& tree, const std::vector<Plane>* window, Sink sink)
         : tree_(tree), window_(window), sink_(std::move(sink)) {}
 
-    void run() {
-        const HalfBox& box = tree_.root_box_;
+    // A box of the tree; boxes that together are the whole may be run in any order, by any thread.
+    void run(std::uint32_t node, const HalfBox& box) {
         const std::vector<FilterPlane> stock_planes(tree_.stock_planes_.begin(),
                                                     tree_.stock_planes_.end());
         std::vector<FilterPlane> window_planes;
@@ -103,7 +109,7 @@ public:
         if (!active(addresses(window_planes), box, window)) return;
         Planes stock;
         active(addresses(stock_planes), box, stock);
-        visit(0, box, stock, window);
+        visit(node, box, stock, window);
     }
     const TreeCounts& counts() const { return counts_; }
 
@@ -582,36 +588,109 @@ double TreeCda::volume_below(const ConvexPolygon& piece, bool is_wall) const {
     return (is_wall ? -part : part) * cube(lattice_.unit_mm);
 }
 
+// Boxes of the tree down to three levels: enough to keep threads busy. The same for any number of
+// them, so that sums are added up in the same order.
+std::vector<TreeCda::Task> TreeCda::tasks() const {
+    constexpr int kLevels = 3;
+    std::vector<Task> all;
+    const auto collect = [&](const auto& self, std::uint32_t node, const HalfBox& box,
+                             int level) -> void {
+        if (nodes_[node].kind == NodeKind::Empty) return;
+        if (nodes_[node].kind == NodeKind::Material || level == kLevels) {
+            all.push_back({node, box});
+            return;
+        }
+        for (std::uint32_t child = 0; child < 8; ++child) {
+            self(self, nodes_[node].first_child + child, child_box(box, child), level + 1);
+        }
+    };
+    collect(collect, 0, root_box_, 0);
+    return all;
+}
+
+void TreeCda::for_each_task(std::size_t tasks, const std::function<void(std::size_t)>& work) const {
+    const std::size_t wanted =
+        parameters_.threads > 0 ? parameters_.threads : std::thread::hardware_concurrency();
+    const std::size_t count = std::clamp<std::size_t>(wanted, 1, tasks);
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex failure_mutex;
+    const auto worker = [&] {
+        try {
+            for (std::size_t i = next++; i < tasks; i = next++)
+                work(i);
+        } catch (...) {
+            const std::lock_guard lock(failure_mutex);
+            failure = std::current_exception();
+            next = tasks;
+        }
+    };
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < count; ++i)
+        others.emplace_back(worker);
+    worker();
+    others.clear();  // joins
+    if (failure) std::rethrow_exception(failure);
+}
+
 double TreeCda::evaluated_volume(const std::vector<Plane>* window) const {
-    double sum = 0.0;
-    Evaluation evaluation(*this, window, [&](const FilteredPolygon& piece, Origin, bool is_wall) {
-        sum += volume_below(piece.exact(), is_wall);
-    });
-    evaluation.run();
-    return sum;
+    const std::vector<Task> boxes = tasks();
+    std::vector<double> sums(boxes.size(), 0.0);
+    const auto work = [&](std::size_t i) {
+        Evaluation evaluation(*this, window,
+                              [&](const FilteredPolygon& piece, Origin, bool is_wall) {
+                                  sums[i] += volume_below(piece.exact(), is_wall);
+                              });
+        evaluation.run(boxes[i].node, boxes[i].box);
+    };
+    // A window is small: starting threads would take longer than looking through it.
+    if (window) {
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            work(i);
+    } else {
+        for_each_task(boxes.size(), work);
+    }
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 std::vector<Fragment> TreeCda::fragments() const {
+    struct Result {
+        std::vector<Fragment> fragments;
+        double volume = 0.0;
+        TreeCounts counts;
+    };
+    const std::vector<Task> boxes = tasks();
+    std::vector<Result> results(boxes.size());
+    for_each_task(boxes.size(), [&](std::size_t i) {
+        Result& result = results[i];
+        Evaluation evaluation(
+            *this, nullptr, [&](const FilteredPolygon& filtered, Origin origin, bool is_wall) {
+                const ConvexPolygon piece = filtered.exact();
+                result.volume += volume_below(piece, is_wall);
+                const ConvexPolygon outer = is_wall ? turned_over(piece) : piece;
+                Fragment fragment{outer.plane, origin, {{}}};
+                for (std::size_t k = 0; k < outer.corners.size(); ++k) {
+                    fragment.loops[0].push_back({outer.corners[k], outer.edges[k]});
+                }
+                result.fragments.push_back(std::move(fragment));
+            });
+        evaluation.run(boxes[i].node, boxes[i].box);
+        result.counts = evaluation.counts();
+    });
+
     std::vector<Fragment> all;
-    double sum = 0.0;
-    Evaluation evaluation(*this, nullptr,
-                          [&](const FilteredPolygon& filtered, Origin origin, bool is_wall) {
-                              const ConvexPolygon piece = filtered.exact();
-                              sum += volume_below(piece, is_wall);
-                              const ConvexPolygon outer = is_wall ? turned_over(piece) : piece;
-                              Fragment fragment{outer.plane, origin, {{}}};
-                              for (std::size_t i = 0; i < outer.corners.size(); ++i) {
-                                  fragment.loops[0].push_back({outer.corners[i], outer.edges[i]});
-                              }
-                              all.push_back(std::move(fragment));
-                          });
-    evaluation.run();
-    volume_ = sum;
+    double volume = 0.0;
     counts_.nodes = nodes_.size() - 8 * free_children_.size();
-    counts_.leaves_evaluated = evaluation.counts().leaves_evaluated;
-    counts_.facets_tested = evaluation.counts().facets_tested;
-    counts_.facets_alive = evaluation.counts().facets_alive;
-    counts_.fragments = evaluation.counts().fragments;
+    counts_.leaves_evaluated = counts_.facets_tested = counts_.facets_alive = counts_.fragments = 0;
+    for (Result& result : results) {
+        std::move(result.fragments.begin(), result.fragments.end(), std::back_inserter(all));
+        volume += result.volume;
+        counts_.leaves_evaluated += result.counts.leaves_evaluated;
+        counts_.facets_tested += result.counts.facets_tested;
+        counts_.facets_alive += result.counts.facets_alive;
+        counts_.fragments += result.counts.fragments;
+    }
+    volume_ = volume;
     return all;
 }
 
@@ -624,7 +703,7 @@ void TreeCda::render(FacetCanvas& canvas) const {
     for (const Fragment& fragment : fragments()) {
         std::vector<Vec3> outline;
         for (const auto& corner : fragment.loops[0]) {
-            outline.push_back(lattice_.unit_mm * corner.point.approx);
+            outline.push_back(lattice_.to_mm(corner.point.approx));
         }
         canvas.draw({unit_normal(fragment.plane), fragment.origin, outline, {}});
     }

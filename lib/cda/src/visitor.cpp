@@ -75,9 +75,9 @@ public:
     explicit XmlVisitor(std::ostream& out) : out_(out) {}
 
     void visit_cda(const FlatCda& cda) override {
-        unit_ = cda.lattice().unit_mm;
+        lattice_ = cda.lattice();
         out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<cda unit_mm=\"";
-        write_number(out_, unit_);
+        write_number(out_, lattice_.unit_mm);
         out_ << "\">\n";
     }
 
@@ -136,12 +136,13 @@ private:
         is_open_ = false;
     }
     void write_vertex(std::string_view indent, const ExactPoint& vertex) {
+        const Vec3 mm = lattice_.to_mm(vertex.approx);
         out_ << indent << "<vertex x=\"";
-        write_number(out_, unit_ * vertex.approx.x);
+        write_number(out_, mm.x);
         out_ << "\" y=\"";
-        write_number(out_, unit_ * vertex.approx.y);
+        write_number(out_, mm.y);
         out_ << "\" z=\"";
-        write_number(out_, unit_ * vertex.approx.z);
+        write_number(out_, mm.z);
         out_ << "\"/>\n";
     }
     void write_plane(const Plane& plane) {
@@ -164,7 +165,7 @@ private:
     }
 
     std::ostream& out_;
-    double unit_ = 1.0;
+    Lattice lattice_;
     bool is_open_ = false;
 };
 

@@ -48,6 +48,9 @@ struct Lattice {
     /// Coordinates beyond kMaxPose are clamped to it.
     LatticePoint round(Vec3 p_mm) const;
     Vec3 to_mm(LatticePoint p) const;
+    /// The same for points between lattice points. Divides by the units in a millimetre, a whole
+    /// number for units below one: what was a round number of millimetres stays one.
+    Vec3 to_mm(Vec3 p_units) const;
 };
 
 }  // namespace ncsim::cda

@@ -7,7 +7,9 @@
 #include "ncsim/cda/workpiece.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,10 +31,11 @@ struct TreeCounts {
     std::uint64_t fragments = 0;         ///< Convex pieces handed to the stitching.
 };
 
-/// How the tree splits; none of it changes a result.
+/// How the tree works; none of it changes a result.
 struct TreeParameters {
     std::uint32_t insertion_leaf = 24;  ///< Cells in a leaf before it is split while cutting.
     std::uint32_t evaluation_leaf = 8;  ///< Cells in a leaf before it is refined for evaluation.
+    std::uint32_t threads = 0;          ///< That evaluate; 0: as many as the machine has.
 };
 
 class TreeCda final : public WorkpieceModel {
@@ -77,6 +80,10 @@ private:
         std::vector<std::uint32_t> cells;  // Material: what may cut it
     };
     class Evaluation;
+    struct Task {
+        std::uint32_t node;
+        HalfBox box;
+    };
 
     static HalfBox child_box(const HalfBox& box, std::uint32_t child);
     std::span<const Plane> planes_of(std::uint32_t cell) const;
@@ -90,6 +97,8 @@ private:
     double volume_below(const ConvexPolygon& piece, bool is_wall) const;
     double evaluated_volume(const std::vector<Plane>* window) const;
     std::vector<Fragment> fragments() const;
+    std::vector<Task> tasks() const;
+    void for_each_task(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
 
     TreeParameters parameters_;
     Lattice lattice_;
