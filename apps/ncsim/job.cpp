@@ -6,7 +6,9 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -46,6 +48,23 @@ bool is_binary(std::string_view text) {
     return text.substr(begin, last + 1 - begin).find('\0') != std::string_view::npos;
 }
 
+// Subprograms live in files beside the program: "O<probe>" in probe.ngc, "M98 P1234" in
+// O1234. Only there: a program names no other place.
+std::optional<gcode::SourceFile> read_beside(const std::filesystem::path& folder,
+                                             std::string_view name) {
+    if (name.empty() || name.front() == '.' || name.find('/') != std::string_view::npos) {
+        return std::nullopt;
+    }
+    for (const char* ending : {"", ".ngc", ".nc", ".NC", ".tap"}) {
+        const std::filesystem::path path = folder / std::string(name).append(ending);
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(path, ignored)) {
+            return gcode::SourceFile{path.filename().string(), read_file(path.string())};
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::string base_name(const std::string& path) {
@@ -63,6 +82,8 @@ Job read_job(Options options) {
     job.interpreter.default_units =
         options.inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
     job.interpreter.block_delete = options.block_delete;
+    job.interpreter.read_file = [folder = std::filesystem::path(options.program).parent_path()](
+                                    std::string_view name) { return read_beside(folder, name); };
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-kHomeHeight);
     }

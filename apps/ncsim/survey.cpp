@@ -188,11 +188,9 @@ Survey survey(const Job& job) {
     if (result.interpretation.refused) return result;  // and the interpreter said why
     result.ready = true;
     if (result.feed_moves == 0) {
-        const bool empty = job.program.text.find_first_not_of(" \t\r\n") == std::string::npos;
         tell(result, Severity::Error, "no-motion",
-             empty               ? "the file is empty"
-             : result.moves == 0 ? "the program makes no move"
-                                 : "the program makes no cutting move, only rapid ones",
+             result.moves == 0 ? "the program makes no move"
+                               : "the program makes no cutting move, only rapid ones",
              result.first_move);
         result.ready = false;
         return result;

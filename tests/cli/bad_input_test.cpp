@@ -23,8 +23,8 @@ std::vector<Case> cases() {
     const std::string called = "G21 G90\nT1 M6\n";
     const std::string tool = "(T1 D=10. - flat end mill)\n";
     return {
-        {"empty", "", {}, 1, "the file is empty"},
-        {"blank", " \r\n\n", {}, 1, "the file is empty"},
+        {"empty", "", {}, 1, "there is no NC program in this file"},
+        {"blank", " \r\n\n", {}, 1, "there is no NC program in this file"},
         {"binary",
          std::string("\x7f"
                      "ELF\2\1\1\0\0\0\0\0garbage",

@@ -149,6 +149,17 @@ TEST(Run, BlockDeleteSkipsBlocks) {
     EXPECT_TRUE(contains(some.out, "60.0 mm at feed")) << some.out;
 }
 
+TEST(Run, FindsSubprogramsInFilesBesideTheProgram) {
+    Folder folder;
+    std::string text(kSlot);
+    text.replace(text.find("G1 X30. F500."), 13, "O<slot> call");
+    folder.write("part.nc", text);
+    folder.write("slot.ngc", "O<slot> sub\nG1 X30. F500.\nO<slot> endsub\n");
+    const Ran ran = folder.run({"run", "part.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "0.800 cm3 removed")) << ran.out;
+}
+
 TEST(Run, RetractsThroughMachineZeroLeadAwayFromThePart) {
     Folder folder;
     std::string text(kSlot);
