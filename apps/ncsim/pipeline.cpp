@@ -91,7 +91,7 @@ public:
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
         if (measured_) result_.removed_by_tool[motion.tool] += removed;
-        if (removed > 0.0) result_.removed_by_line[motion.span.line] += removed;
+        if (removed > 0.0) result_.removed_by_block[{motion.file, motion.span.line}] += removed;
         result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, samples.bounds.missed_mm);
         result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, samples.bounds.gained_mm);
     }

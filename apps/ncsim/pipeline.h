@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -23,6 +24,9 @@ struct CutterFacts {
     int sides = 0;
     double error_mm = 0.0;
 };
+
+/// File (index into Interpretation::files, 0: the program) and line.
+using BlockPlace = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The part, and what happened on the way to it.
 struct Simulation {
@@ -33,9 +37,9 @@ struct Simulation {
     double part_volume = 0.0;
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
     std::map<int, double> removed_by_tool;  ///< mm³
-    /// mm³, by line of the program. Only where it was asked for (a report) or costs nothing
+    /// mm³. Only where it was asked for (a report) or costs nothing
     /// (cda-flat).
-    std::map<std::uint32_t, double> removed_by_line;
+    std::map<BlockPlace, double> removed_by_block;
     std::map<int, CutterFacts> cutters;
     toolpath::SampleBounds bounds;  ///< The worst of all motions that met the stock.
 };

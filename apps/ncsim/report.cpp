@@ -186,10 +186,13 @@ void write_report(std::ostream& out, const Outcome& o) {
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     json["tip_extents"] = to_json(o.survey.tip_positions);
     json["tools"] = tools_json(o);
-    if (o.simulation && !o.simulation->removed_by_line.empty()) {
+    if (o.simulation && !o.simulation->removed_by_block.empty()) {
         Json blocks = Json::array();
-        for (const auto& [line, removed] : o.simulation->removed_by_line) {
-            blocks.push_back({{"line", line}, {"removed_mm3", tidy(removed)}});
+        for (const auto& [place, removed] : o.simulation->removed_by_block) {
+            const auto& [file, line] = place;
+            Json block{{"line", line}, {"removed_mm3", tidy(removed)}};
+            if (file > 0 && file < read.files.size()) block["file"] = read.files[file];
+            blocks.push_back(std::move(block));
         }
         json["blocks"] = std::move(blocks);
     }

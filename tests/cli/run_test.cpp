@@ -155,9 +155,12 @@ TEST(Run, FindsSubprogramsInFilesBesideTheProgram) {
     text.replace(text.find("G1 X30. F500."), 13, "O<slot> call");
     folder.write("part.nc", text);
     folder.write("slot.ngc", "O<slot> sub\nG1 X30. F500.\nO<slot> endsub\n");
-    const Ran ran = folder.run({"run", "part.nc"});
+    const Ran ran = folder.run({"run", "part.nc", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "0.800 cm3 removed")) << ran.out;
+    const json report = json::parse(folder.read("a.json"));
+    EXPECT_EQ(report["blocks"][0]["file"], "slot.ngc");
+    EXPECT_EQ(report["blocks"][0]["line"], 2);
 }
 
 TEST(Run, RetractsThroughMachineZeroLeadAwayFromThePart) {
