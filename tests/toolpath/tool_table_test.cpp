@@ -173,7 +173,7 @@ TEST(StockComments, StartPosition) {
 
 TEST(Notes, OfAnyBytesAreATable) {
     EXPECT_TRUE(notes("").tools.empty());
-    EXPECT_TRUE(notes(std::string("\0\xff(T\x01(((D=\n(T1 D=", 20)).tools.empty());
+    EXPECT_TRUE(notes(std::string("\0\xff(T\x01(((D=\n(T1 D=", 17)).tools.empty());
     EXPECT_TRUE(notes("(T99999999999999999999 D=5. CR=0. - flat end mill)").tools.size() <= 1);
 }
 
