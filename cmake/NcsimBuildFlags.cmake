@@ -14,6 +14,8 @@ endif()
 
 if(NCSIM_SANITIZE)
   target_compile_options(ncsim_build_flags INTERFACE
-    -fsanitize=${NCSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    -fsanitize=${NCSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    # GCC 12 sees uninitialised variables in instrumented code where there are none.
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(ncsim_build_flags INTERFACE -fsanitize=${NCSIM_SANITIZE})
 endif()

@@ -82,6 +82,9 @@ Job read_job(Options options) {
     job.interpreter.default_units =
         options.inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
     job.interpreter.block_delete = options.block_delete;
+    job.interpreter.dialect = options.dialect;
+    job.interpreter.strict = options.strict;
+    job.interpreter.allow = options.allow;
     job.interpreter.read_file = [folder = std::filesystem::path(options.program).parent_path()](
                                     std::string_view name) { return read_beside(folder, name); };
     for (gcode::Position& origin : job.interpreter.work_offsets) {

@@ -91,6 +91,16 @@ void choose_model(Options& o) {
     }
 }
 
+gcode::Dialect read_dialect(const std::string& name) {
+    using gcode::Dialect;
+    for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
+                                  Dialect::Grbl, Dialect::Mach3}) {
+        if (name == gcode::name_of(dialect)) return dialect;
+    }
+    throw Refusal{
+        fmt::format("--dialect '{}': expected auto, rs274, fanuc, haas, grbl or mach3", name)};
+}
+
 }  // namespace
 
 std::vector<std::string> outputs_of(const Options& o) {
@@ -109,6 +119,7 @@ std::variant<Options, Farewell> parse_options(const std::vector<std::string>& ar
     std::string view = "iso";
     std::string units = "mm";
     std::string colouring = "tool";
+    std::string dialect = "auto";
     std::string assumed;
     std::vector<std::string> tools;
     double tolerance = o.tolerance;
@@ -145,6 +156,13 @@ std::variant<Options, Farewell> parse_options(const std::vector<std::string>& ar
     run->add_option("--units", units, "Of programs without G20 and G21: mm or inch")
         ->type_name("UNIT");
     run->add_flag("--block-delete", o.block_delete, "Skip blocks that start with '/'");
+    run->add_option("--dialect", dialect,
+                    "Control it was written for: auto, rs274, fanuc, haas, grbl, mach3")
+        ->type_name("NAME");
+    run->add_flag("--strict", o.strict, "Refuse what RS274/NGC as LinuxCNC runs it refuses");
+    run->add_option("--allow", o.allow, "Words to pass over in silence: G187,M198")
+        ->type_name("WORDS")
+        ->delimiter(',');
     run->add_option("--model", o.model, "Workpiece model: cda, cda-flat")->type_name("NAME");
     run->add_option("--tolerance", tolerance, "Of arcs and turning tools, mm [0.005]")
         ->type_name("MM");
@@ -182,6 +200,7 @@ std::variant<Options, Farewell> parse_options(const std::vector<std::string>& ar
         } else if (colouring != "tool") {
             throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", colouring)};
         }
+        o.dialect = read_dialect(dialect);
         if (units != "mm" && units != "inch") {
             throw Refusal{fmt::format("--units '{}': expected mm or inch", units)};
         }

@@ -6,6 +6,7 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
+#include "ncsim/gcode/dialect.h"
 #include "ncsim/toolpath/tool_spec.h"
 
 #include <cstdint>
@@ -37,6 +38,9 @@ struct Options {
     std::optional<toolpath::ToolSpec> assumed_tool;
     bool inches = false;  ///< For programs that say neither G20 nor G21.
     bool block_delete = false;
+    gcode::Dialect dialect = gcode::Dialect::Auto;
+    bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
+    std::vector<std::string> allow;  ///< Words declared harmless: "G187".
 
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.

@@ -87,6 +87,15 @@ TEST(Options, TakeEverythingThatCanBeAskedFor) {
     EXPECT_TRUE(o.quiet);
 }
 
+TEST(Options, NameTheControlAndItsWords) {
+    const Options o =
+        options({"run", "part.nc", "--dialect", "haas", "--strict", "--allow", "G187,M198"});
+    EXPECT_EQ(o.dialect, gcode::Dialect::Haas);
+    EXPECT_TRUE(o.strict);
+    EXPECT_EQ(o.allow, (std::vector<std::string>{"G187", "M198"}));
+    EXPECT_EQ(options({"run", "part.nc"}).dialect, gcode::Dialect::Auto);
+}
+
 TEST(Options, RefuseWhatMakesNoSense) {
     const std::vector<std::vector<std::string>> table = {
         {},
@@ -100,6 +109,7 @@ TEST(Options, RefuseWhatMakesNoSense) {
         {"run", "part.nc", "--size", "10x10x10"},
         {"run", "part.nc", "--size", "-5x10"},
         {"run", "part.nc", "--tolerance", "0"},
+        {"run", "part.nc", "--dialect", "klingon"},
         {"run", "part.nc", "--tolerance", "nan"},
         {"run", "part.nc", "--tolerance", "1e9"},
         {"run", "part.nc", "--threads", "0"},
