@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace ncsim::app {
@@ -17,7 +18,7 @@ std::string progress_bar(std::uint64_t done, std::uint64_t total, double seconds
     if (filled < kWidth) bar += '>';
     std::string text = fmt::format("[{:<{}}] {:3d} %", bar, kWidth, static_cast<int>(share * 100));
     if (seconds >= 2.0 && share > 0.0) {
-        const auto left = static_cast<std::int64_t>(seconds / share * (1 - share) + 0.5);
+        const auto left = std::llround(seconds / share * (1 - share));
         text += fmt::format("  ETA {}:{:02d}", left / 60, left % 60);
     }
     return text;

@@ -22,18 +22,6 @@ CdaCell make_cell(CellKind kind, Origin origin, ConvexPolytope body) {
     return cell;
 }
 
-// The same polygon seen from the other side.
-ConvexPolygon turned_over(const ConvexPolygon& polygon) {
-    ConvexPolygon turned;
-    turned.plane = polygon.plane.opposite();
-    turned.corners.assign(polygon.corners.rbegin(), polygon.corners.rend());
-    // The edge into a corner becomes the edge out of it.
-    const std::size_t n = polygon.edges.size();
-    for (std::size_t i = 0; i < n; ++i)
-        turned.edges.push_back(polygon.edges[(2 * n - 2 - i) % n]);
-    return turned;
-}
-
 // A facet of a negative cell is a wall whose material is on the outer side of the cell.
 void turn_over(Fragment& fragment) {
     fragment.plane = fragment.plane.opposite();
@@ -45,13 +33,6 @@ void turn_over(Fragment& fragment) {
         }
         loop = std::move(turned);
     }
-}
-
-// n̂·x of the plane about `centre`, in units.
-double distance_about(const Plane& plane, Vec3 centre) {
-    const Vec3 n{static_cast<double>(plane.nx), static_cast<double>(plane.ny),
-                 static_cast<double>(plane.nz)};
-    return (static_cast<double>(plane.d) - dot(n, centre)) / norm(n);
 }
 
 double cube(double x) {

@@ -22,6 +22,12 @@ double offset_mm(const Plane& plane, const Lattice& lattice) {
     return static_cast<double>(plane.d) / length * lattice.unit_mm;
 }
 
+double distance_about(const Plane& plane, Vec3 centre) {
+    const Vec3 n{static_cast<double>(plane.nx), static_cast<double>(plane.ny),
+                 static_cast<double>(plane.nz)};
+    return (static_cast<double>(plane.d) - dot(n, centre)) / norm(n);
+}
+
 std::size_t PlaneHash::operator()(const Plane& p) const noexcept {
     // Fixed multipliers (splitmix64): the same on every machine and in every run.
     std::uint64_t h = static_cast<std::uint64_t>(p.d);

@@ -99,6 +99,17 @@ void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
     }
 }
 
+ConvexPolygon turned_over(const ConvexPolygon& polygon) {
+    ConvexPolygon turned;
+    turned.plane = polygon.plane.opposite();
+    turned.corners.assign(polygon.corners.rbegin(), polygon.corners.rend());
+    // The edge into a corner becomes the edge out of it.
+    const std::size_t n = polygon.edges.size();
+    for (std::size_t i = 0; i < n; ++i)
+        turned.edges.push_back(polygon.edges[(2 * n - 2 - i) % n]);
+    return turned;
+}
+
 double area(const ConvexPolygon& polygon) {
     const Vec3 a = polygon.corners[0].approx;
     Vec3 sum;

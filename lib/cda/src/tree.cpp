@@ -52,12 +52,6 @@ std::int64_t middle(std::int64_t low, std::int64_t high) {
     return ((low + high) >> 1) | 1;
 }
 
-double distance_about(const Plane& plane, Vec3 centre) {
-    const Vec3 n{static_cast<double>(plane.nx), static_cast<double>(plane.ny),
-                 static_cast<double>(plane.nz)};
-    return (static_cast<double>(plane.d) - dot(n, centre)) / norm(n);
-}
-
 double cube(double x) {
     return x * x * x;
 }
@@ -76,16 +70,6 @@ int compare_distances(const Plane& a, const Plane& b) {
     };
     const Int128 difference = b.d * component(a) - a.d * component(b);
     return difference > 0 ? 1 : difference < 0 ? -1 : 0;
-}
-
-ConvexPolygon turned_over(const ConvexPolygon& polygon) {
-    ConvexPolygon turned;
-    turned.plane = polygon.plane.opposite();
-    turned.corners.assign(polygon.corners.rbegin(), polygon.corners.rend());
-    const std::size_t n = polygon.edges.size();
-    for (std::size_t i = 0; i < n; ++i)
-        turned.edges.push_back(polygon.edges[(2 * n - 2 - i) % n]);
-    return turned;
 }
 
 }  // namespace

@@ -36,6 +36,8 @@ Plane canonical(std::int64_t nx, std::int64_t ny, std::int64_t nz, std::int64_t 
 /// Unit normal and distance in mm.
 Vec3 unit_normal(const Plane& plane);
 double offset_mm(const Plane& plane, const Lattice& lattice);
+/// Distance of the plane from `centre` along its normal, both in lattice units.
+double distance_about(const Plane& plane, Vec3 centre);
 
 struct PlaneHash {
     std::size_t operator()(const Plane& p) const noexcept;

@@ -47,6 +47,9 @@ Overlap overlap(const ConvexPolygon& polygon, std::span<const Plane> cuts,
 void subtract(const ConvexPolygon& polygon, std::span<const Plane> cuts,
               std::vector<ConvexPolygon>& rest);
 
+/// The same polygon seen from the other side of its plane.
+ConvexPolygon turned_over(const ConvexPolygon& polygon);
+
 /// In square lattice units.
 double area(const ConvexPolygon& polygon);
 
