@@ -8,7 +8,7 @@
 #include "ncsim/gcode/source.h"
 #include "ncsim/toolpath/tool_table.h"
 
-#include "options.h"
+#include "run_options.h"
 
 #include <optional>
 #include <string>

@@ -13,16 +13,21 @@
 #include <variant>
 #include <vector>
 
+namespace {
+
+int run(const ncsim::app::Farewell& farewell) {
+    std::fputs(farewell.text.c_str(), farewell.exit_code == ncsim::app::kClean ? stdout : stderr);
+    return farewell.exit_code;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace ncsim::app;
     try {
-        auto parsed =
+        Command command =
             parse_options(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
-        if (const auto* farewell = std::get_if<Farewell>(&parsed)) {
-            std::fputs(farewell->text.c_str(), farewell->exit_code == kClean ? stdout : stderr);
-            return farewell->exit_code;
-        }
-        return run(std::move(std::get<Options>(parsed)));
+        return std::visit([](auto& chosen) { return run(std::move(chosen)); }, command);
     } catch (const std::bad_alloc&) {
         std::fputs("ncsim: out of memory\n", stderr);
         return kEnvironment;

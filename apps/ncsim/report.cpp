@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include "findings.h"
 #include "sheet.h"
 #include "version.h"
 
@@ -31,25 +32,6 @@ Json to_json(cda::Vec3 v) {
 Json to_json(const cda::Box& box) {
     if (box.is_empty()) return nullptr;
     return {{"min", to_json(box.min)}, {"max", to_json(box.max)}};
-}
-
-const char* name_of(gcode::Severity severity) {
-    switch (severity) {
-        case gcode::Severity::Note: return "note";
-        case gcode::Severity::Warning: return "warning";
-        case gcode::Severity::Error: break;
-    }
-    return "error";
-}
-
-const char* name_of(toolpath::ToldBy by) {
-    switch (by) {
-        case toolpath::ToldBy::Comment: return "comment";
-        case toolpath::ToldBy::Option: return "option";
-        case toolpath::ToldBy::Table: return "table";
-        case toolpath::ToldBy::Assumption: break;
-    }
-    return "assumption";
 }
 
 Json source(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text) {
@@ -83,21 +65,6 @@ Json tools_json(const Outcome& o) {
         tools.push_back(std::move(tool));
     }
     return tools;
-}
-
-Json findings_json(const gcode::Diagnostics& diagnostics) {
-    Json findings = Json::array();
-    for (const gcode::Diagnostic& d : diagnostics) {
-        Json finding{{"severity", name_of(d.severity)}, {"code", d.code}, {"message", d.message}};
-        if (!d.file.empty()) finding["file"] = d.file;
-        if (d.span.line != 0) {
-            finding["line"] = d.span.line;
-            finding["column"] = d.span.column;
-        }
-        finding["count"] = d.count;
-        findings.push_back(std::move(finding));
-    }
-    return findings;
 }
 
 Distances total(const Survey& survey) {

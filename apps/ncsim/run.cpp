@@ -11,6 +11,7 @@
 #include "ncsim/export/stl.h"
 #include "ncsim/export/vrml.h"
 
+#include "findings.h"
 #include "job.h"
 #include "output.h"
 #include "pipeline.h"
@@ -23,7 +24,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -31,16 +31,6 @@
 namespace ncsim::app {
 
 namespace {
-
-void say(const std::string& text) {
-    std::fputs(text.c_str(), stderr);
-}
-
-void print_findings(const Job& job, const gcode::Diagnostics& diagnostics) {
-    for (const gcode::Diagnostic& d : diagnostics) {
-        say(printable(gcode::render(d, job.program)));
-    }
-}
 
 exporter::Image picture(const Job& job, const Survey& survey, const Simulation& simulation) {
     exporter::RenderOptions options;
@@ -94,7 +84,7 @@ int run(Options options) {
 
     const Survey survey = app::survey(job);
     if (!o.quiet) say(assumption_sheet(job, survey));
-    print_findings(job, survey.diagnostics);
+    print_findings(job.program, survey.diagnostics);
 
     Outcome outcome{job, survey, nullptr, nullptr};
     std::optional<Simulation> simulation;
@@ -118,12 +108,7 @@ int run(Options options) {
     if (!survey.is_ready()) {
         say("ncsim: the program was not simulated\n");
     } else {
-        if (!o.quiet) {
-            const std::string text = summary(outcome);
-            if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
-                throw std::runtime_error("cannot write to the standard output");
-            }
-        }
+        if (!o.quiet) put_out(summary(outcome));
         if (faulty)
             say("ncsim: blocks with errors were left out: the part is not what they would make of "
                 "it\n");

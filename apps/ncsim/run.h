@@ -3,7 +3,7 @@
 // The command `ncsim run`: from options to files and an exit code.
 #pragma once
 
-#include "options.h"
+#include "run_options.h"
 
 namespace ncsim::app {
 

@@ -13,7 +13,8 @@ Options options(const std::vector<std::string>& arguments) {
     auto parsed = parse_options(arguments);
     const auto* farewell = std::get_if<Farewell>(&parsed);
     EXPECT_FALSE(farewell) << farewell->text;
-    return farewell ? Options{} : std::get<Options>(parsed);
+    const auto* run = std::get_if<Options>(&parsed);
+    return run ? *run : Options{};
 }
 
 std::string refusal(const std::vector<std::string>& arguments) {
@@ -136,12 +137,12 @@ TEST(Options, RefuseWhatMakesNoSense) {
 
 TEST(Options, HelpNamesTheExitCodesAndEndsWithAnExample) {
     for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"--help"}, {"run", "--help"}}) {
+         {std::vector<std::string>{"--help"}, {"run", "--help"}, {"parse", "--help"}}) {
         auto parsed = parse_options(arguments);
         const auto& farewell = std::get<Farewell>(parsed);
         EXPECT_EQ(farewell.exit_code, kClean);
         EXPECT_NE(farewell.text.find("Exit codes: 0 clean, 1"), std::string::npos);
-        EXPECT_NE(farewell.text.find("Example: ncsim run samples/simple.nc"), std::string::npos);
+        EXPECT_NE(farewell.text.find("Example: ncsim "), std::string::npos);
     }
 }
 

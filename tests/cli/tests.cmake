@@ -7,6 +7,7 @@ if(TARGET ncsim)
       bad_input_test.cpp
       options_test.cpp
       output_test.cpp
+      parse_test.cpp
       run_program.cpp
       run_test.cpp
       samples_test.cpp)

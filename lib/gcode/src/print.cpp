@@ -49,16 +49,23 @@ void print_control(std::string& out, const Control& control) {
     if (is_macro && !control.label.empty()) out.append(" -> ").append(control.label);
 }
 
+// To a picometre, which is finer than any control counts: what offsets and inches leave behind the
+// last digit that was written says nothing.
+double picometres(double mm) {
+    constexpr double kPerMm = 1e9;
+    return std::abs(mm) < 1e6 ? std::round(mm * kPerMm) / kPerMm : mm;
+}
+
 void print_position(std::string& out, const Position& at) {
-    print_word(out, "X", at.x.mm());
-    print_word(out, "Y", at.y.mm());
-    print_word(out, "Z", at.z.mm());
+    print_word(out, "X", picometres(at.x.mm()));
+    print_word(out, "Y", picometres(at.y.mm()));
+    print_word(out, "Z", picometres(at.z.mm()));
     if (at.a != Angle()) print_word(out, "A", at.a.degrees());
     if (at.b != Angle()) print_word(out, "B", at.b.degrees());
     if (at.c != Angle()) print_word(out, "C", at.c.degrees());
-    if (at.u != Length()) print_word(out, "U", at.u.mm());
-    if (at.v != Length()) print_word(out, "V", at.v.mm());
-    if (at.w != Length()) print_word(out, "W", at.w.mm());
+    if (at.u != Length()) print_word(out, "U", picometres(at.u.mm()));
+    if (at.v != Length()) print_word(out, "V", picometres(at.v.mm()));
+    if (at.w != Length()) print_word(out, "W", picometres(at.w.mm()));
 }
 
 std::string_view name_of(MoveKind kind) {
@@ -148,8 +155,8 @@ void print(std::string& out, const Motion& motion) {
     } else if (const auto* arc = std::get_if<Arc>(&motion.what)) {
         out.append("arc ").append(name_of(arc->plane));
         print_position(out, arc->to);
-        print_word(out, "centre ", arc->centre_1.mm());
-        print_word(out, "", arc->centre_2.mm());
+        print_word(out, "centre ", picometres(arc->centre_1.mm()));
+        print_word(out, "", picometres(arc->centre_2.mm()));
         print_word(out, "turns ", arc->turns);
         print_manner(out, motion);
     } else if (const auto* spline = std::get_if<Spline>(&motion.what)) {
@@ -158,8 +165,8 @@ void print(std::string& out, const Motion& motion) {
         print_word(out, "order ", spline->order);
         for (const Spline::ControlPoint& point : spline->control_points) {
             out += " [";
-            print_number(out, point.x.mm());
-            print_word(out, "", point.y.mm());
+            print_number(out, picometres(point.x.mm()));
+            print_word(out, "", picometres(point.y.mm()));
             print_word(out, "*", point.weight);
             out += ']';
         }

@@ -21,7 +21,7 @@ void print(std::string& out, const Block& block);
 ///     L12 feed X10 Y0 Z-1 F300 T1
 ///
 /// Only what differs from the ordinary is told: rotary axes that are not 0, a start that is not
-/// known, feed modes other than per minute.
+/// known, feed modes other than per minute. Lengths are rounded to 1e-9 mm.
 void print(std::string& out, const Motion& motion);
 
 /// The shortest text that reads back as `value`; never "-0", never an exponent for ordinary sizes.

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "findings.h"
+
+#include "sheet.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace ncsim::app {
+
+const char* name_of(gcode::Severity severity) {
+    switch (severity) {
+        case gcode::Severity::Note: return "note";
+        case gcode::Severity::Warning: return "warning";
+        case gcode::Severity::Error: break;
+    }
+    return "error";
+}
+
+const char* name_of(toolpath::ToldBy by) {
+    switch (by) {
+        case toolpath::ToldBy::Comment: return "comment";
+        case toolpath::ToldBy::Option: return "option";
+        case toolpath::ToldBy::Table: return "table";
+        case toolpath::ToldBy::Assumption: break;
+    }
+    return "assumption";
+}
+
+void say(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+}
+
+void put_out(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
+        std::fflush(stdout) != 0) {
+        throw std::runtime_error("cannot write to the standard output");
+    }
+}
+
+void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics) {
+    for (const gcode::Diagnostic& d : diagnostics) {
+        say(printable(gcode::render(d, program)));
+    }
+}
+
+nlohmann::ordered_json findings_json(const gcode::Diagnostics& diagnostics) {
+    nlohmann::ordered_json findings = nlohmann::ordered_json::array();
+    for (const gcode::Diagnostic& d : diagnostics) {
+        nlohmann::ordered_json finding{
+            {"severity", name_of(d.severity)}, {"code", d.code}, {"message", d.message}};
+        if (!d.file.empty()) finding["file"] = d.file;
+        if (d.span.line != 0) {
+            finding["line"] = d.span.line;
+            finding["column"] = d.span.column;
+        }
+        finding["count"] = d.count;
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
+std::string to_line(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How every command tells what it found, and where its results go.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace ncsim::app {
+
+/// "error", "warning", "note".
+const char* name_of(gcode::Severity severity);
+/// "comment", "option" …
+const char* name_of(toolpath::ToldBy by);
+
+/// Text for people, to stderr.
+void say(const std::string& text);
+/// Results, to stdout. Throws std::runtime_error if they cannot be written.
+void put_out(std::string_view text);
+
+/// Each with its line and a caret, to stderr, without what a terminal would obey.
+void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics);
+/// An array of {severity, code, message, file, line, column, count}.
+nlohmann::ordered_json findings_json(const gcode::Diagnostics& diagnostics);
+
+/// One line of JSON; bytes that are no UTF-8 become U+FFFD.
+std::string to_line(const nlohmann::ordered_json& json);
+
+}  // namespace ncsim::app

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program_options.h"
+
+#include "ncsim/toolpath/stock.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace {
+
+double read_tolerance(const char* name, double mm) {
+    if (!(mm >= 1e-4 && mm <= 10.0)) {
+        throw Refusal{fmt::format("{}: expected 0.0001 to 10 mm, not {}", name, mm)};
+    }
+    return mm;
+}
+
+toolpath::ToolSpec read_tool(const std::string& text) {
+    std::string message;
+    auto spec = toolpath::parse_tool_option(text, message);
+    if (!spec) throw Refusal{"--tool " + message};
+    return std::move(*spec);
+}
+
+std::vector<toolpath::ToolSpec> read_tools(const std::vector<std::string>& texts) {
+    std::vector<toolpath::ToolSpec> tools;
+    for (const std::string& text : texts) {
+        tools.push_back(read_tool(text));
+        const int number = tools.back().number;
+        if (std::count_if(tools.begin(), tools.end(),
+                          [number](const auto& t) { return t.number == number; }) > 1) {
+            throw Refusal{fmt::format("--tool: T{} is described twice", number)};
+        }
+    }
+    return tools;
+}
+
+toolpath::ToolSpec read_assumed_tool(const std::string& text) {
+    // With or without a number, which does not matter here.
+    const std::size_t equals = text.find('=');
+    auto tool = read_tool("T1=" + text.substr(equals == std::string::npos ? 0 : equals + 1));
+    tool.number = 0;
+    return tool;
+}
+
+cda::Box read_stock(const std::string& text) {
+    std::string message;
+    const auto stock = toolpath::parse_stock_option(text, message);
+    if (!stock) throw Refusal{"--stock " + message};
+    return *stock;
+}
+
+gcode::Dialect read_dialect(const std::string& name) {
+    using gcode::Dialect;
+    for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
+                                  Dialect::Grbl, Dialect::Mach3}) {
+        if (name == gcode::name_of(dialect)) return dialect;
+    }
+    throw Refusal{
+        fmt::format("--dialect '{}': expected auto, rs274, fanuc, haas, grbl or mach3", name)};
+}
+
+bool read_inches(const std::string& unit) {
+    if (unit != "mm" && unit != "inch") {
+        throw Refusal{fmt::format("--units '{}': expected mm or inch", unit)};
+    }
+    return unit == "inch";
+}
+
+void read_model(const std::string& model) {
+    if (model != "cda" && model != "cda-flat") {
+        throw Refusal{fmt::format("--model '{}': expected cda or cda-flat", model)};
+    }
+}
+
+}  // namespace
+
+void add_program_options(CLI::App& command, ProgramOptions& options) {
+    using Text = const std::string&;
+    ProgramOptions& o = options;
+    command.add_option("program", o.program, "NC program")->required()->type_name("FILE");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
+            "A tool, more than once for more tools")
+        ->type_name("TOOL")
+        ->expected(1)
+        ->take_all();
+    command
+        .add_option_function<std::string>(
+            "--units", [&o](Text unit) { o.inches = read_inches(unit); },
+            "Of programs without G20 and G21: mm or inch")
+        ->type_name("UNIT");
+    command.add_flag("--block-delete", o.block_delete, "Skip blocks that start with '/'");
+    command
+        .add_option_function<std::string>(
+            "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
+            "Control it was written for: auto, rs274, fanuc, haas, grbl, mach3")
+        ->type_name("NAME");
+    command.add_flag("--strict", o.strict, "Refuse what RS274/NGC as LinuxCNC runs it refuses");
+    command.add_option("--allow", o.allow, "Words to pass over in silence: G187,M198")
+        ->type_name("WORDS")
+        ->delimiter(',');
+}
+
+void add_setup_options(CLI::App& command, ProgramOptions& options) {
+    using Text = const std::string&;
+    ProgramOptions& o = options;
+    command
+        .add_option_function<std::string>(
+            "--stock", [&o](Text text) { o.stock = read_stock(text); },
+            "The block, if the program does not say it")
+        ->type_name("BOX");
+    command
+        .add_option_function<std::string>(
+            "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },
+            "For tools nobody describes, as flat:D6")
+        ->type_name("TOOL");
+}
+
+void add_simulation_options(CLI::App& command, SimulationOptions& options) {
+    SimulationOptions& o = options;
+    command
+        .add_option_function<std::string>(
+            "--model",
+            [&o](const std::string& model) {
+                read_model(model);
+                o.model = model;
+            },
+            "Workpiece model: cda, cda-flat")
+        ->type_name("NAME");
+    command
+        .add_option_function<double>(
+            "--tolerance", [&o](double mm) { o.tolerance = read_tolerance("--tolerance", mm); },
+            "Of arcs and turning tools, mm [0.005]")
+        ->type_name("MM");
+    command
+        .add_option_function<double>(
+            "--tool-tolerance",
+            [&o](double mm) { o.tool_tolerance = read_tolerance("--tool-tolerance", mm); },
+            "Of round tools, mm [0.05]")
+        ->type_name("MM");
+    command.add_option("--threads", o.threads, "Threads; the result is the same for any number")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace ncsim::app

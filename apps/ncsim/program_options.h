@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What every command that reads an NC program can be told about it. Commands add theirs to it, each
+// in a file of its own.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/gcode/dialect.h"
+#include "ncsim/toolpath/tool_spec.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ncsim::app {
+
+/// Exit codes of the program; in --help, too.
+enum ExitCode : int {
+    kClean = 0,
+    kFindings = 1,     ///< The NC program has faults.
+    kEnvironment = 2,  ///< Wrong usage, unreadable input, a failing world.
+    kBug = 3,
+};
+
+/// A value that the parser of the command line cannot judge. Thrown and caught while it is read,
+/// inside parse_options() only.
+struct Refusal {
+    std::string text;  ///< "--stock '1x2': expected …"
+};
+
+/// The program, and what it does not say itself. Lengths in mm.
+struct ProgramOptions {
+    std::string program;
+    std::optional<cda::Box> stock;
+    std::vector<toolpath::ToolSpec> tools;
+    /// For tools that nobody describes; its number is 0.
+    std::optional<toolpath::ToolSpec> assumed_tool;
+    bool inches = false;  ///< For programs that say neither G20 nor G21.
+    bool block_delete = false;
+    gcode::Dialect dialect = gcode::Dialect::Auto;
+    bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
+    std::vector<std::string> allow;  ///< Words declared harmless: "G187".
+};
+
+/// What commands that simulate are told as well. Lengths in mm.
+struct SimulationOptions {
+    std::string model;             ///< "cda" or "cda-flat"; empty: the one that suits.
+    double tolerance = 0.005;      ///< Of chords and of turning tools.
+    double tool_tolerance = 0.05;  ///< Of round tools.
+    unsigned threads = 0;          ///< 0: as many as the machine has.
+};
+
+/// Lets `command` read them into `options`, which must outlive it. What makes no sense throws
+/// Refusal while the command line is parsed.
+void add_program_options(CLI::App& command, ProgramOptions& options);
+/// The stock and the assumed tool, which matter only where something is cut.
+void add_setup_options(CLI::App& command, ProgramOptions& options);
+void add_simulation_options(CLI::App& command, SimulationOptions& options);
+
+}  // namespace ncsim::app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <filesystem>
+#include <set>
+
+namespace ncsim::app {
+
+namespace {
+
+void read_size(const std::string& text, Options& options) {
+    const char* first = text.data();
+    const char* last = first + text.size();
+    const auto width = std::from_chars(first, last, options.width);
+    const bool cross =
+        width.ec == std::errc{} && width.ptr != last && (*width.ptr == 'x' || *width.ptr == 'X');
+    const auto height = cross ? std::from_chars(width.ptr + 1, last, options.height) : width;
+    const auto good = [](std::uint32_t side) {
+        return side >= 1 && side <= exporter::kMaxImageSide;
+    };
+    if (!cross || height.ec != std::errc{} || height.ptr != last || !good(options.width) ||
+        !good(options.height)) {
+        throw Refusal{fmt::format("--size '{}': expected WxH in pixels, 1x1 to {}x{}", text,
+                                  exporter::kMaxImageSide, exporter::kMaxImageSide)};
+    }
+}
+
+exporter::View read_view(const std::string& name) {
+    const auto view = exporter::parse_view(name);
+    if (!view) {
+        throw Refusal{fmt::format(
+            "--view '{}': expected iso, top, bottom, front, back, left or right", name)};
+    }
+    return *view;
+}
+
+exporter::Colouring read_colouring(const std::string& name) {
+    if (name == "tool") return exporter::Colouring::Tool;
+    if (name == "line") return exporter::Colouring::Line;
+    if (name == "depth") return exporter::Colouring::Depth;
+    throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
+}
+
+// No two outputs may be one file, and none the program itself.
+void check_paths(const Options& o) {
+    std::set<std::string> seen{std::filesystem::path(o.program).lexically_normal().string()};
+    for (const std::string& path : outputs_of(o)) {
+        if (path.rfind("/dev/", 0) == 0) continue;
+        if (!seen.insert(std::filesystem::path(path).lexically_normal().string()).second) {
+            throw Refusal{
+                fmt::format("'{}' is named twice: an output may overwrite neither the program nor "
+                            "another output",
+                            path)};
+        }
+    }
+}
+
+// The thesis' model where its own views are asked for, else the one that scales.
+void choose_model(Options& o) {
+    const bool needs_flat = !o.stats.empty() || !o.xml.empty();
+    if (o.model.empty()) o.model = needs_flat ? "cda-flat" : "cda";
+    if (needs_flat && o.model != "cda-flat") {
+        throw Refusal{"--stats and --xml show the cells of --model cda-flat"};
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> outputs_of(const Options& o) {
+    std::vector<std::string> paths;
+    for (const std::string* path :
+         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.step, &o.report, &o.stats, &o.xml}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    return paths;
+}
+
+CLI::App* add_run(CLI::App& app, Options& options) {
+    using Text = const std::string&;
+    Options& o = options;
+    CLI::App* run =
+        app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
+    add_program_options(*run, o);
+    add_setup_options(*run, o);
+    run->add_option("--png", o.png, "Picture of the part")->type_name("FILE");
+    run->add_option("--gltf", o.gltf, "Mesh with the NC line of every face, glTF 2.0 binary")
+        ->type_name("FILE");
+    run->add_option("--vrml", o.vrml, "Mesh with the NC line of every face, VRML97")
+        ->type_name("FILE");
+    run->add_option("--stl", o.stl, "Mesh, binary STL")->type_name("FILE");
+    run->add_option("--step", o.step, "Solid for CAD, STEP AP214")->type_name("FILE");
+    run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
+    run->add_option("--stats", o.stats, "What each hull cost, CSV")->type_name("FILE");
+    run->add_option("--xml", o.xml, "The cells of the workpiece, XML")->type_name("FILE");
+    add_simulation_options(*run, o);
+    run->add_option_function<std::string>(
+           "--view", [&o](Text name) { o.view = read_view(name); },
+           "iso, top, bottom, front, back, left, right")
+        ->type_name("VIEW");
+    run->add_option_function<std::string>(
+           "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
+           "What colours tell: tool, line, depth")
+        ->type_name("WHAT");
+    run->add_option_function<std::string>(
+           "--size", [&o](Text size) { read_size(size, o); }, "Of the picture, pixels [1280x960]")
+        ->type_name("WxH");
+    run->add_flag("!--no-block-volumes", o.block_volumes,
+                  "Report without what each block removed: faster with --model cda");
+    run->add_flag("--quiet,-q", o.quiet, "Only errors and warnings");
+    return run;
+}
+
+void complete(Options& options) {
+    choose_model(options);
+    check_paths(options);
+}
+
+}  // namespace ncsim::app

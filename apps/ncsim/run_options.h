@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What `ncsim run` is asked for.
+#pragma once
+
+#include "ncsim/export/camera.h"
+#include "ncsim/export/render.h"
+
+#include "program_options.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+/// Empty paths: not asked for.
+struct Options : ProgramOptions, SimulationOptions {
+    std::string png, gltf, vrml, stl, step, report, stats, xml;
+
+    exporter::View view = exporter::View::Iso;
+    exporter::Colouring colouring = exporter::Colouring::Tool;
+    std::uint32_t width = 1280, height = 960;
+    bool quiet = false;
+    /// In the report: what each block removed. With the model "cda" ten times the work.
+    bool block_volumes = true;
+};
+
+/// The paths of all files that were asked for.
+std::vector<std::string> outputs_of(const Options& options);
+
+/// The command `run` of `app`. It reads into `options`, which must outlive it.
+CLI::App* add_run(CLI::App& app, Options& options);
+/// What can be judged only when all options were read; throws Refusal.
+void complete(Options& options);
+
+}  // namespace ncsim::app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+TEST(Parse, ShowsBlocksInOneSpelling) {
+    Folder folder;
+    folder.write("a.nc", "n10 g21 g90 ( go )\n#1=4 g0 x#1 y-.5\n\ng0 z 1 . 5\n/m2\n");
+    const Ran ran = folder.run({"parse", "a.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    EXPECT_EQ(ran.out,
+              "L1 N10 G21 G90 ( go )\n"
+              "L2 #1=4 G0 X#1 Y-0.5\n"
+              "L4 G0 Z1.5\n"
+              "L5 / M2\n");
+}
+
+TEST(Parse, ShowsMotionsInMillimetres) {
+    Folder folder;
+    folder.write("a.nc", "G20 G90 G0 X0 Y0 Z1\nG1 X1 F10\nG91 G2 X1 Y1 J1\nG4 P2\nM2\n");
+    const Ran ran = folder.run({"parse", "a.nc", "--canonical"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.out,
+              "L1 rapid X0 Y0 Z25.4 from-unknown-xyz\n"
+              "L2 feed X25.4 Y0 Z25.4 F254\n"
+              "L3 arc XY X50.8 Y25.4 Z25.4 centre 25.4 25.4 turns -1 F254\n"
+              "L4 dwell 2\n");
+}
+
+TEST(Parse, ReportsWhatCannotBeReadAndExitsWithOne) {
+    Folder folder;
+    folder.write("a.nc", "G21 G90\nG0 X Y2 Z3\nG0 Z1.5\nG1 X1 F100\nM2\n");
+    const Ran blocks = folder.run({"parse", "a.nc"});
+    EXPECT_EQ(blocks.exit_code, 1);
+    EXPECT_NE(blocks.out.find("L2 unreadable"), std::string::npos) << blocks.out;
+    EXPECT_NE(blocks.err.find("a.nc:2:"), std::string::npos) << blocks.err;
+    const Ran motions = folder.run({"parse", "a.nc", "--canonical"});
+    EXPECT_EQ(motions.exit_code, 1);
+    EXPECT_NE(motions.out.find("L4 feed X1 "), std::string::npos) << motions.out;
+}
+
+TEST(Parse, WritesJsonWithFindings) {
+    Folder folder;
+    folder.write("a.nc", "G21 G0 X1 Y2 Z3 (\xff)\nG3 X3 I1 Z2 F50 ,R9\nM2\n");
+    const Ran blocks = folder.run({"parse", "a.nc", "--json"});
+    const json b = json::parse(blocks.out);
+    EXPECT_EQ(b["program"], "a.nc");
+    EXPECT_EQ(b["blocks"].size(), 3U);
+    EXPECT_EQ(b["blocks"][1]["words"][1]["text"], "X3");
+    EXPECT_EQ(b["blocks"][1]["words"][1]["column"], 4);
+
+    const Ran motions = folder.run({"parse", "a.nc", "--canonical", "--json"});
+    const json m = json::parse(motions.out);
+    ASSERT_EQ(m["motions"].size(), 2U) << motions.err;
+    EXPECT_EQ(m["motions"][0]["unknown_start"], "xyz");
+    EXPECT_EQ(m["motions"][1]["what"], "arc");
+    EXPECT_EQ(m["motions"][1]["centre"], json::array({2.0, 2.0}));
+    EXPECT_EQ(m["motions"][1]["turns"], 1);
+    EXPECT_EQ(m["motions"][1]["feed"], 50.0);
+    bool has_corner = false;
+    for (const json& finding : m["findings"]) {
+        if (finding["line"] == 2 && finding["column"] == 17) has_corner = true;
+    }
+    EXPECT_TRUE(has_corner) << m["findings"];
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
