@@ -21,8 +21,10 @@ enum class ToldBy : std::uint8_t { Comment, Option, Table, Assumption };
 struct ToolEntry {
     ToolSpec spec;
     ToldBy told_by = ToldBy::Comment;
-    gcode::SourceSpan span;  ///< Of the comment; line 0 for options.
-    std::string text;        ///< As written.
+    gcode::SourceSpan span;  ///< Of the comment or the line of a table; line 0: none.
+    std::string text{};      ///< As written.
+    std::string file{};      ///< Of a table; empty: the program.
+    cda::Vec3 offset{};      ///< What G43 applies, mm; known to some tables.
 };
 
 struct StockEntry {

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/tool_file.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ncsim::toolpath {
+namespace {
+
+// Every tool in one line, then every diagnostic.
+std::string tools_of(const std::string& text, bool inches = false) {
+    const ToolFile file = read_tool_file({"tools", text}, inches);
+    std::string out = file.format + "\n";
+    for (const ToolEntry& entry : file.tools) {
+        out.append("T").append(std::to_string(entry.spec.number)).append(" ");
+        out += describe(make_tool(entry.spec, 50));
+        if (entry.offset.z != 0) out.append(" Z").append(std::to_string(entry.offset.z));
+        EXPECT_EQ(entry.told_by, ToldBy::Table);
+        out += '\n';
+    }
+    for (const gcode::Diagnostic& d : file.diagnostics) {
+        out.append(std::to_string(d.span.line)).append(":").append(std::to_string(d.span.column));
+        out.append(" ").append(d.code).append("\n");
+    }
+    return out;
+}
+
+TEST(ToolFile, OfLinuxCncHasDiametersInMachineUnitsAndKindsInRemarks) {
+    const std::string table =
+        "; a remark\n"
+        "T1 P1 D6.000000 Z+51.1000 ;6 mm flat end mill\n"
+        "\n"
+        "t2 p2 d4 ;ball end mill\r\n"
+        "T4 P2 Z10 D16\n"
+        "T5 P5 D10 ;60 deg v bit 10mm\n"
+        "T6 P6 ;probe without a diameter\n"
+        "T1 P9 D8 ;again\n";
+    EXPECT_EQ(tools_of(table),
+              "LinuxCNC tool table\n"
+              "T1 flat end mill D6 L50 Z51.100000\n"
+              "T2 flat end mill D4 L50\n"
+              "T4 flat end mill D16 L50 Z10.000000\n"
+              "T5 v-cutter D10 L50\n"
+              "7:1 tool-unknown\n"
+              "8:1 tool-conflict\n");
+    EXPECT_EQ(tools_of("T1 P1 D0.25 ;1/4 end mill\n", true),
+              "LinuxCNC tool table\nT1 flat end mill D6.35 L50\n");
+}
+
+TEST(ToolFile, OfCamoticsIsAProjectWithItsWorkpiece) {
+    const std::string project =
+        R"({"units":"imperial","tools":{
+            "1":{"units":"metric","shape":"cylindrical","length":20,"diameter":2.5},
+            "2":{"units":"imperial","shape":"ballnose","length":1,"diameter":0.25},
+            "3":{"units":"metric","shape":"conical","length":5,"diameter":10},
+            "4":{"units":"metric","shape":"snubnose","length":4,"diameter":10,"snub_diameter":2},
+            "5":{"units":"metric","shape":"spheroid","length":4,"diameter":10}},
+          "workpiece":{"automatic":false,"margin":0,"bounds":{"min":[-2,-1,-32],"max":[92,89,0]}},
+          "files":["a.nc"]})";
+    EXPECT_EQ(tools_of(project),
+              "CAMotics project\n"
+              "T1 flat end mill D2.5 L20\n"
+              "T2 ball end mill D6.35 L25.4\n"
+              "T3 v-cutter D10 L5\n"
+              "T4 v-cutter D10 L4\n"
+              "0:1 tool-unknown\n");
+    const ToolFile file = read_tool_file({"a.camotics", project});
+    EXPECT_EQ(file.inches, true);
+    ASSERT_TRUE(file.stock);
+    EXPECT_EQ(file.stock->box.min, (cda::Vec3{-2, -1, -32}));
+    EXPECT_EQ(file.stock->box.max, (cda::Vec3{92, 89, 0}));
+    EXPECT_EQ(file.tools.at(2).spec.angle, 90.0);
+    EXPECT_FALSE(read_tool_file({"", R"({"workpiece":{"automatic":true,
+        "bounds":{"min":[0,0,0],"max":[1,1,1]}}})"})
+                     .stock);
+}
+
+TEST(ToolFile, OfFusionHasTheToolsThatHaveANumber) {
+    const std::string library =
+        R"({"data":[
+          {"type":"flat end mill","unit":"millimeters","description":"rough",
+           "geometry":{"DC":6,"SFDM":6,"LCF":10,"RE":0},"post-process":{"number":1}},
+          {"type":"bull nose end mill","unit":"inches",
+           "geometry":{"DC":0.5,"RE":0.03125,"LCF":1},"post-process":{"number":2}},
+          {"type":"drill","unit":"millimeters","geometry":{"DC":5,"SIG":140,"LCF":30},
+           "post-process":{"number":3}},
+          {"type":"chamfer mill","unit":"millimeters",
+           "geometry":{"DC":8,"TA":45,"tip-diameter":1,"LCF":4},"post-process":{"number":4}},
+          {"type":"tapered mill","unit":"millimeters",
+           "geometry":{"DC":1,"RE":0.5,"TA":5,"LCF":15},"post-process":{"number":5}},
+          {"type":"lollipop mill","unit":"millimeters","geometry":{"DC":1},
+           "post-process":{"number":6}},
+          {"type":"holder","unit":"millimeters","segments":[]},
+          {"type":"flat end mill","geometry":{"DC":9}}],"version":2})";
+    EXPECT_EQ(tools_of(library),
+              "Fusion tool library\n"
+              "T1 flat end mill D6 L10\n"
+              "T2 bull nose end mill D12.7 R0.79375 L25.4\n"
+              "T3 drill D5 L30\n"
+              "T4 v-cutter D8 L4\n"
+              "T5 tapered end mill D3.540991 R0.5 L15\n"
+              "0:1 tool-unknown\n");
+    const ToolFile file = read_tool_file({"", library});
+    EXPECT_EQ(file.tools.at(2).spec.angle, 140.0);
+    EXPECT_EQ(file.tools.at(3).spec.angle, 90.0);
+}
+
+TEST(ToolFile, OfKiriIsAList) {
+    EXPECT_EQ(tools_of(R"([{"number":5,"type":"ballmill","flute_diam":0.25,"flute_len":1,
+                            "metric":false},
+                           {"number":6,"type":"endmill","flute_diam":3,"flute_len":12,
+                            "metric":true},
+                           {"number":7,"type":"tapermill","flute_diam":6,"flute_len":3,
+                            "taper_tip":0,"metric":true}])"),
+              "Kiri:Moto tools\n"
+              "T5 ball end mill D6.35 L25.4\n"
+              "T6 flat end mill D3 L12\n"
+              "T7 v-cutter D6 L3\n");
+}
+
+TEST(ToolFile, ThatIsNoneIsAnErrorWithItsPlace) {
+    const std::pair<const char*, const char*> table[] = {
+        {"", "\n1:1 tool-table\n"},
+        {"; nothing\n", "\n1:1 tool-table\n"},
+        {"G21\nG0 X1\n", "\n1:1 tool-table\n"},
+        {"T1 D5\n", "\n1:1 tool-table\n"},
+        {"T1 P1 D\n", "\n1:1 tool-table\n"},
+        {"{}", "\n1:1 tool-table\n"},
+        {"[]", "\n1:1 tool-table\n"},
+        {"[1,2]", "\n1:1 tool-table\n"},
+        {"{\"tools\":\n  {,}}", "\n2:4 tool-table\n"},
+        {"[1e9999]", "\n1:1 tool-table\n"},
+        {"{\"data\":[{\"geometry\":3}]}", "Fusion tool library\n"},
+        {"{\"tools\":{\"x\":{\"diameter\":\"big\"}}}", "CAMotics project\n0:1 tool-unknown\n"},
+    };
+    for (const auto& [text, expected] : table) {
+        SCOPED_TRACE(text);
+        EXPECT_EQ(tools_of(text), expected);
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath
