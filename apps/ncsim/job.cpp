@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job.h"
 
+#include "ncsim/toolpath/tool_file.h"
+
+#include "job_file.h"
+
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +17,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -20,23 +27,6 @@ namespace {
 [[noreturn]] void fail(const std::string& path, int error) {
     throw std::runtime_error(
         fmt::format("cannot read '{}': {}", path, std::generic_category().message(error)));
-}
-
-std::string read_file(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) fail(path, errno);
-    if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               std::fclose);
-    if (!file) fail(path, errno);
-    std::string text;
-    if (S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
-    std::string chunk(1 << 16, '\0');
-    while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-        text.append(chunk, 0, n);
-    }
-    if (std::ferror(file.get()) != 0) fail(path, errno);
-    return text;
 }
 
 // No control reads a program with NUL bytes in its text; punched tape had them as leader, before
@@ -59,13 +49,107 @@ std::optional<gcode::SourceFile> read_beside(const std::filesystem::path& folder
         const std::filesystem::path path = folder / std::string(name).append(ending);
         std::error_code ignored;
         if (std::filesystem::is_regular_file(path, ignored)) {
-            return gcode::SourceFile{path.filename().string(), read_file(path.string())};
+            return gcode::SourceFile{path.filename().string(), read_text_file(path.string())};
         }
     }
     return std::nullopt;
 }
 
+// What the command line leaves open, and who said the rest.
+JobFile take_job_file(Options& options) {
+    JobFile file = parse_job_file({options.job, read_text_file(options.job)});
+    if (options.program.empty()) {
+        if (file.program.empty()) {
+            throw std::runtime_error(fmt::format(
+                "'{}' names no program, and neither does the command line", options.job));
+        }
+        const std::filesystem::path folder = std::filesystem::path(options.job).parent_path();
+        options.program = (folder / file.program).string();
+    }
+    if (!options.inches) options.inches = file.inches;
+    if (file.dialect && options.dialect == gcode::Dialect::Auto) options.dialect = *file.dialect;
+    options.strict |= file.strict;
+    options.block_delete |= file.block_delete;
+    options.allow.insert(options.allow.end(), file.allow.begin(), file.allow.end());
+    return file;
+}
+
+// CAMotics projects also tell the unit of programs that do not.
+std::vector<toolpath::ToolFile> read_tables(Options& options) {
+    std::vector<toolpath::ToolFile> tables;
+    for (const std::string& path : options.tool_tables) {
+        gcode::SourceFile file{base_name(path), read_text_file(path)};
+        tables.push_back(toolpath::read_tool_file(file, options.inches.value_or(false)));
+        for (const gcode::Diagnostic& d : tables.back().diagnostics) {
+            if (d.severity != gcode::Severity::Error) continue;
+            throw std::runtime_error(
+                fmt::format("{}:{}:{}: {}", path, d.span.line, d.span.column, d.message));
+        }
+        if (!options.inches) options.inches = tables.back().inches;
+    }
+    return tables;
+}
+
+// The first of a number counts. A comment that contradicts a table is worth a look: one of both is
+// of another job. What the user says at the command line is meant.
+void add_tool(Job& job, const toolpath::ToolEntry& entry) {
+    const toolpath::ToolEntry* known = toolpath::find_tool(job.tools, entry.spec.number);
+    if (!known) {
+        job.tools.push_back(entry);
+        return;
+    }
+    constexpr double kSame = 1e-3;  // mm; CAM systems round what they print
+    if (known->told_by != toolpath::ToldBy::Table || !known->spec.diameter ||
+        !entry.spec.diameter || std::abs(*known->spec.diameter - *entry.spec.diameter) <= kSame) {
+        return;
+    }
+    gcode::Diagnostic d;
+    d.severity = gcode::Severity::Warning;
+    d.code = "tool-conflict";
+    d.message = fmt::format(
+        "this says tool {} has a diameter of {:g} mm, but {} says {:g} mm, "
+        "which is used",
+        entry.spec.number, *entry.spec.diameter, known->file, *known->spec.diameter);
+    d.span = entry.span;
+    d.file = entry.file;
+    job.diagnostics.push_back(std::move(d));
+}
+
+std::optional<toolpath::StockEntry> choose_stock(const Options& options, const JobFile& file,
+                                                 const std::vector<toolpath::ToolFile>& tables,
+                                                 std::optional<toolpath::StockEntry> noted) {
+    if (options.stock) {
+        return toolpath::StockEntry{*options.stock, toolpath::ToldBy::Option, {}, {}};
+    }
+    if (file.stock) {
+        toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
+        entry.file = base_name(options.job);
+        return entry;
+    }
+    for (const toolpath::ToolFile& table : tables) {
+        if (table.stock) return table.stock;
+    }
+    return noted;
+}
+
 }  // namespace
+
+std::string read_text_file(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) fail(path, errno);
+    if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                               std::fclose);
+    if (!file) fail(path, errno);
+    std::string text;
+    if (S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
+    std::string chunk(1 << 16, '\0');
+    while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+        text.append(chunk, 0, n);
+    }
+    if (std::ferror(file.get()) != 0) fail(path, errno);
+    return text;
+}
 
 std::string base_name(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -74,13 +158,17 @@ std::string base_name(const std::string& path) {
 
 Job read_job(Options options) {
     Job job;
-    job.program = {options.program, read_file(options.program)};
+    JobFile from_file;
+    if (!options.job.empty()) from_file = take_job_file(options);
+    job.program = {options.program, read_text_file(options.program)};
     if (is_binary(job.program.text)) {
         throw std::runtime_error(
             fmt::format("'{}' is not an NC program: it is binary data", options.program));
     }
+    const std::vector<toolpath::ToolFile> tables = read_tables(options);
+    const bool inches = options.inches.value_or(false);
     job.interpreter.default_units =
-        options.inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
+        inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
     job.interpreter.block_delete = options.block_delete;
     job.interpreter.dialect = options.dialect;
     job.interpreter.strict = options.strict;
@@ -94,23 +182,29 @@ Job read_job(Options options) {
     for (const toolpath::ToolSpec& spec : options.tools) {
         job.tools.push_back({spec, toolpath::ToldBy::Option, {}, spec.description});
     }
-    toolpath::ProgramNotes notes = toolpath::read_notes(job.program, options.inches);
-    for (toolpath::ToolEntry& entry : notes.tools) {
-        if (!toolpath::find_tool(job.tools, entry.spec.number))
-            job.tools.push_back(std::move(entry));
+    toolpath::ProgramNotes notes = toolpath::read_notes(job.program, inches);
+    job.diagnostics = std::move(notes.diagnostics);
+    for (const toolpath::ToolEntry& entry : from_file.tools)
+        add_tool(job, entry);
+    for (const toolpath::ToolFile& table : tables) {
+        for (const toolpath::ToolEntry& entry : table.tools)
+            add_tool(job, entry);
+        job.diagnostics.insert(job.diagnostics.end(), table.diagnostics.begin(),
+                               table.diagnostics.end());
     }
+    for (const toolpath::ToolEntry& entry : notes.tools)
+        add_tool(job, entry);
     for (const toolpath::ToolEntry& entry : job.tools) {
         gcode::ToolTableEntry known;
         known.number = entry.spec.number;
+        for (int axis = 0; axis < 3; ++axis) {
+            known.offset[static_cast<std::size_t>(axis)] =
+                gcode::Length::from_mm(entry.offset[axis]);
+        }
         if (entry.spec.diameter) known.diameter = gcode::Length::from_mm(*entry.spec.diameter);
         job.interpreter.tools.push_back(known);
     }
-    if (options.stock) {
-        job.stock = toolpath::StockEntry{*options.stock, toolpath::ToldBy::Option, {}, {}};
-    } else {
-        job.stock = std::move(notes.stock);
-    }
-    job.diagnostics = std::move(notes.diagnostics);
+    job.stock = choose_stock(options, from_file, tables, std::move(notes.stock));
     job.options = std::move(options);
     return job;
 }

@@ -24,15 +24,18 @@ struct Job {
     Options options;
     gcode::SourceFile program;
     gcode::InterpreterOptions interpreter;
-    /// From options first, then from comments: the first of a number counts.
+    /// From options first, then from a job file, tables, comments: the first of a number counts.
     std::vector<toolpath::ToolEntry> tools;
     std::optional<toolpath::StockEntry> stock;
     gcode::Diagnostics diagnostics;  ///< Comments that contradict each other.
 };
 
-/// Reads what `options` names. Throws std::runtime_error if the program cannot be read or is not
-/// text.
+/// Reads what `options` names. Throws std::runtime_error if a file cannot be read, the program is
+/// not text, or a job file or tool table is none.
 Job read_job(Options options);
+
+/// All bytes of a file. Throws std::runtime_error, naming the file and what the system said.
+std::string read_text_file(const std::string& path);
 
 /// The program's name without folders.
 std::string base_name(const std::string& path);

@@ -45,6 +45,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     ParseOptions parse_options;
     CLI::App* parse = add_parse(app, parse_options);
     parse->footer(footer("ncsim parse samples/simple.nc --canonical"));
+    ToolsOptions tools_options;
+    CLI::App* tools = add_tools(app, tools_options);
+    tools->footer(footer("ncsim tools samples/complex.nc --save-job complex.toml"));
 
     const auto chosen = [&app] {
         const auto commands = app.get_subcommands();
@@ -57,6 +60,11 @@ Command parse_options(const std::vector<std::string>& arguments) {
             complete(run_options);
             return run_options;
         }
+        if (chosen() == tools) {
+            complete(tools_options);
+            return tools_options;
+        }
+        complete(parse_options);
         return parse_options;
     } catch (const CLI::CallForHelp&) {
         return Farewell{kClean, chosen()->help()};

@@ -6,6 +6,7 @@
 
 #include "parse_command.h"
 #include "run_options.h"
+#include "tools_command.h"
 
 #include <string>
 #include <variant>
@@ -20,7 +21,7 @@ struct Farewell {
 };
 
 /// What can be asked for: for each command its options. For each of them there is a run().
-using Command = std::variant<Options, ParseOptions, Farewell>;
+using Command = std::variant<Options, ParseOptions, ToolsOptions, Farewell>;
 
 /// Total: any arguments give one of them.
 Command parse_options(const std::vector<std::string>& arguments);

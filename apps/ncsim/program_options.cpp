@@ -81,9 +81,27 @@ void read_model(const std::string& model) {
 }  // namespace
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
+    command.add_option("program", options.program, "NC program")->type_name("FILE");
+    add_language_options(command, options);
+}
+
+void complete(const ProgramOptions& options) {
+    if (options.program.empty() && options.job.empty()) {
+        throw Refusal{"an NC program is needed, or a job file that names one (--job)"};
+    }
+}
+
+void add_language_options(CLI::App& command, ProgramOptions& options) {
     using Text = const std::string&;
     ProgramOptions& o = options;
-    command.add_option("program", o.program, "NC program")->required()->type_name("FILE");
+    command.add_option("--job", o.job, "Set-up from a file that --save-job wrote, TOML")
+        ->type_name("FILE");
+    command
+        .add_option("--tool-table", o.tool_tables,
+                    "Tools from a file: tool.tbl, .camotics, Fusion or Kiri:Moto JSON")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
     command
         .add_option_function<std::vector<std::string>>(
             "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
@@ -111,6 +129,8 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
 void add_setup_options(CLI::App& command, ProgramOptions& options) {
     using Text = const std::string&;
     ProgramOptions& o = options;
+    command.add_option("--save-job", o.save_job, "Write tools, stock and set-up as they were used")
+        ->type_name("FILE");
     command
         .add_option_function<std::string>(
             "--stock", [&o](Text text) { o.stock = read_stock(text); },

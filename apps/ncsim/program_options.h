@@ -39,7 +39,10 @@ struct ProgramOptions {
     std::vector<toolpath::ToolSpec> tools;
     /// For tools that nobody describes; its number is 0.
     std::optional<toolpath::ToolSpec> assumed_tool;
-    bool inches = false;  ///< For programs that say neither G20 nor G21.
+    std::string job;                       ///< A job file, empty: none.
+    std::vector<std::string> tool_tables;  ///< Files with tools.
+    std::string save_job;                  ///< Where to write a job file, empty: nowhere.
+    std::optional<bool> inches;            ///< For programs that say neither G20 nor G21; mm.
     bool block_delete = false;
     gcode::Dialect dialect = gcode::Dialect::Auto;
     bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
@@ -57,8 +60,12 @@ struct SimulationOptions {
 /// Lets `command` read them into `options`, which must outlive it. What makes no sense throws
 /// Refusal while the command line is parsed.
 void add_program_options(CLI::App& command, ProgramOptions& options);
+/// All of them but the program itself.
+void add_language_options(CLI::App& command, ProgramOptions& options);
 /// The stock and the assumed tool, which matter only where something is cut.
 void add_setup_options(CLI::App& command, ProgramOptions& options);
+/// What can be judged only when all options were read: throws Refusal if no program is named.
+void complete(const ProgramOptions& options);
 void add_simulation_options(CLI::App& command, SimulationOptions& options);
 
 }  // namespace ncsim::app

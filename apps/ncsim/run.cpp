@@ -13,6 +13,7 @@
 
 #include "findings.h"
 #include "job.h"
+#include "job_file.h"
 #include "output.h"
 #include "pipeline.h"
 #include "progress.h"
@@ -101,6 +102,9 @@ int run(Options options) {
         }
         write_outputs(outcome, outputs);
     }
+    outputs.write(o.save_job, [&](std::ostream& out) {
+        write_job_file(out, job, survey, job.options.save_job);
+    });
     outputs.write(o.report, [&](std::ostream& out) { write_report(out, outcome); });
     outputs.commit();
 

@@ -48,11 +48,13 @@ exporter::Colouring read_colouring(const std::string& name) {
 // No two outputs may be one file, and none the program itself.
 void check_paths(const Options& o) {
     std::set<std::string> seen{std::filesystem::path(o.program).lexically_normal().string()};
+    for (const std::string& input : o.tool_tables)
+        seen.insert(std::filesystem::path(input).lexically_normal().string());
     for (const std::string& path : outputs_of(o)) {
         if (path.rfind("/dev/", 0) == 0) continue;
         if (!seen.insert(std::filesystem::path(path).lexically_normal().string()).second) {
             throw Refusal{
-                fmt::format("'{}' is named twice: an output may overwrite neither the program nor "
+                fmt::format("'{}' is named twice: an output may overwrite neither an input nor "
                             "another output",
                             path)};
         }
@@ -73,7 +75,7 @@ void choose_model(Options& o) {
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
     for (const std::string* path :
-         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.step, &o.report, &o.stats, &o.xml}) {
+         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.step, &o.report, &o.stats, &o.xml, &o.save_job}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -115,6 +117,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
 }
 
 void complete(Options& options) {
+    complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
     check_paths(options);
 }

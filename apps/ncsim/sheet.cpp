@@ -28,18 +28,6 @@ public:
     std::string text_;
 };
 
-std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
-                 const char* option) {
-    switch (by) {
-        case toolpath::ToldBy::Comment:
-            return fmt::format("line {}: ({})", span.line, printable(text));
-        case toolpath::ToldBy::Option: return fmt::format("from {}", option);
-        case toolpath::ToldBy::Table: return fmt::format("from a tool table: {}", printable(text));
-        case toolpath::ToldBy::Assumption: break;
-    }
-    return fmt::format("assumed: {}", printable(text));
-}
-
 std::string units(const Survey& survey) {
     const char* name = survey.interpretation.uses_inches ? "inches" : "millimetres";
     if (survey.interpretation.units_stated) return fmt::format("{}, as the program says", name);
@@ -75,6 +63,22 @@ std::string printable(std::string_view text) {
     return result;
 }
 
+std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
+                 const std::string& file, const char* option) {
+    switch (by) {
+        case toolpath::ToldBy::Comment:
+            return fmt::format("line {}: ({})", span.line, printable(text));
+        case toolpath::ToldBy::Option: return fmt::format("from {}", option);
+        case toolpath::ToldBy::Table: {
+            std::string where = "from " + printable(file);
+            if (span.line > 0) where += fmt::format(", line {}", span.line);
+            return text.empty() ? where : fmt::format("{}: {}", where, printable(text));
+        }
+        case toolpath::ToldBy::Assumption: break;
+    }
+    return fmt::format("assumed: {}", printable(text));
+}
+
 std::string describe(const cda::Box& box) {
     const cda::Vec3 size = box.size();
     return fmt::format(
@@ -106,13 +110,14 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
     }
     for (const auto& [number, used] : survey.tools) {
         sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}", describe(used.tool),
-                   told(used.told_by, used.span, used.text, "--tool"));
+                   told(used.told_by, used.span, used.text, used.file, "--tool"));
         if (!used.filled_in.empty()) sheet.line("", "assumed: {}", used.filled_in);
     }
     if (survey.stock) {
         sheet.line("stock", "{}", describe(survey.stock->box));
         sheet.line("", "{}",
-                   told(survey.stock->told_by, survey.stock->span, survey.stock->text, "--stock"));
+                   told(survey.stock->told_by, survey.stock->span, survey.stock->text,
+                        survey.stock->file, "--stock"));
         sheet.line("model", "{}, lattice unit {:g} nm", job.options.model,
                    lattice_for(*survey.stock).unit_mm * 1e6);
     }

@@ -14,6 +14,10 @@ namespace ncsim::app {
 /// Text for people, a line for each thing; ends in a newline.
 std::string assumption_sheet(const Job& job, const Survey& survey);
 
+/// Who said it: "line 2: (…)", "from tool.tbl, line 3: …", "from --tool".
+std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
+                 const std::string& file, const char* option);
+
 /// `text` without what a terminal would obey: control characters other than line ends become '?'.
 /// What comes out of a program is shown through this.
 std::string printable(std::string_view text);

@@ -130,6 +130,7 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
             used.told_by = entry->told_by;
             used.span = entry->span;
             used.text = entry->text;
+            used.file = entry->file;
         } else if (track.cutting_tips.is_empty()) {
             continue;  // only positioned: what it looks like does not matter
         } else if (job.options.assumed_tool) {
@@ -146,9 +147,11 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
                           number);
             tell(result, Severity::Error, "tool-unknown", how, track.first);
             result.ready = false;
+            result.unknown_tools.emplace(number, track.first);
             continue;
         }
         spec.number = number;
+        used.spec = toolpath::filled(spec, length);
         used.filled_in = toolpath::filled_in(spec, length);
         used.tool = toolpath::make_tool(spec, length);
         result.tools.emplace(number, std::move(used));

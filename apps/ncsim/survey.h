@@ -24,6 +24,8 @@ struct UsedTool {
     toolpath::ToldBy told_by = toolpath::ToldBy::Comment;
     gcode::SourceSpan span;   ///< Of the comment.
     std::string text;         ///< As told.
+    std::string file;         ///< Of a table; empty: the program.
+    toolpath::ToolSpec spec;  ///< With all that was filled in.
     std::string filled_in;    ///< What was not told and had to be assumed.
     gcode::SourceSpan first;  ///< The block that first moves it.
 };
@@ -46,6 +48,8 @@ struct Survey {
     cda::Box tip_positions;              ///< Of all moves with a known start, mm, in W.
     std::map<int, Distances> distances;  ///< By tool number.
     std::map<int, UsedTool> tools;       ///< Those that move.
+    /// Tools that cut and are not described: the block that first moves them.
+    std::map<int, gcode::SourceSpan> unknown_tools;
     std::optional<toolpath::StockEntry> stock;
     gcode::Diagnostics diagnostics;  ///< Of the interpreter, of comments, and of this.
 

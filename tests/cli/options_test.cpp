@@ -136,8 +136,10 @@ TEST(Options, RefuseWhatMakesNoSense) {
 }
 
 TEST(Options, HelpNamesTheExitCodesAndEndsWithAnExample) {
-    for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"--help"}, {"run", "--help"}, {"parse", "--help"}}) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                      {"run", "--help"},
+                                                      {"parse", "--help"},
+                                                      {"tools", "--help"}}) {
         auto parsed = parse_options(arguments);
         const auto& farewell = std::get<Farewell>(parsed);
         EXPECT_EQ(farewell.exit_code, kClean);

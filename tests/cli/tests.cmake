@@ -10,7 +10,8 @@ if(TARGET ncsim)
       parse_test.cpp
       run_program.cpp
       run_test.cpp
-      samples_test.cpp)
+      samples_test.cpp
+      tools_test.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
   add_dependencies(ncsim_cli_tests ncsim)
 endif()

@@ -255,7 +255,7 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
         box.add(*min), box.add(*max);
         const cda::Vec3 size = box.size();
         if (size.x > 0 && size.y > 0 && size.z > 0) {
-            result.stock = StockEntry{box, ToldBy::Table, {}, "workpiece of the CAMotics project"};
+            result.stock = StockEntry{box, ToldBy::Table, {}, "the workpiece"};
         }
     }
     return true;
@@ -407,6 +407,7 @@ ToolFile read_tool_file(const gcode::SourceFile& file, bool machine_inches) {
     const char opening = first == std::string::npos ? '\0' : file.text[first];
     if (opening == '{' || opening == '[') {
         read_json(file, result);
+        if (result.stock) result.stock->file = file.name;
     } else {
         read_table(file, machine_inches ? 25.4 : 1.0, result);
     }

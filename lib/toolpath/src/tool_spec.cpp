@@ -69,6 +69,17 @@ Tool make_tool(const ToolSpec& spec, double assumed_length) {
     return tool;
 }
 
+ToolSpec filled(const ToolSpec& spec, double assumed_length) {
+    ToolSpec result = spec;
+    if (!spec.pieces.empty()) return result;
+    result.kind = kind_of(spec);
+    if (*result.kind == ToolKind::Drill || *result.kind == ToolKind::VCutter) {
+        result.angle = angle_of(spec, *result.kind);
+    }
+    if (!spec.length) result.length = assumed_length;
+    return result;
+}
+
 std::string filled_in(const ToolSpec& spec, double assumed_length) {
     if (!spec.pieces.empty()) return {};
     std::string result;

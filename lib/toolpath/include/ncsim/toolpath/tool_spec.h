@@ -38,6 +38,9 @@ bool is_complete(const ToolSpec& spec);
 /// any cut.
 Tool make_tool(const ToolSpec& spec, double assumed_length);
 
+/// `spec` with everything make_tool() would fill in.
+ToolSpec filled(const ToolSpec& spec, double assumed_length);
+
 /// What make_tool() had to fill in, in words, for the assumption sheet: "length 45 mm". Empty if
 /// nothing.
 std::string filled_in(const ToolSpec& spec, double assumed_length);

@@ -31,7 +31,8 @@ struct StockEntry {
     cda::Box box;
     ToldBy told_by = ToldBy::Comment;
     gcode::SourceSpan span;
-    std::string text;  ///< As written; for a derived stock the rule.
+    std::string text{};  ///< As written; for a derived stock the rule.
+    std::string file{};  ///< Of a table; empty: the program.
 };
 
 /// What the comments of a program tell.

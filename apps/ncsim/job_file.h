@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Job files (TOML 1.0): everything a program does not say about its set-up, so that it can be run
+// again. What `--save-job` writes, `--job` reads.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/gcode/dialect.h"
+#include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+struct Job;
+struct Survey;
+
+/// What a job file says; what it does not say is empty. Lengths in mm, angles in degrees.
+struct JobFile {
+    std::string program;  ///< As written: absolute, or seen from the folder of the job file.
+    std::optional<bool> inches;
+    std::optional<gcode::Dialect> dialect;
+    bool strict = false;
+    bool block_delete = false;
+    std::vector<std::string> allow;
+    std::optional<cda::Box> stock;
+    std::vector<toolpath::ToolEntry> tools;
+};
+
+/// Throws std::runtime_error with line and column if `file` is no TOML, or says something that is
+/// not known or makes no sense: a key that is passed over is a set-up that is not what it seems.
+JobFile parse_job_file(const gcode::SourceFile& file);
+
+/// The tools, the stock and the reading of the program as they were used, also what had to be
+/// assumed (with a comment that says so). `path` is where it will stand: the program is named as
+/// seen from there.
+void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
+                    const std::string& path);
+
+}  // namespace ncsim::app

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+constexpr const char* kTwoTools =
+    "(T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
+    "(T3 D=4. CR=2. - ZMIN=-2. - ball end mill)\n"
+    "G21 G90 G17\n"
+    "T1 M6\n"
+    "G0 X-30. Y0. Z5.\n"
+    "G0 Z-2.\n"
+    "G1 X30. F500.\n"
+    "G0 Z5.\n"
+    "T2 M6\n"
+    "G0 X0 Y0 Z5.\n"
+    "G1 Z-3. F100\n"
+    "G0 Z5\n"
+    "M30\n";
+
+TEST(Tools, AreListedWithTheirSourceAndUse) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran = folder.run({"tools", "slot.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+    EXPECT_EQ(ran.out,
+              "T1        flat end mill D10 L30\n"
+              "  told    line 1: (T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
+              "  assumed length 30 mm\n"
+              "  used    from line 7, 60.0 mm cutting, 14.0 mm in rapid moves\n"
+              "stock     40 x 30 x 10 mm, X -20 to 20, Y -15 to 15, Z -10 to 0\n"
+              "  told    line 2: (STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n");
+}
+
+TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
+    Folder folder;
+    folder.write("two.nc", kTwoTools);
+    const Ran ran = folder.run({"tools", "two.nc"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out, "T2        not described\n  used    from line 10, ")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "T3        ball end mill D4\n")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "  used    no\n")) << ran.out;
+    EXPECT_TRUE(contains(ran.err, "--tool T2=flat:D10")) << ran.err;
+
+    const json sheet = json::parse(folder.run({"tools", "two.nc", "--json"}).out);
+    ASSERT_EQ(sheet["tools"].size(), 3U);
+    EXPECT_EQ(sheet["tools"][0]["diameter_mm"], 10.0);
+    EXPECT_EQ(sheet["tools"][0]["told"]["line"], 1);
+    EXPECT_EQ(sheet["tools"][1]["described"], false);
+    EXPECT_EQ(sheet["tools"][2]["used"], false);
+    EXPECT_EQ(sheet["findings"][0]["code"], "tool-unknown");
+}
+
+TEST(Tools, ComeFromTablesAndContradictionsAreReported) {
+    Folder folder;
+    folder.write("two.nc", kTwoTools);
+    folder.write("tool.tbl", "T1 P1 D8 ;8 mm end mill\nT2 P2 D3 ;3 mm drill\n");
+    const Ran ran = folder.run({"tools", "two.nc", "--tool-table", "tool.tbl"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "T1        flat end mill D8 ")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "  told    from tool.tbl, line 2: T2 P2 D3 ;3 mm drill\n"));
+    EXPECT_TRUE(contains(ran.err, "two.nc:1:")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "tool 1 has a diameter of 10 mm, but tool.tbl says 8 mm"));
+}
+
+TEST(Tools, OfTheCommandLineBeatTheTableInSilence) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("tool.tbl", "T1 P1 D10 ;end mill\n");
+    const Ran ran =
+        folder.run({"tools", "slot.nc", "--tool-table", "tool.tbl", "--tool", "T1=ball:D6"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.err, "");
+    EXPECT_TRUE(contains(ran.out, "T1        ball end mill D6")) << ran.out;
+}
+
+TEST(Tools, TableThatIsNoneIsAnErrorWithItsPlace) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("tool.tbl", "T1 P1 D10 ;end mill\nhello\n");
+    const Ran ran = folder.run({"tools", "slot.nc", "--tool-table", "tool.tbl"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.err, "tool.tbl:2:1: ")) << ran.err;
+    EXPECT_EQ(folder.run({"tools", "slot.nc", "--tool-table", "none.tbl"}).exit_code, 2);
+}
+
+TEST(Tools, CamoticsProjectBringsItsWorkpieceAndUnits) {
+    Folder folder;
+    folder.write("inch.nc", "T1 M6\nG0 X0 Y0 Z1\nG1 Z-.1 F5\nG1 X1\nG0 Z1\nM2\n");
+    folder.write("inch.camotics",
+                 R"({"units":"imperial","tools":{"1":{"units":"imperial","shape":"cylindrical",
+                     "length":1,"diameter":0.25}},
+                     "workpiece":{"automatic":false,"bounds":{"min":[-10,-10,-10],
+                     "max":[50,10,0]}}})");
+    const Ran ran = folder.run({"run", "inch.nc", "--tool-table", "inch.camotics"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "60 x 20 x 10 mm")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "flat end mill D6.35 L25.4")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "inches")) << ran.err;
+}
+
+// --- Job files ---
+
+TEST(JobFile, RunsTheProgramAgainToTheSameBytes) {
+    Folder folder;
+    folder.write("two.nc", kTwoTools);
+    const Ran first = folder.run({"run", "two.nc", "--tool", "T2=v:D4:A60:P0.2", "--units", "inch",
+                                  "--stl", "a.stl", "--save-job", "two.toml", "--allow", "G187"});
+    ASSERT_EQ(first.exit_code, 0) << first.err;
+    const Ran second = folder.run({"run", "--job", "two.toml", "--stl", "b.stl"});
+    ASSERT_EQ(second.exit_code, 0) << second.err;
+    EXPECT_EQ(folder.read("a.stl"), folder.read("b.stl"));
+    EXPECT_EQ(first.out, second.out);
+    EXPECT_TRUE(contains(second.err, "from two.toml, line ")) << second.err;
+    // A job saved from a job says the same.
+    const Ran third = folder.run({"tools", "--job", "two.toml", "--save-job", "three.toml"});
+    ASSERT_EQ(third.exit_code, 0) << third.err;
+    const Ran fourth = folder.run({"run", "--job", "three.toml", "--stl", "c.stl", "-q"});
+    EXPECT_EQ(folder.read("a.stl"), folder.read("c.stl"));
+}
+
+TEST(JobFile, OfAnUndescribedToolAsksForIt) {
+    Folder folder;
+    folder.write("two.nc", kTwoTools);
+    EXPECT_EQ(folder.run({"tools", "two.nc", "--save-job", "two.toml"}).exit_code, 1);
+    const std::string text = folder.read("two.toml");
+    EXPECT_TRUE(contains(text, "# tool 2 moves from line 10 on and nobody describes it")) << text;
+    EXPECT_TRUE(contains(text, "#[[tool]]\n#number = 2\n")) << text;
+}
+
+TEST(JobFile, YieldsToTheCommandLine) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("slot.toml",
+                 "version = 1\nprogram = \"slot.nc\"\n[stock]\nmin = [-20, -15, -10]\n"
+                 "max = [20, 15, 0]\n[[tool]]\nnumber = 1\nkind = \"ball\"\ndiameter = 6\n");
+    const Ran ran = folder.run({"tools", "--job", "slot.toml", "--tool", "T1=flat:D4"});
+    EXPECT_TRUE(contains(ran.out, "T1        flat end mill D4 ")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "from slot.toml")) << ran.out;
+    EXPECT_TRUE(
+        contains(folder.run({"tools", "--job", "slot.toml"}).out, "T1        ball end mill D6 "));
+}
+
+TEST(JobFile, ThatMakesNoSenseIsRefusedWithItsPlace) {
+    const std::pair<const char*, const char*> table[] = {
+        {"version = ", "a.toml:1:"},
+        {"version = 2\n", "a.toml:1:11: "},
+        {"program = 3\n", "a.toml:1:11: expected a text in quotes"},
+        {"colour = \"red\"\n", "a.toml:1:10: 'colour' is not known here"},
+        {"units = \"furlong\"\n", "a.toml:1:9: "},
+        {"dialect = \"klingon\"\n", "a.toml:1:11: "},
+        {"[stock]\nmin = [0,0,0]\n", "a.toml:1:1: a stock has two corners"},
+        {"[stock]\nmin = [0,0,0]\nmax = [1,1,0]\n", "a.toml:3:7: "},
+        {"[stock]\nmin = [0,0,inf]\nmax = [1,1,0]\n", "a.toml:2:12: "},
+        {"[[tool]]\nnumber = 1\n", "a.toml:1:1: a tool needs a diameter"},
+        {"[[tool]]\ndiameter = 1\n", "a.toml:1:1: a tool has a number"},
+        {"[[tool]]\nnumber = 1\ndiameter = \"1\"\n", "a.toml:3:12: expected a number"},
+        {"[[tool]]\nnumber = 1\ndiameter = -1\n", "a.toml:3:12: "},
+        {"[[tool]]\nnumber = 1\nkind = \"spoon\"\ndiameter = 1\n", "a.toml:3:8: "},
+        {"[[tool]]\nnumber = 1\ndiameter = 1\n[[tool]]\nnumber = 1\ndiameter = 1\n",
+         "a.toml:4:1: tool 1 is described twice"},
+    };
+    for (const auto& [text, expected] : table) {
+        SCOPED_TRACE(text);
+        Folder folder;
+        folder.write("slot.nc", kSlot);
+        folder.write("a.toml", text);
+        const Ran ran = folder.run({"tools", "slot.nc", "--job", "a.toml"});
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_EQ(ran.out, "");
+        EXPECT_EQ(ran.err.rfind("ncsim: " + std::string(expected), 0), 0U) << ran.err;
+    }
+}
+
+TEST(JobFile, WithoutAProgramIsRefused) {
+    Folder folder;
+    folder.write("a.toml", "version = 1\n");
+    EXPECT_EQ(folder.run({"tools", "--job", "a.toml"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"tools", "--job", "none.toml"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"tools"}).exit_code, 2);
+}
+
+TEST(JobFile, TellsWhereAToolCameFromWhateverBytesStandThere) {
+    Folder folder;
+    folder.write("a.nc",
+                 "(T1 D=6 CR=0 - Schaftfr\xe4ser \"x\" \\ # - flat end mill)\nG21\nT1 M6\n"
+                 "G0 X0 Y0 Z1\nG1 Z-1 F9\nX9\nM2\n");
+    ASSERT_EQ(folder.run({"tools", "a.nc", "--save-job", "a.toml"}).exit_code, 0);
+    const Ran ran = folder.run({"tools", "--job", "a.toml"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "T1        flat end mill D6 ")) << ran.out;
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
