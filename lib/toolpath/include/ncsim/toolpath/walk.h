@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The walk of a program's tools: motion by motion, pose by pose, with the cells that the cutting
+// pieces leave behind. Who simulates subtracts them; who verifies looks at them first. Both walk
+// here, so that nothing is verified that was not simulated.
+#pragma once
+
+#include "ncsim/cda/cell.h"
+#include "ncsim/cda/lattice.h"
+#include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/tool_polytope.h"
+#include "ncsim/toolpath/trace.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace ncsim::toolpath {
+
+/// How a rapid move of several axes goes: in a straight line, as on controls that interpolate it,
+/// or as a dog-leg, every axis at its own rate until it is there.
+struct RapidPath {
+    bool dog_leg = false;
+    /// X, Y, Z in mm/min; only their ratios matter. All equal: 45 degrees first.
+    std::array<double, 3> rates{1.0, 1.0, 1.0};
+};
+
+/// The straight pieces of a rapid move, from its start to its end, at least one. X and U (Y and V,
+/// Z and W) share a rate; rotary axes run in step with the whole. A path with known ends: the
+/// corners lie where an axis arrives.
+std::vector<gcode::Linear> legs_of(const gcode::Linear& rapid, const RapidPath& path);
+
+/// Between two successive poses. References are valid during the call.
+struct Step {
+    const Pose& X_WA;
+    const Pose& X_WB;
+    /// Of the cutting pieces; only those that may meet the stock. Often none.
+    std::span<const cda::Cell> cells;
+    SampleBounds bounds;  ///< Of the motion the step belongs to.
+};
+
+class Walk {
+public:
+    /// Cells whose bounds do not overlap `stock` (mm, W) are left out.
+    Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
+         const SamplingOptions& sampling, RapidPath rapid = {});
+
+    /// Makes `tool` known under `number`; the first one of a number counts.
+    const Cutter& add_tool(int number, const Tool& tool);
+    /// Null if there is none of this number.
+    const Cutter* cutter(int number) const;
+
+    /// Calls `step` for each two poses of the motion that differ, in order. Does nothing for
+    /// dwells and tool changes, tools that nobody described, and moves whose start the program does
+    /// not tell. Returns the bounds of the motion.
+    SampleBounds take(const gcode::Motion& motion, cda::Origin origin,
+                      const std::function<void(const Step&)>& step);
+
+private:
+    cda::Lattice lattice_;
+    cda::Box stock_;
+    ToolAccuracy accuracy_;
+    SamplingOptions sampling_;
+    RapidPath rapid_;
+    std::map<int, Cutter> cutters_;
+    std::vector<cda::Cell> cells_;  // of one step, kept for its memory
+};
+
+}  // namespace ncsim::toolpath

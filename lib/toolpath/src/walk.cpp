@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::toolpath {
+
+using gcode::Length;
+using gcode::Linear;
+using gcode::Position;
+
+namespace {
+
+constexpr std::array<Length Position::*, 3> kFirst{&Position::x, &Position::y, &Position::z};
+constexpr std::array<Length Position::*, 3> kSecond{&Position::u, &Position::v, &Position::w};
+
+// Where a linear axis is after `time`, moving at `rate` until it is there. Exactly there then.
+Length axis_at(Length from, Length to, double rate, double time) {
+    const double distance = std::abs((to - from).mm());
+    if (rate * time >= distance) return to;
+    return from + (rate * time / distance) * (to - from);
+}
+
+}  // namespace
+
+std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
+    if (!path.dog_leg) return {rapid};
+    // When each axis arrives.
+    std::vector<double> times;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const auto axis : {kFirst[i], kSecond[i]}) {
+            const double distance = std::abs((rapid.to.*axis - rapid.from.*axis).mm());
+            if (distance > 0.0) times.push_back(distance / path.rates[i]);
+        }
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    if (times.size() < 2) return {rapid};
+    std::vector<Linear> legs;
+    Position at = rapid.from;
+    for (const double time : times) {
+        Position next = rapid.to;
+        if (time != times.back()) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (const auto axis : {kFirst[i], kSecond[i]}) {
+                    next.*axis = axis_at(rapid.from.*axis, rapid.to.*axis, path.rates[i], time);
+                }
+            }
+            const double t = time / times.back();
+            for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
+                next.*axis = gcode::Angle::from_degrees(
+                    (rapid.from.*axis).degrees() +
+                    t * ((rapid.to.*axis).degrees() - (rapid.from.*axis).degrees()));
+            }
+        }
+        legs.push_back({at, next});
+        at = next;
+    }
+    return legs;
+}
+
+Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
+           const SamplingOptions& sampling, RapidPath rapid)
+    : lattice_(lattice), stock_(stock), accuracy_(accuracy), sampling_(sampling), rapid_(rapid) {}
+
+const Cutter& Walk::add_tool(int number, const Tool& tool) {
+    return cutters_.try_emplace(number, tool, lattice_, accuracy_).first->second;
+}
+
+const Cutter* Walk::cutter(int number) const {
+    const auto found = cutters_.find(number);
+    return found == cutters_.end() ? nullptr : &found->second;
+}
+
+SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
+                        const std::function<void(const Step&)>& step) {
+    const auto found = cutters_.find(motion.tool);
+    if (found == cutters_.end() || !has_known_start(motion)) return {};
+    Cutter& cutter = found->second;
+
+    const auto walk = [&](const Samples& samples) {
+        for (std::size_t i = 1; i < samples.poses.size(); ++i) {
+            const Pose& X_WA = samples.poses[i - 1];
+            const Pose& X_WB = samples.poses[i];
+            // A tool that does not move cuts nothing it has not cut on its way here.
+            if (X_WA == X_WB) continue;
+            cells_.clear();
+            if (stock_.overlaps(cutter.bounds(X_WA, X_WB))) {
+                cutter.trace(X_WA, X_WB, origin, cells_);
+                std::erase_if(cells_,
+                              [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+            }
+            step({X_WA, X_WB, cells_, samples.bounds});
+        }
+    };
+
+    const auto* linear = std::get_if<Linear>(&motion.what);
+    if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg) {
+        const Samples samples = sample(motion, cutter.extent(), sampling_);
+        walk(samples);
+        return samples.bounds;
+    }
+    SampleBounds worst;
+    for (const Linear& leg : legs_of(*linear, rapid_)) {
+        gcode::Motion part = motion;
+        part.what = leg;
+        const Samples samples = sample(part, cutter.extent(), sampling_);
+        worst.missed_mm = std::max(worst.missed_mm, samples.bounds.missed_mm);
+        worst.gained_mm = std::max(worst.gained_mm, samples.bounds.gained_mm);
+        walk(samples);
+    }
+    return worst;
+}
+
+}  // namespace ncsim::toolpath
