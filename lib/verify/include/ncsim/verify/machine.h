@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is known of the machine. All of it may be missing: then the rules that need it are skipped,
+// and say so.
+#pragma once
+
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/vec.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::verify {
+
+struct AxisRange {
+    double min = 0.0, max = 0.0;
+    bool operator==(const AxisRange&) const = default;
+};
+
+/// Something on the table that no part of a tool may touch. In W (the frame of G54), mm.
+struct Fixture {
+    std::string name;
+    /// A box; or a closed mesh, where it has triangles, and then `box` encloses it.
+    cda::Box box;
+    cda::TriangleMesh mesh;
+    /// Every part of a tool must stay this far away, mm.
+    double clearance_mm = 0.0;
+};
+
+/// Lengths mm, rates mm/min, accelerations mm/s². Index 0, 1, 2: X, Y, Z.
+struct MachineDescription {
+    std::string name;
+    std::array<std::optional<AxisRange>, 3> travel;  ///< In machine coordinates.
+    std::array<std::optional<double>, 3> rapid;
+    std::array<std::optional<double>, 3> acceleration;
+    /// How far a corner may be cut, mm: what sets the speed through it. See cycle_time.h.
+    double junction_deviation = 0.01;
+    std::optional<double> max_feed;
+    std::optional<double> min_rpm, max_rpm;
+    std::optional<cda::Vec3> home;         ///< In machine coordinates.
+    std::optional<cda::Vec3> tool_change;  ///< Where tools are changed, in machine coordinates.
+    std::optional<double> tool_change_seconds;
+    /// Where the zero of G54 lies in machine coordinates.
+    std::optional<cda::Vec3> work_zero;
+    std::vector<Fixture> fixtures;
+};
+
+}  // namespace ncsim::verify

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One motion as the rules see it: what the program says, and what was measured while it was
+// simulated.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+#include "ncsim/gcode/motion.h"
+#include "ncsim/verify/finding.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ncsim::verify {
+
+/// A piece of the tool that does not cut, and the material it meets.
+struct BodyContact {
+    std::size_t piece = 0;  ///< Index into Tool::pieces.
+    double volume_mm3 = 0.0;
+    Certainty certainty = Certainty::Within;
+    /// The least by which the piece would have to sit higher on the tool not to meet material in
+    /// any motion so far, rounded up to 0.01 mm.
+    double raise_mm = 0.0;
+    std::optional<cda::Vec3> point;  ///< In both.
+    cda::Box box;                    ///< Encloses the contact.
+};
+
+struct FixtureContact {
+    std::size_t fixture = 0;  ///< Index into MachineDescription::fixtures.
+    std::size_t piece = 0;    ///< Of the tool.
+    bool touches = false;     ///< The fixture itself, not only the clearance around it.
+    Certainty certainty = Certainty::Within;
+    cda::Box box;
+};
+
+struct Move {
+    const gcode::Motion* motion = nullptr;
+    std::uint64_t number = 0;  ///< From 1, in the order of execution.
+    bool is_move = false;      ///< Else a dwell or a tool change.
+    bool is_traced = false;    ///< Its tool and its start are known, so it was simulated.
+    double length_mm = 0.0;    ///< Path of the controlled point.
+    cda::Box path;             ///< Of the controlled point, in W.
+    /// Of the controlled point, in machine coordinates with the tool length, if the machine tells
+    /// where the work zero lies.
+    std::optional<cda::Box> machine_path;
+    /// Box of all paths up to here, and before this motion.
+    cda::Box way, way_before;
+    bool tool_length_told = false;  ///< A tool length offset is active and not 0.
+
+    // What the cutting pieces met; only where `asked`.
+    bool asked = false;
+    bool meets_material = false;
+    bool volume_known = false;
+    double removed_mm3 = 0.0;
+    Certainty certainty = Certainty::Within;
+    cda::Box contact;                        ///< Encloses where the stock was met.
+    std::optional<cda::Vec3> contact_point;  ///< In the tool and in the material.
+
+    bool plunges = false;      ///< Straight along the tool axis, tip first.
+    double blind_mm3 = 0.0;    ///< Material met, plunging, by what does not cut at the centre.
+    double too_deep_mm = 0.0;  ///< Engaged height above the limit of the tool.
+    std::vector<BodyContact> bodies;
+    std::vector<FixtureContact> fixtures;
+};
+
+}  // namespace ncsim::verify

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::verify {
+
+using cda::Box;
+using cda::Cell;
+using cda::Vec3;
+using toolpath::Pose;
+using toolpath::Side;
+using toolpath::Step;
+
+namespace {
+
+toolpath::Tool tool_of(toolpath::ToolPiece piece) {
+    piece.cutting = true;  // what is watched is traced like a cutter
+    toolpath::Tool tool;
+    tool.pieces.push_back(std::move(piece));
+    return tool;
+}
+
+toolpath::ToolAccuracy with_side(toolpath::ToolAccuracy accuracy, Side side) {
+    accuracy.side = side;
+    return accuracy;
+}
+
+}  // namespace
+
+Vec3 axis_of(const Pose& X_WT) {
+    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
+}
+
+Pose raised(const Pose& X_WT, double distance) {
+    Pose pose = X_WT;
+    if (distance != 0.0) pose.translation = pose.translation + distance * axis_of(X_WT);
+    return pose;
+}
+
+Cell shrunk(const Cell& cell, double distance, const cda::Lattice& lattice) {
+    Cell result = cell;
+    const double units = distance / lattice.unit_mm;
+    for (cda::Plane& plane : result.planes) {
+        const double length = std::sqrt(static_cast<double>(plane.nx) * plane.nx +
+                                        static_cast<double>(plane.ny) * plane.ny +
+                                        static_cast<double>(plane.nz) * plane.nz);
+        // To the side that was asked for: inwards rounds inwards, outwards outwards.
+        const auto shift = static_cast<std::int64_t>(std::ceil(std::abs(units) * length));
+        plane = cda::canonical(plane.nx, plane.ny, plane.nz,
+                               distance > 0.0 ? plane.d - shift : plane.d + shift);
+    }
+    if (distance < 0.0) {
+        // Edges move farther out than faces: a corner of three right angles by sqrt(3).
+        const double more = -4.0 * distance;
+        result.bounds.min = result.bounds.min - Vec3{more, more, more};
+        result.bounds.max = result.bounds.max + Vec3{more, more, more};
+    }
+    return result;
+}
+
+double rounding_of(const Step& step, const cda::Lattice& lattice) {
+    // Two hulls of turned corners, half a unit an axis each, and their planes.
+    constexpr double kUnits = 4.0;
+    const auto is_exact = [](const Pose& pose) {
+        for (const Vec3& row : pose.rows) {
+            for (int i = 0; i < 3; ++i) {
+                if (row[i] != 0.0 && std::abs(row[i]) != 1.0) return false;
+            }
+        }
+        return true;
+    };
+    return is_exact(step.X_WA) && is_exact(step.X_WB) ? 0.0 : kUnits * lattice.unit_mm;
+}
+
+Box intersection(const Box& a, const Box& b) {
+    Box box;
+    box.min = {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)};
+    box.max = {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y), std::min(a.max.z, b.max.z)};
+    return box.is_empty() ? Box{} : box;
+}
+
+Body::Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
+           toolpath::ToolAccuracy accuracy)
+    : lattice_(lattice),
+      outer_(tool_of(piece), lattice, with_side(accuracy, Side::Circumscribed)),
+      inner_(tool_of(piece), lattice, with_side(accuracy, Side::Inscribed)) {}
+
+std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
+    std::vector<Cell> cells;
+    toolpath::Cutter& cutter = side == Side::Circumscribed ? outer_ : inner_;
+    cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells);
+    return cells;
+}
+
+Box Body::bounds(const Step& step, double raise) const {
+    return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise));
+}
+
+Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, const Box& stock) {
+    Meeting meeting;
+    if (!stock.overlaps(bounds(step, raise))) return meeting;
+    const double rounding = rounding_of(step, lattice_);
+    for (const Cell& cell : cells(step, raise, Side::Circumscribed)) {
+        const double volume =
+            part.common_volume(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
+        if (volume <= 0.0) continue;
+        meeting.volume_mm3 += volume;
+        meeting.box.add(intersection(cell.bounds, stock));
+    }
+    if (meeting.volume_mm3 <= 0.0) return meeting;
+    for (const Cell& cell : cells(step, raise, Side::Inscribed)) {
+        const double less = step.bounds.gained_mm + rounding;
+        if (part.common_volume(less > 0.0 ? shrunk(cell, less, lattice_) : cell) > 0.0) {
+            meeting.certainty = Certainty::Certain;
+        }
+    }
+    return meeting;
+}
+
+double needed_raise(Body& body, const Step& step, double known, double limit,
+                    const cda::TreeCda& part, const Box& stock) {
+    constexpr double kStep = 0.01;  // mm: finer than anybody sets a stick-out
+    const auto meets = [&](std::int64_t hundredths) {
+        return body.meet(step, kStep * static_cast<double>(hundredths), part, stock).volume_mm3 >
+               0.0;
+    };
+    const auto most = static_cast<std::int64_t>(std::ceil(limit / kStep));
+    auto low = static_cast<std::int64_t>(std::round(known / kStep));
+    std::int64_t width = 1;
+    while (low + width < most && meets(low + width)) {
+        low += width;
+        width *= 2;
+    }
+    std::int64_t high = std::min(most, low + width);
+    while (high - low > 1) {
+        const std::int64_t middle = low + (high - low) / 2;
+        (meets(middle) ? low : high) = middle;
+    }
+    return kStep * static_cast<double>(high);
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A piece of a tool that is watched on its own: a shank, a holder, the core of a cutter. Both its
+// polytopes, the circumscribed and the inscribed one, so that a contact can be told certain.
+#pragma once
+
+#include "ncsim/cda/tree.h"
+#include "ncsim/toolpath/walk.h"
+#include "ncsim/verify/finding.h"
+
+#include <optional>
+#include <vector>
+
+namespace ncsim::verify {
+
+/// What a convex body has in common with a part.
+struct Meeting {
+    double volume_mm3 = 0.0;  ///< 0: they touch at most.
+    Certainty certainty = Certainty::Within;
+    std::optional<cda::Vec3> point;
+    cda::Box box;  ///< Encloses it.
+};
+
+/// Unit vector from the tip to the spindle, in W.
+cda::Vec3 axis_of(const toolpath::Pose& X_WT);
+/// The pose `distance` mm along the tool axis, towards the spindle.
+toolpath::Pose raised(const toolpath::Pose& X_WT, double distance);
+/// The halfspaces of `cell` drawn in by `distance` (mm, > 0) or moved out (< 0).
+cda::Cell shrunk(const cda::Cell& cell, double distance, const cda::Lattice& lattice);
+/// How far (mm) the cells of this step may lie off for rounding alone: the corners of a turned tool
+/// are rounded to the lattice. 0 for upright tools, whose cells are exact: for them touching is
+/// exactly nothing, whatever came before.
+double rounding_of(const toolpath::Step& step, const cda::Lattice& lattice);
+/// The part common to both boxes; empty where there is none.
+cda::Box intersection(const cda::Box& a, const cda::Box& b);
+
+class Body {
+public:
+    Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
+         toolpath::ToolAccuracy accuracy);
+
+    /// What the sweep of the body, `raise` mm higher on the tool, meets of `part`, which lies in
+    /// `stock`. Certain if the inscribed polytope does, less what the motion's sampling gained.
+    Meeting meet(const toolpath::Step& step, double raise, const cda::TreeCda& part,
+                 const cda::Box& stock);
+
+    /// The cells of the sweep, circumscribed or inscribed.
+    std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);
+    cda::Box bounds(const toolpath::Step& step, double raise) const;
+
+private:
+    cda::Lattice lattice_;
+    toolpath::Cutter outer_, inner_;
+};
+
+/// The least raise in hundredths of a millimetre above `known` at which `body` meets nothing in
+/// this step (found by halving, so it is the least one if contact ends once). Requires that it does
+/// at `known`. At most `limit`.
+double needed_raise(Body& body, const toolpath::Step& step, double known, double limit,
+                    const cda::TreeCda& part, const cda::Box& stock);
+
+}  // namespace ncsim::verify

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/verify/finding.h"
+
+#include "ncsim/verify/rule.h"
+#include "ncsim/verify/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ncsim::verify {
+
+std::string_view name_of(Category category) {
+    switch (category) {
+        case Category::Program: return "program";
+        case Category::Collision: return "collision";
+        case Category::Travel: return "travel";
+        case Category::Process: return "process";
+        case Category::SetUp: break;
+    }
+    return "set-up";
+}
+
+std::string_view name_of(Severity severity) {
+    switch (severity) {
+        case Severity::Note: return "note";
+        case Severity::Warning: return "warning";
+        case Severity::Error: break;
+    }
+    return "error";
+}
+
+std::string text_of(const Quantity& quantity) {
+    return fmt::format("{} {:.6g}{}{}", quantity.name, quantity.value,
+                       quantity.unit.empty() ? "" : " ", quantity.unit);
+}
+
+std::uint64_t Verdict::count(Severity severity) const {
+    std::uint64_t n = 0;
+    for (const Finding& f : findings) {
+        if (f.severity == severity && !f.suppressed) ++n;
+    }
+    for (const auto& [rule, more] : unlisted) {
+        const RuleInfo* info = find_rule(rule);
+        if (info && info->severity == severity) n += more;
+    }
+    return n;
+}
+
+std::uint64_t Verdict::suppressed() const {
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(findings, [](const Finding& f) { return f.suppressed; }));
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "finding_log.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ncsim::verify {
+
+namespace {
+
+// Rows are found by rule and message; no rule's id is the beginning of this.
+std::string row_key(std::string_view rule, std::string_view message) {
+    return std::string(rule).append(1, '\n').append(message);
+}
+
+void merge(Finding& row, const Move& move, const Sighting& s) {
+    row.last = {move.motion->file, move.motion->span};
+    row.last_motion = move.number;
+    ++row.count;
+    row.box.add(s.box);
+    if (s.certainty == Certainty::Certain) row.certainty = Certainty::Certain;
+    if (row.quantity && s.quantity) {
+        double& value = row.quantity->value;
+        value = s.sums ? value + s.quantity->value : std::max(value, s.quantity->value);
+    }
+}
+
+}  // namespace
+
+FindingLog::FindingLog(const Selection& selection, const Suppressions& suppressions)
+    : selection_(&selection), suppressions_(&suppressions) {}
+
+void FindingLog::settle(Finding& f, bool weakened) {
+    const RuleInfo& rule = *find_rule(f.rule);
+    f.category = rule.category;
+    if (f.hint.empty()) f.hint = rule.fix;
+    if (const auto told = selection_->severities.find(f.rule);
+        told != selection_->severities.end()) {
+        f.severity = told->second;
+    } else if (weakened && f.severity == Severity::Error) {
+        f.severity = Severity::Warning;
+    }
+    f.suppressed = f.place.file == 0 && suppressions_->covers(f.place.span.line, f.rule);
+}
+
+bool FindingLog::store(Finding finding) {
+    if (stored_[finding.rule]++ >= Verdict::kMaxFindings) {
+        ++unlisted_[finding.rule];
+        return false;
+    }
+    findings_.push_back(std::move(finding));
+    return true;
+}
+
+void FindingLog::add(std::string_view rule, const Move& move, Sighting s) {
+    Finding f;
+    f.rule = rule;
+    f.severity = find_rule(rule)->severity;
+    f.certainty = s.certainty;
+    f.place = f.last = {move.motion->file, move.motion->span};
+    f.first_motion = f.last_motion = move.number;
+    f.tool = move.motion->tool;
+    if (s.is_note) f.severity = Severity::Note;
+    settle(f, s.weakened);
+
+    std::string key = row_key(rule, s.message);
+    if (const auto open = rows_.find(key); open != rows_.end()) {
+        Finding& row = findings_[open->second];
+        const bool follows = s.lasts || move.number <= row.last_motion + 1;
+        if (follows && row.tool == f.tool && row.place.file == f.place.file &&
+            row.suppressed == f.suppressed && row.severity == f.severity) {
+            merge(row, move, s);
+            return;
+        }
+    }
+    f.quantity = std::move(s.quantity);
+    f.point = s.point;
+    f.box = s.box;
+    f.message = std::move(s.message);
+    if (!s.hint.empty()) f.hint = std::move(s.hint);
+    f.assumptions = std::move(s.assumptions);
+    if (store(std::move(f))) rows_[std::move(key)] = findings_.size() - 1;
+}
+
+void FindingLog::end_row(std::string_view rule) {
+    const std::string begin = row_key(rule, "");
+    auto it = rows_.lower_bound(begin);
+    while (it != rows_.end() && it->first.starts_with(begin))
+        it = rows_.erase(it);
+}
+
+void FindingLog::add(Finding finding) {
+    settle(finding, false);
+    store(std::move(finding));
+}
+
+void FindingLog::finish(Verdict& verdict) {
+    std::ranges::stable_sort(findings_, {}, [](const Finding& f) {
+        return std::tuple(f.place.file, f.place.span.line, f.place.span.column);
+    });
+    verdict.findings = std::move(findings_);
+    verdict.unlisted = std::move(unlisted_);
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fixture.h"
+
+#include "ncsim/cda/collision.h"
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/polytope.h"
+
+#include <algorithm>
+
+namespace ncsim::verify {
+
+using cda::Box;
+using cda::Cell;
+using cda::Vec3;
+
+namespace {
+
+Box grown(const Box& box, double by) {
+    return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
+}
+
+Cell cell_of(const Box& box, const cda::Lattice& lattice) {
+    return cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
+}
+
+}  // namespace
+
+FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup.machine.fixtures) {
+    Box all;
+    for (const Fixture& f : fixtures_)
+        all.add(grown(f.box, f.clearance_mm + 1.0));
+    if (all.is_empty()) return;
+    lattice_ = cda::Lattice::for_stock(all);
+    for (const Fixture& f : fixtures_)
+        boxes_.emplace_back(cell_of(f.box, lattice_), lattice_);
+    for (const auto& [number, facts] : setup.tools) {
+        for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
+            tools_[number].emplace_back(piece, lattice_, setup.accuracy);
+        }
+    }
+}
+
+bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
+    const Fixture& fixture = fixtures_[index];
+    if (fixture.mesh.triangles.empty()) return boxes_[index].common_volume(cell) > 0.0;
+    // The part of the cell near the mesh plays the part, the mesh the body that may meet it.
+    Cell near = cell_of(grown(fixture.box, 1.0), lattice_);
+    near.planes.insert(near.planes.end(), cell.planes.begin(), cell.planes.end());
+    if (!cda::ConvexPolytope::of(near, lattice_)) return false;
+    return cda::collision(cda::FlatCda(near, lattice_), fixture.mesh).has_value();
+}
+
+void FixtureScene::meet(int tool, const toolpath::Step& step,
+                        std::vector<FixtureContact>& contacts) {
+    const auto found = tools_.find(tool);
+    if (found == tools_.end()) return;
+    std::vector<Body>& bodies = found->second;
+    for (std::size_t piece = 0; piece < bodies.size(); ++piece) {
+        const Box bounds = bodies[piece].bounds(step, 0.0);
+        for (std::size_t f = 0; f < fixtures_.size(); ++f) {
+            const double clearance = fixtures_[f].clearance_mm;
+            if (!bounds.overlaps(grown(fixtures_[f].box, clearance))) continue;
+            const auto old = std::ranges::find_if(contacts, [&](const FixtureContact& c) {
+                return c.fixture == f && c.piece == piece;
+            });
+            if (old != contacts.end() && old->touches && old->certainty == Certainty::Certain) {
+                continue;
+            }
+            FixtureContact contact{f, piece, false, Certainty::Within, {}};
+            bool closer = false;
+            using toolpath::Side;
+            for (const Cell& cell : bodies[piece].cells(step, 0.0, Side::Circumscribed)) {
+                const bool touching = touches(f, cell);
+                const bool near =
+                    touching || (clearance > 0.0 && touches(f, shrunk(cell, -clearance, lattice_)));
+                if (near)
+                    contact.box.add(intersection(cell.bounds, grown(fixtures_[f].box, clearance)));
+                contact.touches |= touching;
+                closer |= near;
+            }
+            if (!closer) continue;
+            const double less = step.bounds.gained_mm - (contact.touches ? 0.0 : clearance);
+            for (const Cell& cell : bodies[piece].cells(step, 0.0, Side::Inscribed)) {
+                if (touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell)) {
+                    contact.certainty = Certainty::Certain;
+                }
+            }
+            if (old == contacts.end()) {
+                contacts.push_back(contact);
+            } else {
+                old->touches |= contact.touches;
+                old->certainty = contact.certainty;
+                old->box.add(contact.box);
+            }
+        }
+    }
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/verify/rule.h"
+
+#include "rule_table.h"
+
+#include <array>
+#include <vector>
+
+namespace ncsim::verify {
+
+namespace {
+
+constexpr std::array kRules = {
+    Rule{{"program-fault", Category::Program, Severity::Error,
+          "A control stops at a block it cannot read, or reads it as something else.",
+          "Correct the block as the message says."}},
+    Rule{{"unsupported-word", Category::Program, Severity::Warning,
+          "What is not understood is not verified either.",
+          "Remove the word, or declare it harmless with --allow."}},
+    Rule{{"suppression", Category::Program, Severity::Warning,
+          "A comment that names no rule suppresses nothing.",
+          "Name a rule or a category; ncsim rules lists them."}},
+
+    Rule{{"rapid-in-material", Category::Collision, Severity::Error,
+          "A rapid move through material breaks the tool, or worse.",
+          "Retract before the move, or make it at feed."},
+         needs_simulation,
+         judge_rapid_in_material},
+    Rule{{"non-cutting-contact", Category::Collision, Severity::Error,
+          "A shank or a holder does not cut; it rubs, burns and breaks.",
+          "Give the tool that much more stick-out or flute length, or cut less deep."},
+         needs_bodies,
+         judge_non_cutting},
+    Rule{{"fixture-contact", Category::Collision, Severity::Error,
+          "A tool in the vice or in a clamp costs a spindle.",
+          "Move the fixture, or lead the tool around it."},
+         needs_fixtures,
+         judge_fixture_contact},
+    Rule{{"fixture-clearance", Category::Collision, Severity::Warning,
+          "Fixtures never stand exactly where the drawing has them.",
+          "Keep the stated distance from the fixture."},
+         needs_fixtures,
+         judge_fixture_clearance},
+
+    Rule{{"over-travel", Category::Travel, Severity::Error,
+          "The machine stops at its end switch, in the middle of the cut.",
+          "Move the part on the table, or split the program."},
+         needs_travel,
+         judge_over_travel},
+    Rule{{"start-unknown", Category::Travel, Severity::Warning,
+          "From an unknown place nobody can tell what a move meets.",
+          "Move to X, Y and Z at rapid, clear of the part, before the first cut."},
+         needs_nothing,
+         judge_start_unknown},
+
+    Rule{{"spindle-off", Category::Process, Severity::Error,
+          "A tool that stands still does not cut; it breaks.",
+          "Start the spindle (S and M3) before the tool meets material."},
+         needs_simulation,
+         judge_spindle_off},
+    Rule{{"spindle-reversed", Category::Process, Severity::Error,
+          "A tool that turns the wrong way does not cut; it breaks.",
+          "Use M3 for right-handed tools and M4 for left-handed ones."},
+         needs_simulation,
+         judge_spindle_reversed},
+    Rule{{"spindle-limit", Category::Process, Severity::Warning,
+          "The control clamps the speed, or the tool flies apart.",
+          "Program a speed within the limits of machine and tool."},
+         needs_speed_limit,
+         judge_spindle_limit},
+    Rule{{"no-feed", Category::Process, Severity::Error,
+          "Without a feed a control stops, or uses the one of the last program.",
+          "Program F before or with the first feed move."},
+         needs_nothing,
+         judge_no_feed},
+    Rule{{"feed-limit", Category::Process, Severity::Warning,
+          "The control clamps the feed, or the tool is overloaded.",
+          "Program a feed within the limits of machine and tool."},
+         needs_feed_limit,
+         judge_feed_limit},
+    Rule{{"plunge", Category::Process, Severity::Error,
+          "A tool that does not cut at its centre cannot drill.",
+          "Enter on a ramp or a helix, or into a drilled hole."},
+         needs_simulation,
+         judge_plunge},
+    Rule{{"depth-limit", Category::Process, Severity::Warning,
+          "Deeper than the tool is made for it bends, chatters and breaks.", "Cut in more passes."},
+         needs_depth_limit,
+         judge_depth},
+    Rule{{"engagement-limit", Category::Process, Severity::Warning,
+          "More material on the way than the tool is made for overloads it.",
+          "Take smaller steps sideways or in depth."},
+         needs_engagement_limit,
+         judge_engagement},
+    Rule{{"removal-rate", Category::Process, Severity::Warning,
+          "More material per minute than the tool is made for overloads it, or the spindle.",
+          "Lower the feed, or take smaller steps."},
+         needs_removal_limit,
+         judge_removal_rate},
+    Rule{{"air-cut", Category::Process, Severity::Note, "Feed moves that remove nothing cost time.",
+          "Make them rapid moves, or drop them."},
+         needs_simulation},
+
+    Rule{{"tool-undefined", Category::SetUp, Severity::Error,
+          "A tool that nobody described is not faked.",
+          "Describe it in a comment, in a tool table or with --tool."}},
+    Rule{{"offset-undefined", Category::SetUp, Severity::Warning,
+          "An offset that nobody told moves everything that follows.",
+          "Tell the offset in the job, or set it in the program (G10)."}},
+};
+
+constexpr auto kInfos = [] {
+    std::array<RuleInfo, kRules.size()> infos{};
+    for (std::size_t i = 0; i < infos.size(); ++i)
+        infos[i] = kRules[i].info;
+    return infos;
+}();
+
+}  // namespace
+
+std::span<const Rule> rule_table() {
+    return kRules;
+}
+
+std::span<const RuleInfo> rules() {
+    return kInfos;
+}
+
+const RuleInfo* find_rule(std::string_view id) {
+    for (const RuleInfo& rule : kInfos) {
+        if (rule.id == id) return &rule;
+    }
+    return nullptr;
+}
+
+std::vector<std::string_view> rules_named(std::string_view name) {
+    std::vector<std::string_view> ids;
+    for (const RuleInfo& rule : kInfos) {
+        if (name == "all" || rule.id == name || name_of(rule.category) == name) {
+            ids.push_back(rule.id);
+        }
+    }
+    return ids;
+}
+
+}  // namespace ncsim::verify

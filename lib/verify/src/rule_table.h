@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The working part of the rules. One file a subject under rules/; the table that makes them known
+// is rule.cpp.
+#pragma once
+
+#include "ncsim/verify/setup.h"
+
+#include "finding_log.h"
+
+namespace ncsim::verify {
+
+struct Rule {
+    RuleInfo info;
+    /// Why it cannot be asked with this setup; nothing: it can.
+    std::optional<std::string> (*missing)(const Setup&) = nullptr;
+    /// Looks at one motion. Null for rules that look at the whole, or at diagnostics.
+    void (*judge)(const Setup&, const Move&, FindingLog&) = nullptr;
+};
+
+std::span<const Rule> rule_table();
+
+/// For geometric rules: why the program was not simulated.
+std::optional<std::string> needs_simulation(const Setup& setup);
+std::optional<std::string> needs_nothing(const Setup& setup);
+std::optional<std::string> needs_travel(const Setup& setup);
+std::optional<std::string> needs_fixtures(const Setup& setup);
+std::optional<std::string> needs_bodies(const Setup& setup);
+std::optional<std::string> needs_feed_limit(const Setup& setup);
+std::optional<std::string> needs_speed_limit(const Setup& setup);
+std::optional<std::string> needs_depth_limit(const Setup& setup);
+std::optional<std::string> needs_engagement_limit(const Setup& setup);
+std::optional<std::string> needs_removal_limit(const Setup& setup);
+
+void judge_rapid_in_material(const Setup&, const Move&, FindingLog&);
+void judge_spindle_off(const Setup&, const Move&, FindingLog&);
+void judge_spindle_reversed(const Setup&, const Move&, FindingLog&);
+void judge_spindle_limit(const Setup&, const Move&, FindingLog&);
+void judge_no_feed(const Setup&, const Move&, FindingLog&);
+void judge_feed_limit(const Setup&, const Move&, FindingLog&);
+void judge_non_cutting(const Setup&, const Move&, FindingLog&);
+void judge_plunge(const Setup&, const Move&, FindingLog&);
+void judge_depth(const Setup&, const Move&, FindingLog&);
+void judge_engagement(const Setup&, const Move&, FindingLog&);
+void judge_removal_rate(const Setup&, const Move&, FindingLog&);
+void judge_fixture_contact(const Setup&, const Move&, FindingLog&);
+void judge_fixture_clearance(const Setup&, const Move&, FindingLog&);
+void judge_over_travel(const Setup&, const Move&, FindingLog&);
+void judge_start_unknown(const Setup&, const Move&, FindingLog&);
+
+/// The rule that a diagnostic of this code belongs to; empty: another rule tells it better.
+std::string_view rule_of_diagnostic(std::string_view code);
+
+/// What a contact with the part in this motion rests on: stock, tool, units, home, path.
+std::vector<std::string> assumptions_of(const Setup& setup, const Move& move);
+/// Does it rest on a stock or a tool that nobody described? Then it is a warning.
+bool rests_on_guesses(const Setup& setup, const Move& move);
+
+/// mm/min, whatever the feed mode; empty if no feed was set or it moves nothing.
+std::optional<double> feed_of(const Move& move);
+const ToolFacts* facts_of(const Setup& setup, int tool);
+
+}  // namespace ncsim::verify

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "air_cut.h"
+
+#include <fmt/format.h>
+
+namespace ncsim::verify {
+
+namespace {
+
+// More than a reader wants to see in one message; the ledger has them all.
+constexpr std::size_t kRangesShown = 8;
+
+}  // namespace
+
+void AirCuts::take(const Move& move) {
+    if (move.motion->kind != gcode::MoveKind::Feed || !move.is_traced || !move.asked) return;
+    ++blocks_;
+    feed_mm_ += move.length_mm;
+    const bool air = !move.meets_material && move.length_mm > 0.0;
+    if (air) {
+        air_mm_ += move.length_mm;
+        const std::uint32_t line = move.motion->span.line;
+        if (air_blocks_++ == 0) {
+            first_.place = {move.motion->file, move.motion->span};
+            first_.first_motion = move.number;
+            first_.tool = move.motion->tool;
+        }
+        first_.last = {move.motion->file, move.motion->span};
+        first_.last_motion = move.number;
+        if (was_air_ && !ranges_.empty() && ranges_more_ == 0) {
+            ranges_.back().last = line;
+        } else if (!was_air_ && ranges_.size() < kRangesShown) {
+            ranges_.push_back({line, line});
+        } else if (!was_air_) {
+            ++ranges_more_;
+        }
+        first_.box.add(move.path);
+    }
+    was_air_ = air;
+}
+
+void AirCuts::conclude(const Setup& setup, FindingLog& log) const {
+    if (air_blocks_ == 0) return;
+    std::string where;
+    for (const Lines& r : ranges_) {
+        where += fmt::format("{}{}", where.empty() ? "" : ", ", r.first);
+        if (r.last != r.first) where += fmt::format("-{}", r.last);
+    }
+    if (ranges_more_ > 0) where += fmt::format(" and {} more places", ranges_more_);
+    Finding f = first_;
+    f.rule = "air-cut";
+    f.severity = Severity::Note;
+    f.count = air_blocks_;
+    f.message =
+        fmt::format("{} of {} feed moves remove nothing, at lines {}", air_blocks_, blocks_, where);
+    f.quantity = Quantity{"share of the feed path", 100.0 * air_mm_ / feed_mm_, "%"};
+    if (!setup.stock_assumption.empty())
+        f.assumptions.push_back("stock: " + setup.stock_assumption);
+    log.add(std::move(f));
+}
+
+}  // namespace ncsim::verify

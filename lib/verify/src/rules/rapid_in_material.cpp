@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rapid moves that cut, and what every contact with the part rests on.
+#include "rule_table.h"
+
+namespace ncsim::verify {
+
+const ToolFacts* facts_of(const Setup& setup, int tool) {
+    const auto found = setup.tools.find(tool);
+    return found == setup.tools.end() ? nullptr : &found->second;
+}
+
+std::optional<std::string> needs_nothing(const Setup&) {
+    return std::nullopt;
+}
+
+std::optional<std::string> needs_simulation(const Setup& setup) {
+    if (setup.not_simulated) return "the program was not simulated: " + *setup.not_simulated;
+    return std::nullopt;
+}
+
+std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
+    std::vector<std::string> all;
+    const ToolFacts* tool = facts_of(setup, move.motion->tool);
+    if (!setup.stock_assumption.empty()) all.push_back("stock: " + setup.stock_assumption);
+    if (tool && !tool->assumption.empty()) all.push_back("tool: " + tool->assumption);
+    if (!setup.units_assumption.empty()) all.push_back("units: " + setup.units_assumption);
+    if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
+        all.push_back("home: " + setup.home_assumption);
+    }
+    if (move.motion->kind == gcode::MoveKind::Rapid) {
+        all.emplace_back(setup.rapid.dog_leg
+                             ? "path: each axis moves at its own rapid rate (--rapid dog-leg)"
+                             : "path: rapid moves are straight (--rapid linear)");
+    }
+    return all;
+}
+
+bool rests_on_guesses(const Setup& setup, const Move& move) {
+    const ToolFacts* tool = facts_of(setup, move.motion->tool);
+    return !setup.stock_assumption.empty() || (tool && tool->is_guess) ||
+           (move.motion->machine_coordinates && !setup.home_assumption.empty());
+}
+
+void judge_rapid_in_material(const Setup& setup, const Move& move, FindingLog& log) {
+    if (move.motion->kind != gcode::MoveKind::Rapid || !move.meets_material) return;
+    Sighting s{"rapid move through material"};
+    s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
+    s.sums = true;
+    s.certainty = move.certainty;
+    s.weakened = move.certainty == Certainty::Within || rests_on_guesses(setup, move);
+    s.point = move.contact_point;
+    s.box = move.contact;
+    s.assumptions = assumptions_of(setup, move);
+    log.add("rapid-in-material", move, std::move(s));
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/verify/verifier.h"
+
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/sampler.h"
+
+#include "air_cut.h"
+#include "body.h"
+#include "finding_log.h"
+#include "fixture.h"
+#include "rule_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::verify {
+
+using cda::Box;
+using cda::Cell;
+using cda::Vec3;
+using gcode::MoveKind;
+using toolpath::Step;
+
+namespace {
+
+// What a tool is watched for while it moves.
+struct Watched {
+    struct Part {
+        std::size_t piece;
+        Body body;
+        double raise_mm = 0.0;  // so far
+    };
+    std::vector<Part> bodies;                   // shanks and holders
+    std::optional<Body> core;                   // what does not cut at the centre
+    std::optional<Body> too_high;               // what cuts, but above the limit of depth
+    std::optional<Body> within;                 // what cuts below it
+    std::optional<toolpath::Cutter> inscribed;  // the cutter, for certainty
+};
+
+// A cylinder about the tool axis, from `low` to `high` mm above the tip.
+toolpath::ToolPiece cylinder(double diameter, double low, double high) {
+    return {{{diameter / 2, low, 0.0}, {diameter / 2, high, 0.0}}, true};
+}
+
+Watched watch(const ToolFacts& facts, const cda::Lattice& lattice,
+              const toolpath::ToolAccuracy& accuracy) {
+    Watched w;
+    for (std::size_t i = 0; i < facts.tool.pieces.size(); ++i) {
+        const toolpath::ToolPiece& piece = facts.tool.pieces[i];
+        if (!piece.cutting) w.bodies.push_back({i, Body(piece, lattice, accuracy)});
+    }
+    const double height = toolpath::cutting_height_of(facts.tool);
+    const double diameter = toolpath::cutting_diameter_of(facts.tool);
+    if (facts.blind_diameter && *facts.blind_diameter > 0.0) {
+        w.core.emplace(cylinder(*facts.blind_diameter, 0.0, height), lattice, accuracy);
+    }
+    if (facts.max_depth && *facts.max_depth < height) {
+        w.too_high.emplace(cylinder(diameter, *facts.max_depth, height), lattice, accuracy);
+        w.within.emplace(cylinder(diameter, 0.0, *facts.max_depth), lattice, accuracy);
+    }
+    toolpath::ToolAccuracy inner = accuracy;
+    inner.side = toolpath::Side::Inscribed;
+    w.inscribed.emplace(facts.tool, lattice, inner);
+    return w;
+}
+
+// Towards the spindle, or not? Only then a shank can meet what its own cutter takes away later in
+// the same motion; else the cutter was there first.
+bool ascends(const Step& step) {
+    return step.X_WA.rows == step.X_WB.rows &&
+           dot(step.X_WB.translation - step.X_WA.translation, axis_of(step.X_WA)) > 0.0;
+}
+
+bool goes_straight_down(const Step& step) {
+    if (step.X_WA.rows != step.X_WB.rows) return false;
+    const Vec3 way = step.X_WB.translation - step.X_WA.translation;
+    const Vec3 axis = axis_of(step.X_WA);
+    const double along = dot(way, axis);
+    if (along >= 0.0) return false;
+    // Copied coordinates differ by exactly nothing; under a turned axis rounding is all there is.
+    return norm(way - along * axis) <= 1e-9 * norm(way);
+}
+
+}  // namespace
+
+class Verifier::Impl {
+public:
+    Impl(Setup setup, const Box& stock, const cda::Lattice& lattice)
+        : setup_(std::move(setup)),
+          stock_(stock),
+          lattice_(lattice),
+          log_(setup_.selection, setup_.suppressions),
+          scene_(setup_) {
+        for (const Rule& rule : rule_table()) {
+            if (!asked(rule.info.id)) continue;
+            if (rule.missing) {
+                if (auto reason = rule.missing(setup_)) {
+                    skipped_.push_back({std::string(rule.info.id), std::move(*reason)});
+                }
+            }
+            if (rule.judge) judges_.push_back(rule.judge);
+        }
+        volumes_ = setup_.ledger ||
+                   (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
+                   (asked("removal-rate") && !needs_removal_limit(setup_));
+        contacts_ = volumes_ || asked("air-cut");
+        if (setup_.not_simulated) return;
+        for (const auto& [number, facts] : setup_.tools) {
+            watched_.emplace(number, watch(facts, lattice_, setup_.accuracy));
+        }
+    }
+
+    void set_frame(const gcode::ProgramFrame& frame) {
+        const double unit = frame.inches ? 25.4 : 1.0;
+        tool_offset_ = {unit * frame.tool_offset[gcode::kX], unit * frame.tool_offset[gcode::kY],
+                        unit * frame.tool_offset[gcode::kZ]};
+    }
+
+    void begin(const gcode::Motion& motion) {
+        move_ = {};
+        move_.motion = &motion;
+        move_.number = ++motions_;
+        const auto* from = gcode::start_of(motion);
+        const auto* to = gcode::end_of(motion);
+        move_.is_move = from && to;
+        if (!move_.is_move) return;
+        measure_path(motion, *from, *to);
+        const auto watched = watched_.find(motion.tool);
+        now_ = watched == watched_.end() ? nullptr : &watched->second;
+        move_.is_traced = now_ && toolpath::has_known_start(motion);
+        move_.asked = move_.is_traced && asks(motion);
+        move_.volume_known = move_.asked && (volumes_ || motion.kind == MoveKind::Rapid);
+    }
+
+    double cut(const Step& step, cda::TreeCda& part) {
+        const bool up = ascends(step);
+        const bool down = goes_straight_down(step);
+        if (up) meet_bodies(step, part);
+        if (down && asked("plunge")) meet_core(step, part);
+        const bool depth_asked =
+            now_->too_high && asked("depth-limit") && move_.motion->kind == MoveKind::Feed;
+        if (depth_asked) meet_too_high(step, part, up);
+        double removed = 0.0;
+        for (const Cell& cell : step.cells)
+            removed += take_away(cell, step, part);
+        if (!up) meet_bodies(step, part);
+        if (down) move_.plunges = true;
+        if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
+        return removed;
+    }
+
+    void end() {
+        for (const auto judge : judges_)
+            judge(setup_, move_, log_);
+        if (!move_.is_move) return;
+        if (contacts_) air_.take(move_);
+        (move_.motion->kind == MoveKind::Rapid ? ledger_.rapid_mm : ledger_.feed_mm) +=
+            move_.length_mm;
+        if (setup_.ledger) enter();
+        ledger_.removed_mm3 += move_.removed_mm3;
+    }
+
+    bool measures_all() const { return volumes_; }
+
+    void add(const gcode::Diagnostics& diagnostics) {
+        diagnostics_.insert(diagnostics_.end(), diagnostics.begin(), diagnostics.end());
+    }
+
+    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part) {
+        Verdict verdict;
+        verdict.files = interpretation.files;
+        for (const gcode::Diagnostic& d : diagnostics_)
+            tell(d, verdict.files);
+        for (const Suppressions::Unknown& u : setup_.suppressions.unknown()) {
+            Finding f;
+            f.rule = "suppression";
+            f.severity = Severity::Warning;
+            f.place = f.last = {0, u.span};
+            f.message = "'" + u.name + "' is no rule, so nothing is suppressed by it";
+            log_.add(std::move(f));
+        }
+        if (asked("air-cut")) air_.conclude(setup_, log_);
+        log_.finish(verdict);
+        verdict.skipped = std::move(skipped_);
+        ledger_.measured = volumes_ && part != nullptr;
+        ledger_.air_known = contacts_ && part != nullptr;
+        ledger_.air_mm = air_.air_mm();
+        if (part) ledger_.rest_mm3 = part->volume();
+        const Vec3 size = stock_.size();
+        ledger_.stock_mm3 = size.x * size.y * size.z;
+        verdict.ledger = std::move(ledger_);
+        return verdict;
+    }
+
+private:
+    bool asked(std::string_view rule) const { return setup_.selection.includes(rule); }
+
+    // Does somebody want to know what the cutter meets in this motion?
+    bool asks(const gcode::Motion& motion) const {
+        switch (motion.kind) {
+            case MoveKind::Rapid: return volumes_ || asked("rapid-in-material");
+            case MoveKind::Probe: return volumes_;
+            case MoveKind::Feed: break;
+        }
+        const bool turns_well =
+            motion.spindle == gcode::SpindleTurning::Clockwise && motion.spindle_rpm > 0.0;
+        return contacts_ || (!turns_well && (asked("spindle-off") || asked("spindle-reversed")));
+    }
+
+    void measure_path(const gcode::Motion& motion, const gcode::Position& from,
+                      const gcode::Position& to) {
+        Box& path = move_.path;
+        if (std::holds_alternative<gcode::Linear>(motion.what)) {
+            const Vec3 a = toolpath::linear_axes(from);
+            const Vec3 b = toolpath::linear_axes(to);
+            path.add(a);
+            path.add(b);
+            move_.length_mm = norm(b - a);
+        } else {
+            toolpath::SamplingOptions coarse;
+            coarse.chord_tolerance_mm = 0.01;
+            gcode::Motion straight = motion;  // the path of the axes, not of the tool
+            const toolpath::Samples samples = toolpath::sample(straight, {}, coarse);
+            for (std::size_t i = 0; i < samples.poses.size(); ++i) {
+                path.add(samples.poses[i].translation);
+                if (i > 0) {
+                    move_.length_mm +=
+                        norm(samples.poses[i].translation - samples.poses[i - 1].translation);
+                }
+            }
+        }
+        if (!toolpath::has_known_start(motion)) {
+            move_.length_mm = 0.0;
+            path = {};
+            path.add(toolpath::linear_axes(to));
+        }
+        move_.way_before = way_;
+        way_.add(path);
+        move_.way = way_;
+        if (setup_.machine.work_zero) {
+            const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
+            move_.machine_path = Box{path.min + shift, path.max + shift};
+            move_.tool_length_told = tool_offset_.z != 0.0;
+        }
+    }
+
+    double take_away(const Cell& cell, const Step& step, cda::TreeCda& part) {
+        if (!move_.asked) {
+            part.subtract_unmeasured(cell);
+            return 0.0;
+        }
+        double volume = 0.0;
+        if (move_.motion->kind == MoveKind::Rapid) {
+            const double rounding = rounding_of(step, lattice_);
+            volume = part.common_volume(cell);
+            if (volume > 0.0 && rounding > 0.0 &&
+                part.common_volume(shrunk(cell, rounding, lattice_)) <= 0.0) {
+                // In the books, but no contact: it is where the cutter was before.
+                move_.removed_mm3 += volume;
+                part.subtract_unmeasured(cell);
+                return volume;
+            }
+            if (volume > 0.0) ask_certainty(step, part);
+            part.subtract_unmeasured(cell);
+        } else {
+            volume = part.subtract(cell);
+        }
+        if (volume <= 0.0) return 0.0;
+        move_.meets_material = true;
+        move_.volume_known = true;
+        move_.removed_mm3 += volume;
+        move_.contact.add(intersection(cell.bounds, stock_));
+        return volume;
+    }
+
+    // Before the cutter has taken it away.
+    void ask_certainty(const Step& step, const cda::TreeCda& part) {
+        if (move_.certainty == Certainty::Certain) return;
+        cells_.clear();
+        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_);
+        const double less = step.bounds.gained_mm + rounding_of(step, lattice_);
+        for (const Cell& cell : cells_) {
+            if (part.common_volume(less > 0.0 ? shrunk(cell, less, lattice_) : cell) > 0.0) {
+                move_.certainty = Certainty::Certain;
+            }
+        }
+    }
+
+    void meet_bodies(const Step& step, const cda::TreeCda& part) {
+        if (!asked("non-cutting-contact")) return;
+        for (Watched::Part& watched : now_->bodies) {
+            const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
+            if (meeting.volume_mm3 <= 0.0) continue;
+            const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
+            if (watched.body.meet(step, watched.raise_mm, part, stock_).volume_mm3 > 0.0) {
+                watched.raise_mm =
+                    needed_raise(watched.body, step, watched.raise_mm, limit, part, stock_);
+            }
+            auto old = std::ranges::find(move_.bodies, watched.piece, &BodyContact::piece);
+            if (old == move_.bodies.end()) {
+                move_.bodies.push_back({watched.piece, 0.0, Certainty::Within, 0.0, {}, {}});
+                old = move_.bodies.end() - 1;
+            }
+            old->volume_mm3 += meeting.volume_mm3;
+            old->raise_mm = watched.raise_mm;
+            old->box.add(meeting.box);
+            if (!old->point) old->point = meeting.point;
+            if (meeting.certainty == Certainty::Certain) old->certainty = Certainty::Certain;
+        }
+    }
+
+    void meet_core(const Step& step, const cda::TreeCda& part) {
+        if (!now_->core || move_.motion->kind != MoveKind::Feed) return;
+        const Meeting meeting = now_->core->meet(step, 0.0, part, stock_);
+        move_.blind_mm3 += meeting.volume_mm3;
+        move_.contact.add(meeting.box);
+    }
+
+    // What cuts above the limit of depth, where what cuts below it has not been before.
+    void meet_too_high(const Step& step, cda::TreeCda& part, bool up) {
+        if (!up) {
+            for (const Cell& cell : now_->within->cells(step, 0.0, toolpath::Side::Inscribed)) {
+                if (stock_.overlaps(cell.bounds)) {
+                    const double volume = move_.asked ? part.subtract(cell) : 0.0;
+                    if (!move_.asked) part.subtract_unmeasured(cell);
+                    if (volume > 0.0) move_.removed_mm3 += volume, move_.meets_material = true;
+                }
+            }
+        }
+        if (now_->too_high->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return;
+        const double height = toolpath::cutting_height_of(tool_now());
+        move_.too_deep_mm = std::max(
+            move_.too_deep_mm, needed_raise(*now_->too_high, step, 0.0, height, part, stock_));
+    }
+
+    const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
+
+    void enter() {
+        const gcode::Motion& m = *move_.motion;
+        auto& rows = ledger_.rows;
+        const bool same = !rows.empty() && rows.back().line == m.span.line &&
+                          rows.back().file == m.file && rows.back().tool == m.tool &&
+                          rows.back().last_motion + 1 == move_.number;
+        if (!same) {
+            LedgerRow row;
+            row.file = m.file;
+            row.line = m.span.line;
+            row.first_motion = move_.number;
+            row.tool = m.tool;
+            row.kind = m.kind;
+            rows.push_back(row);
+        }
+        LedgerRow& row = rows.back();
+        row.last_motion = move_.number;
+        if (m.kind == MoveKind::Feed) row.kind = MoveKind::Feed;
+        row.length_mm += move_.length_mm;
+        row.removed_mm3 += move_.removed_mm3;
+        row.contact.add(move_.contact);
+    }
+
+    void tell(const gcode::Diagnostic& d, const std::vector<std::string>& files) {
+        const std::string_view rule = rule_of_diagnostic(d.code);
+        if (rule.empty() || !asked(rule)) return;
+        Finding f;
+        f.rule = rule;
+        f.code = d.code;
+        f.severity = d.severity;
+        const auto file = std::ranges::find(files, d.file);
+        f.place.file = d.file.empty() || file == files.end()
+                           ? 0
+                           : static_cast<std::uint32_t>(file - files.begin());
+        f.place.span = d.span;
+        f.last = f.place;
+        f.count = d.count;
+        f.message = d.message;
+        log_.add(std::move(f));
+    }
+
+    Setup setup_;
+    Box stock_;
+    cda::Lattice lattice_;
+    FindingLog log_;
+    FixtureScene scene_;
+    std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
+    std::vector<Skipped> skipped_;
+    std::map<int, Watched> watched_;
+    bool volumes_ = false;   // of every motion
+    bool contacts_ = false;  // of every feed motion
+
+    Vec3 tool_offset_;
+    Box way_;
+    std::uint64_t motions_ = 0;
+    Move move_;
+    Watched* now_ = nullptr;
+    std::vector<Cell> cells_;  // kept for its memory
+    AirCuts air_;
+    Ledger ledger_;
+    gcode::Diagnostics diagnostics_;
+};
+
+Verifier::Verifier(Setup setup, const Box& stock, const cda::Lattice& lattice)
+    : impl_(std::make_unique<Impl>(std::move(setup), stock, lattice)) {}
+Verifier::~Verifier() = default;
+
+void Verifier::set_frame(const gcode::ProgramFrame& frame) {
+    impl_->set_frame(frame);
+}
+
+void Verifier::begin(const gcode::Motion& motion) {
+    impl_->begin(motion);
+}
+
+double Verifier::cut(const Step& step, cda::TreeCda& part) {
+    return impl_->cut(step, part);
+}
+
+void Verifier::end() {
+    impl_->end();
+}
+
+bool Verifier::measures_all() const {
+    return impl_->measures_all();
+}
+
+void Verifier::add(const gcode::Diagnostics& diagnostics) {
+    impl_->add(diagnostics);
+}
+
+Verdict Verifier::finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part) {
+    return impl_->finish(interpretation, part);
+}
+
+}  // namespace ncsim::verify
