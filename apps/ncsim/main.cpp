@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The ncsim program: argv in, an exit code out, and the one place that catches exceptions.
+#include "check.h"
 #include "options.h"
 #include "run.h"
 

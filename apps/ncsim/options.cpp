@@ -48,6 +48,11 @@ Command parse_options(const std::vector<std::string>& arguments) {
     ToolsOptions tools_options;
     CLI::App* tools = add_tools(app, tools_options);
     tools->footer(footer("ncsim tools samples/complex.nc --save-job complex.toml"));
+    CheckOptions check_options;
+    CLI::App* check = add_check(app, check_options);
+    check->footer(footer("ncsim check samples/simple.nc samples/complex.nc"));
+    RulesOptions rules_options;
+    CLI::App* rules = add_rules(app, rules_options);
 
     const auto chosen = [&app] {
         const auto commands = app.get_subcommands();
@@ -64,6 +69,8 @@ Command parse_options(const std::vector<std::string>& arguments) {
             complete(tools_options);
             return tools_options;
         }
+        if (chosen() == check) return check_options;
+        if (chosen() == rules) return rules_options;
         complete(parse_options);
         return parse_options;
     } catch (const CLI::CallForHelp&) {

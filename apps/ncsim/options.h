@@ -4,6 +4,7 @@
 // nothing.
 #pragma once
 
+#include "check_options.h"
 #include "parse_command.h"
 #include "run_options.h"
 #include "tools_command.h"
@@ -21,7 +22,8 @@ struct Farewell {
 };
 
 /// What can be asked for: for each command its options. For each of them there is a run().
-using Command = std::variant<Options, ParseOptions, ToolsOptions, Farewell>;
+using Command =
+    std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, RulesOptions, Farewell>;
 
 /// Total: any arguments give one of them.
 Command parse_options(const std::vector<std::string>& arguments);

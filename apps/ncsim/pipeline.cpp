@@ -7,12 +7,11 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/tree.h"
-#include "ncsim/toolpath/trace.h"
+#include "ncsim/toolpath/walk.h"
 
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
-#include <vector>
 
 namespace ncsim::app {
 
@@ -37,22 +36,32 @@ std::unique_ptr<cda::WorkpieceModel> prototype(const Options& options) {
     throw std::logic_error("no such model: " + options.model);
 }
 
+toolpath::Walk make_walk(const Job& job, const Survey& survey, const cda::Lattice& lattice,
+                         const toolpath::RapidPath& rapid) {
+    toolpath::ToolAccuracy accuracy;
+    accuracy.tolerance_mm = job.options.tool_tolerance;
+    toolpath::SamplingOptions sampling;
+    sampling.chord_tolerance_mm = job.options.tolerance;
+    sampling.rotation_miss_mm = job.options.tolerance;
+    sampling.rotation_gain_mm = 10 * job.options.tolerance;
+    return {lattice, survey.stock->box, accuracy, sampling, rapid};
+}
+
 class Mill {
 public:
-    Mill(const Job& job, const Survey& survey, Simulation& result)
+    Mill(const Job& job, const Survey& survey, const Verification& verification, Simulation& result)
         : result_(result),
-          stock_(survey.stock->box),
+          walk_(make_walk(job, survey, result.lattice, verification.rapid)),
+          verifier_(verification.verifier),
+          verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           measured_(job.options.model == "cda-flat" ||
-                    (!job.options.report.empty() && job.options.block_volumes)),
+                    (!job.options.report.empty() && job.options.block_volumes) ||
+                    (verifier_ && verifier_->measures_all())),
           volume_(result.stock_volume) {
-        accuracy_.tolerance_mm = job.options.tool_tolerance;
-        sampling_.chord_tolerance_mm = job.options.tolerance;
-        sampling_.rotation_miss_mm = job.options.tolerance;
-        sampling_.rotation_gain_mm = 10 * job.options.tolerance;
+        if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
         for (const auto& [number, used] : survey.tools) {
-            const auto [cutter, is_new] = cutters_.try_emplace(
-                number, toolpath::Cutter(used.tool, result.lattice, accuracy_));
-            result.cutters[number] = {cutter->second.sides(), cutter->second.error_mm()};
+            const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
+            result.cutters[number] = {cutter.sides(), cutter.error_mm()};
         }
         result.provenance.program = base_name(job.program.name);
         result.provenance.entries.push_back({});  // the stock
@@ -60,40 +69,37 @@ public:
 
     void take(const gcode::Motion& motion) {
         if (motion.tool != tool_) change_tool(motion.tool);
-        const auto found = cutters_.find(motion.tool);
-        if (found == cutters_.end() || !toolpath::has_known_start(motion)) return;
-        toolpath::Cutter& cutter = found->second;
-
-        const toolpath::Samples samples = toolpath::sample(motion, cutter.extent(), sampling_);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         bool met_stock = false;
         double removed = 0.0;
-        for (std::size_t i = 1; i < samples.poses.size(); ++i) {
-            const toolpath::Pose& X_WA = samples.poses[i - 1];
-            const toolpath::Pose& X_WB = samples.poses[i];
-            // A tool that does not move cuts nothing it has not cut on its way here.
-            if (X_WA == X_WB || !stock_.overlaps(cutter.bounds(X_WA, X_WB))) continue;
-            cells_.clear();
-            cutter.trace(X_WA, X_WB, origin, cells_);
-            for (const cda::Cell& cell : cells_) {
-                if (!stock_.overlaps(cell.bounds)) continue;
-                met_stock = true;
-                ++result_.hulls;
-                if (measured_) {
-                    removed += result_.part->subtract(cell);
-                } else {
-                    result_.part->subtract_unmeasured(cell);
+        if (verifier_) verifier_->begin(motion);
+        const toolpath::SampleBounds bounds =
+            walk_.take(motion, origin, [&](const toolpath::Step& step) {
+                if (verifier_) {
+                    met_stock |= !step.cells.empty();
+                    result_.hulls += step.cells.size();
+                    removed += verifier_->cut(step, *verified_);
+                    return;
                 }
-            }
-        }
+                for (const cda::Cell& cell : step.cells) {
+                    met_stock = true;
+                    ++result_.hulls;
+                    if (measured_) {
+                        removed += result_.part->subtract(cell);
+                    } else {
+                        result_.part->subtract_unmeasured(cell);
+                    }
+                }
+            });
+        if (verifier_) verifier_->end();
         if (!met_stock) return;
         cut_since_change_ = true;
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
         if (measured_) result_.removed_by_tool[motion.tool] += removed;
         if (removed > 0.0) result_.removed_by_block[{motion.file, motion.span.line}] += removed;
-        result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, samples.bounds.missed_mm);
-        result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, samples.bounds.gained_mm);
+        result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, bounds.missed_mm);
+        result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, bounds.gained_mm);
     }
 
     /// After the last motion.
@@ -115,15 +121,13 @@ private:
     }
 
     Simulation& result_;
-    cda::Box stock_;
+    toolpath::Walk walk_;
+    verify::Verifier* verifier_;
+    cda::TreeCda* verified_;  // the part, if it is verified
     bool measured_;
     int tool_ = 0;
     double volume_;
     bool cut_since_change_ = false;
-    toolpath::ToolAccuracy accuracy_;
-    toolpath::SamplingOptions sampling_;
-    std::map<int, toolpath::Cutter> cutters_;
-    std::vector<cda::Cell> cells_;  // of one step, kept for its memory
 };
 
 }  // namespace
@@ -132,7 +136,8 @@ cda::Lattice lattice_for(const toolpath::StockEntry& stock) {
     return cda::Lattice::for_stock(stock.box);
 }
 
-Simulation simulate(const Job& job, const Survey& survey, const ProgressSink& progress) {
+Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
+                    const ProgressSink& progress) {
     Simulation result;
     result.lattice = lattice_for(*survey.stock);
     const cda::LatticePoint min = result.lattice.round(survey.stock->box.min);
@@ -141,11 +146,11 @@ Simulation simulate(const Job& job, const Survey& survey, const ProgressSink& pr
         prototype(job.options)->create(cda::box_cell(min, max, result.lattice), result.lattice);
     result.stock_volume = result.part->volume();
 
-    Mill mill(job, survey, result);
+    Mill mill(job, survey, verification, result);
     std::uint64_t moves = 0;
     gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
         mill.take(motion);
-        if (start_of(motion)) progress(++moves);
+        if (progress && start_of(motion)) progress(++moves);
     });
     mill.finish();
     return result;

@@ -7,6 +7,8 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/provenance.h"
 #include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/walk.h"
+#include "ncsim/verify/verifier.h"
 
 #include "job.h"
 #include "survey.h"
@@ -50,7 +52,16 @@ cda::Lattice lattice_for(const toolpath::StockEntry& stock);
 /// How far it got: moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;
 
-/// Requires survey.is_ready(). The result depends on `job` only.
-Simulation simulate(const Job& job, const Survey& survey, const ProgressSink& progress);
+/// How a program is verified while it is simulated.
+struct Verification {
+    /// Sees every motion and does the cutting; null: nothing is verified. Needs the model "cda".
+    verify::Verifier* verifier = nullptr;
+    toolpath::RapidPath rapid;
+};
+
+/// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may
+/// be empty.
+Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
+                    const ProgressSink& progress);
 
 }  // namespace ncsim::app

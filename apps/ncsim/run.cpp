@@ -92,7 +92,7 @@ int run(Options options) {
     std::optional<cda::Boundary> boundary;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
-        simulation = simulate(job, survey, [&](std::uint64_t done) { progress.update(done); });
+        simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); });
         outcome.simulation = &*simulation;
         const bool needs_surface = !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
                                    !o.step.empty() || !o.report.empty();

@@ -5,6 +5,7 @@ if(TARGET ncsim)
     LIBRARIES ncsim_app nlohmann_json::nlohmann_json
     SOURCES
       bad_input_test.cpp
+      check_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp

@@ -49,9 +49,9 @@ const Sample& sample(const std::string& name) {
         options.model = "cda";
         slot->job = app::read_job(options);
         slot->survey = app::survey(slot->job);
-        slot->tree = app::simulate(slot->job, slot->survey, [](std::uint64_t) {});
+        slot->tree = app::simulate(slot->job, slot->survey, {}, {});
         slot->job.options.model = "cda-flat";
-        slot->flat = app::simulate(slot->job, slot->survey, [](std::uint64_t) {});
+        slot->flat = app::simulate(slot->job, slot->survey, {}, {});
         slot->boundary = slot->tree.part->boundary();
         slot->flat_boundary = slot->flat.part->boundary();
     }

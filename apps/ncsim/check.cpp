@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check.h"
+
+#include "check_text.h"
+#include "checked.h"
+#include "findings.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ncsim::app {
+
+namespace {
+
+// Verifies programs on several threads and hands each result to `done` in the order of the
+// programs, on the thread of the caller.
+template <class Work, class Done>
+void in_order(std::size_t count, unsigned jobs, const Work& work, const Done& done) {
+    std::vector<bool> ready(count, false);
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::atomic<std::size_t> next{0};
+    std::vector<std::jthread> workers;
+    for (unsigned j = 0; j < jobs; ++j) {
+        workers.emplace_back([&] {
+            for (std::size_t i = next++; i < count; i = next++) {
+                work(i);
+                const std::lock_guard lock(mutex);
+                ready[i] = true;
+                changed.notify_one();
+            }
+        });
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        {
+            std::unique_lock lock(mutex);
+            changed.wait(lock, [&] { return ready[i]; });
+        }
+        done(i);
+    }
+}
+
+}  // namespace
+
+int run(CheckOptions options) {
+    const MachineFile machine =
+        options.machine.empty() ? MachineFile{} : read_machine_file(options.machine);
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const auto count = static_cast<unsigned>(options.programs.size());
+    const unsigned jobs = std::min(count, options.jobs > 0 ? options.jobs : cores);
+    // Many programs share the cores; a single one has them all.
+    const unsigned threads = jobs > 1 ? 1 : options.threads;
+
+    std::vector<Checked> all(options.programs.size());
+    in_order(
+        all.size(), jobs,
+        [&](std::size_t i) {
+            all[i] = check_program(options.programs[i], options, machine, threads);
+        },
+        [&](std::size_t i) { put_out(text_of(all[i], options)); });
+    if (!options.quiet && all.size() > 1) put_out(summary_of(all));
+
+    int worst = kClean;
+    for (const Checked& checked : all)
+        worst = std::max(worst, checked.exit_code);
+    return worst == kFindings && options.exit_zero ? int{kClean} : worst;
+}
+
+int run(const RulesOptions& options) {
+    put_out(options.json ? rules_json() : rules_text());
+    return kClean;
+}
+
+}  // namespace ncsim::app

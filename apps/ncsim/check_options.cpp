@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+namespace ncsim::app {
+
+namespace {
+
+std::vector<std::string_view> ids_of(const char* option, const std::string& name) {
+    auto ids = verify::rules_named(name);
+    if (ids.empty()) {
+        throw Refusal{fmt::format("{} '{}': no rule or category of this name; see ncsim rules",
+                                  option, name)};
+    }
+    return ids;
+}
+
+void select(verify::Selection& selection, const std::vector<std::string>& names) {
+    for (const verify::RuleInfo& rule : verify::rules())
+        selection.ignored.emplace(rule.id);
+    for (const std::string& name : names) {
+        for (const std::string_view id : ids_of("--select", name))
+            selection.ignored.erase(std::string(id));
+    }
+}
+
+void ignore(verify::Selection& selection, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        for (const std::string_view id : ids_of("--ignore", name))
+            selection.ignored.emplace(id);
+    }
+}
+
+void weigh(verify::Selection& selection, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+        for (const std::string_view id : ids_of("--severity", text.substr(0, equals))) {
+            bool known = false;
+            for (const auto severity :
+                 {gcode::Severity::Note, gcode::Severity::Warning, gcode::Severity::Error}) {
+                if (value != verify::name_of(severity)) continue;
+                selection.severities.insert_or_assign(std::string(id), severity);
+                known = true;
+            }
+            if (!known) {
+                throw Refusal{fmt::format(
+                    "--severity '{}': expected rule=note, rule=warning or rule=error", text)};
+            }
+        }
+    }
+}
+
+// Lists may be given with commas and more than once.
+CLI::Option* add_list(CLI::App& command, const char* name, const char* type, const char* what,
+                      std::function<void(const std::vector<std::string>&)> take) {
+    return command.add_option_function<std::vector<std::string>>(name, std::move(take), what)
+        ->type_name(type)
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
+}
+
+}  // namespace
+
+CLI::App* add_check(CLI::App& app, CheckOptions& o) {
+    CLI::App* check = app.add_subcommand(
+        "check", "Verify programs: is each of them safe to run? Exit code 1 if not");
+    check->add_option("programs", o.programs, "NC programs")->required()->type_name("FILES");
+    add_language_options(*check, o);
+    add_setup_options(*check, o);
+    add_simulation_options(*check, o);
+    check->add_option("--machine", o.machine, "Travels, limits and fixtures, TOML")
+        ->type_name("FILE");
+    CLI::Option* selected = add_list(*check, "--select", "RULES", "Only these rules or categories",
+                                     [&o](const auto& names) { select(o.selection, names); });
+    // After --select, wherever it stands on the command line.
+    add_list(*check, "--ignore", "RULES", "All but these",
+             [&o](const auto& names) { ignore(o.selection, names); });
+    (void)selected;
+    add_list(*check, "--severity", "RULE=S", "note, warning or error",
+             [&o](const auto& texts) { weigh(o.selection, texts); });
+    check
+        ->add_option_function<std::string>(
+            "--rapid",
+            [&o](const std::string& path) {
+                if (path != "linear" && path != "dog-leg") {
+                    throw Refusal{fmt::format("--rapid '{}': expected linear or dog-leg", path)};
+                }
+                o.dog_leg = path == "dog-leg";
+            },
+            "How rapid moves go: linear or dog-leg [linear]")
+        ->type_name("PATH");
+    check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
+    check->add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
+    check->add_flag("--notes", o.notes, "Show notes, too");
+    check->add_flag("--quiet,-q", o.quiet, "Only findings, no verdicts and no summary");
+    return check;
+}
+
+CLI::App* add_rules(CLI::App& app, RulesOptions& options) {
+    CLI::App* rules = app.add_subcommand("rules", "List the rules of ncsim check");
+    rules->add_flag("--json", options.json, "As JSON");
+    return rules;
+}
+
+}  // namespace ncsim::app

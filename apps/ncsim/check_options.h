@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What `ncsim check` and `ncsim rules` are asked for.
+#pragma once
+
+#include "ncsim/verify/rule.h"
+
+#include "program_options.h"
+
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+/// `program` is not used: there may be many. Empty paths: not asked for.
+struct CheckOptions : ProgramOptions, SimulationOptions {
+    std::vector<std::string> programs;
+    std::string machine;  ///< A machine.toml.
+    verify::Selection selection;
+    bool dog_leg = false;
+    unsigned jobs = 0;  ///< Programs at a time; 0: as many as the machine has cores.
+    bool exit_zero = false;
+    bool warnings_as_errors = false;
+    bool notes = false;  ///< Show notes, too.
+    bool quiet = false;  ///< Only findings.
+};
+
+struct RulesOptions {
+    bool json = false;
+};
+
+/// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
+CLI::App* add_check(CLI::App& app, CheckOptions& options);
+CLI::App* add_rules(CLI::App& app, RulesOptions& options);
+
+}  // namespace ncsim::app

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One program, verified: from a path to a verdict, whatever is wrong with it.
+#pragma once
+
+#include "ncsim/toolpath/walk.h"
+#include "ncsim/verify/verdict.h"
+
+#include "check_options.h"
+#include "machine_file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+struct Checked {
+    std::string path;  ///< As given on the command line.
+    int exit_code = kClean;
+    /// Why there is no verdict: it could not be read, or something broke. Empty: there is one.
+    std::string failure;
+    verify::Verdict verdict;
+    /// For each finding the line it points at, as written; empty where there is none.
+    std::vector<std::string> lines;
+    bool simulated = false;
+    std::string not_simulated;  ///< Why not.
+    std::string stock;          ///< What it was verified against, in words.
+    std::uint64_t moves = 0;
+};
+
+/// Reads and verifies `path`. Never throws: what is wrong is in the result. The result depends on
+/// the file and the options only. `threads` evaluate at a time.
+Checked check_program(const std::string& path, const CheckOptions& options,
+                      const MachineFile& machine, unsigned threads);
+
+/// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
+toolpath::RapidPath rapid_path(const CheckOptions& options,
+                               const verify::MachineDescription& machine);
+
+}  // namespace ncsim::app

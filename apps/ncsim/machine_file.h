@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The description of a machine as TOML: what is known of it, the rest left out.
+//
+//     name = "three-axis mill"
+//     [travel]                       # machine coordinates, mm
+//     x = [-500, 0]
+//     y = [-400, 0]
+//     z = [-450, 0]
+//     [rapid]                        # mm/min
+//     x = 15000
+//     y = 15000
+//     z = 10000
+//     [acceleration]                 # mm/s2
+//     x = 3000
+//     y = 3000
+//     z = 2000
+//     [spindle]
+//     min = 100
+//     max = 12000
+//     [feed]
+//     max = 8000
+//     [position]                     # machine coordinates, mm
+//     home = [0, 0, 0]
+//     tool_change = [0, 0, 0]
+//     work_zero = [-250, -200, -300] # of G54
+//     [time]
+//     tool_change = 6.0              # s
+//     junction_deviation = 0.01      # mm
+//     [[fixture]]                    # in the frame of G54, mm
+//     name = "vice"
+//     box = [[-60, -40, -20], [60, -30, 5]]
+//     clearance = 2
+//     [[tool]]                       # limits of a tool
+//     number = 3
+//     max_feed = 600                 # mm/min
+//     max_speed = 8000               # rpm
+//     max_depth = 4                  # mm along the axis
+//     max_engagement = 20            # mm3 per mm of path
+//     max_removal_rate = 12000       # mm3/min
+//     blind_diameter = 6             # mm that do not cut about the axis
+//     left_handed = false
+#pragma once
+
+#include "ncsim/verify/machine.h"
+#include "ncsim/verify/setup.h"
+
+#include <map>
+#include <string>
+
+namespace ncsim::app {
+
+struct MachineFile {
+    verify::MachineDescription machine;
+    /// Limits by tool number; the shape is not told here.
+    std::map<int, verify::ToolFacts> tools;
+};
+
+/// Reads and judges `path`. Throws std::runtime_error, naming file, line and column, for what is
+/// not TOML, unknown keys, wrong types and values that make no sense.
+MachineFile read_machine_file(const std::string& path);
+
+}  // namespace ncsim::app

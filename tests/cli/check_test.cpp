@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+// kSlot, but the slot is made at rapid.
+std::string rapid_slot() {
+    std::string text(kSlot);
+    text.replace(text.find("G1 X30. F500."), 13, "G0 X30.");
+    return text.replace(text.find("G0 Z5.\nM30"), 6, "G1 Z5. F500.");
+}
+
+TEST(Check, FindsNothingInAGoodProgramAndSaysWhatItCouldNotAsk) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran = folder.run({"check", "slot.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "slot.nc: clean: 0 errors, 0 warnings, 1 note\n")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "skipped  over-travel: no travels are told")) << ran.out;
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"slot.nc"});
+}
+
+TEST(Check, ShowsTheLineWithACaretAndFails) {
+    Folder folder;
+    folder.write("slot.nc", rapid_slot());
+    const Ran ran = folder.run({"check", "slot.nc", "-q"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.out,
+              "slot.nc:8:1: error: rapid move through material: removed 800 mm3 "
+              "[rapid-in-material]\n"
+              "G0 X30.\n"
+              "^~\n"
+              "  assumed tool: length 30 mm\n"
+              "  assumed path: rapid moves are straight (--rapid linear)\n"
+              "  hint: Retract before the move, or make it at feed.\n");
+    EXPECT_EQ(ran.err, "");
+}
+
+TEST(Check, SelectsIgnoresAndWeighsRules) {
+    Folder folder;
+    folder.write("slot.nc", rapid_slot());
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--ignore", "rapid-in-material"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--ignore", "collision"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--select", "travel,process"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--select", "rapid-in-material"}).exit_code, 1);
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--exit-zero"}).exit_code, 0);
+    const std::vector<std::string> warning{"check", "slot.nc", "--severity",
+                                           "rapid-in-material=warning"};
+    EXPECT_EQ(folder.run(warning).exit_code, 0);
+    std::vector<std::string> strict = warning;
+    strict.emplace_back("--warnings-as-errors");
+    EXPECT_EQ(folder.run(strict).exit_code, 1);
+}
+
+TEST(Check, RefusesWhatMakesNoSense) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    for (const auto& more : std::vector<std::vector<std::string>>{{"--select", "rapids"},
+                                                                  {"--severity", "no-feed=bad"},
+                                                                  {"--rapid", "curved"},
+                                                                  {"--machine", "none.toml"}}) {
+        std::vector<std::string> arguments{"check", "slot.nc"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = folder.run(arguments);
+        EXPECT_EQ(ran.exit_code, 2) << more.front();
+        EXPECT_TRUE(contains(ran.err, more.back().substr(0, 4))) << ran.err;
+    }
+    EXPECT_EQ(folder.run({"check"}).exit_code, 2);
+}
+
+TEST(Check, ABrokenProgramHidesNoOther) {
+    Folder folder;
+    folder.write("bad.nc", rapid_slot());
+    folder.write("good.nc", kSlot);
+    folder.write("binary.nc", std::string("\x7f\0ELF", 5));
+    const Ran ran = folder.run({"check", "bad.nc", "missing.nc", "binary.nc", "good.nc"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.out, "bad.nc:8:1: error")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "missing.nc: not verified: cannot read 'missing.nc'"));
+    EXPECT_TRUE(contains(ran.out, "binary.nc: not verified: 'binary.nc' is not an NC program"));
+    EXPECT_TRUE(contains(ran.out, "good.nc: clean"));
+    EXPECT_TRUE(contains(ran.out, "4 programs: 1 clean, 1 failed, 2 not verified\n"));
+}
+
+TEST(Check, SaysTheSameForAnyNumberOfJobs) {
+    Folder folder;
+    std::vector<std::string> arguments{"check"};
+    for (int i = 0; i < 8; ++i) {
+        const std::string name = std::to_string(i).append(".nc");
+        folder.write(name, i % 3 == 0 ? rapid_slot() : std::string(kSlot));
+        arguments.push_back(name);
+    }
+    arguments.insert(arguments.end(), {"--jobs", "1"});
+    const Ran one = folder.run(arguments);
+    arguments.back() = "3";
+    const Ran three = folder.run(arguments);
+    EXPECT_EQ(one.out, three.out);
+    EXPECT_EQ(one.exit_code, 1);
+}
+
+TEST(Check, OfAProgramThatCannotBeSimulatedStillReadsIt) {
+    Folder folder;
+    folder.write("part.nc", "G21 G90\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1\nM30\n");
+    const Ran ran = folder.run({"check", "part.nc"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out, "tool 7 is not described")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "[tool-undefined:tool-unknown]")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "part.nc:4:1: error: feed move without a feed")) << ran.out;
+    EXPECT_TRUE(
+        contains(ran.out, "skipped  rapid-in-material, non-cutting-contact, fixture-contact"));
+}
+
+TEST(Check, ReadsAMachine) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write(
+        "machine.toml",
+        "name = 'mill'\n[travel]\nx = [-25, 100]\n[position]\nwork_zero = [0, 0, 0]\n"
+        "[feed]\nmax = 400\n[[fixture]]\nname = 'jaw'\nbox = [[-40, 4, -20], [40, 20, 9]]\n"
+        "[[tool]]\nnumber = 1\nmax_depth = 1.5\n");
+    const Ran ran = folder.run({"check", "slot.nc", "--machine", "machine.toml", "-q"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out, "X runs beyond its lower end at -25: by 5 mm")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "the machine's limit of 400 mm/min: feed 500 mm/min"));
+    EXPECT_TRUE(contains(ran.out, "the cutter of T1 meets the fixture 'jaw'"));
+    EXPECT_TRUE(contains(ran.out, "above the tool's limit of 1.5 mm: depth 2 mm")) << ran.out;
+}
+
+TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {"[travel]\nx = [3, 1]\n", "m.toml:2:5: 'travel.x': the first end"},
+        {"[travel]\nq = 1\n", "m.toml:2:5: 'q' is not known in travel; expected x, y, z"},
+        {"[spindle]\nmax = 'fast'\n", "m.toml:2:7: 'spindle.max': expected a number"},
+        {"travel = [\n", "m.toml:1:12: "},
+        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box"},
+        {"[[tool]]\nmax_feed = 3\n", "a tool needs its number"}};
+    for (const auto& [text, message] : faults) {
+        Folder folder;
+        folder.write("slot.nc", kSlot);
+        folder.write("m.toml", text);
+        const Ran ran = folder.run({"check", "slot.nc", "--machine", "m.toml"});
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_TRUE(contains(ran.err, message)) << ran.err;
+    }
+}
+
+TEST(Rules, AreListedForPeopleAndForPrograms) {
+    Folder folder;
+    const Ran text = folder.run({"rules"});
+    EXPECT_EQ(text.exit_code, 0);
+    EXPECT_TRUE(contains(text.out, "  rapid-in-material    error    A rapid move"));
+    const Ran json = folder.run({"rules", "--json"});
+    EXPECT_TRUE(contains(json.out, "\"id\": \"rapid-in-material\""));
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
