@@ -70,15 +70,15 @@ void BoundaryOfTree(benchmark::State& state) {
     for (auto _ : state)
         benchmark::DoNotOptimize(part.boundary());
     report(state, cells.size());
-    const cda::TreeCounts& counts = part.counts();
+    const cda::TreeCounts counts = part.counts();
     const auto per_hull = [&](std::uint64_t n) {
         return static_cast<double>(n) / static_cast<double>(cells.size());
     };
     state.counters["planes"] = per_hull(counts.planes);
-    state.counters["leaves"] = per_hull(counts.leaves_evaluated);
+    state.counters["leaves"] = per_hull(counts.leaves);
     state.counters["facets_tested"] = per_hull(counts.facets_tested);
     state.counters["facets_alive"] = per_hull(counts.facets_alive);
-    state.counters["fragments"] = per_hull(counts.fragments);
+    state.counters["pieces"] = per_hull(counts.pieces);
 }
 BENCHMARK(BoundaryOfTree)->RangeMultiplier(4)->Range(1024, 16384)->Unit(benchmark::kMillisecond);
 

@@ -16,7 +16,60 @@ constexpr double kLargestError = 1e-2;
 // Rounding of n·p − d itself: products below 2^50, |d| below 2^52.
 constexpr double kHeightError = 4.0;
 
+// On which side of `cut` the point lies where the planes a, b and c meet; how far, in units of its
+// normal.
+Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane& b,
+             const FilterPlane& c, const FilterPlane& cut, double& height) {
+    height = point.p.x * cut.nx + point.p.y * cut.ny + point.p.z * cut.nz - cut.d;
+    const double bound = kHeightError + cut.one_norm * point.error;
+    if (height > bound) return Side::Above;
+    if (height < -bound) return Side::Below;
+    const Side side = classify_exact(*meet(a.exact, b.exact, c.exact), cut.exact);
+    if (side == Side::On) height = 0.0;
+    return side;
+}
+
+// Where the line of `plane` and `line`, on which a and b lie, meets `cut`; heights of both above
+// it.
+FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const FilterPlane& cut,
+                       const FilteredPoint& a, const FilteredPoint& b, double from, double to) {
+    const Vec3 along = b.p - a.p;
+    const double length = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
+    const double error = std::max(a.error, b.error);
+    const double bound = kHeightError + cut.one_norm * error;
+    const double span = std::abs(from - to);
+    FilteredPoint c;
+    // How far the crossing may slide along the line, and how far the line may lie off.
+    c.error = span > 0.0 ? error + kCornerError + 2.0 * length * bound / span : 1.0;
+    if (c.error <= kLargestError) {
+        c.p = a.p + (from / (from - to)) * along;
+    } else {
+        c.p = meet(plane.exact, line.exact, cut.exact)->approx;
+        c.error = kCornerError;
+    }
+    return c;
+}
+
 }  // namespace
+
+FilteredSegment::Clipped FilteredSegment::clip(const FilterPlane& cut) {
+    double at_tail = 0.0;
+    double at_head = 0.0;
+    const Side from = side_of(tail, *plane, *line, *tail_cut, cut, at_tail);
+    const Side to = side_of(head, *plane, *line, *head_cut, cut, at_head);
+    if (from == Side::On && to == Side::On) return Clipped::Inside;
+    if (from != Side::Above && to != Side::Above) return Clipped::Whole;
+    if (from != Side::Below && to != Side::Below) return Clipped::Nothing;
+    const FilteredPoint at = crossing(*plane, *line, cut, tail, head, at_tail, at_head);
+    if (from == Side::Above) {
+        tail = at;
+        tail_cut = &cut;
+        return Clipped::Tail;
+    }
+    head = at;
+    head_cut = &cut;
+    return Clipped::Head;
+}
 
 bool FilteredPolygon::assign_section(const FilterPlane& plane,
                                      const std::array<std::int64_t, 3>& min,
@@ -38,7 +91,7 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
                             const std::array<std::int64_t, 3>& at_v) {
         const double cu = 0.5 * static_cast<double>(at_u[u]);
         const double cv = 0.5 * static_cast<double>(at_v[v]);
-        Corner c;
+        FilteredPoint c;
         c.p[static_cast<int>(u)] = cu;
         c.p[static_cast<int>(v)] = cv;
         c.p[static_cast<int>(axis)] = (plane.d - n[u] * cu - n[v] * cv) / n[axis];
@@ -54,23 +107,15 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
 }
 
 Side FilteredPolygon::side_of(std::size_t corner, const FilterPlane& cut, double& height) const {
-    const Corner& c = corners_[corner];
-    height = c.p.x * cut.nx + c.p.y * cut.ny + c.p.z * cut.nz - cut.d;
-    const double bound = kHeightError + cut.one_norm * c.error;
-    if (height > bound) return Side::Above;
-    if (height < -bound) return Side::Below;
     const std::size_t before = (corner + corners_.size() - 1) % corners_.size();
-    const auto exact = meet(plane_->exact, edges_[before]->exact, edges_[corner]->exact);
-    const Side side = classify_exact(*exact, cut.exact);
-    if (side == Side::On) height = 0.0;
-    return side;
+    return cda::side_of(corners_[corner], *plane_, *edges_[before], *edges_[corner], cut, height);
 }
 
 void FilteredPolygon::update_box() const {
     Vec3 min = corners_[0].p;
     Vec3 max = min;
     error_ = 0.0;
-    for (const Corner& c : corners_) {
+    for (const FilteredPoint& c : corners_) {
         min = {std::min(min.x, c.p.x), std::min(min.y, c.p.y), std::min(min.z, c.p.z)};
         max = {std::max(max.x, c.p.x), std::max(max.y, c.p.y), std::max(max.z, c.p.z)};
         error_ = std::max(error_, c.error);
@@ -101,62 +146,31 @@ int FilteredPolygon::classify_corners(const FilterPlane& cut) const {
     return !any_below ? -1 : any_above ? 0 : 1;
 }
 
-FilteredPolygon::Corner FilteredPolygon::crossing_of(std::size_t edge, const FilterPlane& cut,
-                                                     double from, double to) const {
-    const Corner& a = corners_[edge];
-    const Corner& b = corners_[(edge + 1) % corners_.size()];
-    const Vec3 along = b.p - a.p;
-    const double length = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
-    const double error = std::max(a.error, b.error);
-    const double bound = kHeightError + cut.one_norm * error;
-    const double span = std::abs(from - to);
-    Corner c;
-    // How far the crossing may slide along the edge, and how far the edge may lie off.
-    c.error = span > 0.0 ? error + kCornerError + 2.0 * length * bound / span : 1.0;
-    if (c.error <= kLargestError) {
-        c.p = a.p + (from / (from - to)) * along;
-    } else {
-        c.p = meet(plane_->exact, edges_[edge]->exact, cut.exact)->approx;
-        c.error = kCornerError;
-    }
-    return c;
-}
-
-// Uses sides_ and heights_.
-bool FilteredPolygon::clip_classified(const FilterPlane& cut, bool keep_below,
-                                      FilteredPolygon& out) const {
-    const std::size_t n = corners_.size();
-    const Side inside = keep_below ? Side::Below : Side::Above;
-    const Side outside = opposite(inside);
-    out.plane_ = plane_;
-    out.corners_.clear();
-    out.has_box_ = false;
-    out.edges_.clear();
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t k = i + 1 == n ? 0 : i + 1;
-        const bool enters = sides_[i] == outside && sides_[k] == inside;
-        const bool leaves = sides_[i] == inside && sides_[k] == outside;
-        if (sides_[i] != outside) {
-            out.corners_.push_back(corners_[i]);
-            out.edges_.push_back(sides_[i] == Side::On && sides_[k] != inside ? &cut : edges_[i]);
-        }
-        if (enters || leaves) {
-            out.corners_.push_back(crossing_of(i, cut, heights_[i], heights_[k]));
-            out.edges_.push_back(enters ? edges_[i] : &cut);
-        }
-    }
-    return out.corners_.size() >= 3;
-}
-
 bool FilteredPolygon::clip(const FilterPlane& cut) {
     const int where = classify_corners(cut);
     if (where != 0) return where > 0;
-    thread_local FilteredPolygon part;
-    clip_classified(cut, true, part);
-    corners_.swap(part.corners_);
-    edges_.swap(part.edges_);
+    kept_corners_.clear();
+    kept_edges_.clear();
+    const std::size_t n = corners_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = after(i);
+        const bool enters = sides_[i] == Side::Above && sides_[k] == Side::Below;
+        const bool leaves = sides_[i] == Side::Below && sides_[k] == Side::Above;
+        if (sides_[i] != Side::Above) {
+            kept_corners_.push_back(corners_[i]);
+            kept_edges_.push_back(sides_[i] == Side::On && sides_[k] != Side::Below ? &cut
+                                                                                    : edges_[i]);
+        }
+        if (enters || leaves) {
+            kept_corners_.push_back(crossing(*plane_, *edges_[i], cut, corners_[i], corners_[k],
+                                             heights_[i], heights_[k]));
+            kept_edges_.push_back(enters ? edges_[i] : &cut);
+        }
+    }
+    corners_.swap(kept_corners_);
+    edges_.swap(kept_edges_);
     has_box_ = false;
-    return true;
+    return corners_.size() >= 3;
 }
 
 Overlap FilteredPolygon::overlap(std::span<const FilterPlane* const> cuts,
@@ -170,58 +184,38 @@ Overlap FilteredPolygon::overlap(std::span<const FilterPlane* const> cuts,
     return crossing.empty() ? Overlap::Covered : Overlap::Undecided;
 }
 
-void FilteredPolygon::subtract(std::span<const FilterPlane* const> cuts,
-                               std::vector<FilteredPolygon>& rest, std::size_t& count) const {
-    thread_local std::vector<const FilterPlane*> crossing;
-    const auto append = [&]() -> FilteredPolygon& {
-        if (count == rest.size()) rest.emplace_back();
-        return rest[count++];
-    };
-    const auto append_whole = [&] {
-        FilteredPolygon& whole = append();
-        whole.plane_ = plane_;
-        whole.corners_ = corners_;
-        whole.edges_ = edges_;
-        whole.has_box_ = false;
-    };
-    switch (overlap(cuts, crossing)) {
-        case Overlap::None: append_whole(); return;
-        case Overlap::Covered: return;
-        case Overlap::Undecided: break;
-    }
-    const std::size_t before = count;
-    thread_local FilteredPolygon inside;
-    thread_local FilteredPolygon next;
-    inside.plane_ = plane_;
-    inside.corners_ = corners_;
-    inside.edges_ = edges_;
-    inside.has_box_ = false;
-    for (const FilterPlane* cut : crossing) {
-        const int where = inside.classify_corners(*cut);
-        if (where > 0) continue;
-        if (where < 0) {  // no area in common
-            count = before;
-            append_whole();
-            return;
-        }
-        inside.clip_classified(*cut, false, append());
-        inside.clip_classified(*cut, true, next);
-        std::swap(inside.corners_, next.corners_);
-        std::swap(inside.edges_, next.edges_);
-        inside.has_box_ = false;
-    }
+FilteredSegment FilteredPolygon::edge(std::size_t i) const {
+    const std::size_t n = corners_.size();
+    return {plane_,           edges_[i],   edges_[(i + n - 1) % n],
+            edges_[after(i)], corners_[i], corners_[after(i)]};
 }
 
-ConvexPolygon FilteredPolygon::exact() const {
-    ConvexPolygon polygon;
-    polygon.plane = plane_->exact;
+FilteredSegment FilteredPolygon::section(const FilterPlane& cut) const {
+    // Counter-clockwise, what lies below is left where the section begins.
+    classify_corners(cut);
+    FilteredSegment segment;
+    segment.plane = plane_;
+    segment.line = &cut;
     const std::size_t n = corners_.size();
     for (std::size_t i = 0; i < n; ++i) {
-        polygon.corners.push_back(
-            *meet(plane_->exact, edges_[(i + n - 1) % n]->exact, edges_[i]->exact));
-        polygon.edges.push_back(edges_[i]->exact);
+        const std::size_t k = after(i);
+        const Side here = sides_[i];
+        const Side next = sides_[k];
+        if (here == next || next == Side::On) continue;
+        // Past a corner in the plane it goes to one side; that it came from the other is implied.
+        const bool on_edge = here != Side::On;
+        const FilteredPoint at = on_edge ? crossing(*plane_, *edges_[i], cut, corners_[i],
+                                                    corners_[k], heights_[i], heights_[k])
+                                         : corners_[i];
+        if (next == Side::Above) {
+            segment.tail = at;
+            segment.tail_cut = edges_[i];
+        } else {
+            segment.head = at;
+            segment.head_cut = edges_[i];
+        }
     }
-    return polygon;
+    return segment;
 }
 
 }  // namespace ncsim::cda

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Convex polygons in a plane for the inner loop of the tree: corners are doubles with a bound on
-// their error; the planes that make a corner are kept, so that a question the doubles cannot
-// answer is put to integers. Same answers as polygon.h, no allocation per cut.
+// Convex polygons in a plane, and segments on a line of two planes, for the inner loop of the tree:
+// corners are doubles with a bound on their error; the planes that make a corner are kept, so that
+// a question the doubles cannot answer is put to integers. Same answers as polygon.h, no allocation
+// per cut.
 #pragma once
 
 #include "ncsim/cda/polygon.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace ncsim::cda {
@@ -19,13 +19,45 @@ namespace ncsim::cda {
 /// A plane with its coefficients as doubles (exact: they have 24 and 52 bits at most).
 struct FilterPlane {
     FilterPlane() = default;
-    explicit FilterPlane(const Plane& p)
-        : nx(p.nx), ny(p.ny), nz(p.nz), d(static_cast<double>(p.d)), exact(p) {
+    explicit FilterPlane(const Plane& p, std::uint32_t source_number = 0)
+        : nx(p.nx),
+          ny(p.ny),
+          nz(p.nz),
+          d(static_cast<double>(p.d)),
+          exact(p),
+          source(source_number) {
         one_norm = std::abs(nx) + std::abs(ny) + std::abs(nz);
     }
     double nx = 0, ny = 0, nz = 0, d = 0;
     double one_norm = 0;  ///< |nx| + |ny| + |nz|
     Plane exact;
+    std::uint32_t source = 0;  ///< Whoever made it knows it by this number.
+};
+
+/// A point with its error, in lattice units.
+struct FilteredPoint {
+    Vec3 p;
+    double error = 0;  ///< Of each coordinate.
+};
+
+/// A piece of the line where two planes meet, in direction n_plane × n_line. Planes are referred to
+/// by their address, which must outlive it.
+struct FilteredSegment {
+    const FilterPlane* plane = nullptr;
+    const FilterPlane* line = nullptr;
+    const FilterPlane* tail_cut = nullptr;  ///< Ends are where the line meets these.
+    const FilterPlane* head_cut = nullptr;
+    FilteredPoint tail, head;
+
+    enum class Clipped : std::uint8_t {
+        Whole,    ///< Lies below.
+        Tail,     ///< Lost its tail.
+        Head,     ///< Lost its head.
+        Nothing,  ///< Lies above: undefined now.
+        Inside,   ///< Lies in the plane.
+    };
+    /// Keeps what lies below `cut`.
+    Clipped clip(const FilterPlane& cut);
 };
 
 /// Planes are referred to by their address, which must outlive the polygon.
@@ -37,7 +69,10 @@ public:
                         const std::array<std::int64_t, 3>& max,
                         const std::array<FilterPlane, 6>& walls);
 
-    const Plane& plane() const { return plane_->exact; }
+    const FilterPlane& plane() const { return *plane_; }
+    std::size_t size() const { return corners_.size(); }
+    /// From corner `i` to the next.
+    FilteredSegment edge(std::size_t i) const;
 
     /// Keeps what lies below `cut`; false, and then undefined, if that has no area.
     bool clip(const FilterPlane& cut);
@@ -46,28 +81,19 @@ public:
     Overlap overlap(std::span<const FilterPlane* const> cuts,
                     std::vector<const FilterPlane*>& crossing) const;
 
-    /// Appends this less the points below all of `cuts` to `rest` (whole, if it loses no area),
-    /// reusing what `rest` holds beyond `count`.
-    void subtract(std::span<const FilterPlane* const> cuts, std::vector<FilteredPolygon>& rest,
-                  std::size_t& count) const;
-
-    /// With exact corners.
-    ConvexPolygon exact() const;
+    /// The part in the polygon of the line where `cut` meets its plane. Requires that `cut` has
+    /// parts of it on both sides.
+    FilteredSegment section(const FilterPlane& cut) const;
 
 private:
-    struct Corner {
-        Vec3 p;            // lattice units
-        double error = 0;  // of each coordinate
-    };
     void update_box() const;
     Side side_of(std::size_t corner, const FilterPlane& cut, double& height) const;
-    // 1: all below or on; -1: none below; 0: cut.
+    // 1: all below or on; -1: none below; 0: cut. Fills sides_ and heights_ unless the box tells.
     int classify_corners(const FilterPlane& cut) const;
-    bool clip_classified(const FilterPlane& cut, bool keep_below, FilteredPolygon& out) const;
-    Corner crossing_of(std::size_t edge, const FilterPlane& cut, double from, double to) const;
+    std::size_t after(std::size_t i) const { return i + 1 == corners_.size() ? 0 : i + 1; }
 
     const FilterPlane* plane_ = nullptr;
-    std::vector<Corner> corners_;
+    std::vector<FilteredPoint> corners_;
     std::vector<const FilterPlane*> edges_;  // edges_[i]: corners_[i] → corners_[i + 1]
     // The box of the corners, by centre and half size: most planes pass it by.
     mutable Vec3 centre_;
@@ -77,6 +103,9 @@ private:
     // Of the last classification.
     mutable std::vector<Side> sides_;
     mutable std::vector<double> heights_;
+    // Of clip(), kept for its memory.
+    std::vector<FilteredPoint> kept_corners_;
+    std::vector<const FilterPlane*> kept_edges_;
 };
 
 }  // namespace ncsim::cda

@@ -2,6 +2,7 @@
 #include "ncsim/cda/flat.h"
 
 #include "facet_difference.h"
+#include "query_point.h"
 #include "stitch.h"
 
 #include <algorithm>
@@ -299,28 +300,18 @@ Boundary FlatCda::boundary() const {
             add(negative_[n], {CellKind::Negative, n, i}, negative_remainders_[n][i]);
         }
     }
-    return stitch(fragments, lattice_);
+    const Outlines outlines = outlines_of(fragments);
+    return stitch({&outlines, 1}, lattice_);
 }
 
 bool FlatCda::contains(Vec3 point) const {
-    constexpr double kScale = 65536.0;
-    constexpr double kReach = 1e12;  // units; nothing of the lattice is as far away
-    const auto fixed = [&](double mm) {
-        return static_cast<std::int64_t>(
-            std::round(std::clamp(mm / lattice_.unit_mm, -kReach, kReach) * kScale));
-    };
-    const std::int64_t x = fixed(point.x);
-    const std::int64_t y = fixed(point.y);
-    const std::int64_t z = fixed(point.z);
+    const QueryPoint query(point, lattice_);
     // The side of the plane that the point lies on, for the whole body: the highest of them.
     const auto side = [&](const ConvexPolytope& body) {
         Side highest = Side::Below;
         for (const auto& facet : body.facets()) {
-            const Plane& p = facet.plane;
-            const Int128 v = static_cast<Int128>(p.nx) * x + static_cast<Int128>(p.ny) * y +
-                             static_cast<Int128>(p.nz) * z - static_cast<Int128>(p.d) * 65536;
-            if (v > 0) return Side::Above;
-            if (v == 0) highest = Side::On;
+            highest = std::max(highest, query.side_of(facet.plane));
+            if (highest == Side::Above) break;
         }
         return highest;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numbering.h"
 
+#include "interner.h"
 #include "wide.h"
 
 #include <array>
@@ -11,17 +12,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-std::uint64_t mix(std::uint64_t h, std::uint64_t v) {
-    h = (h ^ v) + 0x9e3779b97f4a7c15ULL;
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
-    return h ^ (h >> 31);
-}
-
-std::uint64_t mix(std::uint64_t h, Int128 v) {
-    return mix(mix(h, static_cast<std::uint64_t>(v)), static_cast<std::uint64_t>(v >> 64));
-}
 
 // Sign of p/q − r/s for q, s > 0, by continued fractions: no product exceeds 128 bits.
 int compare_fractions(Int128 p, Int128 q, Int128 r, Int128 s) {
@@ -42,54 +32,48 @@ int compare_fractions(Int128 p, Int128 q, Int128 r, Int128 s) {
 
 }  // namespace
 
-std::size_t PointNumbers::Hash::operator()(const ExactPoint& p) const noexcept {
-    return mix(mix(mix(mix(0, p.x), p.y), p.z), p.w);
-}
-
-std::uint32_t PointNumbers::number(const ExactPoint& point) {
-    const ExactPoint key = reduced(point);
-    const auto [it, is_new] = numbers_.try_emplace(key, static_cast<std::uint32_t>(points_.size()));
-    if (is_new) points_.push_back(key);
-    return it->second;
-}
-
-std::size_t LineKeyHash::operator()(const LineKey& k) const noexcept {
-    std::uint64_t h = 0;
-    for (const std::int64_t v : {k.dx, k.dy, k.dz, k.scale}) {
-        h = mix(h, static_cast<std::uint64_t>(v));
-    }
-    return mix(mix(mix(h, k.mx), k.my), k.mz);
-}
-
-LineKey line_through(const Plane& s, const Plane& t) {
-    // n_s × n_t and d_s n_t − d_t n_s: 50 and 76 bits.
-    std::array<Int128, 6> v{
-        std::int64_t{s.ny} * t.nz - std::int64_t{s.nz} * t.ny,
+Pluecker::Pluecker(const Plane& s, const Plane& t)
+    : d{std::int64_t{s.ny} * t.nz - std::int64_t{s.nz} * t.ny,
         std::int64_t{s.nz} * t.nx - std::int64_t{s.nx} * t.nz,
-        std::int64_t{s.nx} * t.ny - std::int64_t{s.ny} * t.nx,
-        static_cast<Int128>(s.d) * t.nx - static_cast<Int128>(t.d) * s.nx,
+        std::int64_t{s.nx} * t.ny - std::int64_t{s.ny} * t.nx},
+      m{static_cast<Int128>(s.d) * t.nx - static_cast<Int128>(t.d) * s.nx,
         static_cast<Int128>(s.d) * t.ny - static_cast<Int128>(t.d) * s.ny,
-        static_cast<Int128>(s.d) * t.nz - static_cast<Int128>(t.d) * s.nz,
-    };
-    UInt128 g = 0;
-    for (const Int128 c : v)
-        g = gcd(g, magnitude(c));
-    const bool flip = v[0] != 0 ? v[0] < 0 : v[1] != 0 ? v[1] < 0 : v[2] < 0;
-    const Int128 divisor = flip ? -static_cast<Int128>(g) : static_cast<Int128>(g);
-    for (Int128& c : v)
-        c /= divisor;
-    LineKey key;
-    const auto dx = static_cast<std::int64_t>(v[0]);
-    const auto dy = static_cast<std::int64_t>(v[1]);
-    const auto dz = static_cast<std::int64_t>(v[2]);
-    key.scale = std::gcd(std::gcd(dx, dy), dz);
-    key.dx = dx / key.scale;
-    key.dy = dy / key.scale;
-    key.dz = dz / key.scale;
-    key.mx = v[3];
-    key.my = v[4];
-    key.mz = v[5];
-    return key;
+        static_cast<Int128>(s.d) * t.nz - static_cast<Int128>(t.d) * s.nz} {
+    if (d[0] != 0 ? d[0] > 0 : d[1] != 0 ? d[1] > 0 : d[2] > 0) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        d[i] = -d[i];
+        m[i] = -m[i];
+    }
+}
+
+std::uint64_t Pluecker::hash() const {
+    // Quotients by the longest component of the direction do not know the common factor. Whole
+    // numbers, rounded towards zero.
+    const std::size_t axis = longest(d);
+    const Int128 divisor = d[axis];
+    std::uint64_t h = axis;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == axis) continue;
+        h = mix(h, static_cast<std::uint64_t>((static_cast<Int128>(d[i]) << 30) / divisor));
+        h = mix(h, static_cast<std::uint64_t>((m[i] * (1 << 10)) / divisor));
+    }
+    return h;
+}
+
+bool are_same(const Pluecker& a, const Pluecker& b) {
+    // Proportional, each pair of coordinates; directions are not zero and agree in sign.
+    const std::size_t axis = longest(a.d);
+    const Int128 p = a.d[axis];
+    const Int128 q = b.d[axis];
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (p * b.d[i] != q * a.d[i]) return false;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        // 50 and 78 bits: by quotient and remainder, so that nothing overflows.
+        if (a.m[i] / p != b.m[i] / q) return false;
+        if ((a.m[i] % p) * q != (b.m[i] % q) * p) return false;
+    }
+    return true;
 }
 
 int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {

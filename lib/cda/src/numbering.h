@@ -1,50 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names for exact things: numbers for points, keys for lines, sets that grow together.
+// Names for exact things: keys for lines, order of points, sets that grow together.
 #pragma once
 
 #include "ncsim/cda/predicates.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <cstdlib>
 #include <vector>
 
 namespace ncsim::cda {
 
-/// Equal points get equal numbers, whichever planes they were made of; in order of first sight.
-class PointNumbers {
-public:
-    std::uint32_t number(const ExactPoint& point);
-    const ExactPoint& operator[](std::uint32_t n) const { return points_[n]; }
-    std::size_t size() const { return points_.size(); }
+/// The line where two planes meet, by its Plücker coordinates up to a factor: direction n_s × n_t,
+/// the first component that is not zero positive, and moment d_s n_t − d_t n_s. Requires planes
+/// that are not parallel.
+struct Pluecker {
+    Pluecker(const Plane& s, const Plane& t);
+    std::array<std::int64_t, 3> d{};  ///< 50 bits.
+    std::array<Int128, 3> m{};        ///< 78 bits.
 
-private:
-    struct Hash {
-        std::size_t operator()(const ExactPoint& p) const noexcept;
-    };
-    struct Equal {
-        bool operator()(const ExactPoint& a, const ExactPoint& b) const { return same_point(a, b); }
-    };
-    std::unordered_map<ExactPoint, std::uint32_t, Hash, Equal> numbers_;
-    std::vector<ExactPoint> points_;
+    /// Equal for equal lines, whichever planes meet in them.
+    std::uint64_t hash() const;
 };
 
-/// Plücker coordinates of a line, without common divisors, the first component of the
-/// direction that is not zero positive: equal lines are equal keys, whichever planes meet in them.
-struct LineKey {
-    std::int64_t dx = 0, dy = 0, dz = 0;  ///< Direction, reduced by itself: below 2^50.
-    Int128 mx = 0, my = 0, mz = 0;        ///< Moment, with the direction before it was reduced.
-    std::int64_t scale = 1;               ///< What the direction was divided by after all six were.
-    bool operator==(const LineKey&) const = default;
-};
+/// Exactly.
+bool are_same(const Pluecker& a, const Pluecker& b);
 
-struct LineKeyHash {
-    std::size_t operator()(const LineKey& key) const noexcept;
-};
-
-/// The line where two planes meet. Requires planes that are not parallel.
-LineKey line_through(const Plane& s, const Plane& t);
+/// The axis along which a direction is longest; the first of several.
+inline std::size_t longest(const std::array<std::int64_t, 3>& d) {
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::abs(d[i]) > std::abs(d[axis])) axis = i;
+    }
+    return axis;
+}
 
 /// Sign of a[axis] − b[axis], exactly.
 int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis);

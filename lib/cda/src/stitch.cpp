@@ -4,25 +4,24 @@
 // edge of a face with its direction; the face lies on its left. An *owner* is an oriented plane
 // together with an origin.
 //
-//  1. name_points       equal corners get equal numbers
-//  2. collect_lines     edges of fragments → intervals on lines
-//  3. cancel            drop what two pieces of one owner both have, in opposite directions
-//  4. break_up          cut what is left where any face at the line has a corner
-//  5. pair              half-edges of opposite direction; four and more: radially, around material
-//  6. trace_loops       half-edges of one owner → loops, turning clockwise at pinched corners
-//  7. unite_corners     corners connected through paired edges share a vertex
-//  8. write_faces       in an order that depends on the geometry only
+//  1. name           equal planes, points, owners and lines get equal numbers; pieces of outlines
+//                    become intervals on lines
+//  2. cancel         drop what two pieces of one owner both have, in opposite directions
+//  3. find_corners   where the outline of an owner turns or touches itself
+//  4. break_up       cut what is left where any face at the line has a corner
+//  5. pair           half-edges of opposite direction; four and more: radially, around material
+//  6. trace          half-edges of one owner → loops, turning clockwise at pinched corners
+//  7. unite_corners  corners connected through paired edges share a vertex
+//  8. write_faces    in an order that depends on the geometry only
 #include "stitch.h"
 
 #include "numbering.h"
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
+#include <stdexcept>
 #include <tuple>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace ncsim::cda {
 
@@ -32,6 +31,7 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 struct Direction {
     std::int64_t x = 0, y = 0, z = 0;
+    Direction operator-() const { return {-x, -y, -z}; }
 };
 
 // (a × b) · n for directions of 50 bits and normals of 24.
@@ -50,216 +50,374 @@ int dot_sign(const Direction& a, const Direction& b) {
     return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
+// A piece of an outline on its line, tail before head along the line.
 struct Interval {
-    std::uint32_t tail, head;  // point numbers, tail before head along the line
-    std::uint32_t fragment;
+    std::uint32_t tail, head;  // points
+    std::uint32_t owner;
     bool forward;
-};
-
-// What one owner still has of a line between two neighbouring stops.
-struct Cover {
-    std::uint32_t from, to;  // positions on the line
-    std::uint32_t owner, fragment;
-    bool forward;
-};
-
-struct Line {
-    Direction direction;
-    std::vector<Interval> intervals;
-    std::vector<std::uint32_t> stops;  // points, in order along the line
-    std::vector<Cover> covers;         // by owner, then by position
 };
 
 struct HalfEdge {
     std::uint32_t tail, head;  // points
     std::uint32_t owner;
-    std::uint32_t component;  // fragments grown together
     std::uint32_t line;
     bool forward;
+    bool crowded;  // more than two faces meet here
     std::uint32_t partner = kNone;
     std::uint32_t next = kNone;
 };
 
+// Lists that are counted first and filled then: items of group g are at begin[g] … begin[g + 1].
+template <class Item>
+struct Groups {
+    std::vector<std::size_t> begin;
+    std::vector<Item> items;
+
+    explicit Groups(std::size_t groups) : begin(groups + 1, 0) {}
+    void count(std::uint32_t group) { ++begin[group + 1]; }
+    void reserve() {
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        items.resize(begin.back());
+        at_ = begin;
+    }
+    void add(std::uint32_t group, const Item& item) { items[at_[group]++] = item; }
+    std::span<Item> of(std::size_t group) {
+        return std::span(items).subspan(begin[group], begin[group + 1] - begin[group]);
+    }
+
+private:
+    std::vector<std::size_t> at_;
+};
+
 class Stitcher {
 public:
-    Stitcher(const std::vector<Fragment>& fragments, const Lattice& lattice)
-        : fragments_(fragments), lattice_(lattice), components_(fragments.size()) {}
+    Stitcher(std::span<const Outlines> parts, const Lattice& lattice)
+        : parts_(parts),
+          lattice_(lattice),
+          points_({}, SamePoint{&planes_.keys()}),
+          lines_({}, SameLine{&planes_.keys()}) {}
 
     Boundary run() {
-        number_owners();
-        name_points_and_collect_lines();
-        for (Line& line : lines_)
-            cancel(line);
+        Groups<Interval> intervals = name();
+        Groups<Interval> covers(lines_.size());
+        cancel(intervals, covers);
+        intervals = Groups<Interval>(0);
+        find_corners(covers);
         for (std::uint32_t i = 0; i < lines_.size(); ++i)
-            break_up(i);
-        for (HalfEdge& h : half_edges_)
-            h.component = components_.find(h.component);
-        trace_loops();
+            break_up(i, covers.of(i));
+        covers = Groups<Interval>(0);
+        trace();
         return write_faces();
     }
 
 private:
-    void number_owners() {
-        std::vector<std::pair<Plane, Origin>> keys;
-        keys.reserve(fragments_.size());
-        for (const Fragment& f : fragments_)
-            keys.emplace_back(f.plane, f.origin);
-        owners_ = keys;
-        std::sort(owners_.begin(), owners_.end());
-        owners_.erase(std::unique(owners_.begin(), owners_.end()), owners_.end());
-        for (const auto& key : keys) {
-            owner_of_.push_back(static_cast<std::uint32_t>(
-                std::lower_bound(owners_.begin(), owners_.end(), key) - owners_.begin()));
-        }
+    // Planes are numbered without their orientation: the first component that is not zero is
+    // positive. A reference has the orientation in its lowest bit.
+    struct HashPlane {
+        std::uint64_t operator()(const Plane& p) const { return PlaneHash{}(p); }
+    };
+    PlaneRef number(const Plane& plane) {
+        const bool flip = plane.nx != 0   ? plane.nx < 0
+                          : plane.ny != 0 ? plane.ny < 0
+                                          : plane.nz < 0;
+        return 2 * planes_(flip ? plane.opposite() : plane) + static_cast<PlaneRef>(flip);
+    }
+    Plane plane_of(PlaneRef ref) const {
+        const Plane& plane = planes_.keys()[ref / 2];
+        return ref & 1 ? plane.opposite() : plane;
     }
 
-    // 1. and 2.
-    void name_points_and_collect_lines() {
-        std::vector<std::uint32_t> named;
-        for (std::uint32_t f = 0; f < fragments_.size(); ++f) {
-            for (const auto& loop : fragments_[f].loops) {
-                named.clear();
-                for (const auto& corner : loop)
-                    named.push_back(points_.number(corner.point));
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    const std::uint32_t tail = named[i];
-                    const std::uint32_t head = named[(i + 1) % loop.size()];
-                    if (tail == head) continue;
-                    const LineKey key = line_through(fragments_[f].plane, loop[i].edge);
-                    const auto [it, is_new] =
-                        line_numbers_.try_emplace(key, static_cast<std::uint32_t>(lines_.size()));
-                    if (is_new) lines_.push_back({{key.dx, key.dy, key.dz}, {}, {}, {}});
-                    Line& line = lines_[it->second];
-                    const bool forward = comes_before(line.direction, tail, head);
-                    line.intervals.push_back(
-                        {forward ? tail : head, forward ? head : tail, f, forward});
+    // Points are told apart by what they are rounded to, and where that is the same, exactly.
+    struct PointKey {
+        FixedPoint fixed;
+        std::array<std::uint32_t, 3> planes{};
+    };
+    struct HashPoint {
+        std::uint64_t operator()(const PointKey& key) const {
+            std::uint64_t h = 0;
+            for (const std::int64_t v : key.fixed.at)
+                h = mix(h, static_cast<std::uint64_t>(v));
+            return h;
+        }
+    };
+    static ExactPoint exact(const PointKey& key, const std::vector<Plane>& planes) {
+        return *meet(planes[key.planes[0]], planes[key.planes[1]], planes[key.planes[2]]);
+    }
+    struct SamePoint {
+        const std::vector<Plane>* planes;
+        bool operator()(const PointKey& a, const PointKey& b) const {
+            if (a.fixed != b.fixed) return false;
+            if (a.planes == b.planes) return true;
+            const ExactPoint p = exact(b, *planes);
+            return std::all_of(a.planes.begin(), a.planes.end(), [&](std::uint32_t plane) {
+                return classify_exact(p, (*planes)[plane]) == Side::On;
+            });
+        }
+    };
+
+    // Lines likewise: by quotients of their Plücker coordinates, rounded, then exactly.
+    struct LineKey {
+        std::array<std::uint32_t, 2> planes{};
+        std::uint64_t hash = 0;
+    };
+    struct HashLine {
+        std::uint64_t operator()(const LineKey& key) const { return key.hash; }
+    };
+    struct SameLine {
+        const std::vector<Plane>* planes;
+        bool operator()(const LineKey& a, const LineKey& b) const {
+            return a.hash == b.hash &&
+                   are_same(Pluecker((*planes)[a.planes[0]], (*planes)[a.planes[1]]),
+                            Pluecker((*planes)[b.planes[0]], (*planes)[b.planes[1]]));
+        }
+    };
+    struct PairHash {
+        std::uint64_t operator()(const std::array<std::uint32_t, 2>& key) const {
+            return mix(0, key[0] | std::uint64_t{key[1]} << 32);
+        }
+    };
+    struct Owner {
+        PlaneRef plane = 0;
+        Origin origin = kStockOrigin;
+        bool operator==(const Owner&) const = default;
+    };
+    struct HashOwner {
+        std::uint64_t operator()(const Owner& o) const {
+            return mix(0, o.plane | std::uint64_t{static_cast<std::uint32_t>(o.origin)} << 32);
+        }
+    };
+
+    // 1.
+    Groups<Interval> name() {
+        struct Named {
+            std::uint32_t line, tail, head, owner;
+        };
+        std::vector<Named> named;
+        std::size_t count = 0;
+        for (const Outlines& part : parts_)
+            count += part.pieces().size();
+        named.reserve(count);
+        Interner<Owner, HashOwner> owners;
+        Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
+        std::vector<std::uint32_t> line_of_pair;
+        for (const Outlines& part : parts_) {
+            std::vector<PlaneRef> planes;
+            for (const Plane& plane : part.planes())
+                planes.push_back(number(plane));
+            std::vector<std::uint32_t> points;
+            for (const Outlines::Point& point : part.points()) {
+                PointKey key{point.fixed, {}};
+                for (std::size_t i = 0; i < 3; ++i)
+                    key.planes[i] = planes[point.planes[i]] / 2;
+                std::sort(key.planes.begin(), key.planes.end());
+                points.push_back(points_(key));
+            }
+            for (const Outlines::Piece& piece : part.pieces()) {
+                const std::uint32_t tail = points[piece.tail];
+                const std::uint32_t head = points[piece.head];
+                if (tail == head) continue;
+                const PlaneRef plane = planes[piece.plane / 2] ^ (piece.plane & 1);
+                const std::uint32_t edge = planes[piece.edge] / 2;
+                const std::array<std::uint32_t, 2> pair{std::min(plane / 2, edge),
+                                                        std::max(plane / 2, edge)};
+                const std::uint32_t p = pairs(pair);
+                if (p == line_of_pair.size()) {
+                    const Pluecker line(planes_.keys()[pair[0]], planes_.keys()[pair[1]]);
+                    const std::uint32_t l = lines_({pair, line.hash()});
+                    line_of_pair.push_back(l);
+                    if (l == directions_.size()) {
+                        directions_.push_back({line.d[0], line.d[1], line.d[2]});
+                    }
                 }
+                named.push_back({line_of_pair[p], tail, head, owners({plane, piece.origin})});
             }
         }
+        // Owners in an order that depends on the geometry only.
+        std::vector<std::uint32_t> order(owners.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::vector<std::pair<Plane, Origin>> values;
+        for (const Owner& owner : owners.keys())
+            values.emplace_back(plane_of(owner.plane), owner.origin);
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
+        std::vector<std::uint32_t> rank(order.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i) {
+            rank[order[i]] = i;
+            owners_.push_back(values[order[i]]);
+        }
+        Groups<Interval> intervals(lines_.size());
+        for (const Named& n : named)
+            intervals.count(n.line);
+        intervals.reserve();
+        for (const Named& n : named) {
+            const bool forward = comes_before(directions_[n.line], n.tail, n.head);
+            intervals.add(n.line, {forward ? n.tail : n.head, forward ? n.head : n.tail,
+                                   rank[n.owner], forward});
+        }
+        return intervals;
     }
 
     // Along the axis in which the direction is longest: coordinates are then as far apart as they
     // get.
     bool comes_before(const Direction& d, std::uint32_t a, std::uint32_t b) const {
         const std::array<std::int64_t, 3> c{d.x, d.y, d.z};
-        const auto axis = static_cast<int>(
-            std::max_element(c.begin(), c.end(),
-                             [](auto p, auto q) { return std::abs(p) < std::abs(q); }) -
-            c.begin());
-        const int order = compare_coordinate(points_[a], points_[b], axis);
-        return c[static_cast<std::size_t>(axis)] > 0 ? order < 0 : order > 0;
+        const std::size_t axis = longest(c);
+        const std::int64_t p = points_.keys()[a].fixed.at[axis];
+        const std::int64_t q = points_.keys()[b].fixed.at[axis];
+        int order = p < q ? -1 : 1;
+        if (p == q) {
+            if (a == b) return false;
+            order = compare_coordinate(exact(points_.keys()[a], planes_.keys()),
+                                       exact(points_.keys()[b], planes_.keys()),
+                                       static_cast<int>(axis));
+        }
+        return c[axis] > 0 ? order < 0 : order > 0;
     }
 
-    // 3. Where a forward and a backward edge of one owner lie on each other, its pieces grow
-    // together; what is left is covered. Its ends are corners of the owner.
-    void cancel(Line& line) {
-        std::vector<std::uint32_t>& stops = line.stops;
-        for (const Interval& i : line.intervals)
-            stops.insert(stops.end(), {i.tail, i.head});
-        std::sort(stops.begin(), stops.end());
-        stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
-        std::vector<std::uint32_t> by_number = stops;
-        std::sort(stops.begin(), stops.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return comes_before(line.direction, a, b);
-        });
-        std::vector<std::uint32_t> positions(stops.size());
-        const auto rank = [&](std::uint32_t point) {
-            return static_cast<std::size_t>(
-                std::lower_bound(by_number.begin(), by_number.end(), point) - by_number.begin());
-        };
-        for (std::uint32_t i = 0; i < stops.size(); ++i)
-            positions[rank(stops[i])] = i;
-
-        std::vector<Cover> stretches;
-        for (const Interval& i : line.intervals) {
-            stretches.push_back({positions[rank(i.tail)], positions[rank(i.head)],
-                                 owner_of_[i.fragment], i.fragment, i.forward});
+    // 2. Where a forward and a backward piece of one owner lie on each other, they cancel; what is
+    // left is covered.
+    void cancel(Groups<Interval>& intervals, Groups<Interval>& covers) {
+        std::vector<Interval> all;
+        all.reserve(intervals.items.size());
+        for (std::uint32_t line = 0; line < lines_.size(); ++line) {
+            const std::size_t before = all.size();
+            cancel(line, intervals.of(line), all);
+            covers.begin[line + 1] = covers.begin[line] + (all.size() - before);
         }
-        std::sort(stretches.begin(), stretches.end(), [](const Cover& a, const Cover& b) {
-            return std::tie(a.owner, a.from) < std::tie(b.owner, b.from);
+        covers.items = std::move(all);
+    }
+
+    void cancel(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
+        if (here.size() == 2 && here[0].tail == here[1].tail && here[0].head == here[1].head) {
+            if (here[0].owner == here[1].owner) return;
+            covers.insert(covers.end(), here.begin(), here.end());
+            return;
+        }
+        rank_stops(line, here);
+        std::sort(here.begin(), here.end(), [&](const Interval& a, const Interval& b) {
+            return std::tuple(a.owner, position(a.tail)) < std::tuple(b.owner, position(b.tail));
         });
-        std::vector<std::uint32_t> breaks;
-        std::vector<const Cover*> active;
-        for (std::size_t begin = 0; begin < stretches.size();) {
-            std::size_t end = begin;
-            breaks.clear();
-            while (end < stretches.size() && stretches[end].owner == stretches[begin].owner) {
-                breaks.insert(breaks.end(), {stretches[end].from, stretches[end].to});
+        for (std::size_t begin = 0; begin < here.size();) {
+            std::size_t end = begin + 1;
+            while (end < here.size() && here[end].owner == here[begin].owner)
                 ++end;
+            if (end == begin + 1) {
+                covers.push_back(here[begin]);
+                begin = end;
+                continue;
             }
-            std::sort(breaks.begin(), breaks.end());
-            breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-            active.clear();
+            breaks_.clear();
+            for (std::size_t i = begin; i < end; ++i)
+                breaks_.insert(breaks_.end(), {position(here[i].tail), position(here[i].head)});
+            std::sort(breaks_.begin(), breaks_.end());
+            breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+            active_.clear();
             std::size_t next = begin;
-            const Cover* last = nullptr;
-            for (std::size_t b = 0; b < breaks.size(); ++b) {
-                std::erase_if(active, [&](const Cover* c) { return c->to <= breaks[b]; });
-                while (next < end && stretches[next].from <= breaks[b]) {
-                    active.push_back(&stretches[next++]);
-                }
-                // Pieces of one owner have no inner points in common: one edge a direction at most.
-                if (active.size() == 2) components_.unite(active[0]->fragment, active[1]->fragment);
-                const Cover* covering = active.size() == 1 ? active[0] : nullptr;
-                const bool continues = covering && last && covering->forward == last->forward;
-                if ((covering || last) && !continues) {
-                    corners_.insert(corner_key(stretches[begin].owner, stops[breaks[b]]));
-                }
-                if (covering) {
-                    line.covers.push_back({breaks[b], breaks[b + 1], covering->owner,
-                                           covering->fragment, covering->forward});
-                }
-                last = covering;
+            for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
+                std::erase_if(active_,
+                              [&](const Interval* c) { return position(c->head) <= breaks_[b]; });
+                while (next < end && position(here[next].tail) <= breaks_[b])
+                    active_.push_back(&here[next++]);
+                // Pieces of one owner have no inner points in common: one a direction at most.
+                if (active_.size() != 1) continue;
+                covers.push_back({stops_[breaks_[b]], stops_[breaks_[b + 1]], here[begin].owner,
+                                  active_[0]->forward});
             }
             begin = end;
         }
     }
 
-    static std::uint64_t corner_key(std::uint32_t owner, std::uint32_t point) {
-        return (std::uint64_t{owner} << 32) | point;
+    // The points on a line in order, and the position of each.
+    template <class Intervals>
+    void rank_stops(std::uint32_t line, const Intervals& here) {
+        stops_.clear();
+        for (const Interval& i : here)
+            stops_.insert(stops_.end(), {i.tail, i.head});
+        std::sort(stops_.begin(), stops_.end());
+        stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+        by_number_.clear();
+        for (const std::uint32_t stop : stops_)
+            by_number_.emplace_back(stop, 0U);
+        std::sort(stops_.begin(), stops_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return comes_before(directions_[line], a, b);
+        });
+        for (std::uint32_t i = 0; i < stops_.size(); ++i) {
+            std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{stops_[i], 0U})
+                ->second = i;
+        }
+    }
+    std::uint32_t position(std::uint32_t point) const {
+        return std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{point, 0U})->second;
     }
 
-    // 4. Covers of an owner are joined where it has no corner (its pieces there surround half of
-    // the point and are one); all owners are then cut wherever one of them has a corner.
-    void break_up(std::uint32_t number) {
-        Line& line = lines_[number];
-        std::vector<Cover> joined;
-        std::vector<std::uint32_t> breaks;
-        for (const Cover& c : line.covers) {
-            Cover* last = joined.empty() ? nullptr : &joined.back();
-            if (last && last->owner == c.owner && last->to == c.from &&
-                last->forward == c.forward &&
-                !corners_.contains(corner_key(c.owner, line.stops[c.from]))) {
-                last->to = c.to;
-                components_.unite(last->fragment, c.fragment);
+    // 3. Two covers of an owner that follow each other are one edge, unless the owner has a corner
+    // between them: another edge of it begins or ends there.
+    void find_corners(Groups<Interval>& covers) {
+        std::vector<bool> is_asked(points_.size(), false);
+        for (std::size_t line = 0; line < lines_.size(); ++line) {
+            const std::span<Interval> here = covers.of(line);
+            for (std::size_t i = 1; i < here.size(); ++i) {
+                if (follows(here[i - 1], here[i])) is_asked[here[i].tail] = true;
+            }
+        }
+        for (const Interval& c : covers.items) {
+            for (const std::uint32_t end : {c.tail, c.head}) {
+                if (!is_asked[end]) continue;
+                const std::uint32_t n = ends_({c.owner, end});
+                if (n == degrees_.size()) degrees_.push_back(0);
+                ++degrees_[n];
+            }
+        }
+    }
+    static bool follows(const Interval& first, const Interval& second) {
+        return first.owner == second.owner && first.head == second.tail &&
+               first.forward == second.forward;
+    }
+
+    // 4. All owners at a line are cut wherever one of them has a corner.
+    void break_up(std::uint32_t line, std::span<Interval> here) {
+        joined_.clear();
+        for (const Interval& c : here) {
+            if (!joined_.empty() && follows(joined_.back(), c) &&
+                degrees_[ends_({c.owner, c.tail})] == 2) {
+                joined_.back().head = c.head;
             } else {
-                joined.push_back(c);
+                joined_.push_back(c);
             }
         }
-        for (const Cover& c : joined)
-            breaks.insert(breaks.end(), {c.from, c.to});
-        std::sort(breaks.begin(), breaks.end());
-        breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-        std::sort(joined.begin(), joined.end(), [](const Cover& a, const Cover& b) {
-            return std::tie(a.from, a.owner) < std::tie(b.from, b.owner);
+        if (joined_.size() == 2 && joined_[0].tail == joined_[1].tail &&
+            joined_[0].head == joined_[1].head && joined_[0].forward != joined_[1].forward) {
+            const auto h = static_cast<std::uint32_t>(half_edges_.size());
+            for (const Interval& c : joined_)
+                add_half_edge(c, c.tail, c.head, line);
+            half_edges_[h].partner = h + 1;
+            half_edges_[h + 1].partner = h;
+            return;
+        }
+        if (joined_.empty()) return;
+        rank_stops(line, joined_);
+        std::sort(joined_.begin(), joined_.end(), [&](const Interval& a, const Interval& b) {
+            return std::tuple(position(a.tail), a.owner) < std::tuple(position(b.tail), b.owner);
         });
-        std::vector<const Cover*> active;
-        std::vector<std::uint32_t> here;
+        active_.clear();
         std::size_t next = 0;
-        for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-            std::erase_if(active, [&](const Cover* c) { return c->to <= breaks[b]; });
-            while (next < joined.size() && joined[next].from <= breaks[b]) {
-                active.push_back(&joined[next++]);
+        for (std::uint32_t b = 0; b + 1 < stops_.size(); ++b) {
+            std::erase_if(active_, [&](const Interval* c) { return position(c->head) <= b; });
+            while (next < joined_.size() && position(joined_[next].tail) <= b)
+                active_.push_back(&joined_[next++]);
+            here_.clear();
+            for (const Interval* c : active_) {
+                here_.push_back(static_cast<std::uint32_t>(half_edges_.size()));
+                add_half_edge(*c, stops_[b], stops_[b + 1], line);
             }
-            here.clear();
-            const std::uint32_t low = line.stops[breaks[b]];
-            const std::uint32_t high = line.stops[breaks[b + 1]];
-            for (const Cover* c : active) {
-                here.push_back(static_cast<std::uint32_t>(half_edges_.size()));
-                half_edges_.push_back({c->forward ? low : high, c->forward ? high : low, c->owner,
-                                       c->fragment, number, c->forward});
-            }
-            if (!here.empty()) pair(line.direction, here);
+            if (!here_.empty()) pair(directions_[line], here_);
         }
+    }
+
+    void add_half_edge(const Interval& c, std::uint32_t low, std::uint32_t high,
+                       std::uint32_t line) {
+        half_edges_.push_back(
+            {c.forward ? low : high, c.forward ? high : low, c.owner, line, c.forward, false});
     }
 
     // 5.
@@ -307,120 +465,108 @@ private:
         for (std::size_t i = 0; i < here.size(); ++i) {
             const std::uint32_t a = here[i];
             const std::uint32_t b = here[(i + 1) % here.size()];
+            half_edges_[a].crowded = true;
             if (!half_edges_[a].forward && half_edges_[b].forward) link(a, b);
         }
     }
 
     Direction direction_of(const HalfEdge& h) const {
-        const Direction d = lines_[h.line].direction;
-        return h.forward ? d : Direction{-d.x, -d.y, -d.z};
+        const Direction d = directions_[h.line];
+        return h.forward ? d : -d;
     }
 
-    // 6. Where an owner has several edges leaving a point, the next one is the first met clockwise
-    // from the way back: the wedge between is the face's own.
-    void trace_loops() {
-        std::vector<std::uint32_t> order(half_edges_.size());
-        std::iota(order.begin(), order.end(), 0U);
-        const auto key = [&](std::uint32_t h) {
-            return std::pair{half_edges_[h].owner, half_edges_[h].tail};
-        };
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return std::pair{key(a), a} < std::pair{key(b), b};
-        });
-        for (HalfEdge& h : half_edges_) {
-            const auto range =
-                std::equal_range(order.begin(), order.end(), std::pair{h.owner, h.head},
-                                 Compare{[&](std::uint32_t e) { return key(e); }});
-            if (range.first == range.second) continue;
-            h.next = *range.first;
-            if (range.second - range.first == 1) continue;
-            const Plane& plane = owners_[h.owner].first;
-            const Direction d = direction_of(h);
-            const Direction back{-d.x, -d.y, -d.z};
-            // Clockwise angle from `back`, in [0, 2π): the smaller half turn first.
-            const auto half = [&](const Direction& v) {
-                const int s = turn_sign(back, v, plane);
-                return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
-            };
-            for (auto it = range.first + 1; it != range.second; ++it) {
-                const Direction best = direction_of(half_edges_[h.next]);
-                const Direction v = direction_of(half_edges_[*it]);
-                const int hv = half(v);
-                const int hb = half(best);
-                if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) h.next = *it;
+    // 6. Half-edges by owner. Where an owner has several edges leaving a point, the next one is the
+    // first met clockwise from the way back: the wedge between is the face's own.
+    void trace() {
+        by_owner_ = Groups<std::uint32_t>(owners_.size());
+        for (const HalfEdge& h : half_edges_)
+            by_owner_.count(h.owner);
+        by_owner_.reserve();
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h)
+            by_owner_.add(half_edges_[h].owner, h);
+        for (std::size_t owner = 0; owner < owners_.size(); ++owner) {
+            const std::span<std::uint32_t> here = by_owner_.of(owner);
+            const Plane& plane = owners_[owner].first;
+            const auto tail = [&](std::uint32_t h) { return half_edges_[h].tail; };
+            std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return std::pair{tail(a), a} < std::pair{tail(b), b};
+            });
+            for (const std::uint32_t number : here) {
+                HalfEdge& h = half_edges_[number];
+                auto it = std::partition_point(here.begin(), here.end(),
+                                               [&](std::uint32_t e) { return tail(e) < h.head; });
+                if (it == here.end() || tail(*it) != h.head) continue;
+                h.next = *it;
+                const Direction back = -direction_of(h);
+                // Clockwise angle from `back`, in [0, 2π): the smaller half turn first.
+                const auto half = [&](const Direction& v) {
+                    const int s = turn_sign(back, v, plane);
+                    return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
+                };
+                for (++it; it != here.end() && tail(*it) == h.head; ++it) {
+                    const Direction best = direction_of(half_edges_[h.next]);
+                    const Direction v = direction_of(half_edges_[*it]);
+                    const int hv = half(v);
+                    const int hb = half(best);
+                    if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) h.next = *it;
+                }
             }
         }
     }
 
-    template <class Key>
-    struct Compare {
-        Key key;
-        bool operator()(std::uint32_t e, const std::pair<std::uint32_t, std::uint32_t>& v) const {
-            return key(e) < v;
-        }
-        bool operator()(const std::pair<std::uint32_t, std::uint32_t>& v, std::uint32_t e) const {
-            return v < key(e);
-        }
-    };
-    template <class Key>
-    Compare(Key) -> Compare<Key>;
-
-    Vec3 position(std::uint32_t h) const { return points_[half_edges_[h].tail].approx; }
+    Vec3 point(std::uint32_t p) const { return points_.keys()[p].fixed.approx(); }
+    Vec3 position_of(std::uint32_t h) const { return point(half_edges_[h].tail); }
 
     struct Loop {
-        std::uint32_t owner, component;
-        std::vector<std::uint32_t> edges;
-        double area;  // doubled; negative for holes
+        std::vector<std::uint32_t> edges;  // the least corner first
+        bool is_hole = false;
     };
     // A face: its outline and the loops that are holes in it.
     struct Face {
-        std::size_t outline;
-        std::vector<std::size_t> holes;
+        const Loop* outline;
+        std::vector<const Loop*> holes;
     };
 
     static bool before(Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
-    Vec3 normal_of(const Loop& loop) const { return unit_normal(owners_[loop.owner].first); }
 
-    std::vector<Loop> collect_loops() const {
+    std::vector<Loop> loops_of(std::size_t owner) {
         std::vector<Loop> loops;
-        std::vector<bool> done(half_edges_.size(), false);
-        for (std::uint32_t start = 0; start < half_edges_.size(); ++start) {
-            if (done[start]) continue;
-            Loop loop{half_edges_[start].owner, half_edges_[start].component, {}, 0.0};
-            for (std::uint32_t h = start; h != kNone && !done[h]; h = half_edges_[h].next) {
-                done[h] = true;
+        const Plane& plane = owners_[owner].first;
+        for (const std::uint32_t start : by_owner_.of(owner)) {
+            if (done_[start]) continue;
+            Loop loop;
+            for (std::uint32_t h = start; h != kNone && !done_[h]; h = half_edges_[h].next) {
+                done_[h] = true;
                 loop.edges.push_back(h);
             }
             std::rotate(loop.edges.begin(),
                         std::min_element(loop.edges.begin(), loop.edges.end(),
                                          [&](std::uint32_t a, std::uint32_t b) {
-                                             return before(position(a), position(b));
+                                             return before(position_of(a), position_of(b));
                                          }),
                         loop.edges.end());
-            const Vec3 normal = normal_of(loop);
-            const Vec3 a = position(loop.edges[0]);
-            for (std::size_t i = 1; i + 1 < loop.edges.size(); ++i) {
-                loop.area += dot(
-                    normal, cross(position(loop.edges[i]) - a, position(loop.edges[i + 1]) - a));
-            }
+            // At the least corner an outline turns left, a hole right.
+            loop.is_hole = turn_sign(direction_of(half_edges_[loop.edges.back()]),
+                                     direction_of(half_edges_[loop.edges.front()]), plane) < 0;
             loops.push_back(std::move(loop));
         }
+        std::sort(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) {
+            return before(position_of(a.edges[0]), position_of(b.edges[0]));
+        });
         return loops;
     }
 
     // Does the outline surround the hole? Asked of the middle of an edge of the hole, which is
     // not on the outline: the two meet in corners at most.
-    bool surrounds(const Loop& outline, const Loop& hole) const {
-        const Vec3 n = normal_of(outline);
-        const Vec3 p =
-            0.5 * (position(hole.edges[0]) + points_[half_edges_[hole.edges[0]].head].approx);
+    bool surrounds(const Loop& outline, const Loop& hole, Vec3 n) const {
+        const Vec3 p = 0.5 * (position_of(hole.edges[0]) + point(half_edges_[hole.edges[0]].head));
         // Crossings of a ray in direction u, with v across it.
         const Vec3 u = normalized(cross(n, std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
         const Vec3 v = cross(n, u);
         bool inside = false;
         for (const std::uint32_t e : outline.edges) {
-            const Vec3 a = position(e) - p;
-            const Vec3 b = points_[half_edges_[e].head].approx - p;
+            const Vec3 a = position_of(e) - p;
+            const Vec3 b = point(half_edges_[e].head) - p;
             const double va = dot(a, v);
             const double vb = dot(b, v);
             if ((va > 0.0) == (vb > 0.0)) continue;
@@ -429,51 +575,21 @@ private:
         return inside;
     }
 
-    // Pieces that grew together have one outline, or several where they touch in corners only.
-    std::vector<Face> collect_faces(const std::vector<Loop>& loops) const {
-        std::vector<std::size_t> order(loops.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto first = [&](std::size_t l) { return position(loops[l].edges[0]); };
-        std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            const Loop& p = loops[a];
-            const Loop& q = loops[b];
-            if (p.owner != q.owner) return p.owner < q.owner;
-            if (p.component != q.component) return p.component < q.component;
-            if (p.area != q.area) return p.area > q.area;
-            return before(first(a), first(b));
-        });
+    // Faces in the order of their least corners. A hole belongs to the innermost outline around
+    // it: the one of those around it that begins last.
+    std::vector<Face> faces_of(const std::vector<Loop>& loops, Vec3 normal) const {
         std::vector<Face> faces;
-        for (std::size_t i = 0; i < order.size();) {
-            const std::size_t first_face = faces.size();
-            const Loop& head = loops[order[i]];
-            std::size_t k = i;
-            for (; k < order.size() && loops[order[k]].owner == head.owner &&
-                   loops[order[k]].component == head.component;
-                 ++k) {
-                if (k == i || loops[order[k]].area > 0.0) {
-                    faces.push_back({order[k], {}});
-                    continue;
-                }
-                // The smallest outline around it; outlines come in order of falling area.
-                std::size_t owner = faces.size() - 1;
-                while (owner > first_face &&
-                       !surrounds(loops[faces[owner].outline], loops[order[k]])) {
-                    --owner;
-                }
-                faces[owner].holes.push_back(order[k]);
-            }
-            i = k;
+        for (const Loop& loop : loops) {
+            if (!loop.is_hole) faces.push_back({&loop, {}});
         }
-        for (Face& face : faces) {
-            std::sort(face.holes.begin(), face.holes.end(),
-                      [&](std::size_t a, std::size_t b) { return before(first(a), first(b)); });
+        for (const Loop& loop : loops) {
+            if (!loop.is_hole) continue;
+            if (faces.empty()) throw std::logic_error("a hole without an outline");
+            std::size_t owner = faces.size() - 1;
+            while (owner > 0 && !surrounds(*faces[owner].outline, loop, normal))
+                --owner;
+            faces[owner].holes.push_back(&loop);
         }
-        std::stable_sort(faces.begin(), faces.end(), [&](const Face& a, const Face& b) {
-            if (loops[a.outline].owner != loops[b.outline].owner) {
-                return loops[a.outline].owner < loops[b.outline].owner;
-            }
-            return before(first(a.outline), first(b.outline));
-        });
         return faces;
     }
 
@@ -490,10 +606,10 @@ private:
 
     // Half-edges that have the same two vertices as another one though they are not its partner:
     // surfaces that touch along an edge and hang together at both ends of it.
-    std::vector<bool> find_twins(DisjointSets& corners) {
+    std::vector<bool> find_twins(DisjointSets& corners) const {
         std::vector<std::array<std::uint32_t, 3>> ends;  // tail, head, half-edge
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
-            if (half_edges_[h].next == kNone) continue;
+            if (!half_edges_[h].crowded || half_edges_[h].next == kNone) continue;
             ends.push_back({corners.find(h), corners.find(half_edges_[h].next), h});
         }
         std::sort(ends.begin(), ends.end());
@@ -508,10 +624,9 @@ private:
 
     // 8.
     Boundary write_faces() {
-        const std::vector<Loop> loops = collect_loops();
-        const std::vector<Face> faces = collect_faces(loops);
         DisjointSets corners = unite_corners();
         const std::vector<bool> is_twin = find_twins(corners);
+        done_.assign(half_edges_.size(), false);
 
         Boundary boundary;
         std::vector<std::uint32_t> vertex(half_edges_.size(), kNone);
@@ -526,27 +641,32 @@ private:
         };
         const auto ring_of = [&](const Loop& loop) {
             std::vector<std::uint32_t> ring;
+            ring.reserve(loop.edges.size());
             for (const std::uint32_t h : loop.edges) {
-                ring.push_back(name(vertex[corners.find(h)], position(h)));
+                ring.push_back(name(vertex[corners.find(h)], position_of(h)));
                 face_of[h] = static_cast<std::uint32_t>(boundary.faces.size());
                 if (!is_twin[h]) continue;
                 // A vertex of its own in the middle tells the edge from its twins.
                 const std::uint32_t pair = std::min(h, half_edges_[h].partner);
-                const Vec3 head = points_[half_edges_[h].head].approx;
-                ring.push_back(name(middle[pair], 0.5 * (position(h) + head)));
+                const Vec3 head = point(half_edges_[h].head);
+                ring.push_back(name(middle[pair], 0.5 * (position_of(h) + head)));
             }
             return ring;
         };
-        for (const Face& face : faces) {
-            BoundaryFace out;
-            const auto& [plane, origin] = owners_[loops[face.outline].owner];
-            out.normal = unit_normal(plane);
-            out.offset = offset_mm(plane, lattice_);
-            out.origin = origin;
-            out.loops.push_back(ring_of(loops[face.outline]));
-            for (const std::size_t hole : face.holes)
-                out.loops.push_back(ring_of(loops[hole]));
-            boundary.faces.push_back(std::move(out));
+        for (std::size_t owner = 0; owner < owners_.size(); ++owner) {
+            const auto& [plane, origin] = owners_[owner];
+            const Vec3 normal = unit_normal(plane);
+            const std::vector<Loop> loops = loops_of(owner);
+            for (const Face& face : faces_of(loops, normal)) {
+                BoundaryFace out;
+                out.normal = normal;
+                out.offset = offset_mm(plane, lattice_);
+                out.origin = origin;
+                out.loops.push_back(ring_of(*face.outline));
+                for (const Loop* hole : face.holes)
+                    out.loops.push_back(ring_of(*hole));
+                boundary.faces.push_back(std::move(out));
+            }
         }
         number_shells(boundary, face_of);
         return boundary;
@@ -566,22 +686,49 @@ private:
         }
     }
 
-    const std::vector<Fragment>& fragments_;
+    std::span<const Outlines> parts_;
     const Lattice& lattice_;
+    Interner<Plane, HashPlane> planes_;
+    Interner<PointKey, HashPoint, SamePoint> points_;
+    Interner<LineKey, HashLine, SameLine> lines_;
+    std::vector<Direction> directions_;  // of lines
     std::vector<std::pair<Plane, Origin>> owners_;
-    std::vector<std::uint32_t> owner_of_;  // fragment → owner
-    PointNumbers points_;
-    std::unordered_map<LineKey, std::uint32_t, LineKeyHash> line_numbers_;
-    std::vector<Line> lines_;
-    std::unordered_set<std::uint64_t> corners_;  // of owners, see corner_key
-    DisjointSets components_;
+    // (owner, point) → how many of its covers end there
+    Interner<std::array<std::uint32_t, 2>, PairHash> ends_;
+    std::vector<std::uint32_t> degrees_;
     std::vector<HalfEdge> half_edges_;
+    Groups<std::uint32_t> by_owner_{0};
+    std::vector<bool> done_;
+    // Of one line, kept for their memory.
+    std::vector<std::uint32_t> stops_, breaks_, here_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
+    std::vector<const Interval*> active_;
+    std::vector<Interval> joined_;
 };
 
 }  // namespace
 
-Boundary stitch(const std::vector<Fragment>& fragments, const Lattice& lattice) {
-    return Stitcher(fragments, lattice).run();
+Outlines outlines_of(const std::vector<Fragment>& fragments) {
+    Outlines outlines;
+    for (const Fragment& fragment : fragments) {
+        const std::uint32_t plane = outlines.add_plane(fragment.plane);
+        for (const auto& loop : fragment.loops) {
+            std::vector<std::uint32_t> edges;
+            for (const auto& corner : loop)
+                edges.push_back(outlines.add_plane(corner.edge));
+            const std::size_t n = loop.size();
+            const auto corner = [&](std::size_t i) {
+                return outlines.point(plane, edges[(i + n - 1) % n], edges[i % n]);
+            };
+            for (std::size_t i = 0; i < n; ++i)
+                outlines.add({2 * plane, edges[i], fragment.origin, corner(i), corner(i + 1)});
+        }
+    }
+    return outlines;
+}
+
+Boundary stitch(std::span<const Outlines> parts, const Lattice& lattice) {
+    return Stitcher(parts, lattice).run();
 }
 
 }  // namespace ncsim::cda

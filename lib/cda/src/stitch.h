@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From fragments of facets to a watertight boundary.
+// From outlines of pieces of facets to a watertight boundary.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/predicates.h"
 
+#include "outlines.h"
+
+#include <span>
 #include <vector>
 
 namespace ncsim::cda {
@@ -16,7 +19,7 @@ namespace ncsim::cda {
 /// same plane have no inner points in common.
 struct Fragment {
     struct Corner {
-        ExactPoint point;
+        ExactPoint point;  ///< On the planes of both edges that meet here.
         Plane edge;  ///< A plane, not parallel to the fragment's, with the edge to the next corner
                      ///< in it.
     };
@@ -25,11 +28,14 @@ struct Fragment {
     std::vector<std::vector<Corner>> loops;
 };
 
-/// Joins fragments that together are the whole surface of a solid. Pieces of one plane and one
+Outlines outlines_of(const std::vector<Fragment>& fragments);
+
+/// Joins outlines that together are the whole surface of a solid. Pieces of one plane and one
 /// origin grow together; every breakpoint of an edge is shared by all faces at it, so there are no
 /// T-junctions; where four or more faces meet in an edge they are paired around the material, and
-/// each surface gets vertices of its own. The result does not depend on the order of the fragments
-/// nor on how faces were cut into them. O(n log n).
-Boundary stitch(const std::vector<Fragment>& fragments, const Lattice& lattice);
+/// each surface gets vertices of its own. The result does not depend on the order of the pieces
+/// nor on how faces were cut into them. Expected O(n log n), most of it O(n); a hole is looked for
+/// in all outlines of its plane and origin.
+Boundary stitch(std::span<const Outlines> parts, const Lattice& lattice);
 
 }  // namespace ncsim::cda

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The octree of Convex Difference Aggregates: the same aggregate as flat.h, P \ (N1 ∪ … ∪ Nn),
+// The tree of Convex Difference Aggregates: the same aggregate as flat.h, P \ (N1 ∪ … ∪ Nn),
 // without zero cells and without its quadratic cost. docs/cda.md, "The tree".
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,103 +16,81 @@
 
 namespace ncsim::cda {
 
-struct ConvexPolygon;
-struct Fragment;
+class BlockTree;
+struct Evaluation;
 
 /// What work was done, counted: the same on every machine.
 struct TreeCounts {
-    std::uint64_t cells = 0;             ///< Kept: not outside of the stock.
-    std::uint64_t planes = 0;            ///< Of those, without the ones all of the stock satisfies.
-    std::uint64_t nodes = 0;             ///< Alive now.
-    std::uint64_t leaves_evaluated = 0;  ///< After refinement, for one boundary.
-    std::uint64_t facets_tested = 0;     ///< Polygons of facets in leaves.
-    std::uint64_t facets_alive = 0;      ///< Of those, with something left.
-    std::uint64_t fragments = 0;         ///< Convex pieces handed to the stitching.
+    std::uint64_t cells = 0;          ///< Kept: not outside of the stock.
+    std::uint64_t planes = 0;         ///< Of those, without the ones all of the stock satisfies.
+    std::uint64_t nodes = 0;          ///< Alive now.
+    std::uint64_t bytes = 0;          ///< Held by the tree now, about.
+    std::uint64_t leaves = 0;         ///< Looked at for the last boundary or volume.
+    std::uint64_t facets_tested = 0;  ///< Facets in leaves.
+    std::uint64_t facets_alive = 0;   ///< Of those, with something left.
+    std::uint64_t pieces = 0;         ///< Of outlines, handed to the stitching.
 };
 
 /// How the tree works; none of it changes a result.
 struct TreeParameters {
-    std::uint32_t insertion_leaf = 24;  ///< Cells in a leaf before it is split while cutting.
-    std::uint32_t evaluation_leaf = 8;  ///< Cells in a leaf before it is refined for evaluation.
-    std::uint32_t threads = 0;          ///< That evaluate; 0: as many as the machine has.
+    std::uint32_t leaf = 10;    ///< Cells in a leaf before it is split.
+    std::uint32_t threads = 0;  ///< 0: as many as the machine has.
 };
 
 class TreeCda final : public WorkpieceModel {
 public:
     explicit TreeCda(TreeParameters parameters = {});
     TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters = {});
+    ~TreeCda() override;
+    /// Copies share what neither of them changes.
+    TreeCda(const TreeCda&);
+    TreeCda& operator=(const TreeCda&);
+    TreeCda(TreeCda&&) noexcept;
+    TreeCda& operator=(TreeCda&&) noexcept;
 
     std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                            const Lattice& lattice) const override;
     /// Expected O(surface of the cell), whatever was cut before, plus the evaluation of what it
     /// overlaps: the price of knowing the volume.
     double subtract(const Cell& cell) override;
-    /// The same without.
-    void subtract_unmeasured(const Cell& cell) override;
+    using WorkpieceModel::subtract_unmeasured;
+    /// The same without. Many cells at a time are shared between threads.
+    void subtract_unmeasured(std::span<const Cell> cells) override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
+    /// The evaluation of blocks that changed since it was last asked for.
     double volume() const override;
     Boundary boundary() const override;
     bool contains(Vec3 point) const override;
 
     /// Volume (mm³) that `cell` has in common with the part; exactly 0 if they touch at most.
     double common_volume(const Cell& cell) const;
+    /// Where the cell and the part have volume in common: a point (mm) with inner points of both as
+    /// near to it as anybody likes; nothing if they touch at most. Exact, and cheaper than the
+    /// volume: stops at the first place.
+    std::optional<Vec3> contact(const Cell& cell) const;
 
     const Lattice& lattice() const { return lattice_; }
-    /// Of the cutting so far and of the last boundary().
-    const TreeCounts& counts() const { return counts_; }
+    /// Of the cutting so far and of the last evaluation.
+    TreeCounts counts() const;
 
 private:
-    // Corners at odd numbers of half units, so that no facet with whole coordinates ever lies on a
-    // face of a box.
-    struct HalfBox {
-        std::array<std::int64_t, 3> min{}, max{};  // in half units
-    };
-    struct StoredCell {
-        std::uint32_t begin = 0, end = 0;  // in planes_
-        Origin origin = kStockOrigin;
-    };
-    enum class NodeKind : std::uint8_t { Material, Empty, Inner };
-    struct Node {
-        NodeKind kind = NodeKind::Material;
-        std::uint32_t first_child = 0;     // Inner: eight in a row
-        std::vector<std::uint32_t> cells;  // Material: what may cut it
-    };
-    class Evaluation;
-    struct Task {
-        std::uint32_t node;
-        HalfBox box;
-    };
+    struct Block;
 
-    static HalfBox child_box(const HalfBox& box, std::uint32_t child);
-    std::span<const Plane> planes_of(std::uint32_t cell) const;
-    bool comes_before(std::uint32_t a, std::uint32_t b) const;
-    std::optional<std::uint32_t> store(const Cell& cell);
-    void insert(std::uint32_t node, const HalfBox& box, std::uint32_t cell,
-                std::size_t active_begin);
-    void split(std::uint32_t node, const HalfBox& box);
-    void release(std::uint32_t node);
-    std::uint32_t new_children();
-    double volume_below(const ConvexPolygon& piece, bool is_wall) const;
-    double evaluated_volume(const std::vector<Plane>* window) const;
-    std::vector<Fragment> fragments() const;
-    std::vector<Task> tasks() const;
-    void for_each_task(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
+    void split_into_blocks();
+    Evaluation evaluate_window(const Cell& cell, bool only_first) const;
+    void evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const;
+    void for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
 
     TreeParameters parameters_;
     Lattice lattice_;
     Cell stock_;
-    Vec3 centre_;  // of the stock, in units
+    Vec3 centre_;    // of the stock, in units
+    Box stock_box_;  // in units
     std::vector<Plane> stock_planes_;
-    HalfBox root_box_;
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> free_children_;
-    std::vector<StoredCell> cells_;
-    std::vector<Plane> planes_;
-    std::vector<std::uint32_t> active_;  // stack of insert()
+    std::vector<Block> blocks_;
+    std::vector<Origin> origins_;  // of cells
     mutable TreeCounts counts_;
-    // Of what is there now, once somebody asked: by volume() or on the way to boundary().
-    mutable std::optional<double> volume_;
 };
 
 }  // namespace ncsim::cda

@@ -44,8 +44,12 @@ public:
     /// Takes `cell` away and returns how much of the part that was, in mm³; exactly 0 if the part
     /// lost nothing. Flat cells, and cells that only touch the part, change nothing.
     virtual double subtract(const Cell& cell) = 0;
-    /// The same for callers that do not ask how much it was.
-    virtual void subtract_unmeasured(const Cell& cell) { subtract(cell); }
+    /// The same for callers that do not ask how much it was; many at a time are taken away faster.
+    virtual void subtract_unmeasured(std::span<const Cell> cells) {
+        for (const Cell& cell : cells)
+            subtract(cell);
+    }
+    void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
     /// Draws every facet once with its masks, in an order that depends on the input only.
     virtual void render(FacetCanvas& canvas) const = 0;
     virtual std::unique_ptr<WorkpieceModel> clone() const = 0;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A block of the tree: a box that is halved where many cells meet. Leaves know the cells whose
+// surface passes through them, and of those the planes that do; what another cell of the leaf
+// covers is not kept. A block knows nothing of its neighbours, so blocks are worked on by any
+// thread.
+#pragma once
+
+#include "ncsim/cda/cell.h"
+
+#include "domination.h"
+#include "half_box.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace ncsim::cda {
+
+/// The total order of cells: by the motion that made them, then by number.
+class CellOrder {
+public:
+    explicit CellOrder(std::span<const Origin> origins) : origins_(origins) {}
+    bool operator()(std::uint32_t a, std::uint32_t b) const {
+        return std::pair{origins_[a], a} < std::pair{origins_[b], b};
+    }
+    Origin origin(std::uint32_t cell) const { return origins_[cell]; }
+
+private:
+    std::span<const Origin> origins_;
+};
+
+class BlockTree {
+public:
+    explicit BlockTree(const HalfBox& box) : box_(box), nodes_(1) {}
+
+    const HalfBox& box() const { return box_; }
+
+    /// Takes the cell away. Expected O(surface of the cell in the block that lies in material).
+    /// A leaf with more than `leaf` cells is split.
+    void insert(std::uint32_t cell, std::span<const Plane> planes, const CellOrder& order,
+                std::uint32_t leaf);
+
+    /// One cell of a leaf: its number and the planes that cut the leaf (indices for plane()).
+    struct Entry {
+        std::uint32_t cell;
+        std::span<const std::uint32_t> planes;
+    };
+    const Plane& plane(std::uint32_t index) const { return planes_[index]; }
+    std::size_t planes() const { return planes_.size(); }
+
+    /// Goes down where `enter` allows it and calls `leaf` for each leaf with material there.
+    /// Always in the same order.
+    void visit(const std::function<bool(const HalfBox&)>& enter,
+               const std::function<void(const HalfBox&, std::span<const Entry>)>& leaf) const;
+
+    /// The cells of the leaf with the point, in units of 2^-15 half units; false if it is empty.
+    bool find(const std::array<std::int64_t, 3>& point, std::vector<Entry>& entries) const;
+
+    std::size_t nodes() const { return nodes_.size() - 2 * free_children_.size(); }
+    /// Bytes held.
+    std::size_t memory() const;
+
+private:
+    enum class Kind : std::uint8_t { Material, Empty, Inner };
+    struct Node {
+        Kind kind = Kind::Material;
+        std::uint8_t axis = 0;          // Inner: what is halved
+        std::uint32_t first_child = 0;  // Inner: two in a row
+        std::uint32_t limit = 0;        // Material: cells that may be, where more than `leaf`
+        // Material: for each cell its number, 64 bits of sample_mask(), how many planes, and
+        // these.
+        std::vector<std::uint32_t> cells;
+    };
+    static constexpr std::size_t kHead = 4;
+    // A cell in a box, taken out of a node.
+    struct Local {
+        std::uint32_t cell;
+        std::uint64_t mask;
+        std::vector<std::uint32_t> planes;
+        std::vector<BoxPlane> seen;
+    };
+    // The cell at hand.
+    struct Incoming {
+        std::uint32_t cell = 0;
+        std::span<const Plane> planes;
+        std::vector<HalfPlane> half_planes;
+        std::vector<std::uint32_t> stored;  // index in planes_, kNone before it is needed
+        std::vector<std::uint16_t> active;  // stack that all levels share
+    };
+
+    void insert_at(std::uint32_t number, const HalfBox& box, std::size_t active_begin,
+                   Incoming& incoming, const CellOrder& order, std::uint32_t leaf);
+    void add_to_leaf(std::uint32_t number, const HalfBox& box, std::size_t active_begin,
+                     Incoming& incoming, const CellOrder& order, std::uint32_t leaf);
+    void split(std::uint32_t number, const HalfBox& box, const CellOrder& order, std::uint32_t leaf,
+               int fruitless);
+    std::size_t best_axis(const HalfBox& box, const std::vector<Local>& cells) const;
+    bool fill(Node& node, const HalfBox& box, const std::vector<Local>& cells,
+              const CellOrder& order) const;
+    std::vector<Local> cells_of(const Node& node, const HalfBox& box) const;
+    void release(std::uint32_t number);
+    void drop_unused_planes();
+
+    HalfBox box_;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> free_children_;
+    std::vector<Plane> planes_;
+    std::size_t planes_after_drop_ = 0;
+};
+
+}  // namespace ncsim::cda

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A facet is cut to the box of the leaf and to its own cell. What other cells take from it are
+// convex sections; what is left is never computed as an area, only its outline: edges of the
+// facet outside of all sections, and edges of sections outside of all others. Where edges lie on
+// each other, the rule of the facets holds once more, a dimension lower.
+#include "evaluation.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+
+namespace ncsim::cda {
+
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// Of the line directions n_s × n_a and n_s × n_b, known to be parallel: do they agree?
+bool same_side(const Plane& s, const Plane& a, const Plane& b) {
+    const auto cross = [&s](const Plane& p) {
+        return std::array<std::int64_t, 3>{std::int64_t{s.ny} * p.nz - std::int64_t{s.nz} * p.ny,
+                                           std::int64_t{s.nz} * p.nx - std::int64_t{s.nx} * p.nz,
+                                           std::int64_t{s.nx} * p.ny - std::int64_t{s.ny} * p.nx};
+    };
+    const auto u = cross(a);
+    const auto v = cross(b);
+    Int128 sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += static_cast<Int128>(u[i]) * v[i];
+    return sum > 0;
+}
+
+class Evaluator {
+public:
+    Evaluator(const BlockTree& block, const EvaluationInput& input, Evaluation& result)
+        : block_(block), input_(input), result_(result) {
+        const auto first = static_cast<std::uint32_t>(block.planes());
+        std::uint32_t source = first;
+        for (const Plane& plane : input.stock)
+            stock_planes_.emplace_back(plane, source++);
+        if (input.window) {
+            for (const Plane& plane : *input.window)
+                window_planes_.emplace_back(plane, source++);
+        }
+        first_wall_ = source;
+        table_.assign(source + 6, kNone);
+    }
+
+    void run() {
+        block_.visit([this](const HalfBox& box) { return enters(box); },
+                     [this](const HalfBox& box, std::span<const BlockTree::Entry> entries) {
+                         take_leaf(box, entries);
+                     });
+    }
+
+private:
+    using Planes = std::vector<const FilterPlane*>;
+
+    // A cell with the planes that cut the box at hand.
+    struct Local {
+        std::uint32_t cell;
+        Planes planes;
+    };
+    // What a cell takes from the facet at hand: what lies below all of these.
+    struct Section {
+        Planes planes;
+    };
+
+    // The planes that cut the box; false if the box is outside of one of them.
+    static bool active(const std::vector<FilterPlane>& planes, const HalfBox& box,
+                       Planes& cutting) {
+        const BoxFrame frame(box);
+        cutting.clear();
+        for (const FilterPlane& plane : planes) {
+            switch (side_of(frame, HalfPlane(plane.exact))) {
+                case Side::Below: break;
+                case Side::Above: return false;
+                case Side::On: cutting.push_back(&plane); break;
+            }
+        }
+        return true;
+    }
+
+    bool enters(const HalfBox& box) {
+        if (input_.only_first && !result_.outlines.pieces().empty()) return false;
+        if (!input_.window) return true;
+        const BoxFrame frame(box);
+        return std::none_of(window_planes_.begin(), window_planes_.end(),
+                            [&](const FilterPlane& plane) {
+                                return side_of(frame, HalfPlane(plane.exact)) == Side::Above;
+                            });
+    }
+
+    void take_leaf(const HalfBox& box, std::span<const BlockTree::Entry> entries) {
+        if (!active(stock_planes_, box, stock_) || !active(window_planes_, box, window_)) return;
+        if (entries.empty() && stock_.empty() && window_.empty()) return;
+        // The planes that cut the box, in one place that does not move.
+        std::size_t count = 0;
+        for (const BlockTree::Entry& entry : entries)
+            count += entry.planes.size();
+        leaf_planes_.clear();
+        leaf_planes_.reserve(count);
+        cells_.resize(entries.size());
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            cells_[i].cell = entries[i].cell;
+            cells_[i].planes.clear();
+            for (const std::uint32_t plane : entries[i].planes) {
+                leaf_planes_.emplace_back(block_.plane(plane), plane);
+                cells_[i].planes.push_back(&leaf_planes_.back());
+            }
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            // 2x <= max: odd distances, hence canonical.
+            std::array<std::int32_t, 3> n{};
+            n[i] = 2;
+            const auto wall = first_wall_ + static_cast<std::uint32_t>(2 * i);
+            walls_[2 * i] = FilterPlane({-n[0], -n[1], -n[2], -box.min[i]}, wall);
+            walls_[2 * i + 1] = FilterPlane({n[0], n[1], n[2], box.max[i]}, wall + 1);
+            table_[wall] = table_[wall + 1] = kNone;
+        }
+        box_ = &box;
+        killer_ = 0;
+        ++result_.leaves;
+        evaluate_leaf();
+    }
+
+    void evaluate_leaf() {
+        const auto takes_same = [](const Local&, bool same) { return same; };
+        for (const FilterPlane* s : stock_) {
+            if (section_of_box(*s) && clip_to(stock_) && clip_strictly_to(window_)) {
+                finish(kStockOrigin, false, nullptr, takes_same);
+            }
+        }
+        for (const Local& local : cells_) {
+            for (const FilterPlane* s : local.planes) {
+                if (!section_of_box(*s) || !clip_to(local.planes) || !clip_strictly_to(stock_) ||
+                    !clip_strictly_to(window_)) {
+                    continue;
+                }
+                // Opposite walls both go; of equal ones the first stays.
+                finish(input_.order.origin(local.cell), true, &local,
+                       [&](const Local& other, bool same) {
+                           return !same || input_.order(other.cell, local.cell);
+                       });
+            }
+        }
+        for (const FilterPlane* s : window_) {
+            if (section_of_box(*s) && clip_to(window_) && clip_to(stock_)) {
+                finish(kStockOrigin, false, nullptr, takes_same);
+            }
+        }
+    }
+
+    bool section_of_box(const FilterPlane& plane) {
+        return facet_.assign_section(plane, box_->min, box_->max, walls_);
+    }
+    const Plane& facet_plane() const { return facet_.plane().exact; }
+
+    // Keeps of facet_ what lies below the planes; a plane in which it lies itself does not count,
+    // but between it and an opposite one there is nothing.
+    bool clip_to(const Planes& planes) {
+        for (const FilterPlane* plane : planes) {
+            if (facet_plane().is_parallel_to(plane->exact)) {
+                const bool same = same_direction(facet_plane(), plane->exact);
+                const int beyond = distance_beyond(plane->exact, same);
+                if (beyond < 0 || (beyond == 0 && !same)) return false;
+            } else if (!facet_.clip(*plane)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    // The same, but nothing if it lies in one of the planes.
+    bool clip_strictly_to(const Planes& planes) {
+        return std::none_of(planes.begin(), planes.end(),
+                            [&](const FilterPlane* p) { return p->exact == facet_plane(); }) &&
+               clip_to(planes);
+    }
+
+    // Of a plane parallel to that of the facet: positive if the facet is below it, 0 if it lies in
+    // it.
+    int distance_beyond(const Plane& plane, bool same) const {
+        return compare_distances(facet_plane(), same ? plane : plane.opposite()) * (same ? 1 : -1);
+    }
+
+    // The facet rule: takes from facet_ what other cells have of it. `takes_coplanar(cell, same)`
+    // tells whether a cell with a facet in the same plane, in the same or the opposite orientation,
+    // does.
+    template <class TakesCoplanar>
+    void finish(Origin origin, bool is_wall, const Local* self, TakesCoplanar takes_coplanar) {
+        ++result_.facets_tested;
+        sections_in_use_ = 0;
+        // Most facets are covered by one cell, and often by the one that covered the facet before.
+        if (killer_ < cells_.size() && &cells_[killer_] != self &&
+            taken_by(cells_[killer_], takes_coplanar, next_section()) == Overlap::Covered) {
+            return;
+        }
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            if (&cells_[i] == self) continue;
+            switch (taken_by(cells_[i], takes_coplanar, next_section())) {
+                case Overlap::None: break;
+                case Overlap::Covered: killer_ = i; return;
+                case Overlap::Undecided: ++sections_in_use_; break;
+            }
+        }
+        write_outlines(origin, is_wall);
+    }
+
+    Section& next_section() {
+        if (sections_in_use_ == sections_.size()) sections_.emplace_back();
+        return sections_[sections_in_use_];
+    }
+
+    // What single planes tell of what `other` takes from facet_; the section holds those that do
+    // not.
+    template <class TakesCoplanar>
+    Overlap taken_by(const Local& other, TakesCoplanar takes_coplanar, Section& section) {
+        bool coplanar_same = false;
+        bool coplanar_opposite = false;
+        cuts_.clear();
+        for (const FilterPlane* plane : other.planes) {
+            if (!plane->exact.is_parallel_to(facet_plane())) {
+                cuts_.push_back(plane);
+                continue;
+            }
+            const bool same = same_direction(facet_plane(), plane->exact);
+            const int beyond = distance_beyond(plane->exact, same);
+            if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same))) return Overlap::None;
+            if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
+        }
+        if (coplanar_same && coplanar_opposite) return Overlap::None;  // a flat cell
+        return facet_.overlap(cuts_, section.planes);
+    }
+
+    void write_outlines(Origin origin, bool is_wall) {
+        const std::size_t before = result_.outlines.pieces().size();
+        const std::span<const Section> sections(sections_.data(), sections_in_use_);
+        for (std::size_t i = 0; i < facet_.size(); ++i) {
+            remaining_.assign(1, facet_.edge(i));
+            for (const Section& section : sections)
+                subtract(section, true);
+            write_remaining(origin, is_wall, false);
+        }
+        for (std::size_t k = 0; k < sections.size(); ++k) {
+            for (std::size_t t = 0; t < sections[k].planes.size(); ++t) {
+                if (!outline_of_section(sections[k].planes, t)) continue;
+                // Where two sections have an edge on the same side, the first keeps it.
+                for (std::size_t j = 0; j < sections.size() && !remaining_.empty(); ++j) {
+                    if (j != k) subtract(sections[j], j < k);
+                }
+                write_remaining(origin, is_wall, true);
+            }
+        }
+        if (result_.outlines.pieces().size() == before) return;
+        ++result_.facets_alive;
+        add_volume(before);
+    }
+
+    // The edge of a section in plane t, if it has one.
+    bool outline_of_section(const Planes& planes, std::size_t t) {
+        FilteredSegment edge = facet_.section(*planes[t]);
+        remaining_.clear();
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            if (i == t) continue;
+            switch (edge.clip(*planes[i])) {
+                case FilteredSegment::Clipped::Nothing: return false;
+                case FilteredSegment::Clipped::Inside:
+                    // Two planes of a cell meet the facet in one line: the first has the edge;
+                    // opposite ones leave nothing between.
+                    if (i < t || !same_side(facet_plane(), planes[t]->exact, planes[i]->exact)) {
+                        return false;
+                    }
+                    break;
+                case FilteredSegment::Clipped::Whole:
+                case FilteredSegment::Clipped::Tail:
+                case FilteredSegment::Clipped::Head: break;
+            }
+        }
+        remaining_.push_back(edge);
+        return true;
+    }
+
+    // Takes a section from remaining_. Of pieces in an edge of the section, those that have it on
+    // the other side than their own area are taken, the others if `takes_same`; a section that is
+    // nothing but a line takes nothing.
+    void subtract(const Section& section, bool takes_same) {
+        rest_.clear();
+        for (const FilteredSegment& piece : remaining_) {
+            FilteredSegment inside = piece;
+            bool lost_tail = false;
+            bool lost_head = false;
+            bool touched = true;
+            bool on_same_side = false;
+            bool on_other_side = false;
+            for (const FilterPlane* plane : section.planes) {
+                switch (inside.clip(*plane)) {
+                    case FilteredSegment::Clipped::Whole: break;
+                    case FilteredSegment::Clipped::Tail: lost_tail = true; break;
+                    case FilteredSegment::Clipped::Head: lost_head = true; break;
+                    case FilteredSegment::Clipped::Nothing: touched = false; break;
+                    case FilteredSegment::Clipped::Inside:
+                        (same_side(facet_plane(), piece.line->exact, plane->exact)
+                             ? on_same_side
+                             : on_other_side) = true;
+                        break;
+                }
+                if (!touched) break;
+            }
+            if (on_same_side && (on_other_side || !takes_same)) touched = false;
+            if (!touched) {
+                rest_.push_back(piece);
+                continue;
+            }
+            if (lost_tail) {
+                rest_.push_back(piece);
+                rest_.back().head = inside.tail;
+                rest_.back().head_cut = inside.tail_cut;
+            }
+            if (lost_head) {
+                rest_.push_back(piece);
+                rest_.back().tail = inside.head;
+                rest_.back().tail_cut = inside.head_cut;
+            }
+        }
+        remaining_.swap(rest_);
+    }
+
+    // `reversed`: the face lies above the line plane.
+    void write_remaining(Origin origin, bool is_wall, bool reversed) {
+        for (const FilteredSegment& piece : remaining_) {
+            const std::uint32_t plane = index_of(*piece.plane);
+            const std::uint32_t edge = index_of(*piece.line);
+            std::uint32_t tail = result_.outlines.point(plane, edge, index_of(*piece.tail_cut));
+            std::uint32_t head = result_.outlines.point(plane, edge, index_of(*piece.head_cut));
+            if (reversed != is_wall) std::swap(tail, head);
+            result_.outlines.add(
+                {2 * plane + static_cast<PlaneRef>(is_wall), edge, origin, tail, head});
+        }
+    }
+
+    std::uint32_t index_of(const FilterPlane& plane) {
+        std::uint32_t& index = table_[plane.source];
+        if (index == kNone) index = result_.outlines.add_plane(plane.exact);
+        return index;
+    }
+
+    // A third of distance times area, from the pieces of the facet written last.
+    void add_volume(std::size_t first_piece) {
+        const Plane& plane = facet_plane();
+        const Vec3 normal = unit_normal(plane);
+        const auto& points = result_.outlines.points();
+        const auto& pieces = result_.outlines.pieces();
+        const Vec3 foot = points[pieces[first_piece].tail].fixed.approx();
+        double doubled_area = 0.0;
+        for (std::size_t i = first_piece; i < pieces.size(); ++i) {
+            doubled_area += dot(normal, cross(points[pieces[i].tail].fixed.approx() - foot,
+                                              points[pieces[i].head].fixed.approx() - foot));
+        }
+        // Outlines of walls run the other way round as seen along the normal of the cell: the
+        // area is negative, as the volume is to be.
+        result_.volume += distance_about(plane, input_.centre) * doubled_area / 6.0;
+    }
+
+    const BlockTree& block_;
+    const EvaluationInput& input_;
+    Evaluation& result_;
+    std::vector<FilterPlane> stock_planes_, window_planes_;
+    std::uint32_t first_wall_ = 0;
+    std::vector<std::uint32_t> table_;  // source of a plane → index in the outlines
+    // The leaf at hand.
+    const HalfBox* box_ = nullptr;
+    std::array<FilterPlane, 6> walls_;
+    Planes stock_, window_;
+    std::vector<FilterPlane> leaf_planes_;
+    std::vector<Local> cells_;
+    std::size_t killer_ = 0;
+    // The facet at hand.
+    FilteredPolygon facet_;
+    Planes cuts_;
+    std::vector<Section> sections_;
+    std::size_t sections_in_use_ = 0;
+    std::vector<FilteredSegment> remaining_, rest_;
+};
+
+}  // namespace
+
+Evaluation evaluate(const BlockTree& block, const EvaluationInput& input) {
+    Evaluation result;
+    Evaluator(block, input, result).run();
+    return result;
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Boxes of the tree: corners at odd numbers of half units, so that no facet with whole coordinates
+// ever lies on a face of a box.
+#pragma once
+
+#include "ncsim/cda/plane.h"
+#include "ncsim/cda/predicates.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace ncsim::cda {
+
+/// In half lattice units.
+struct HalfBox {
+    std::array<std::int64_t, 3> min{}, max{};
+
+    std::int64_t extent(std::size_t axis) const { return max[axis] - min[axis]; }
+    std::size_t longest_axis() const {
+        std::size_t axis = 0;
+        for (std::size_t i = 1; i < 3; ++i) {
+            if (extent(i) > extent(axis)) axis = i;
+        }
+        return axis;
+    }
+    /// Where halves meet: the middle, odd again.
+    std::int64_t middle(std::size_t axis) const { return ((min[axis] + max[axis]) >> 1) | 1; }
+    HalfBox half(std::size_t axis, bool upper) const {
+        HalfBox result = *this;
+        (upper ? result.min : result.max)[axis] = middle(axis);
+        return result;
+    }
+};
+
+/// Centre and half extents of a box, in half units: whole numbers.
+struct BoxFrame {
+    explicit BoxFrame(const HalfBox& box) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            centre[i] = static_cast<double>((box.min[i] + box.max[i]) / 2);
+            half[i] = static_cast<double>((box.max[i] - box.min[i]) / 2);
+        }
+    }
+    std::array<double, 3> centre{}, half{};
+};
+
+/// n·x <= d2 for x in half units: a plane of the lattice in doubles, exactly.
+struct HalfPlane {
+    HalfPlane() = default;
+    explicit HalfPlane(const Plane& p)
+        : nx(p.nx), ny(p.ny), nz(p.nz), d2(2.0 * static_cast<double>(p.d)) {}
+    double nx = 0, ny = 0, nz = 0, d2 = 0;
+};
+
+/// Where a box lies to a plane. Exact: normals below 2^24 and coordinates below 2^26 half units
+/// make products below 2^50 whose sums are whole numbers below 2^53; only a difference that decides
+/// by its size alone may be rounded.
+inline Side side_of(const BoxFrame& box, const HalfPlane& p) {
+    const double v = p.nx * box.centre[0] + p.ny * box.centre[1] + p.nz * box.centre[2] - p.d2;
+    const double reach =
+        std::abs(p.nx) * box.half[0] + std::abs(p.ny) * box.half[1] + std::abs(p.nz) * box.half[2];
+    return v + reach <= 0 ? Side::Below : v >= reach ? Side::Above : Side::On;
+}
+
+}  // namespace ncsim::cda

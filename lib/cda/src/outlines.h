@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What evaluation hands to the stitching: the outlines of what is left of facets, piece by
+// piece, everything named by planes.
+#pragma once
+
+#include "ncsim/cda/origin.h"
+#include "ncsim/cda/plane.h"
+#include "ncsim/cda/predicates.h"
+
+#include "interner.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace ncsim::cda {
+
+/// A point rounded down to 2^-24 of a lattice unit: what equal points have in common, whichever
+/// planes made them. Coordinates within 2^26 units.
+struct FixedPoint {
+    std::array<std::int64_t, 3> at{};
+    bool operator==(const FixedPoint&) const = default;
+
+    static constexpr double kScale = 16777216.0;
+    static FixedPoint of(const ExactPoint& p);
+    /// In lattice units.
+    Vec3 approx() const {
+        return {static_cast<double>(at[0]) / kScale, static_cast<double>(at[1]) / kScale,
+                static_cast<double>(at[2]) / kScale};
+    }
+};
+
+/// An oriented plane of a table: twice the index, plus one for the opposite orientation.
+using PlaneRef = std::uint32_t;
+
+/// Outlines of pieces of faces, with tables of their own. Faces are to the left of their outlines,
+/// seen from outside the material. Pieces of one face that lie on each other in opposite
+/// directions cancel.
+class Outlines {
+public:
+    struct Point {
+        FixedPoint fixed;
+        std::array<std::uint32_t, 3> planes{};  // indices, ascending
+    };
+    struct Piece {
+        PlaneRef plane = 0;      // of the face, material below
+        std::uint32_t edge = 0;  // index of the other plane in which the piece lies
+        Origin origin = kStockOrigin;
+        std::uint32_t tail = 0, head = 0;  // points
+    };
+
+    std::uint32_t add_plane(const Plane& plane) {
+        planes_.push_back(plane);
+        return static_cast<std::uint32_t>(planes_.size() - 1);
+    }
+    /// The meeting point of three planes of the table; they must meet in one.
+    std::uint32_t point(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    void add(const Piece& piece) { pieces_.push_back(piece); }
+
+    Plane plane(PlaneRef ref) const {
+        return ref & 1 ? planes_[ref / 2].opposite() : planes_[ref / 2];
+    }
+    const std::vector<Plane>& planes() const { return planes_; }
+    const std::vector<Point>& points() const { return points_; }
+    const std::vector<Piece>& pieces() const { return pieces_; }
+
+private:
+    struct Hash {
+        std::uint64_t operator()(const std::array<std::uint32_t, 3>& key) const {
+            return mix(mix(0, key[0] | std::uint64_t{key[1]} << 32), key[2]);
+        }
+    };
+    std::vector<Plane> planes_;
+    Interner<std::array<std::uint32_t, 3>, Hash> triples_;
+    std::vector<Point> points_;
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace ncsim::cda
