@@ -25,7 +25,10 @@ std::string_view name_of(Kind kind) {
     switch (kind) {
         case Kind::Milling: return "milling";
         case Kind::Heidenhain: return "Heidenhain controls";
+        case Kind::HeidenhainIso: return "Heidenhain controls (DIN/ISO)";
         case Kind::Siemens: return "Siemens controls";
+        case Kind::Okuma: return "Okuma controls";
+        case Kind::Isg: return "ISG and TwinCAT controls";
         case Kind::Lathe: return "a lathe";
         case Kind::Laser: return "a laser";
         case Kind::Plasma: return "a plasma torch";
@@ -37,7 +40,19 @@ std::string_view name_of(Kind kind) {
 
 namespace {
 
-constexpr std::size_t kMostBytes = 128'000;  // posts put their signs at the beginning
+constexpr std::size_t kEveryLine = 128'000;  // bytes; posts put their signs at the beginning
+
+/// The characters of a text as bits: a text can only contain what has no bit of its own.
+using Letters = std::uint64_t;
+constexpr Letters bit_of(char c) {
+    return Letters{1} << (static_cast<unsigned char>(c) & 63U);
+}
+constexpr Letters letters_of(std::string_view text) {
+    Letters letters = 0;
+    for (const char c : text)
+        letters |= bit_of(c);
+    return letters;
+}
 
 /// A text that speaks for a conclusion, in upper case, and how much. In code, words start at a
 /// letter that follows no letter; `in_comments` looks at remarks instead.
@@ -46,11 +61,12 @@ struct Sign {
     int weight;
     bool in_comments;
     std::string_view because;
+    Letters letters = letters_of(text);
 };
 
 struct DialectSigns {
     Dialect dialect;
-    std::array<Sign, 8> signs;
+    std::array<Sign, 8> signs{};
 };
 constexpr std::array<DialectSigns, 5> kDialects = {{
     {Dialect::Rs274,
@@ -93,19 +109,15 @@ constexpr std::array<DialectSigns, 5> kDialects = {{
      {{{"MACH3", 5, true, "a comment names Mach3"},
        {"MACH4", 5, true, "a comment names Mach4"},
        {"MACH2", 5, true, "a comment names Mach2"},
-       {"VECTRIC", 1, true, "a comment names Vectric"},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""}}}},
+       {"VECTRIC", 1, true, "a comment names Vectric"}}}},
 }};
 
 struct KindSigns {
     Kind kind;
     int enough;
-    std::array<Sign, 10> signs;
+    std::array<Sign, 16> signs{};
 };
-constexpr std::array<KindSigns, 5> kKinds = {{
+constexpr std::array<KindSigns, 8> kKinds = {{
     {Kind::Heidenhain,
      4,
      {{{"BEGIN PGM", 4, false, "BEGIN PGM"},
@@ -118,6 +130,17 @@ constexpr std::array<KindSigns, 5> kKinds = {{
        {"LBL ", 2, false, "LBL"},
        {"CALL LBL", 4, false, "CALL LBL"},
        {"FN 0", 2, false, "FN 0"}}}},
+    // The letters of DIN/ISO with other meanings: centres of their own (I J), labels (G98 L).
+    {Kind::HeidenhainIso,
+     4,
+     {{{"G71 *", 4, false, "G71 *"},
+       {"G70 *", 4, false, "G70 *"},
+       {"G71*", 4, false, "G71 *"},
+       {"G70*", 4, false, "G70 *"},
+       {"N99999999", 4, false, "N99999999"},
+       {"N9999 %", 4, false, "N9999 %"},
+       {"G98 L", 2, false, "labels (G98 L)"},
+       {"G99 T", 2, false, "tools defined by G99 T"}}}},
     {Kind::Siemens,
      4,
      {{{"WORKPIECE", 4, false, "WORKPIECE"},
@@ -129,7 +152,41 @@ constexpr std::array<KindSigns, 5> kKinds = {{
        {";$PATH=", 4, true, ";$PATH="},
        {"_MPF", 4, false, "a name ending in _MPF"},
        {"SUPA", 2, false, "SUPA"},
-       {"CYCLE832", 4, false, "CYCLE832"}}}},
+       {"MCALL", 4, false, "MCALL"},
+       {"EXTCALL", 4, false, "EXTCALL"},
+       {"GOTOF", 4, false, "GOTOF"},
+       {"GOTOB", 4, false, "GOTOB"},
+       {"T=\"", 4, false, "tools by name (T=\"…\")"},
+       {"CR=", 3, false, "radii as CR="},
+       {"TRAORI", 4, false, "TRAORI"}}}},
+    {Kind::Okuma,
+     4,
+     {{{".MIN%", 4, false, ".MIN%"},
+       {"CALL O", 4, false, "CALL O"},
+       {"MODIN", 4, false, "MODIN"},
+       {"MODOUT", 4, false, "MODOUT"},
+       {"G15 H", 3, false, "work coordinates by G15 H"},
+       {"G15H", 3, false, "work coordinates by G15 H"},
+       {"G16 H", 3, false, "work coordinates by G16 H"},
+       {"G56 H", 3, false, "tool lengths by G56 H"},
+       {"G56H", 3, false, "tool lengths by G56 H"},
+       {"NOEX", 3, false, "NOEX"},
+       {"VC1", 2, false, "common variables (VC1)"},
+       {"VZOF", 4, false, "VZOF"},
+       {"RTS", 2, false, "RTS"},
+       {"FMILH", 4, false, "FMILH"},
+       {"G116 T", 2, false, "G116 T"}}}},
+    {Kind::Isg,
+     4,
+     {{{"#SLOPE", 4, false, "#SLOPE"},
+       {"#HSC", 4, false, "#HSC"},
+       {"#SCALE", 4, false, "#SCALE"},
+       {"#CONTOUR MODE", 4, false, "#CONTOUR MODE"},
+       {"#TRAFO", 4, false, "#TRAFO"},
+       {"#CS ", 4, false, "#CS"},
+       {"#RTCP", 4, false, "#RTCP"},
+       {"#SET ", 4, false, "#SET"},
+       {"#MSG", 4, false, "#MSG"}}}},
     {Kind::Printer,
      5,
      {{{"M104", 3, false, "M104 heats an extruder"},
@@ -149,23 +206,14 @@ constexpr std::array<KindSigns, 5> kKinds = {{
        {"LASER", 3, true, "a comment speaks of a laser"},
        {"LASER ON", 2, true, "laser on"},
        {"LASER POWER", 2, true, "laser power"},
-       {"T2LASER", 5, true, "T2Laser"},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""}}}},
+       {"T2LASER", 5, true, "T2Laser"}}}},
     {Kind::Plasma,
      4,
      {{{"PLASMA", 4, true, "a comment speaks of plasma"},
        {"TORCH ON", 3, true, "torch on"},
        {"TORCH", 2, true, "a comment speaks of a torch"},
        {"PIERCE", 2, true, "a comment speaks of piercing"},
-       {"SHEETCAM", 2, true, "SheetCam"},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""},
-       {"", 0, true, ""}}}},
+       {"SHEETCAM", 2, true, "SheetCam"}}}},
 }};
 
 constexpr bool is_letter(char c) {
@@ -191,24 +239,67 @@ bool contains(std::string_view text, std::string_view what) {
 /// One line in upper case, taken apart into code and remarks.
 struct SplitLine {
     std::string code, remarks;
+    Letters code_letters = 0, remark_letters = 0;
 
     void split(std::string_view line) {
         code.clear();
         remarks.clear();
+        code_letters = remark_letters = 0;
         int depth = 0;
         for (const char raw : line.substr(0, 400)) {
             const char c = raw >= 'a' && raw <= 'z' ? static_cast<char>(raw - 32) : raw;
             if (c == '(') ++depth;
             if (c == ';') depth = 1000;
             (depth > 0 ? remarks : code) += c;
+            (depth > 0 ? remark_letters : code_letters) |= bit_of(c);
             if (c == ')' && depth > 0 && depth < 1000) --depth;
         }
     }
 };
 
+/// "N10 G1 X1.5 Y-2 F100": words that look alike on all controls, of these letters. What it says of
+/// the axes is added to `letters_seen`.
+bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
+    constexpr Letters kNumbers = letters_of("0123456789.+- \t\r");
+    Letters letters = 0;
+    bool has_digit = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        char c = line[i];
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+        if (is_letter(c)) {
+            if ((bit_of(c) & plain) != 0) {
+                letters |= bit_of(c);
+                continue;
+            }
+            if (c != 'G') return false;
+            // G0 … G3, also with a zero before them
+            ++i;
+            if (i + 1 < line.size() && line[i] == '0' && is_digit(line[i + 1])) ++i;
+            if (i == line.size() || line[i] < '0' || line[i] > '3') return false;
+            if (i + 1 < line.size() && (is_digit(line[i + 1]) || line[i + 1] == '.')) return false;
+        } else if (static_cast<unsigned char>(c) >= 64 || (bit_of(c) & kNumbers) == 0) {
+            return false;
+        } else if (is_digit(c)) {
+            has_digit = true;
+        }
+    }
+    letters_seen |= letters;
+    return letters != 0 && has_digit;
+}
+
 class Detective {
 public:
-    void look_at(std::string_view line, std::uint32_t number) {
+    /// `every` line, or only those that are not plain?
+    void look_at(std::string_view line, std::uint32_t number, bool every) {
+        constexpr Letters kPlain = letters_of("NXYZF");
+        constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");
+        Letters seen = 0;
+        if (is_plain(line, every ? kPlain : kPlainArcs, seen)) {
+            has_words_ = true;
+            has_y_ = has_y_ || (seen & bit_of('Y')) != 0;
+            has_xz_ = has_xz_ || (seen & letters_of("XZ")) != 0;
+            return;
+        }
         split_.split(line);
         for (std::size_t i = 0; i < kDialects.size(); ++i)
             weigh(kDialects[i].signs, dialects_[i], number);
@@ -272,7 +363,9 @@ private:
     void weigh(const Signs& signs, Case& which, std::uint32_t line) const {
         for (std::size_t i = 0; i < signs.size(); ++i) {
             const Sign& sign = signs[i];
-            if (sign.text.empty() || (which.seen >> i & 1U) != 0) continue;
+            const Letters there = sign.in_comments ? split_.remark_letters : split_.code_letters;
+            if (sign.text.empty() || (sign.letters & ~there) != 0) continue;
+            if ((which.seen >> i & 1U) != 0) continue;
             if (contains(sign.in_comments ? split_.remarks : split_.code, sign.text)) {
                 add(which, i, sign.weight, sign.because, line);
             }
@@ -361,11 +454,11 @@ DialectFindings detect_dialect(const SourceFile& program) {
         findings.kind_evidence = {{"its bytes are no text", 1}};
         return findings;
     }
-    rest = rest.substr(0, kMostBytes);
     Detective detective;
+    const std::size_t whole = rest.size();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const LineEnd end = find_line_end(rest);
-        detective.look_at(rest.substr(0, end.length), line);
+        detective.look_at(rest.substr(0, end.length), line, whole - rest.size() < kEveryLine);
         rest.remove_prefix(end.next);
     }
     detective.conclude(findings);

@@ -31,7 +31,10 @@ bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
         case Kind::Milling: return false;
         case Kind::NotAProgram: log.add(Message::NoProgram, span, {why}); return true;
         case Kind::Heidenhain:
+        case Kind::HeidenhainIso:
         case Kind::Siemens:
+        case Kind::Okuma:
+        case Kind::Isg:
             log.add(Message::ForeignProgram, span, {name_of(findings.kind), why});
             return true;
         case Kind::Printer:

@@ -21,7 +21,10 @@ std::string_view name_of(Dialect dialect);
 enum class Kind : std::uint8_t {
     Milling,
     Heidenhain,
+    HeidenhainIso,
     Siemens,
+    Okuma,
+    Isg,
     Lathe,
     Laser,
     Plasma,
@@ -44,7 +47,9 @@ struct DialectFindings {
     std::vector<Evidence> kind_evidence;  ///< For `kind`.
 };
 
-/// Looks at the program (its first 128 kB) and concludes. Without any sign: Rs274, the common core.
+/// Looks at the program and concludes. Without any sign: Rs274, the common core. Every line of the
+/// first 128 kB counts; behind them, lines of plain words (G1 X1.5 Y2) are passed by, since they
+/// look alike on all controls.
 DialectFindings detect_dialect(const SourceFile& program);
 
 }  // namespace ncsim::gcode
