@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job.h"
 
+#include "ncsim/gcode/subprogram_file.h"
 #include "ncsim/toolpath/tool_file.h"
 
 #include "job_file.h"
@@ -38,18 +39,18 @@ bool is_binary(std::string_view text) {
     return text.substr(begin, last + 1 - begin).find('\0') != std::string_view::npos;
 }
 
-// Subprograms live in files beside the program: "O<probe>" in probe.ngc, "M98 P1234" in
-// O1234. Only there: a program names no other place.
-std::optional<gcode::SourceFile> read_beside(const std::filesystem::path& folder,
-                                             std::string_view name) {
-    if (name.empty() || name.front() == '.' || name.find('/') != std::string_view::npos) {
-        return std::nullopt;
-    }
-    for (const char* ending : {"", ".ngc", ".nc", ".NC", ".tap"}) {
-        const std::filesystem::path path = folder / std::string(name).append(ending);
-        std::error_code ignored;
-        if (std::filesystem::is_regular_file(path, ignored)) {
-            return gcode::SourceFile{path.filename().string(), read_text_file(path.string())};
+// Subprograms live in files beside the program and where the user says: "O<probe>" in probe.ngc,
+// "M98 P1234" in O1234.nc.
+std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesystem::path>& folders,
+                                                 std::string_view name) {
+    const std::vector<std::string> files = gcode::subprogram_files(name);
+    for (const std::filesystem::path& folder : folders) {
+        for (const std::string& file : files) {
+            const std::filesystem::path path = folder / file;
+            std::error_code ignored;
+            if (std::filesystem::is_regular_file(path, ignored)) {
+                return gcode::SourceFile{file, read_text_file(path.string())};
+            }
         }
     }
     return std::nullopt;
@@ -70,6 +71,7 @@ JobFile take_job_file(Options& options) {
     if (file.dialect && options.dialect == gcode::Dialect::Auto) options.dialect = *file.dialect;
     options.strict |= file.strict;
     options.block_delete |= file.block_delete;
+    options.increments |= file.increments;
     options.allow.insert(options.allow.end(), file.allow.begin(), file.allow.end());
     return file;
 }
@@ -173,8 +175,13 @@ Job read_job(Options options) {
     job.interpreter.dialect = options.dialect;
     job.interpreter.strict = options.strict;
     job.interpreter.allow = options.allow;
-    job.interpreter.read_file = [folder = std::filesystem::path(options.program).parent_path()](
-                                    std::string_view name) { return read_beside(folder, name); };
+    job.interpreter.least_increments = options.increments;
+    std::vector<std::filesystem::path> folders{
+        std::filesystem::path(options.program).parent_path()};
+    folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
+    job.interpreter.read_file = [folders](std::string_view name) {
+        return read_subprogram(folders, name);
+    };
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-kHomeHeight);
     }

@@ -67,8 +67,8 @@ public:
 
     JobFile read() {
         const toml::table& t = root_;
-        only(t, {"version", "program", "units", "dialect", "strict", "block_delete", "allow",
-                 "stock", "tool"});
+        only(t, {"version", "program", "units", "dialect", "strict", "block_delete", "increments",
+                 "allow", "stock", "tool"});
         if (const auto* version = t.get("version")) {
             if (version->value<std::int64_t>() != kVersion1) {
                 refuse(*version, "this version of job files is not known; expected 1");
@@ -84,6 +84,7 @@ public:
         if (const auto* dialect = t.get("dialect")) job.dialect = read_dialect(*dialect);
         if (const auto* strict = t.get("strict")) job.strict = boolean(*strict);
         if (const auto* skip = t.get("block_delete")) job.block_delete = boolean(*skip);
+        if (const auto* i = t.get("increments")) job.increments = boolean(*i);
         if (const auto* allow = t.get("allow")) {
             for (const toml::node& word : array(*allow))
                 job.allow.push_back(string(word));
@@ -322,6 +323,7 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
         << gcode::name_of(survey.interpretation.dialect.dialect) << "\"\n";
     if (job.options.strict) out << "strict = true\n";
+    if (job.options.increments) out << "increments = true\n";
     if (job.options.block_delete) out << "block_delete = true\n";
     if (!job.options.allow.empty()) {
         out << "allow = [";

@@ -26,6 +26,7 @@ struct JobFile {
     std::optional<gcode::Dialect> dialect;
     bool strict = false;
     bool block_delete = false;
+    bool increments = false;
     std::vector<std::string> allow;
     std::optional<cda::Box> stock;
     std::vector<toolpath::ToolEntry> tools;

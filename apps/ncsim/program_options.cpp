@@ -114,6 +114,14 @@ void add_language_options(CLI::App& command, ProgramOptions& options) {
             "--units", [&o](Text unit) { o.inches = read_inches(unit); },
             "Of programs without G20 and G21: mm or inch")
         ->type_name("UNIT");
+    command.add_flag("--increments", o.increments,
+                     "Numbers without a point count 0.001 mm, 0.0001 inch, 0.001 degrees");
+    command
+        .add_option("--subprograms", o.subprograms,
+                    "A folder with subprograms, besides that of the program")
+        ->type_name("DIR")
+        ->expected(1)
+        ->take_all();
     command.add_flag("--block-delete", o.block_delete, "Skip blocks that start with '/'");
     command
         .add_option_function<std::string>(

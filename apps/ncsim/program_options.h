@@ -43,6 +43,8 @@ struct ProgramOptions {
     std::vector<std::string> tool_tables;  ///< Files with tools.
     std::string save_job;                  ///< Where to write a job file, empty: nowhere.
     std::optional<bool> inches;            ///< For programs that say neither G20 nor G21; mm.
+    bool increments = false;               ///< Numbers without a point count least increments.
+    std::vector<std::string> subprograms;  ///< Folders, besides that of the program.
     bool block_delete = false;
     gcode::Dialect dialect = gcode::Dialect::Auto;
     bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.

@@ -28,6 +28,7 @@ struct Event {
     double feed = 0.0;  ///< mm/min or mm/rev; of feeds and arcs.
     bool compare_feed = true;
     double value = 0.0;  ///< Seconds, tool number, number of control points.
+    double knots = 0.0;  ///< Of a spline of ours: how many.
     bool inches = false;
     // The frame: mm, degrees.
     gcode::Axes work_offset{};

@@ -8,6 +8,7 @@
 // agree in geometry; "error": the default should run them). Else every file below DIR that looks
 // like a program is run by the default rules. Exit code 1 if anything differs or takes too long.
 #include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/subprogram_file.h"
 
 #include "reference.h"
 
@@ -100,12 +101,7 @@ std::vector<Entry> entries_of(const fs::path& directory) {
 /// controls look for.
 std::optional<gcode::SourceFile> find_file(fs::path directory, const fs::path& top,
                                            std::string_view name) {
-    const std::string plain(name);
-    std::vector<std::string> tries = {plain + ".ngc", plain + ".nc", plain + ".NC", plain};
-    if (plain.starts_with('O')) {
-        tries.push_back(plain.substr(1) + ".ngc");
-        tries.push_back(plain.substr(1) + ".nc");
-    }
+    const std::vector<std::string> tries = gcode::subprogram_files(name);
     std::error_code error;
     for (int level = 0; level < 3; ++level) {
         for (const std::string& file : tries) {

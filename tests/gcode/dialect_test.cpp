@@ -4,8 +4,14 @@
 #include "ncsim/gcode/dialect.h"
 
 #include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/print.h"
+#include "ncsim/gcode/subprogram_file.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace ncsim::gcode {
 namespace {
@@ -27,6 +33,14 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
         {"(Mach3 post)\nG0 X1 Y1\n", Dialect::Mach3, Kind::Milling},
         {"0 BEGIN PGM A MM\n1 L X+1 Y+1 R0 FMAX\n", Dialect::Rs274, Kind::Heidenhain},
         {"WORKPIECE(,\"\",,\"BOX\")\nG0 X1 Y1\n", Dialect::Rs274, Kind::Siemens},
+        {"N10 G0 X1\nN20 MCALL CYCLE81(10,0,2,-5)\n", Dialect::Rs274, Kind::Siemens},
+        {"T=\"CUTTER 6\"\nM6\nG0 X1 Y1\n", Dialect::Rs274, Kind::Siemens},
+        {"%PART G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\nN20 G31 G90 X+100 Y+100 Z+0*\n", Dialect::Rs274,
+         Kind::HeidenhainIso},
+        {"$PART.MIN%\nG15 H1\nG0 X1 Y1\n", Dialect::Rs274, Kind::Okuma},
+        {"#SLOPE[TYPE=STEP]\nG0 X1 Y1\n", Dialect::Rs274, Kind::Isg},
+        {"G28 G91 Z0\nG65 P9810 Z10.\n(a comment names $H and MCALL)\n", Dialect::Fanuc,
+         Kind::Milling},
         {"M104 S200\nM140 S60\nG1 X1 Y1 E1\n", Dialect::Rs274, Kind::Printer},
         {"T0101\nG96 S200 M3\nG0 X20 Z2\n", Dialect::Rs274, Kind::Lathe},
         {"; LightBurn 1.0\nM4 S0\nG1 X1 Y1 S100\n", Dialect::Rs274, Kind::Laser},
@@ -40,6 +54,15 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
         EXPECT_EQ(name_of(findings.dialect), name_of(c.dialect));
         EXPECT_EQ(name_of(findings.kind), name_of(c.kind));
     }
+}
+
+TEST(Dialect, SignsFarBehindTheBeginningCount) {
+    std::string text = "G21 G90\n";
+    for (int i = 0; i < 20'000; ++i)
+        text.append("G1 X").append(std::to_string(i)).append(" Y1.5 F100\n");
+    EXPECT_EQ(detect_dialect({"t.nc", text}).dialect, Dialect::Rs274);
+    EXPECT_EQ(detect_dialect({"t.nc", text + "M97 P100\n"}).dialect, Dialect::Haas);
+    EXPECT_EQ(detect_dialect({"t.nc", text + "END PGM A MM\n"}).kind, Kind::Heidenhain);
 }
 
 TEST(Dialect, OfBinaryBytesIsNone) {
@@ -66,6 +89,53 @@ TEST(Interpreter, PassesOverAllowedWordsInSilence) {
     EXPECT_TRUE(interpret(file, options, {}).diagnostics.empty());
     options.allow.clear();
     EXPECT_EQ(interpret(file, options, {}).diagnostics.size(), 3U);
+}
+
+TEST(Interpreter, CountsLeastIncrementsWhenAskedTo) {
+    InterpreterOptions options;
+    options.dialect = Dialect::Fanuc;
+    const SourceFile file{"t.nc",
+                          "G21 G0 X12345 Y0. Z0\nG3 X2345 I-5000 J0 F100\nG4 P500\n"
+                          "G20 G0 X10000 A90000\nM2\n"};
+    const auto motions = [&] {
+        std::string out;
+        interpret(file, options, [&](const Motion& motion) {
+            if (const Position* end = end_of(motion)) {
+                print_number(out, end->x.mm());
+                out += ' ';
+                print_number(out, end->y.mm());
+                out += ' ';
+                print_number(out, end->a.degrees());
+                out += ";";
+            }
+        });
+        return out;
+    };
+    EXPECT_EQ(motions(), "12345 0 0;2345 0 0;254000 0 90000;");
+    options.least_increments = true;
+    EXPECT_EQ(motions(), "12.345 0 0;2.345 0 0;25.4 0 90;");
+}
+
+TEST(Interpreter, AsksOnceAboutNumbersWithoutAPoint) {
+    InterpreterOptions options;
+    options.dialect = Dialect::Fanuc;
+    const auto hints = [&options](const char* text) {
+        const Interpretation result = interpret({"t.nc", text}, options, {});
+        return std::ranges::count(result.diagnostics, "no-decimal-point", &Diagnostic::code);
+    };
+    EXPECT_EQ(hints("G0 X12345 Y5000 Z1\nX3000\nM2\n"), 1);
+    EXPECT_EQ(hints("G0 X123 Y5000. Z1\nM2\n"), 0);
+    options.dialect = Dialect::Rs274;
+    EXPECT_EQ(hints("G0 X12345\nM2\n"), 0);
+}
+
+TEST(SubprogramFiles, AreWhatControlsCallThem) {
+    const std::vector<std::string> number = subprogram_files("O12");
+    for (const char* file : {"O12.nc", "O0012.nc", "O00012.NC", "12.nc", "0012.txt", "O0012"})
+        EXPECT_NE(std::ranges::find(number, file), number.end()) << file;
+    EXPECT_EQ(subprogram_files("probe").front(), "probe.ngc");
+    for (const char* bad : {"", ".", "../x", "a/b", "a\\b"})
+        EXPECT_TRUE(subprogram_files(bad).empty()) << bad;
 }
 
 TEST(Interpreter, SaysWhichUnitsTheFirstLengthHad) {

@@ -82,7 +82,7 @@ TEST(Parser, SaysWhatItCannotReadAndGoesOn) {
         {"X1 \xC3\xA4", "unreadable [letter-expected]"},
         {"X[1", "unreadable [bracket-unclosed]"},
         {"#<a=1", "unreadable [name-unclosed]"},
-        {"#1 2", "unreadable [assignment-expected]"},
+        {"#1 X2", "unreadable [assignment-expected]"},
         {"X1 N5", "unreadable [line-number-not-first]"},
         {"o100 wile [1]", "unreadable [o-word-unknown]"},
     };

@@ -12,7 +12,7 @@ constexpr auto kCodes = std::to_array<GCode>({
 #undef NCSIM_G
 });
 
-constexpr int kMaxNumber = 1000;  // G100 and above: none is known
+constexpr int kMaxNumber = 1600;  // above G154 none is known
 
 constexpr auto kIndex = [] {
     std::array<std::uint8_t, kMaxNumber> index{};
@@ -42,6 +42,8 @@ MGroup m_group(int number) {
         case 3:
         case 4:
         case 5:
+        case 13:
+        case 14:
         case 19: return MGroup::Spindle;
         case 7:
         case 8:

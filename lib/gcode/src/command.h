@@ -28,6 +28,7 @@ struct Command {
     std::array<std::int16_t, kMGroups> m;
     std::int16_t second_coolant = kNone;
     bool has_m = false;       ///< Any M word, known or not.
+    bool has_others = false;  ///< A G code that is not known or was declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.
 
     bool has(char letter) const { return (present >> letter_index(letter) & 1U) != 0; }

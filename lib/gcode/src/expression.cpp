@@ -39,6 +39,7 @@ struct OperatorText {
 // "**" before "*": the first that fits is taken.
 constexpr auto kOperators = std::to_array<OperatorText>({
     {"**", Operator::Power, 6},
+    {"^", Operator::Power, 6},  // Carvera's and Mach3's
     {"*", Operator::Times, 5},
     {"/", Operator::Divide, 5},
     {"mod", Operator::Modulo, 5},
@@ -106,8 +107,9 @@ private:
 
     const OperatorText* next_operator() const {
         const std::string_view rest = text_.substr(at_);
-        const auto* found = std::ranges::find_if(
-            kOperators, [&](const OperatorText& op) { return rest.starts_with(op.text); });
+        const auto* found = std::ranges::find_if(kOperators, [&](const OperatorText& op) {
+            return rest.starts_with(op.text) && !(arithmetic_.strict && op.text == "^");
+        });
         return found == kOperators.end() ? nullptr : found;
     }
 
@@ -149,8 +151,10 @@ private:
             if (const std::optional<double> found = parameters_.named(name)) return found;
             return fail(Message::ParameterUnset, name);
         }
-        const std::optional<double> number = value();
+        std::optional<double> number = value();
         if (!number) return std::nullopt;
+        // "#[#120]" of a vacant #120 is #0, which is vacant itself.
+        if (arithmetic_.vacant && std::isnan(*number)) number = 0.0;
         if (const std::optional<double> found = parameters_.numbered(*number)) return found;
         const double shown = std::isnan(*number) ? 0.0 : std::clamp(*number, -1e15, 1e15);
         return fail(Message::ParameterRange, std::to_string(static_cast<long long>(shown)));

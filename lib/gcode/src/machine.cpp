@@ -159,24 +159,26 @@ std::string_view Machine::motion_name(int motion) {
 bool Machine::check(const Command& command) {
     const int motion = command.group(Group::Motion);
     const int one_shot = command.group(Group::OneShot);
-    const bool takes_axes =
-        one_shot == 100 || one_shot == 280 || one_shot == 300 || one_shot == 520 || one_shot == 920;
+    const bool takes_axes = one_shot == 100 || one_shot == 280 || one_shot == 300 ||
+                            one_shot == 520 || one_shot == 920 || one_shot == 924;
     if (takes_axes && motion != kNone && motion != 800 && rules_.strict) {
         return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot),
                     {motion_name(one_shot)});
     }
-    if (!rules_.strict) return true;
     return check_unused_words(command);
 }
 
-/// Words that no code of the block uses (RS274/NGC refuses them, others pass over them).
+/// Words that no code of the block uses: RS274/NGC refuses them, others pass over them, and where
+/// they pass over them they may hide a code that got lost.
 bool Machine::check_unused_words(const Command& command) {
+    constexpr std::uint32_t kParameters = letters('D', 'E', 'H', 'I', 'J', 'K', 'L', 'P', 'Q', 'R');
+    if (!command.has_any(kParameters)) return true;
     int motion = command.group(Group::Motion);
     const int one_shot = command.group(Group::OneShot);
     if (motion == kNone && (command.axis_words || is_modal_arc(command))) motion = state_.motion;
     const bool is_arc = motion == 20 || motion == 30;
     const bool is_cycle = (motion >= 730 && motion <= 760) || (motion >= 810 && motion <= 890);
-    const bool is_spline = motion >= 50 && motion <= 53;
+    const bool is_spline = (motion >= 50 && motion <= 53) || motion == 62;
     const bool g10 = one_shot == 100;
     const int side = command.group(Group::CutterSide);
     const int length = command.group(Group::ToolLength);
@@ -186,13 +188,23 @@ bool Machine::check_unused_words(const Command& command) {
     };
     const int g64 = command.group(Group::PathMode);
     const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
+    // Other controls: registers stand where they like, codes without effect here have words of
+    // their own, and cycles more of them.
+    const bool lax = !rules_.strict;
+    const bool others =
+        lax && (command.has_others || command.group(Group::Ignored) != kNone ||
+                command.group(Group::Rotation) == 680 || command.group(Group::Scaling) == 510 ||
+                g64 != kNone || command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
+                command.group(MGroup::ToolChange) != kNone || motion == 310 ||
+                command.group(Group::Polar) != kNone || is_cycle);
+    const bool centre = is_arc || is_spline || g10 || motion == 760 || motion == 870;
     const Use uses[] = {
-        {'D', side == 410 || side == 420 || side == 411 || side == 421 ||
+        {'D', lax || side == 410 || side == 420 || side == 411 || side == 421 ||
                   command.group(Group::SpindleSpeed) == 960},
-        {'E', motion == 760 || user_m},
-        {'H', length == 430 || length == 432 || motion == 760},
-        {'I', is_arc || is_spline || g10 || motion == 760 || motion == 870},
-        {'J', is_arc || is_spline || g10 || motion == 760 || motion == 870},
+        {'E', lax || motion == 760 || user_m},
+        {'H', lax || length == 430 || length == 432 || motion == 760},
+        {'I', centre},
+        {'J', centre},
         {'K',
          is_arc || motion == 330 || motion == 331 || motion == 760 || motion == 870 || is_spline},
         {'L',
@@ -201,13 +213,12 @@ bool Machine::check_unused_words(const Command& command) {
                   motion == 760},
         {'Q', motion == 830 || motion == 730 || is_spline || g64 == 640 || g10 || user_m ||
                   motion == 760},
-        {'R', is_arc || is_cycle || g10 || user_m || motion == 760},
+        {'R', is_arc || is_cycle || is_spline || g10 || user_m || motion == 760},
     };
     for (const Use& use : uses) {
-        if (command.has(use.letter) && !use.used) {
-            const std::string_view letter(&use.letter, 1);
-            return fail(Message::WordUnused, span_of(command, use.letter), {letter});
-        }
+        if (!command.has(use.letter) || use.used || others || (lax && user_m)) continue;
+        const std::string_view letter(&use.letter, 1);
+        if (!tolerate(Message::WordUnused, span_of(command, use.letter), {letter})) return false;
     }
     return true;
 }
@@ -249,8 +260,10 @@ void Machine::set_speeds_and_tools(const Command& command) {
         path_.tool_change(state_);
     }
     switch (command.group(MGroup::Spindle)) {
-        case 3: state_.spindle = SpindleTurning::Clockwise; break;
-        case 4: state_.spindle = SpindleTurning::Counterclockwise; break;
+        case 3:
+        case 13: state_.spindle = SpindleTurning::Clockwise; break;  // M13: and coolant
+        case 4:
+        case 14: state_.spindle = SpindleTurning::Counterclockwise; break;
         case 5: state_.spindle = SpindleTurning::Stopped; break;
         default: break;
     }
@@ -351,7 +364,7 @@ bool Machine::move(const Command& command, int motion) {
     const int one_shot = command.group(Group::OneShot);
     const bool words_taken =
         one_shot == 100 || one_shot == 280 || one_shot == 300 || one_shot == 520 ||
-        one_shot == 920 || (one_shot == 40 && !rules_.strict) ||
+        one_shot == 920 || one_shot == 924 || (one_shot == 40 && !rules_.strict) ||
         command.group(Group::ToolLength) == 431 || command.group(Group::Rotation) == 680 ||
         command.group(Group::Scaling) == 510 || command.group(Group::Mirror) != kNone ||
         (command.group(Group::Macro) != kNone);
@@ -390,6 +403,10 @@ bool Machine::move(const Command& command, int motion) {
         warn(Message::G53Motion, span_of_g(command, 530));
         motion = 0;
     }
+    if (knots_open_ && motion != 62) {
+        knots_open_ = false;
+        return fail(Message::SplineKnots, command.span);
+    }
     switch (motion) {
         case 0: return straight(command, MoveKind::Rapid);
         case 10: return needs_feed(command, "G1") && straight(command, MoveKind::Feed);
@@ -399,6 +416,7 @@ bool Machine::move(const Command& command, int motion) {
         case 51: return spline(command, motion);
         case 52:
         case 53: return nurbs(command, motion);
+        case 62: return nurbs_with_knots(command);
         case 310:
         case 382:
         case 383:

@@ -20,6 +20,8 @@
 
 #include <array>
 #include <initializer_list>
+#include <map>
+#include <optional>
 #include <string_view>
 
 namespace ncsim::gcode {
@@ -74,7 +76,9 @@ private:
     void store_home(bool second);
     bool offset_92(const Command& command, int code);
     bool set_data(const Command& command);  // G10
-    bool set_work_data(const Command& command, int index);
+    bool set_work_data(const Command& command, int index, bool from_position);
+    static std::optional<int> extended_number(const Command& command);
+    WorkOffset& offset_of(int system);
     bool set_tool_data(const Command& command, int index);
     void select_system(int system);
     void recompute_position(const Axes& machine);
@@ -86,6 +90,7 @@ private:
     bool arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc);
     bool spline(const Command& command, int motion);
     bool nurbs(const Command& command, int motion);
+    bool nurbs_with_knots(const Command& command);
     bool probe(const Command& command, int motion);
     bool cycle(const Command& command, int motion);
     bool cycle_words(const Command& command, int motion);
@@ -125,12 +130,15 @@ private:
     std::uint32_t file_ = 0;
     bool just_left_compensation_ = false;
     MachineState state_;
+    static constexpr int kExtended = 9;
     std::array<WorkOffset, 9> work_offsets_;
+    std::map<int, WorkOffset> extended_;  // G54.1 P1 …, by number
     std::array<Axes, 2> homes_{};
     Axes stored_92_{};
     Axes probed_{};
     std::vector<ToolTableEntry> tools_;
     bool spline_open_ = false;  // between G5.2 and G5.3
+    bool knots_open_ = false;   // a curve of G6.2 under way
     Spline nurbs_;
     bool previous_was_spline_ = false;  // G5 may leave out its first control point
     std::array<double, 2> last_pq_{};

@@ -59,24 +59,43 @@ void Machine::recompute_position(const Axes& machine) {
     state_.position = from_machine(machine);
 }
 
+/// 1 … 9 are G54 … G59.3, and kExtended + n is G54.1 Pn.
+WorkOffset& Machine::offset_of(int system) {
+    if (system <= kExtended) return work_offsets_[static_cast<std::size_t>(system - 1)];
+    return extended_.try_emplace(system - kExtended, work_offsets_.front()).first->second;
+}
+
 void Machine::select_system(int system) {
     const Axes machine = machine_position();
-    const WorkOffset& offset = work_offsets_[static_cast<std::size_t>(system - 1)];
+    const WorkOffset& offset = offset_of(system);
     state_.system = system;
     state_.work_offset = from_mm(offset.origin, state_.unit_mm());
     state_.rotation = offset.rotation;
     recompute_position(machine);
 }
 
+/// The P of G54.1 Pn and its kin.
+std::optional<int> Machine::extended_number(const Command& command) {
+    constexpr double kMost = 300.0;
+    const double p = command.get('P', 0.0);
+    if (!(p >= 1.0 && p <= kMost) || p != std::floor(p)) return std::nullopt;
+    return static_cast<int>(p);
+}
+
 bool Machine::set_work_offset(const Command& command) {
     const int code = command.group(Group::WorkOffset);
     if (code == kNone) return true;
-    if (code == 541 || (code == 540 && command.has('P') && !rules_.strict)) {
-        // G54.1 P1 … P48: systems that nobody told us the place of.
-        warn(Message::ExtendedOffset, span_of_g(command, code));
-        return true;
+    int system = code <= 590 ? (code - 530) / 10 : 6 + code - 590;
+    if (code == 541 || code == 1540 || (code == 540 && command.has('P') && !rules_.strict)) {
+        const std::optional<int> number = extended_number(command);
+        if (!number)
+            return fail(Message::ExtendedNumber, span_of_g(command, code), {motion_name(code)});
+        if (!extended_.contains(*number)) {
+            warn(Message::ExtendedOffset, span_of_g(command, code),
+                 {std::string("G54.1 P").append(std::to_string(*number))});
+        }
+        system = kExtended + *number;
     }
-    const int system = code <= 590 ? (code - 530) / 10 : 6 + code - 590;
     if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G54 … G59.3"});
     }
@@ -93,6 +112,7 @@ bool Machine::offset_92(const Command& command, int code) {
     Axes offset = state_.offset_92;
     switch (code) {
         case 920:
+        case 924:  // Smoothieware, Carvera: "here is A0", said of the machine itself
         case 520:
             if (!command.axis_words) {
                 // Fanuc: "G92 S2000" limits the spindle.
@@ -134,12 +154,17 @@ bool Machine::set_data(const Command& command) {
     switch (l) {
         case 2:
         case 20:
+            if (l == 20 && rules_.macro_b) {
+                // Fanuc and Haas: the origin of G54.1 Pn, not the place of now.
+                const std::optional<int> number = extended_number(command);
+                if (!number) return fail(Message::ExtendedNumber, span, {"G10 L20"});
+                return set_work_data(command, kExtended + *number, false);
+            }
             if (p < 0 || p > 9) {
                 if (rules_.strict || p < 0) return fail(Message::G10System, span_of(command, 'P'));
-                warn(Message::ExtendedOffset, span);
-                return true;
+                return tolerate(Message::G10System, span_of(command, 'P'));
             }
-            return set_work_data(command, p == 0 ? state_.system : p);
+            return set_work_data(command, p == 0 ? state_.system : p, l == 20);
         case 1:
         case 10:
         case 11:
@@ -149,10 +174,9 @@ bool Machine::set_data(const Command& command) {
     }
 }
 
-bool Machine::set_work_data(const Command& command, int index) {
-    WorkOffset& offset = work_offsets_[static_cast<std::size_t>(index - 1)];
+bool Machine::set_work_data(const Command& command, int index, bool from_position) {
+    WorkOffset& offset = offset_of(index);
     const double unit = state_.unit_mm();
-    const bool from_position = std::lround(command['L']) == 20;
     const Axes machine = machine_position();
     if (command.has('R') && !from_position) offset.rotation = command['R'];
     // L20: the place of now shall have these coordinates.

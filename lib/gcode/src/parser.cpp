@@ -329,6 +329,11 @@ private:
             return false;
         }
         const std::string_view name = text_.substr(target, at_ - target);
+        const bool is_number = name.find_first_not_of("0123456789") == std::string_view::npos;
+        if (at_ == text_.size() && start == 0 && is_number && !reader_.options_.strict) {
+            report(Message::ParameterShown, span(start, at_), {name});
+            return true;
+        }
         if (at_ >= text_.size() || text_[at_] != '=') {
             report(Message::AssignmentExpected, span(start, at_));
             return false;

@@ -72,6 +72,7 @@ bool Resolver::take_g(const Word& word, double value, Command& command) {
     if (code && rules_.strict && (code->number == 700 || code->number == 710)) code = find_g(722);
     if (code && rules_.strict && !code->in_rs274) code = nullptr;
     if (!code) {
+        command.has_others = true;
         if (is_allowed('G', value)) return true;
         unknown_g_ = true;
         unknown_span_ = word.span;
@@ -100,7 +101,8 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
     const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
     const MGroup group = is_whole ? m_group(number) : MGroup::Unknown;
-    if (group == MGroup::Unknown) {
+    const bool foreign = rules_.strict && (number == 13 || number == 14);
+    if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
         if (is_allowed('M', value)) return true;
         return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
@@ -123,6 +125,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.g.fill(kNone);
     command.m.fill(kNone);
     command.has_m = false;
+    command.has_others = false;
     unknown_g_ = false;
     for (const Word& word : block.words) {
         double value = word.number;

@@ -97,6 +97,11 @@ void Runner::act_on_words() {
         }
     }
     if (!resolver_.resolve(block_, command_)) return;
+    if (options_.least_increments) {
+        scale_increments();
+    } else if (rules_.macro_b) {
+        look_for_points();
+    }
     machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
     const std::uint64_t motions = path_.count();
     const int call = command_.group(MGroup::Call);
@@ -118,6 +123,43 @@ void Runner::act_on_words() {
     }
     if (machine_.ended()) return end_program();
     if (!modal_call_.empty() && path_.count() > motions) macro_call(0);
+}
+
+namespace {
+
+constexpr std::string_view kLengthLetters = "XYZUVWIJKRQABC";
+
+bool has_point(const Block& block, const Word& word) {
+    const std::string_view text = block.text.substr(word.span.column - 1, word.span.length);
+    return !word.literal || text.find('.') != std::string_view::npos;
+}
+
+}  // namespace
+
+/// Numbers without a point are thousandths of a millimetre or a degree, ten-thousandths of an inch.
+void Runner::scale_increments() {
+    const int units = command_.group(Group::Units);
+    const bool inches = units == kNone ? machine_.state().inches : units == 200 || units == 700;
+    const bool dwells = command_.group(Group::OneShot) == 40;
+    for (const Word& word : block_.words) {
+        const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
+        if (!counts || word.comma || dwells || has_point(block_, word)) continue;
+        const bool is_angle = word.letter >= 'A' && word.letter <= 'C';
+        command_.value[letter_index(word.letter)] *= inches && !is_angle ? 1e-4 : 1e-3;
+    }
+}
+
+/// A metre without a point is more likely a millimetre in thousandths.
+void Runner::look_for_points() {
+    constexpr double kSuspicious = 1000.0;
+    for (const char letter : {'X', 'Y', 'Z'}) {
+        if (!command_.has(letter) || std::abs(command_[letter]) < kSuspicious) continue;
+        const Word* word = find_word(block_, letter);
+        if (!word || has_point(block_, *word)) continue;
+        const std::string_view text = block_.text.substr(word->span.column - 1, word->span.length);
+        if (!hinted_at_points_) log_.add(Message::NoPoint, word->span, {text});
+        hinted_at_points_ = true;
+    }
 }
 
 /// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing.

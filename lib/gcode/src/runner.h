@@ -64,6 +64,8 @@ private:
     bool assign(const Block& block);
     void tool_change_in_comment();
     void act_on_words();
+    void scale_increments();
+    void look_for_points();
     void end_program();
 
     // Control words. Each may seek, call or return.
@@ -116,6 +118,7 @@ private:
     bool in_main_title_ = false;      // after "O1" of the main program
     bool percent_opened_ = false;
     bool something_read_ = false;
+    bool hinted_at_points_ = false;
     bool ended_ = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G5, G5.1 (Bézier curves) and G5.2/G5.3 (NURBS) in the XY plane; the curves of Piegl, Tiller,
-// "The NURBS Book", 1997.
+// G5, G5.1 (Bézier curves), G5.2/G5.3 and G6.2 (NURBS) in the XY plane; the curves of Piegl,
+// Tiller, "The NURBS Book", 1997.
 #include "machine.h"
 
 #include <algorithm>
@@ -103,6 +103,53 @@ bool Machine::nurbs(const Command& command, int motion) {
     }
     if (!needs_feed(command, "G5.3")) return false;
     nurbs_.knots = clamped_knots(points, nurbs_.order);
+    Axes end = state_.position;
+    end[kX] = nurbs_.control_points.back().x.mm();
+    end[kY] = nurbs_.control_points.back().y.mm();
+    path_.spline(state_, nurbs_, end, 1U << kX | 1U << kY);
+    nurbs_ = {};
+    return true;
+}
+
+/// G6.2 X Y R K P: control points with weight and knot, the order in the first block; blocks with a
+/// knot alone end the curve. It begins in its first point.
+bool Machine::nurbs_with_knots(const Command& command) {
+    if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {"G6.2"});
+    if (!needs_feed(command, "G6.2")) return false;
+    if (!knots_open_) {
+        nurbs_ = {};
+        if (!command.has('P')) return fail(Message::SplineWords, command.span, {"G6.2", "P"});
+        nurbs_.order = static_cast<int>(std::clamp(command['P'], 2.0, 20.0));
+        knots_open_ = true;
+    }
+    if (!command.has('K')) return fail(Message::SplineWords, command.span, {"G6.2", "K"});
+    constexpr std::size_t kMostPoints = 100'000;
+    if (nurbs_.control_points.size() >= kMostPoints) {
+        return fail(Message::SplineTooLong, command.span);
+    }
+    const bool falls = !nurbs_.knots.empty() && command['K'] < nurbs_.knots.back();
+    nurbs_.knots.push_back(command['K']);
+    if (command.has_any(letters('X', 'Y'))) {
+        Axes end{};
+        AxisMask mask = 0;
+        if (!find_ends(command, end, mask)) return false;
+        nurbs_.control_points.push_back(point(end[kX], end[kY], command.get('R', 1.0)));
+    }
+    const std::size_t points = nurbs_.control_points.size();
+    const std::size_t wanted = points + static_cast<std::size_t>(nurbs_.order);
+    if (!falls && nurbs_.knots.size() < wanted) return true;
+    knots_open_ = false;
+    if (falls || points < static_cast<std::size_t>(nurbs_.order) ||
+        !(nurbs_.knots[points] > nurbs_.knots[static_cast<std::size_t>(nurbs_.order) - 1])) {
+        return fail(falls ? Message::SplineKnots : Message::SplineTooFewPoints, command.span);
+    }
+    // The curve starts where its first knots put it; a machine moves there first.
+    Axes start = state_.position;
+    start[kX] = nurbs_.control_points.front().x.mm();
+    start[kY] = nurbs_.control_points.front().y.mm();
+    if (start != state_.position) {
+        path_.straight(state_, start, MoveKind::Feed, 1U << kX | 1U << kY);
+    }
     Axes end = state_.position;
     end[kX] = nurbs_.control_points.back().x.mm();
     end[kY] = nurbs_.control_points.back().y.mm();

@@ -56,6 +56,10 @@ struct InterpreterOptions {
     bool strict = false;
     /// Words that are known to be harmless, "G187", "M198": they are passed over in silence.
     std::vector<std::string> allow;
+    /// Numbers without a decimal point count least increments, as older controls read them: 0.001
+    /// mm, 0.0001 inch, 0.001 degrees. Only of axis words, I J K, R and Q, and only where a plain
+    /// number stands there.
+    bool least_increments = false;
     std::vector<ToolTableEntry> tools;
     /// How far above the last depth G83 starts to feed again and how far G73 draws back, in units
     /// of the program: a parameter of the machine. Without it 0.254 mm, and never above R.

@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every code, and every trap in which one control differs from another, as a line each: what stands
+// in the program, what the machine makes of it. Behind "!" stand the codes of what was said about
+// it.
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/print.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ncsim::gcode {
+namespace {
+
+enum class By : unsigned char { Default, Strict, Fanuc, Haas };
+
+struct Case {
+    const char* what;
+    By by;
+    const char* program;  // '~' is a line end
+    const char* made;
+};
+
+// The program between a start at the origin (metric, F100) and an end; one motion behind the other.
+std::string made_of(const Case& c) {
+    std::string text = std::string("G21 G90 G17 F100\nG0 X0 Y0 Z0\n") + c.program + "\nM2\n";
+    std::ranges::replace(text, '~', '\n');
+    InterpreterOptions options;
+    options.strict = c.by == By::Strict;
+    options.dialect = c.by == By::Fanuc  ? Dialect::Fanuc
+                      : c.by == By::Haas ? Dialect::Haas
+                                         : Dialect::Rs274;
+    options.limits.repeated_blocks = 20;
+    options.limits.call_depth = 5;
+    options.work_offsets[0].z = Length::from_mm(-300);  // home is above the part
+    ToolTableEntry tool;
+    tool.number = 1;
+    tool.offset[2] = Length::from_mm(50);
+    tool.diameter = Length::from_mm(4);
+    options.tools = {tool};
+    std::string out;
+    std::size_t motions = 0;
+    const Interpretation result = interpret({"t.nc", text}, options, [&](const Motion& motion) {
+        if (++motions == 1) return;  // the start
+        if (motions > 12) return;
+        std::string line;
+        print(line, motion);
+        line.erase(0, line.find(' ') + 1);
+        out.append(out.empty() ? "" : "; ").append(line);
+    });
+    std::vector<std::string> said;
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.severity != Severity::Note) {
+            said.push_back((d.severity == Severity::Error ? "error " : "") + d.code);
+        }
+    }
+    for (const std::string& s : said)
+        out.append(" ! ").append(s);
+    return out;
+}
+
+void expect_all(const std::vector<Case>& cases) {
+    for (const Case& c : cases) {
+        SCOPED_TRACE(std::string(c.what) + ": " + c.program);
+        EXPECT_EQ(made_of(c), c.made);
+    }
+}
+
+const std::vector<Case>& codes() {
+    static const std::vector<Case> kCases = {
+        {"G0", By::Default, "G0 X1 Y2 Z3", "rapid X1 Y2 Z3"},
+        {"G1", By::Default, "G1 X1 Y2 Z-1", "feed X1 Y2 Z-1 F100"},
+        {"G2", By::Default, "G2 X10 I5", "arc XY X10 Y0 Z0 centre 5 0 turns -1 F100"},
+        {"G2", By::Default, "G2 I5", "arc XY X0 Y0 Z0 centre 5 0 turns -1 F100"},
+        {"G2", By::Default, "G2 X10 R5", "arc XY X10 Y0 Z0 centre 5 0 turns -1 F100"},
+        {"G2", By::Default, "G2 X10 R-8", "arc XY X10 Y0 Z0 centre 5 6.244997998 turns -1 F100"},
+        {"G2", By::Default, "G2 I5 Z-3 P3", "arc XY X0 Y0 Z-3 centre 5 0 turns -3 F100"},
+        {"G3", By::Default, "G3 X10 Y10 J10", "arc XY X10 Y10 Z0 centre 0 10 turns 1 F100"},
+        {"G4", By::Default, "G4 P1.5", "dwell 1.5"},
+        {"G4", By::Fanuc, "G4 P1500", "dwell 1.5"},
+        {"G4", By::Fanuc, "G4 P1.5", "dwell 1.5"},
+        {"G4", By::Fanuc, "G4 X1.5", "dwell 1.5"},
+        {"G5", By::Default, "G5 X10 Y0 I0 J3 P0 Q-3",
+         "spline X10 Y0 Z0 order 4 [0 0 *1] [0 3 *1] [10 -3 *1] [10 0 *1] F100"},
+        {"G5.1", By::Default, "G5.1 X10 I5 J5",
+         "spline X10 Y0 Z0 order 3 [0 0 *1] [5 5 *1] [10 0 *1] F100"},
+        {"G5.1", By::Fanuc, "G5.1 Q1", ""},
+        {"G5.2", By::Default, "G5.2 X1 Y2 L3~X2 Y2~X2 Y0~G5.3",
+         "spline X2 Y0 Z0 order 3 [0 0 *1] [1 2 *1] [2 2 *1] [2 0 *1] F100"},
+        {"G5.3", By::Default, "G5.3", " ! error spline-not-open"},
+        {"G6.2", By::Default, "G6.2 X0 Y0 R1 K0 P2~X5 Y5 K0~X10 Y0 K1~G6.2 K2~G6.2 K2",
+         "spline X10 Y0 Z0 order 2 [0 0 *1] [5 5 *1] [10 0 *1] F100"},
+        {"G6.2", By::Default, "G6.2 X0 Y0 K0 P2~G1 X5", " ! error spline-knots"},
+        {"G6.2", By::Default, "G6.2 X0 Y0 K1 P2~X5 K0", " ! error spline-knots"},
+        {"G7", By::Strict, "G7 X10~G0 X10", "rapid X5 Y0 Z0; rapid X5 Y0 Z0"},
+        {"G8", By::Strict, "G8~G0 X10", "rapid X10 Y0 Z0"},
+        {"G9", By::Default, "G9 G1 X10", "feed X10 Y0 Z0 F100"},
+        {"G10", By::Default, "G10 L2 P1 X10~G0 X0", "rapid X10 Y0 Z0"},
+        {"G10", By::Default, "G10 L2 P2 X5 Y5~G55 G0 X0 Y0", "rapid X5 Y5 Z0"},
+        {"G10", By::Default, "G10 L20 P1 X100~G0 X100", "rapid X0 Y0 Z0"},
+        {"G10", By::Fanuc, "G10 L20 P3 X7~G54.1 P3~G0 X0", "rapid X7 Y0 Z0"},
+        {"G10", By::Default, "G10 L1 P1 R3 Z5", ""},
+        {"G10", By::Default, "G10 L7 P1", " ! g10-form"},
+        {"G11", By::Fanuc, "G11~G0 X1", "rapid X1 Y0 Z0"},
+        {"G15", By::Default, "G15~G0 X1", "rapid X1 Y0 Z0"},
+        {"G16", By::Default, "G16~G0 X10 Y90~G15", "rapid X0 Y10 Z0"},
+        {"G17", By::Default, "G17 G2 X2 I1", "arc XY X2 Y0 Z0 centre 1 0 turns -1 F100"},
+        {"G17.1", By::Strict, "G17.1~G0 X1", "rapid X1 Y0 Z0"},
+        {"G18", By::Default, "G18 G2 X2 I1", "arc ZX X2 Y0 Z0 centre 0 1 turns -1 F100"},
+        {"G18.1", By::Strict, "G18.1~G0 X1", "rapid X1 Y0 Z0"},
+        {"G19", By::Default, "G19 G2 Y2 J1", "arc YZ X0 Y2 Z0 centre 1 0 turns -1 F100"},
+        {"G19.1", By::Strict, "G19.1~G0 X1", "rapid X1 Y0 Z0"},
+        {"G20", By::Default, "G20 G0 X1", "rapid X25.4 Y0 Z0"},
+        {"G20", By::Default, "G1 X25.4~G20~X2", "feed X25.4 Y0 Z0 F100; feed X50.8 Y0 Z0 F100"},
+        {"G21", By::Default, "G21 G0 X1", "rapid X1 Y0 Z0"},
+        {"G28", By::Default, "G28 G91 Z0", "rapid X0 Y0 Z0; rapid X0 Y0 Z300 machine"},
+        {"G28", By::Default, "G28", "rapid X0 Y0 Z0; rapid X0 Y0 Z300 machine"},
+        {"G28", By::Default, "G90 G28 Z5", "rapid X0 Y0 Z5; rapid X0 Y0 Z300 machine"},
+        {"G28.1", By::Strict, "G28.1~G0 X5~G28",
+         "rapid X5 Y0 Z0; rapid X5 Y0 Z0; rapid X0 Y0 Z0 machine"},
+        {"G29", By::Fanuc, "G29 X1", "rapid X1 Y0 Z0"},
+        {"G30", By::Default, "G30 X1", "rapid X1 Y0 Z0; rapid X0 Y0 Z0 machine"},
+        {"G30.1", By::Strict, "G0 X3~G30.1~G0 X9~G30",
+         "rapid X3 Y0 Z0; rapid X9 Y0 Z0; rapid X9 Y0 Z0; rapid X3 Y0 Z0 machine"},
+        {"G31", By::Fanuc, "G31 Z-5 F100", "probe X0 Y0 Z-5 F100"},
+        {"G33", By::Strict, "G33 Z-5 K1", "feed X0 Y0 Z-5 F1/rev"},
+        {"G33.1", By::Strict, "G33.1 Z-5 K1", "feed X0 Y0 Z-5 F1/rev; feed X0 Y0 Z0 F1/rev"},
+        {"G38.2", By::Default, "G38.2 Z-5", "probe X0 Y0 Z-5 F100"},
+        {"G38.3", By::Default, "G38.3 Z-5", "probe X0 Y0 Z-5 F100"},
+        {"G38.4", By::Default, "G38.4 Z-5", "probe X0 Y0 Z-5 F100"},
+        {"G38.5", By::Default, "G38.5 Z-5", "probe X0 Y0 Z-5 F100"},
+        {"G40", By::Default, "G40 G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G41", By::Default, "T1 M6~G41 D1 G1 X10 Y10~X20~G40 X30",
+         "tool 1 at X0 Y0 Z0; feed X8.585786438 Y11.414213562 Z0 F100 T1; arc XY X10 Y12 Z0 centre "
+         "10 10 turns -1 F100 T1; feed X20 Y12 Z0 F100 T1; feed X30 Y12 Z0 F100 T1"},
+        {"G41.1", By::Default, "G41.1 D2 G1 X10 Y10~X20~G40 X30",
+         "feed X9.292893219 Y10.707106781 Z0 F100; arc XY X10 Y11 Z0 centre 10 10 turns -1 F100; "
+         "feed X20 Y11 Z0 F100; feed X30 Y11 Z0 F100"},
+        {"G42", By::Default, "T1 M6~G42 D1 G1 X10 Y10~X20~G40 X30",
+         "tool 1 at X0 Y0 Z0; feed X10.828427125 Y8 Z0 F100 T1; feed X20 Y8 Z0 F100 T1; feed X30 "
+         "Y8 Z0 F100 T1"},
+        {"G42.1", By::Default, "G42.1 D2 G1 X10 Y10~X20~G40 X30",
+         "feed X10.414213562 Y9 Z0 F100; feed X20 Y9 Z0 F100; feed X30 Y9 Z0 F100"},
+        {"G43", By::Default, "T1 M6~G43 H1~G0 Z5", "tool 1 at X0 Y0 Z0; rapid X0 Y0 Z5 T1"},
+        {"G43.1", By::Default, "G43.1 Z5~G0 Z5", "rapid X0 Y0 Z5"},
+        {"G43.2", By::Default, "G43 H1~G43.2 H1~G53 G0 Z0", "rapid X0 Y0 Z200 machine"},
+        {"G43.4", By::Fanuc, "G43.4 H1", " ! error tilted-plane"},
+        {"G43.5", By::Fanuc, "G43.5 H1", " ! error tilted-plane"},
+        {"G44", By::Fanuc, "G44 H1~G0 Z5", "rapid X0 Y0 Z5"},
+        {"G49", By::Default, "G43 H1~G49~G0 Z5", "rapid X0 Y0 Z5"},
+        {"G50", By::Fanuc, "G51 X0 Y0 Z0 P2~G50~G0 X5", "rapid X5 Y0 Z0"},
+        {"G50.1", By::Fanuc, "G51.1 X0~G50.1 X0~G0 X5", "rapid X5 Y0 Z0"},
+        {"G51", By::Fanuc, "G51 X0 Y0 Z0 P2~G0 X5", "rapid X10 Y0 Z0"},
+        {"G51.1", By::Fanuc, "G51.1 X0~G0 X5", "rapid X-5 Y0 Z0"},
+        {"G52", By::Default, "G52 X10~G0 X1", "rapid X11 Y0 Z0"},
+        {"G53", By::Default, "G53 G0 Z0", "rapid X0 Y0 Z300 machine"},
+        {"G54", By::Default, "G54 G0 X1", "rapid X1 Y0 Z0"},
+        {"G54.1", By::Fanuc, "G54.1 P2 G0 X1", "rapid X1 Y0 Z0 ! offset-unknown"},
+        {"G54.1", By::Fanuc, "G54.1 G0 X1", " ! error offset-number"},
+        {"G55", By::Default, "G10 L2 P2 X5~G55 G0 X1", "rapid X6 Y0 Z0"},
+        {"G56", By::Default, "G10 L2 P3 X5~G56 G0 X1", "rapid X6 Y0 Z0"},
+        {"G57", By::Default, "G10 L2 P4 X5~G57 G0 X1", "rapid X6 Y0 Z0"},
+        {"G58", By::Default, "G10 L2 P5 X5~G58 G0 X1", "rapid X6 Y0 Z0"},
+        {"G59", By::Default, "G10 L2 P6 X5~G59 G0 X1", "rapid X6 Y0 Z0"},
+        {"G59.1", By::Default, "G10 L2 P7 X5~G59.1 G0 X1", "rapid X6 Y0 Z0"},
+        {"G59.2", By::Default, "G10 L2 P8 X5~G59.2 G0 X1", "rapid X6 Y0 Z0"},
+        {"G59.3", By::Default, "G10 L2 P9 X5~G59.3 G0 X1", "rapid X6 Y0 Z0"},
+        {"G60", By::Fanuc, "G60 X1", "rapid X1 Y0 Z0"},
+        {"G61", By::Default, "G61 G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G61.1", By::Default, "G61.1 G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G62", By::Fanuc, "G62 G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G63", By::Fanuc, "G63 G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G64", By::Default, "G64 P0.01 G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G65", By::Fanuc, "G65 P9 A1", " ! error sub-not-found"},
+        {"G66", By::Fanuc, "G66 P9 A1~X1", "rapid X1 Y0 Z0 ! error sub-not-found"},
+        {"G67", By::Fanuc, "G67~G0 X1", "rapid X1 Y0 Z0"},
+        {"G68", By::Fanuc, "G68 X0 Y0 R90~G0 X1", "rapid X0 Y1 Z0"},
+        {"G68.2", By::Fanuc, "G68.2 X0 Y0 Z0 I0 J30 K0", " ! error tilted-plane"},
+        {"G68.3", By::Fanuc, "G68.3 X0", " ! error tilted-plane"},
+        {"G69", By::Fanuc, "G68 X0 Y0 R90~G69~G0 X1", "rapid X1 Y0 Z0"},
+        {"G70", By::Default, "G70~G0 X1", "rapid X25.4 Y0 Z0"},
+        {"G70.1", By::Default, "G70.1 Q1", " ! error lathe-cycle"},
+        {"G71", By::Default, "G71~G0 X1", "rapid X1 Y0 Z0"},
+        {"G71.1", By::Default, "G71.1 Q1 X1", " ! error lathe-cycle"},
+        {"G71.2", By::Default, "G71.2 Q1 X1", " ! error lathe-cycle"},
+        {"G72", By::Default, "G72 Q1 X1", " ! error lathe-cycle"},
+        {"G72.1", By::Default, "G72.1 Q1 X1", " ! error lathe-cycle"},
+        {"G72.2", By::Default, "G72.2 Q1 X1", " ! error lathe-cycle"},
+        {"G73", By::Default, "G73 X1 Z-2 R1 Q1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z0 F100; rapid X1 Y0 Z0.254; feed X1 Y0 Z-1 "
+         "F100; rapid X1 Y0 Z-0.746; feed X1 Y0 Z-2 F100; rapid X1 Y0 Z1"},
+        {"G74", By::Default, "G74 X1 Z-2 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-2 F100; dwell 0; feed X1 Y0 Z1 F100 S0"},
+        {"G76", By::Fanuc, "G76 X1 Z-2 R1 Q0.1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-2 F100; rapid X1 Y0 Z1"},
+        {"G80", By::Default, "G81 X1 Z-1 R1~G80~X5",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X5 Y0 Z1 ! "
+         "axes-after-g80"},
+        {"G81", By::Default, "G81 X1 Z-1 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
+        {"G81", By::Default, "G99 G81 X1 Z-1 R1~X2",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X2 Y0 Z1; "
+         "feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1"},
+        {"G81", By::Default, "G81 X1 Z-1 R1 L2",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X1 Y0 Z1; "
+         "feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
+        {"G81", By::Fanuc, "G81 X1 Z-1 R1 K0~X2",
+         "rapid X0 Y0 Z1; rapid X2 Y0 Z1; feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1"},
+        {"G82", By::Default, "G82 X1 Z-1 R1 P0.5",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; dwell 0.5; rapid X1 Y0 Z1"},
+        {"G83", By::Default, "G83 X1 Z-2 R1 Q1.5",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-0.5 F100; rapid X1 Y0 Z1; rapid X1 Y0 "
+         "Z-0.246; feed X1 Y0 Z-2 F100; rapid X1 Y0 Z1"},
+        {"G84", By::Default, "M3 S100~G84 X1 Z-1 R1",
+         "rapid X0 Y0 Z1 S100; rapid X1 Y0 Z1 S100; feed X1 Y0 Z-1 F100 S100; dwell 0; feed X1 Y0 "
+         "Z1 F100 S-100"},
+        {"G85", By::Default, "G85 X1 Z-1 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; feed X1 Y0 Z1 F100"},
+        {"G86", By::Default, "G86 X1 Z-1 R1 P0",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; dwell 0; rapid X1 Y0 Z1"},
+        {"G87", By::Default, "G87 X1 Z-1 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
+        {"G88", By::Default, "G88 X1 Z-1 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
+        {"G89", By::Default, "G89 X1 Z-1 R1 P0",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; dwell 0; feed X1 Y0 Z1 F100"},
+        {"G90", By::Default, "G91~G90 G0 X1", "rapid X1 Y0 Z0"},
+        {"G90.1", By::Default, "G90.1 G2 X2 I1 J0", "arc XY X2 Y0 Z0 centre 1 0 turns -1 F100"},
+        {"G91", By::Default, "G91 G0 X1~X1", "rapid X1 Y0 Z0; rapid X2 Y0 Z0"},
+        {"G91.1", By::Default, "G90.1~G91.1 G2 X2 I1", "arc XY X2 Y0 Z0 centre 1 0 turns -1 F100"},
+        {"G92", By::Default, "G92 X10~G0 X11", "rapid X1 Y0 Z0"},
+        {"G92.1", By::Default, "G92 X10~G92.1~G0 X1", "rapid X1 Y0 Z0"},
+        {"G92.2", By::Default, "G92 X10~G92.2~G0 X1", "rapid X1 Y0 Z0"},
+        {"G92.3", By::Default, "G92 X10~G92.2~G92.3~G0 X11", "rapid X1 Y0 Z0"},
+        {"G92.4", By::Default, "G92.4 A0~G0 A10", "rapid X0 Y0 Z0 A10"},
+        {"G93", By::Default, "G93 G1 X1 F10", "feed X1 Y0 Z0 F10/inverse-time"},
+        {"G94", By::Default, "G94 G1 X1 F10", "feed X1 Y0 Z0 F10"},
+        {"G95", By::Default, "G95 G1 X1 F0.1", "feed X1 Y0 Z0 F0.1/rev"},
+        {"G96", By::Default, "G96 S200 M3~G1 X1", "feed X1 Y0 Z0 F100 S200"},
+        {"G97", By::Default, "G97 S200 M3~G1 X1", "feed X1 Y0 Z0 F100 S200"},
+        {"G98", By::Default, "G98 G81 X1 Z-1 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
+        {"G99", By::Default, "G99 G81 X1 Z-1 R1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
+        {"G154", By::Haas, "G154 P5 G0 X1", "rapid X1 Y0 Z0 ! offset-unknown"},
+    };
+    return kCases;
+}
+
+TEST(Codes, DoWhatTheyDoOnAMachine) {
+    expect_all(codes());
+}
+
+TEST(Codes, AreAllInTheTable) {
+    std::set<std::string> tested;
+    for (const Case& c : codes())
+        tested.insert(c.what);
+#define NCSIM_G(number, group, axes, rs274)                      \
+    {                                                            \
+        std::string name = "G";                                  \
+        print_number(name, (number) / 10.0);                     \
+        EXPECT_TRUE(tested.contains(name)) << name << " is not"; \
+    }
+#include "codes.def"
+#undef NCSIM_G
+}
+
+TEST(Traps, AreNotSteppedInto) {
+    expect_all({
+        {"01 radius within tolerance", By::Strict, "G2 X10.02 I5",
+         "arc XY X10.02 Y0 Z0 centre 5 0 turns -1 F100"},
+        {"01 radius beyond tolerance", By::Strict, "G2 X10.3 I5", " ! error arc-radius-mismatch"},
+        {"01 spiral", By::Default, "G2 X10.2 I5",
+         "arc XY X10.2 Y0 Z0 centre 5 0 turns -1 F100 ! arc-spiral"},
+        {"02 off-plane word", By::Strict, "G2 X10 I5 K0", " ! error centre-outside-plane"},
+        {"02 off-plane word", By::Default, "G2 X10 I5 K0",
+         "arc XY X10 Y0 Z0 centre 5 0 turns -1 F100"},
+        {"02 radius and centre", By::Default, "G2 X10 I5 R5",
+         "arc XY X10 Y0 Z0 centre 5 0 turns -1 F100 ! arc-two-forms"},
+        {"02 no centre", By::Default, "G2 X10", " ! error arc-without-centre"},
+        {"03 absolute centres without G90.1", By::Default,
+         "G0 X50 Y50~G2 X60 Y50 I55 J50~G2 X50 Y50 I55 J50",
+         "rapid X50 Y50 Z0; arc XY X60 Y50 Z0 centre 55 50 turns -1 F100; arc XY X50 Y50 Z0 centre "
+         "55 50 turns -1 F100 ! arc-centre-mode"},
+        {"04 full circle by I", By::Default, "G2 X0 Y0 I5",
+         "arc XY X0 Y0 Z0 centre 5 0 turns -1 F100"},
+        {"04 full circle by R", By::Default, "G2 X0 Y0 R5", " ! error arc-radius-no-chord"},
+        {"05 half a chord beyond R", By::Strict, "G2 X10.002 R5",
+         "arc XY X10.002 Y0 Z0 centre 5.001 0 turns -1 F100"},
+        {"05 R does not reach", By::Default, "G2 X12 R5", " ! error arc-radius-too-small"},
+        {"06 G18 is ZX", By::Strict, "G18 G2 X10 I5", "arc ZX X10 Y0 Z0 centre 0 5 turns -1 F100"},
+        {"07 helix", By::Default, "G2 Z-1 I5", "arc XY X0 Y0 Z-1 centre 5 0 turns -1 F100"},
+        {"07 zero radius", By::Default, "G2 X0.001 I0.0005",
+         "feed X0.001 Y0 Z0 F100 ! arc-too-small"},
+        {"08 two codes of a group", By::Strict, "G0 G1 X1", " ! error codes-exclude"},
+        {"08 two codes of a group", By::Default, "G0 G1 X1", "feed X1 Y0 Z0 F100 ! codes-exclude"},
+        {"08 a word twice", By::Default, "G0 X1 X2", "rapid X2 Y0 Z0 ! word-twice"},
+        {"08 order of execution", By::Default, "G1 X10 G91 F50~X10",
+         "feed X10 Y0 Z0 F50; feed X20 Y0 Z0 F50"},
+        {"09 G0 beside G28", By::Strict, "G0 G91 G28 Z0", " ! error two-codes-use-axes"},
+        {"09 G0 beside G28", By::Default, "G0 G91 G28 Z0",
+         "rapid X0 Y0 Z0; rapid X0 Y0 Z300 machine"},
+        {"10 axis words after G80", By::Strict, "G80~X15", " ! error axes-without-motion"},
+        {"10 axis words after G80", By::Default, "G80~X15", "rapid X15 Y0 Z0 ! axes-after-g80"},
+        {"11 G0 ends a cycle", By::Default, "G81 X1 Z-1 R1~G0 X5",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X5 Y0 Z1"},
+        {"12 after M2", By::Default, "M30~G0 X99", ""},
+        {"12 text after percent", By::Default, "G0 X1~%~spare",
+         "rapid X1 Y0 Z0 ! error number-expected"},
+        {"13 blanks in words", By::Default, "G 0 X + 1 2 . 5", "rapid X12.5 Y0 Z0"},
+        {"13 points", By::Default, "G0 X5. Y.5", "rapid X5 Y0.5 Z0"},
+        {"13 lone point", By::Strict, "G0 X.", " ! error number-expected"},
+        {"13 exponent", By::Strict, "G0 X1e-3", " ! error word-unused"},
+        {"13 nested comment", By::Strict, "G0 X1 (a (b) c)", " ! error comment-nested"},
+        {"13 nested comment", By::Default, "G0 X1 (a (b) c)", "rapid X1 Y0 Z0 ! comment-nested"},
+        {"13 open comment", By::Default, "G0 X1 (open", "rapid X1 Y0 Z0 ! comment-unclosed"},
+        {"13 block delete", By::Default, "/G0 X1", "rapid X1 Y0 Z0"},
+        {"14 numbers without a point", By::Fanuc, "G0 X12345", "rapid X12345 Y0 Z0"},
+        {"15 G92 stays with G55", By::Default, "G92 X10~G55~G0 X0", "rapid X-10 Y0 Z0"},
+        {"15 G92 keeps other axes", By::Default, "G92 X10~G92 Y5~G0 X0 Y0", "rapid X-10 Y-5 Z0"},
+        {"15 G52 replaces G92", By::Default, "G92 X10~G52 X5~G0 X0", "rapid X5 Y0 Z0"},
+        {"16 G53 is absolute", By::Strict, "G91 G53 G0 Z0", " ! error g53-incremental"},
+        {"16 G53 is absolute", By::Default, "G91 G53 G0 Z0",
+         "rapid X0 Y0 Z300 machine ! g53-incremental"},
+        {"16 G53 sees tool lengths", By::Default, "G43.1 Z7~G53 G0 Z0", "rapid X0 Y0 Z293 machine"},
+        {"17 G90 G28 Z0 goes to Z0 first", By::Default, "G0 Z50~G90 G28 Z0",
+         "rapid X0 Y0 Z50; rapid X0 Y0 Z0; rapid X0 Y0 Z300 machine"},
+        {"17 haas G28 cancels length", By::Haas, "G43 H1 Z10~G28 Z20~G0 Z10",
+         "rapid X0 Y0 Z10; rapid X0 Y0 Z20; rapid X0 Y0 Z250 machine; rapid X0 Y0 Z10"},
+        {"18 G10 L2 at once", By::Default, "G10 L2 P1 X10~G1 X0", "feed X10 Y0 Z0 F100"},
+        {"18 G10 with rotation", By::Default, "G10 L2 P1 R90~G0 X10", "rapid X0 Y10 Z0"},
+        {"18 P0 is the active system", By::Default, "G55~G10 L2 P0 X3~G0 X0", "rapid X3 Y0 Z0"},
+        {"19 units in mid-program", By::Default, "G1 X25.4 F254~G20~G1 X2",
+         "feed X25.4 Y0 Z0 F254; feed X50.8 Y0 Z0 F254"},
+        {"19 cycle words are not rescaled", By::Strict, "G81 X1 Z-1 R1~G20~X2",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X1 Y0 Z25.4; "
+         "rapid X50.8 Y0 Z25.4; feed X50.8 Y0 Z-25.4 F100; rapid X50.8 Y0 Z25.4"},
+        {"20 G43 moves nothing", By::Default, "T1 M6~G43 H1~G0 X1",
+         "tool 1 at X0 Y0 Z0; rapid X1 Y0 Z-50 T1"},
+        {"20 T selects and M6 changes", By::Default, "T1~G0 X1~M6~G0 X2",
+         "rapid X1 Y0 Z0; tool 1 at X1 Y0 Z0; rapid X2 Y0 Z0 T1"},
+        {"20 M6 without T", By::Default, "M6~G0 X1", "rapid X1 Y0 Z0"},
+        {"21 entry longer than the radius", By::Default, "T1 M6~G41 D1~G1 X1",
+         "tool 1 at X0 Y0 Z0 ! error compensation-entry"},
+        {"21 twice", By::Strict, "T1 M6~G41 D1~G41 D1",
+         "tool 1 at X0 Y0 Z0 ! error compensation-twice"},
+        {"21 no diameter", By::Default, "G41 D9 G1 X10",
+         "feed X10 Y0 Z0 F100 ! compensation-radius-unknown"},
+        {"22 G98 keeps the first height", By::Default, "G0 Z5~G98 G81 X1 Z-1 R1~G99 X2~G98 X3",
+         "rapid X0 Y0 Z5; rapid X1 Y0 Z5; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z5; "
+         "rapid X2 Y0 Z5; rapid X2 Y0 Z1; feed X2 Y0 Z-1 F100; rapid X2 Y0 Z1; rapid X3 Y0 Z1; "
+         "feed X3 Y0 Z-1 F100"},
+        {"22 below R", By::Default, "G0 Z-5~G81 X1 Z-10 R2",
+         "rapid X0 Y0 Z-5; rapid X0 Y0 Z2; rapid X1 Y0 Z2; feed X1 Y0 Z-10 F100; rapid X1 Y0 Z2"},
+        {"23 other cycle wants its words", By::Strict, "G81 X1 Z-1 R1~G82 X2 P1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1 ! error "
+         "cycle-word-missing"},
+        {"23 other cycle keeps its words", By::Default, "G81 X1 Z-1 R1~G82 X2 P1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X2 Y0 Z1; "
+         "feed X2 Y0 Z-1 F100; dwell 1; rapid X2 Y0 Z1"},
+        {"23 L0", By::Strict, "G81 X1 Z-1 R1 L0", " ! error cycle-repeats"},
+        {"23 incremental", By::Default, "G91 G81 X1 Z-2 R-1 L2",
+         "rapid X1 Y0 Z0; rapid X1 Y0 Z-1; feed X1 Y0 Z-3 F100; rapid X1 Y0 Z0; rapid X2 Y0 Z0; "
+         "rapid X2 Y0 Z-1; feed X2 Y0 Z-3 F100; rapid X2 Y0 Z0"},
+        {"24 pecks", By::Default, "G83 X1 Z-2 R1 Q1",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z0 F100; rapid X1 Y0 Z1; rapid X1 Y0 Z0.254; "
+         "feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1; rapid X1 Y0 Z-0.746; feed X1 Y0 Z-2 F100; rapid X1 "
+         "Y0 Z1"},
+        {"24 Q0", By::Default, "G83 X1 Z-2 R1 Q0",
+         "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-2 F100; rapid X1 Y0 Z1 ! "
+         "cycle-word-missing"},
+        {"25 rotary in cycles", By::Strict, "G81 A10 X1 Z-1 R1", " ! error cycle-rotary"},
+        {"26 G93 wants F", By::Default, "G93 G1 X1",
+         "feed X1 Y0 Z0 F0/inverse-time ! inverse-time-feed"},
+        {"26 after G94 a new F", By::Strict, "G93 G1 X1 F2~G94 G1 X2",
+         "feed X1 Y0 Z0 F2/inverse-time ! error feed-missing"},
+        {"27 rotary is not wrapped", By::Default, "G0 A350~G0 A10",
+         "rapid X0 Y0 Z0 A350; rapid X0 Y0 Z0 A10"},
+        {"28 tool centre point", By::Default, "G43.4 H1", " ! error tilted-plane"},
+        {"29 assignments after the line", By::Default, "#1=6~#1=7 X#1~G0 Y#1",
+         "rapid X6 Y0 Z0; rapid X6 Y7 Z0"},
+        {"29 unset number is 0", By::Default, "G0 X#100", "rapid X0 Y0 Z0"},
+        {"29 unset name", By::Default, "G0 X#<nothing>", " ! error parameter-unset"},
+        {"29 vacant word is left out", By::Fanuc, "G0 X#100 Y1", "rapid X0 Y1 Z0"},
+        {"29 vacant is not 0", By::Fanuc, "IF[#100EQ0]GOTO10~G0 X1~N10 G0 Y1",
+         "rapid X1 Y0 Z0; rapid X1 Y1 Z0"},
+        {"29 vacant index", By::Fanuc, "IF[#[#120]EQ#0]GOTO10~G0 X1~N10 G0 Y1", "rapid X0 Y1 Z0"},
+        {"30 power", By::Default, "G0 X[-3**2] Y[2^3]", "rapid X9 Y8 Z0"},
+        {"30 left to right", By::Default, "G0 X[1 OR 0 AND 0]", "rapid X0 Y0 Z0"},
+        {"30 modulo", By::Default, "G0 X[-10 MOD 3]", "rapid X2 Y0 Z0"},
+        {"30 FIX", By::Default, "G0 X[FIX[-2.8]]", "rapid X-3 Y0 Z0"},
+        {"30 FIX", By::Fanuc, "G0 X[FIX[-2.8]]", "rapid X-2 Y0 Z0"},
+        {"30 ROUND", By::Default, "G0 X[ROUND[-2.5]]", "rapid X-3 Y0 Z0"},
+        {"30 ATAN", By::Default, "G0 X[ATAN[1]/[1]]", "rapid X45 Y0 Z0"},
+        {"30 bits", By::Fanuc, "G0 X[6AND3]", "rapid X2 Y0 Z0"},
+        {"30 no brackets", By::Fanuc, "#1=3~#1=#1+1~G0 X#1", "rapid X4 Y0 Z0"},
+        {"31 return value", By::Default, "o<f> sub~o<f> endsub [7]~o<f> call~G0 X#<_value>",
+         "rapid X7 Y0 Z0"},
+        {"31 M98 with L", By::Default, "M98 P5 L2~M30~O5~G91 G0 X1~M99",
+         "rapid X1 Y0 Z0; rapid X2 Y0 Z0"},
+        {"31 old Fanuc form", By::Fanuc, "M98 P20005~M30~O5~G91 G0 X1~M99",
+         "rapid X1 Y0 Z0; rapid X2 Y0 Z0"},
+        {"31 M97", By::Haas, "M97 P5 L2~M30~N5 G91 G0 X1~M99", "rapid X1 Y0 Z0; rapid X2 Y0 Z0"},
+        {"31 M99 in the main program", By::Default, "G0 X1~M99", "rapid X1 Y0 Z0"},
+        {"32 dwell by F", By::Strict, "G4 F1", " ! error dwell-without-time"},
+        {"words nobody uses", By::Default, "G1 X1 Q3", "feed X1 Y0 Z0 F100 ! word-unused"},
+        {"words nobody uses", By::Strict, "G1 X1 Q3", " ! error word-unused"},
+        {"unknown G", By::Default, "G187 P1", " ! unknown-g"},
+        {"unknown G with axes", By::Default, "G150 X1", " ! error unknown-g-with-axes"},
+        {"unknown M", By::Default, "M123", " ! unknown-m"},
+        {"M13 starts the spindle", By::Default, "S100 M13~G1 X1", "feed X1 Y0 Z0 F100 S100"},
+        {"corner rounding", By::Default, "G1 X1 ,R2", "feed X1 Y0 Z0 F100 ! unknown-word"},
+        {"endless loop", By::Default, "o1 while [1]~G91 G0 X0~o1 endwhile",
+         "rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 "
+         "Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0 ! error "
+         "step-limit"},
+        {"endless recursion", By::Default, "o<a> sub~o<a> call~o<a> endsub~o<a> call",
+         " ! error call-depth"},
+    });
+}
+
+}  // namespace
+}  // namespace ncsim::gcode
