@@ -6,6 +6,7 @@
 
 #include "air_cut.h"
 #include "body.h"
+#include "clock.h"
 #include "finding_log.h"
 #include "fixture.h"
 #include "rule_table.h"
@@ -71,6 +72,25 @@ bool ascends(const Step& step) {
            dot(step.X_WB.translation - step.X_WA.translation, axis_of(step.X_WA)) > 0.0;
 }
 
+// Of an arc, which may be a spiral; mm.
+double smallest_radius(const gcode::Arc& arc) {
+    const auto radius = [&arc](const gcode::Position& p) {
+        double first = p.x.mm(), second = p.y.mm();
+        switch (arc.plane) {
+            case gcode::Plane::XY: break;
+            case gcode::Plane::ZX: first = p.z.mm(), second = p.x.mm(); break;
+            case gcode::Plane::YZ: first = p.y.mm(), second = p.z.mm(); break;
+            case gcode::Plane::UV: first = p.u.mm(), second = p.v.mm(); break;
+            case gcode::Plane::WU: first = p.w.mm(), second = p.u.mm(); break;
+            case gcode::Plane::VW: first = p.v.mm(), second = p.w.mm(); break;
+        }
+        first -= arc.centre_1.mm();
+        second -= arc.centre_2.mm();
+        return std::sqrt(first * first + second * second);
+    };
+    return std::min(radius(arc.from), radius(arc.to));
+}
+
 bool goes_straight_down(const Step& step) {
     if (step.X_WA.rows != step.X_WB.rows) return false;
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
@@ -90,7 +110,8 @@ public:
           stock_(stock),
           lattice_(lattice),
           log_(setup_.selection, setup_.suppressions),
-          scene_(setup_) {
+          scene_(setup_),
+          clock_(setup_.machine) {
         for (const Rule& rule : rule_table()) {
             if (!asked(rule.info.id)) continue;
             if (rule.missing) {
@@ -152,11 +173,16 @@ public:
     void end() {
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
-        if (!move_.is_move) return;
+        if (!move_.is_move) {
+            if (setup_.ledger && std::holds_alternative<gcode::Dwell>(move_.motion->what)) enter();
+            clock_.rest(*move_.motion, row());
+            return;
+        }
         if (contacts_) air_.take(move_);
         (move_.motion->kind == MoveKind::Rapid ? ledger_.rapid_mm : ledger_.feed_mm) +=
             move_.length_mm;
         if (setup_.ledger) enter();
+        clock_.take(move_, row());
         ledger_.removed_mm3 += move_.removed_mm3;
     }
 
@@ -182,6 +208,7 @@ public:
         if (asked("air-cut")) air_.conclude(setup_, log_);
         log_.finish(verdict);
         verdict.skipped = std::move(skipped_);
+        clock_.finish(ledger_);
         ledger_.measured = volumes_ && part != nullptr;
         ledger_.air_known = contacts_ && part != nullptr;
         ledger_.air_mm = air_.air_mm();
@@ -193,6 +220,9 @@ public:
     }
 
 private:
+    // The row that a time belongs to.
+    std::size_t row() const { return ledger_.rows.empty() ? 0 : ledger_.rows.size() - 1; }
+
     bool asked(std::string_view rule) const { return setup_.selection.includes(rule); }
 
     // Does somebody want to know what the cutter meets in this motion?
@@ -216,17 +246,23 @@ private:
             path.add(a);
             path.add(b);
             move_.length_mm = norm(b - a);
+            move_.enters = move_.leaves = normalized(b - a);
         } else {
             toolpath::SamplingOptions coarse;
             coarse.chord_tolerance_mm = 0.01;
-            gcode::Motion straight = motion;  // the path of the axes, not of the tool
-            const toolpath::Samples samples = toolpath::sample(straight, {}, coarse);
+            const toolpath::Samples samples = toolpath::sample(motion, {}, coarse);
             for (std::size_t i = 0; i < samples.poses.size(); ++i) {
                 path.add(samples.poses[i].translation);
                 if (i > 0) {
-                    move_.length_mm +=
-                        norm(samples.poses[i].translation - samples.poses[i - 1].translation);
+                    const Vec3 chord =
+                        samples.poses[i].translation - samples.poses[i - 1].translation;
+                    move_.length_mm += norm(chord);
+                    move_.leaves = normalized(chord);
+                    if (i == 1) move_.enters = move_.leaves;
                 }
+            }
+            if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+                move_.radius_mm = smallest_radius(*arc);
             }
         }
         if (!toolpath::has_known_start(motion)) {
@@ -381,6 +417,7 @@ private:
     cda::Lattice lattice_;
     FindingLog log_;
     FixtureScene scene_;
+    Clock clock_;
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
     std::map<int, Watched> watched_;

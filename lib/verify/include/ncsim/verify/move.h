@@ -41,6 +41,8 @@ struct Move {
     bool is_move = false;      ///< Else a dwell or a tool change.
     bool is_traced = false;    ///< Its tool and its start are known, so it was simulated.
     double length_mm = 0.0;    ///< Path of the controlled point.
+    cda::Vec3 enters, leaves;  ///< Unit vectors of the path's two ends; 0 without a length.
+    double radius_mm = 0.0;    ///< Of an arc, the smaller one of a spiral; else 0.
     cda::Box path;             ///< Of the controlled point, in W.
     /// Of the controlled point, in machine coordinates with the tool length, if the machine tells
     /// where the work zero lies.

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Adds up the time of a program, row by row of the ledger, where feeds and rates are known.
+#pragma once
+
+#include "ncsim/verify/cycle_time.h"
+#include "ncsim/verify/ledger.h"
+#include "ncsim/verify/move.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ncsim::verify {
+
+class Clock {
+public:
+    explicit Clock(const MachineDescription& machine);
+
+    /// `row` is the index of the ledger row the move belongs to.
+    void take(const Move& move, std::size_t row);
+    /// A dwell or a tool change.
+    void rest(const gcode::Motion& motion, std::size_t row);
+    /// Writes the times into the rows there are, and the sums.
+    void finish(Ledger& ledger);
+
+private:
+    void add(std::size_t row, std::optional<double> seconds);
+    std::optional<double> speed_of(const Move& move) const;
+
+    const MachineDescription* machine_;
+    double feed_seconds_ = 0.0, rapid_seconds_ = 0.0, other_seconds_ = 0.0;
+    bool feed_known_ = true, rapid_known_ = true, other_known_ = true;
+    std::vector<std::optional<double>> rows_;
+    MotionPlanner planner_;
+};
+
+}  // namespace ncsim::verify

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/verify/cycle_time.h"
+
+#include "verify/verified.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace ncsim::verify_test {
+namespace {
+
+using verify::MotionPlanner;
+using verify::PlannedMove;
+
+PlannedMove along_x(double length, double speed, double acceleration) {
+    PlannedMove move;
+    move.length_mm = length;
+    move.speed = speed;
+    move.acceleration = acceleration;
+    move.enters = move.leaves = {1, 0, 0};
+    return move;
+}
+
+double seconds_of(const std::vector<PlannedMove>& moves, double deviation = 0.01) {
+    double sum = 0.0;
+    MotionPlanner planner(deviation, [&sum](std::size_t, double seconds) { sum += seconds; });
+    for (const PlannedMove& move : moves)
+        planner.add(move);
+    planner.stop();
+    return sum;
+}
+
+TEST(CycleTime, OfOneMoveIsATrapezoid) {
+    // 100 mm at 50 mm/s and 500 mm/s²: 0.1 s up and down on 2.5 mm each, 1.9 s between.
+    EXPECT_NEAR(seconds_of({along_x(100, 50, 500)}), 2.1, 1e-12);
+    // 5 mm are a triangle that reaches exactly 50 mm/s.
+    EXPECT_NEAR(seconds_of({along_x(5, 50, 500)}), 0.2, 1e-12);
+    EXPECT_NEAR(seconds_of({along_x(100, 50, 0)}), 2.0, 1e-12);
+}
+
+TEST(CycleTime, OfAMoveInPiecesIsThatOfTheWhole) {
+    const std::vector<PlannedMove> pieces(1000, along_x(0.1, 50, 500));
+    EXPECT_NEAR(seconds_of(pieces), 2.1, 1e-9);
+}
+
+TEST(CycleTime, StopsWhereTheWayReverses) {
+    PlannedMove back = along_x(100, 50, 500);
+    back.enters = back.leaves = {-1, 0, 0};
+    EXPECT_NEAR(seconds_of({along_x(100, 50, 500), back}), 4.2, 1e-12);
+    PlannedMove rapid = along_x(100, 50, 500);
+    rapid.stops = true;
+    EXPECT_NEAR(seconds_of({along_x(100, 50, 500), rapid}), 4.2, 1e-12);
+}
+
+TEST(CycleTime, SlowsDownForACornerByTheJunctionDeviation) {
+    PlannedMove up = along_x(100, 50, 500);
+    up.enters = up.leaves = {0, 1, 0};
+    const double s = std::sqrt(0.5);
+    const double v = std::sqrt(500 * 0.01 * s / (1 - s));
+    const double half = verify::trapezoid_seconds(100, 0, v, 50, 500);
+    EXPECT_NEAR(seconds_of({along_x(100, 50, 500), up}), 2 * half, 1e-12);
+    EXPECT_LT(2 * half, 4.2);
+    EXPECT_GT(2 * half, 4.0);
+}
+
+TEST(CycleTime, LimitsAreThoseOfTheAxesThatMove) {
+    verify::MachineDescription machine;
+    machine.rapid = {6000, 3000, std::nullopt};
+    machine.acceleration = {1000, 400, std::nullopt};
+    EXPECT_DOUBLE_EQ(*verify::rapid_speed_along(machine, {1, 0, 0}), 100);
+    EXPECT_DOUBLE_EQ(*verify::rapid_speed_along(machine, {0.6, 0.8, 0}), 62.5);
+    EXPECT_DOUBLE_EQ(verify::acceleration_along(machine, {0.6, 0.8, 0}), 500);
+    EXPECT_FALSE(verify::rapid_speed_along(machine, {0.6, 0, 0.8}));
+}
+
+TEST(Ledger, BalancesAndNamesWhatEachBlockTookAndHowLong) {
+    verify::Setup setup = plain_setup();
+    setup.ledger = true;
+    setup.machine.rapid = {6000, 6000, 6000};
+    setup.machine.tool_change_seconds = 4.0;
+    const auto verdict = verdict_of(
+        "G21 G90 T1 M6 S1000 M3 G0 X-30 Y0 Z5\nG0 Z-2\nG1 X30 F600\nG4 P1.5\nG1 Z-4\nG1 X-30\n",
+        setup);
+    const verify::Ledger& ledger = verdict.ledger;
+    ASSERT_EQ(ledger.rows.size(), 6U);
+    const auto& slot = ledger.rows[2];
+    EXPECT_EQ(slot.line, 3U);
+    EXPECT_DOUBLE_EQ(slot.removed_mm3, 800.0);
+    EXPECT_DOUBLE_EQ(slot.length_mm, 60.0);
+    EXPECT_NEAR(*slot.seconds, 6.0, 1e-12);
+    EXPECT_NEAR(*slot.removal_rate(), 8000.0, 1e-9);
+    EXPECT_EQ(slot.contact, (cda::Box{{-20, -5, -2}, {20, 5, 0}}));
+    EXPECT_NEAR(*ledger.rows[3].seconds, 1.5, 1e-12);
+    EXPECT_DOUBLE_EQ(ledger.rows[5].removed_mm3, 800.0);
+    EXPECT_TRUE(ledger.measured);
+    EXPECT_DOUBLE_EQ(ledger.stock_mm3, 12000.0);
+    EXPECT_DOUBLE_EQ(ledger.rest_mm3, 10400.0);
+    EXPECT_LT(ledger.imbalance(), 1e-12);
+    EXPECT_NEAR(*ledger.feed_seconds, 6.0 + 0.2 + 6.0, 1e-12);
+    EXPECT_NEAR(*ledger.other_seconds, 5.5, 1e-12);
+    EXPECT_NEAR(*ledger.rapid_seconds, 7.0 / 100, 1e-12) << "the first move has no known start";
+}
+
+TEST(Ledger, HasNoTimeWhereARateIsNotTold) {
+    verify::Setup setup = plain_setup();
+    setup.ledger = true;
+    const auto verdict =
+        verdict_of("G21 G90 T1 M6 S1000 M3 G0 X-30 Y0 Z5\nG0 Z-2\nG1 X30 F600\n", setup);
+    EXPECT_FALSE(verdict.ledger.rapid_seconds);
+    EXPECT_FALSE(verdict.ledger.other_seconds);
+    EXPECT_TRUE(verdict.ledger.feed_seconds);
+    EXPECT_FALSE(verdict.ledger.rows[1].seconds);
+}
+
+// A slot of a tool with a round end against the formula: 6 mm wide, 25 mm long, 5 mm deep, in a
+// block of 40 x 40 x 10 mm: what is left is within the chord bound of 15,108.63 mm3.
+TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
+    const cda::Box block{{0, 0, -10}, {40, 40, 0}};
+    const cda::Lattice lattice = cda::Lattice::for_stock(block);
+    cda::TreeCda part(cda::box_cell(lattice.round(block.min), lattice.round(block.max), lattice),
+                      lattice);
+    verify::Setup setup;
+    setup.ledger = true;
+    setup.accuracy.tolerance_mm = 0.001;
+    setup.tools[1].tool = toolpath::flat_end_mill(6.0, 20.0);
+    toolpath::Walk walk(lattice, block, setup.accuracy, {});
+    const double error = walk.add_tool(1, setup.tools[1].tool).error_mm();
+    verify::Verifier verifier(setup, block, lattice);
+    const gcode::SourceFile program{
+        "slot.nc", "G21 G90 T1 M6 S1 M3 F100\nG0 X7.5 Y20 Z5\nG1 Z-5\nG1 X32.5\nG0 Z5\n"};
+    const auto result = gcode::interpret(program, {}, [&](const gcode::Motion& m) {
+        verifier.begin(m);
+        walk.take(m, cda::Origin{1}, [&](const toolpath::Step& s) { verifier.cut(s, part); });
+        verifier.end();
+    });
+    const verify::Ledger ledger = verifier.finish(result, &part).ledger;
+    const double exact = 40 * 40 * 10 - 5 * (25 * 6 + 3.14159265358979324 * 9);
+    EXPECT_NEAR(exact, 15108.63, 0.005);
+    EXPECT_LE(ledger.rest_mm3, exact);
+    EXPECT_GE(ledger.rest_mm3, exact - 5 * 2 * 3.1416 * (3 + error) * error);
+    EXPECT_NEAR(ledger.rest_mm3, exact, 0.1);
+    EXPECT_LT(ledger.imbalance(), 1e-12);
+}
+
+}  // namespace
+}  // namespace ncsim::verify_test
