@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check.h"
 
+#include "check_outputs.h"
 #include "check_text.h"
 #include "checked.h"
 #include "findings.h"
+#include "output.h"
 
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <ostream>
 #include <thread>
 #include <vector>
 
@@ -47,6 +50,9 @@ void in_order(std::size_t count, unsigned jobs, const Work& work, const Done& do
 }  // namespace
 
 int run(CheckOptions options) {
+    OutputSet outputs;
+    for (const std::string& path : outputs_of(options))
+        outputs.reserve(path);
     const MachineFile machine =
         options.machine.empty() ? MachineFile{} : read_machine_file(options.machine);
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -61,8 +67,16 @@ int run(CheckOptions options) {
         [&](std::size_t i) {
             all[i] = check_program(options.programs[i], options, machine, threads);
         },
-        [&](std::size_t i) { put_out(text_of(all[i], options)); });
+        [&](std::size_t i) {
+            put_out(options.github ? github_annotations(all[i]) : text_of(all[i], options));
+        });
     if (!options.quiet && all.size() > 1) put_out(summary_of(all));
+
+    outputs.write(options.json, [&](std::ostream& out) { write_check_json(out, all); });
+    outputs.write(options.sarif, [&](std::ostream& out) { write_sarif(out, all); });
+    outputs.write(options.junit, [&](std::ostream& out) { write_junit(out, all, options); });
+    outputs.write(options.csv, [&](std::ostream& out) { write_ledger_csv(out, all); });
+    outputs.commit();
 
     int worst = kClean;
     for (const Checked& checked : all)

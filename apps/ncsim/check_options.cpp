@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <set>
 
 namespace ncsim::app {
 
@@ -97,11 +99,44 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    check->add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
+    check->add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
+        ->type_name("FILE");
+    check->add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
+        ->type_name("FILE");
+    check->add_option("--csv", o.csv, "What every block removed and took, CSV")->type_name("FILE");
+    check->add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
     check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
     check->add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
     check->add_flag("--notes", o.notes, "Show notes, too");
     check->add_flag("--quiet,-q", o.quiet, "Only findings, no verdicts and no summary");
     return check;
+}
+
+std::vector<std::string> outputs_of(const CheckOptions& o) {
+    std::vector<std::string> paths;
+    for (const std::string* path : {&o.json, &o.sarif, &o.junit, &o.csv}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    return paths;
+}
+
+void complete(const CheckOptions& o) {
+    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
+    if (!o.model.empty() && o.model != "cda") {
+        throw Refusal{"--model: programs are verified with the model cda"};
+    }
+    std::set<std::string> seen;
+    for (const std::string& path : o.programs)
+        seen.insert(std::filesystem::path(path).lexically_normal().string());
+    for (const std::string& path : outputs_of(o)) {
+        if (path.starts_with("/dev/")) continue;
+        if (!seen.insert(std::filesystem::path(path).lexically_normal().string()).second) {
+            throw Refusal{fmt::format(
+                "'{}' is named twice: an output may overwrite neither a program nor another output",
+                path)};
+        }
+    }
 }
 
 CLI::App* add_rules(CLI::App& app, RulesOptions& options) {

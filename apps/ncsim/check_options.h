@@ -12,11 +12,13 @@
 
 namespace ncsim::app {
 
-/// `program` is not used: there may be many. Empty paths: not asked for.
+/// `program`, `save_job` and `model` are not used: there may be many programs.
 struct CheckOptions : ProgramOptions, SimulationOptions {
     std::vector<std::string> programs;
     std::string machine;  ///< A machine.toml.
     verify::Selection selection;
+    std::string json, sarif, junit, csv;  ///< Files to write; empty: not asked for.
+    bool github = false;                  ///< Annotations for GitHub Actions instead of text.
     bool dog_leg = false;
     unsigned jobs = 0;  ///< Programs at a time; 0: as many as the machine has cores.
     bool exit_zero = false;
@@ -29,8 +31,14 @@ struct RulesOptions {
     bool json = false;
 };
 
+/// The paths of all files that were asked for.
+std::vector<std::string> outputs_of(const CheckOptions& options);
+
 /// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
 CLI::App* add_check(CLI::App& app, CheckOptions& options);
 CLI::App* add_rules(CLI::App& app, RulesOptions& options);
+
+/// What can be judged only when all options were read; throws Refusal.
+void complete(const CheckOptions& options);
 
 }  // namespace ncsim::app

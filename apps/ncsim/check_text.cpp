@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_text.h"
 
+#include "check_outputs.h"
 #include "findings.h"
 #include "sheet.h"
 
@@ -32,23 +33,15 @@ void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan s
     text.append(std::clamp<std::size_t>(span.length, 1, room) - 1, '~').append(1, '\n');
 }
 
-std::string file_of(const Checked& checked, const verify::Place& place) {
-    const auto& files = checked.verdict.files;
-    return place.file > 0 && place.file < files.size() ? files[place.file] : checked.path;
-}
-
 void put_finding(std::string& text, const Checked& checked, const Finding& f,
                  const std::string& line) {
     auto out = std::back_inserter(text);
-    text += file_of(checked, f.place);
+    // As it was given, so that a click in a terminal finds it.
+    text += f.place.file == 0 ? checked.path : file_of(checked, f.place);
     if (f.place.span.line > 0) {
         fmt::format_to(out, ":{}:{}", f.place.span.line, f.place.span.column);
     }
-    fmt::format_to(out, ": {}: {}", verify::name_of(f.severity), f.message);
-    if (f.quantity) fmt::format_to(out, ": {}", verify::text_of(*f.quantity));
-    if (f.certainty == verify::Certainty::Within) {
-        text += ", not certain: within the accuracy of the tool";
-    }
+    fmt::format_to(out, ": {}: {}", verify::name_of(f.severity), headline(f));
     fmt::format_to(out, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
     put_excerpt(text, line, f.place.span);
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {

@@ -62,6 +62,7 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
     setup.selection = options.selection;
     setup.suppressions = verify::Suppressions(job.program);
     setup.accuracy.tolerance_mm = options.tool_tolerance;
+    setup.ledger = !options.csv.empty();
     setup.rapid = rapid_path(options, machine.machine);
     for (const auto& [number, used] : survey.tools) {
         const auto told = machine.tools.find(number);

@@ -69,7 +69,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
             complete(tools_options);
             return tools_options;
         }
-        if (chosen() == check) return check_options;
+        if (chosen() == check) {
+            complete(check_options);
+            return check_options;
+        }
         if (chosen() == rules) return rules_options;
         complete(parse_options);
         return parse_options;

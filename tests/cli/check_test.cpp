@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 
 namespace ncsim::cli_test {
@@ -151,6 +152,64 @@ TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
         EXPECT_EQ(ran.exit_code, 2);
         EXPECT_TRUE(contains(ran.err, message)) << ran.err;
     }
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++n;
+    return n;
+}
+
+TEST(Check, WritesJUnitWithACaseARule) {
+    Folder folder;
+    folder.write("slot.nc", rapid_slot());
+    const Ran ran = folder.run({"check", "slot.nc", "missing.nc", "--junit", "a.xml", "-q"});
+    EXPECT_EQ(ran.exit_code, 2);
+    const std::string xml = folder.read("a.xml");
+    EXPECT_TRUE(contains(xml, "<testsuite name=\"slot.nc\"")) << xml;
+    EXPECT_EQ(count_of(xml, "<testcase "),
+              count_of(folder.run({"rules", "--json"}).out, "\"id\"") + 1);
+    EXPECT_EQ(count_of(xml, "<failure "), 1U);
+    EXPECT_TRUE(contains(xml, "type=\"rapid-in-material\">slot.nc:8:1: error: rapid move"));
+    EXPECT_TRUE(contains(xml, "<skipped message=\"no fixtures are told\"/>"));
+    EXPECT_TRUE(contains(xml, "<error message=\"cannot read 'missing.nc'"));
+    const std::string checked = "xmllint --noout '" + (folder.path() / "a.xml").string() + "'";
+    EXPECT_EQ(std::system(checked.c_str()), 0) << "well-formed";
+}
+
+TEST(Check, WritesALedgerThatAddsUp) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--csv", "a.csv", "--json", "a.json"}).exit_code, 0);
+    const std::string csv = folder.read("a.csv");
+    EXPECT_EQ(csv.substr(0, 13), "program,file,");
+    EXPECT_TRUE(contains(csv, "\nslot.nc,slot.nc,8,4,4,1,feed,60,800,7.2,6666.66")) << csv;
+    const std::string json = folder.read("a.json");
+    EXPECT_TRUE(contains(json, "\"rest_mm3\": 11200.0")) << json;
+    EXPECT_TRUE(contains(json, "\"removed_mm3\": 800.0"));
+}
+
+TEST(Check, AnnotatesForGitHub) {
+    Folder folder;
+    folder.write("100%, a:b.nc", rapid_slot());
+    const Ran ran = folder.run({"check", "100%, a:b.nc", "--github", "-q"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out,
+                         "::error file=100%25%2C a%3Ab.nc,line=8,col=1,title=rapid-in-material::"
+                         "rapid move through material: removed 800 mm3%0Aassumed tool"))
+        << ran.out;
+}
+
+TEST(Check, NeverOverwritesAProgram) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    for (const char* output : {"slot.nc", "./slot.nc"}) {
+        const Ran ran = folder.run({"check", "slot.nc", "--json", output});
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_TRUE(contains(ran.err, "is named twice"));
+    }
+    EXPECT_EQ(folder.read("slot.nc"), kSlot);
 }
 
 TEST(Rules, AreListedForPeopleAndForPrograms) {

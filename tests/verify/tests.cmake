@@ -5,3 +5,21 @@ ncsim_add_test(verify
     cycle_time_test.cpp
     rules_test.cpp
     verified.cpp)
+
+# JSON and SARIF: validated against their schemas, with what the lock file names.
+if(TARGET ncsim)
+  set(schema_tools ${CMAKE_CURRENT_BINARY_DIR}/verify/schemas)
+  foreach(file package.json package-lock.json validate.mjs)
+    configure_file(verify/schemas/${file} ${schema_tools}/${file} COPYONLY)
+  endforeach()
+  add_test(NAME verify.install_schema_validator
+    COMMAND npm ci --no-audit --no-fund
+    WORKING_DIRECTORY ${schema_tools})
+  set_tests_properties(verify.install_schema_validator PROPERTIES
+    FIXTURES_SETUP schema_validator TIMEOUT 300)
+  add_test(NAME verify.json_and_sarif_are_valid
+    COMMAND node validate.mjs $<TARGET_FILE:ncsim> ${PROJECT_SOURCE_DIR}
+    WORKING_DIRECTORY ${schema_tools})
+  set_tests_properties(verify.json_and_sarif_are_valid PROPERTIES
+    FIXTURES_REQUIRED schema_validator)
+endif()

@@ -45,7 +45,11 @@ std::optional<double> Clock::speed_of(const Move& move) const {
 }
 
 void Clock::take(const Move& move, std::size_t row) {
-    if (move.length_mm <= 0.0) return;
+    if (move.length_mm <= 0.0) {
+        // From a place nobody knows: of that row there is no time. The sums are of the rest.
+        if (!toolpath::has_known_start(*move.motion)) add(row, std::nullopt);
+        return;
+    }
     const bool rapid = move.motion->kind == gcode::MoveKind::Rapid;
     const auto speed = speed_of(move);
     if (!speed) {
