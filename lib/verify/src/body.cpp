@@ -103,28 +103,36 @@ Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, con
     if (!stock.overlaps(bounds(step, raise))) return meeting;
     const double rounding = rounding_of(step, lattice_);
     for (const Cell& cell : cells(step, raise, Side::Circumscribed)) {
-        const double volume =
-            part.common_volume(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
-        if (volume <= 0.0) continue;
-        meeting.volume_mm3 += volume;
+        const auto point = part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
+        if (!point) continue;
+        if (!meeting.is_there) meeting.point = point;
+        meeting.is_there = true;
         meeting.box.add(intersection(cell.bounds, stock));
     }
-    if (meeting.volume_mm3 <= 0.0) return meeting;
+    if (!meeting.is_there) return meeting;
+    const double less = step.bounds.gained_mm + rounding;
     for (const Cell& cell : cells(step, raise, Side::Inscribed)) {
-        const double less = step.bounds.gained_mm + rounding;
-        if (part.common_volume(less > 0.0 ? shrunk(cell, less, lattice_) : cell) > 0.0) {
-            meeting.certainty = Certainty::Certain;
-        }
+        const auto point = part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell);
+        if (!point) continue;
+        meeting.certainty = Certainty::Certain;
+        meeting.point = point;
     }
     return meeting;
+}
+
+double Body::common_volume(const Step& step, const cda::TreeCda& part, const Box& stock) {
+    double volume = 0.0;
+    if (!stock.overlaps(bounds(step, 0.0))) return volume;
+    for (const Cell& cell : cells(step, 0.0, Side::Circumscribed))
+        volume += part.common_volume(cell);
+    return volume;
 }
 
 double needed_raise(Body& body, const Step& step, double known, double limit,
                     const cda::TreeCda& part, const Box& stock) {
     constexpr double kStep = 0.01;  // mm: finer than anybody sets a stick-out
     const auto meets = [&](std::int64_t hundredths) {
-        return body.meet(step, kStep * static_cast<double>(hundredths), part, stock).volume_mm3 >
-               0.0;
+        return body.meet(step, kStep * static_cast<double>(hundredths), part, stock).is_there;
     };
     const auto most = static_cast<std::int64_t>(std::ceil(limit / kStep));
     auto low = static_cast<std::int64_t>(std::round(known / kStep));

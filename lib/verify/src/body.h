@@ -15,10 +15,10 @@ namespace ncsim::verify {
 
 /// What a convex body has in common with a part.
 struct Meeting {
-    double volume_mm3 = 0.0;  ///< 0: they touch at most.
+    bool is_there = false;  ///< Else they touch at most.
     Certainty certainty = Certainty::Within;
-    std::optional<cda::Vec3> point;
-    cda::Box box;  ///< Encloses it.
+    std::optional<cda::Vec3> point;  ///< In both.
+    cda::Box box;                    ///< Encloses it.
 };
 
 /// Unit vector from the tip to the spindle, in W.
@@ -43,6 +43,10 @@ public:
     /// `stock`. Certain if the inscribed polytope does, less what the motion's sampling gained.
     Meeting meet(const toolpath::Step& step, double raise, const cda::TreeCda& part,
                  const cda::Box& stock);
+
+    /// Volume (mm³) that the circumscribed sweep has in common with the part.
+    double common_volume(const toolpath::Step& step, const cda::TreeCda& part,
+                         const cda::Box& stock);
 
     /// The cells of the sweep, circumscribed or inscribed.
     std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);

@@ -42,7 +42,7 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
 
 bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     const Fixture& fixture = fixtures_[index];
-    if (fixture.mesh.triangles.empty()) return boxes_[index].common_volume(cell) > 0.0;
+    if (fixture.mesh.triangles.empty()) return boxes_[index].contact(cell).has_value();
     // The part of the cell near the mesh plays the part, the mesh the body that may meet it.
     Cell near = cell_of(grown(fixture.box, 1.0), lattice_);
     near.planes.insert(near.planes.end(), cell.planes.begin(), cell.planes.end());

@@ -3,6 +3,7 @@
 
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/tool_polytope.h"
 
 #include "air_cut.h"
 #include "body.h"
@@ -35,12 +36,26 @@ struct Watched {
     std::optional<Body> core;                   // what does not cut at the centre
     std::optional<Body> too_high;               // what cuts, but above the limit of depth
     std::optional<Body> within;                 // what cuts below it
+    std::vector<Vec3> probes_T;                 // points strictly inside the cutting pieces
     std::optional<toolpath::Cutter> inscribed;  // the cutter, for certainty
 };
 
 // A cylinder about the tool axis, from `low` to `high` mm above the tip.
 toolpath::ToolPiece cylinder(double diameter, double low, double high) {
     return {{{diameter / 2, low, 0.0}, {diameter / 2, high, 0.0}}, true};
+}
+
+// The corners of the piece's inscribed polytope, drawn in by a thousandth towards their middle.
+void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
+                const toolpath::ToolAccuracy& inscribed, std::vector<Vec3>& probes_T) {
+    const toolpath::PiecePolytope polytope = toolpath::approximate(piece, lattice, inscribed);
+    Vec3 middle;
+    for (const cda::LatticePoint& p : polytope.points_T)
+        middle = middle + lattice.to_mm(p);
+    middle =
+        (1.0 / static_cast<double>(std::max<std::size_t>(1, polytope.points_T.size()))) * middle;
+    for (const cda::LatticePoint& p : polytope.points_T)
+        probes_T.push_back(middle + 0.999 * (lattice.to_mm(p) - middle));
 }
 
 Watched watch(const ToolFacts& facts, const cda::Lattice& lattice,
@@ -62,6 +77,9 @@ Watched watch(const ToolFacts& facts, const cda::Lattice& lattice,
     toolpath::ToolAccuracy inner = accuracy;
     inner.side = toolpath::Side::Inscribed;
     w.inscribed.emplace(facts.tool, lattice, inner);
+    for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
+        if (piece.cutting) add_probes(piece, lattice, inner, w.probes_T);
+    }
     return w;
 }
 
@@ -89,6 +107,13 @@ double smallest_radius(const gcode::Arc& arc) {
         return std::sqrt(first * first + second * second);
     };
     return std::min(radius(arc.from), radius(arc.to));
+}
+
+// As most tools want it; what else is there is worth a closer look.
+bool turns_well(const gcode::Motion& motion, bool left_hand) {
+    const auto right_way =
+        left_hand ? gcode::SpindleTurning::Counterclockwise : gcode::SpindleTurning::Clockwise;
+    return motion.spindle == right_way && motion.spindle_rpm > 0.0;
 }
 
 bool goes_straight_down(const Step& step) {
@@ -150,7 +175,8 @@ public:
         now_ = watched == watched_.end() ? nullptr : &watched->second;
         move_.is_traced = now_ && toolpath::has_known_start(motion);
         move_.asked = move_.is_traced && asks(motion);
-        move_.volume_known = move_.asked && (volumes_ || motion.kind == MoveKind::Rapid);
+        move_.volume_known = move_.asked && (volumes_ || motion.kind == MoveKind::Rapid ||
+                                             !turns_well(motion, is_left_handed(motion.tool)));
     }
 
     double cut(const Step& step, cda::TreeCda& part) {
@@ -161,6 +187,9 @@ public:
         const bool depth_asked =
             now_->too_high && asked("depth-limit") && move_.motion->kind == MoveKind::Feed;
         if (depth_asked) meet_too_high(step, part, up);
+        // One step that meets material answers for its motion.
+        met_ = move_.asked && !move_.volume_known && move_.motion->kind == MoveKind::Feed &&
+               !step.cells.empty() && (move_.meets_material || find_material(step, part));
         double removed = 0.0;
         for (const Cell& cell : step.cells)
             removed += take_away(cell, step, part);
@@ -232,9 +261,13 @@ private:
             case MoveKind::Probe: return volumes_;
             case MoveKind::Feed: break;
         }
-        const bool turns_well =
-            motion.spindle == gcode::SpindleTurning::Clockwise && motion.spindle_rpm > 0.0;
-        return contacts_ || (!turns_well && (asked("spindle-off") || asked("spindle-reversed")));
+        return contacts_ || (!turns_well(motion, is_left_handed(motion.tool)) &&
+                             (asked("spindle-off") || asked("spindle-reversed")));
+    }
+
+    bool is_left_handed(int tool) const {
+        const ToolFacts* facts = facts_of(setup_, tool);
+        return facts && facts->left_hand;
     }
 
     void measure_path(const gcode::Motion& motion, const gcode::Position& from,
@@ -281,44 +314,93 @@ private:
     }
 
     double take_away(const Cell& cell, const Step& step, cda::TreeCda& part) {
-        if (!move_.asked) {
+        if (!move_.asked || met_) {
+            if (met_) move_.contact.add(intersection(cell.bounds, stock_));
             part.subtract_unmeasured(cell);
             return 0.0;
         }
+        return move_.motion->kind == MoveKind::Rapid ? take_rapidly(cell, step, part)
+                                                     : carve(cell, part);
+    }
+
+    double carve(const Cell& cell, cda::TreeCda& part) {
         double volume = 0.0;
-        if (move_.motion->kind == MoveKind::Rapid) {
-            const double rounding = rounding_of(step, lattice_);
-            volume = part.common_volume(cell);
-            if (volume > 0.0 && rounding > 0.0 &&
-                part.common_volume(shrunk(cell, rounding, lattice_)) <= 0.0) {
-                // In the books, but no contact: it is where the cutter was before.
-                move_.removed_mm3 += volume;
-                part.subtract_unmeasured(cell);
-                return volume;
-            }
-            if (volume > 0.0) ask_certainty(step, part);
-            part.subtract_unmeasured(cell);
-        } else {
+        std::optional<Vec3> point;
+        if (move_.volume_known) {
             volume = part.subtract(cell);
+            if (volume <= 0.0) return 0.0;
+        } else {
+            point = part.contact(cell);
+            part.subtract_unmeasured(cell);
+            if (!point) return 0.0;
         }
-        if (volume <= 0.0) return 0.0;
-        move_.meets_material = true;
-        move_.volume_known = true;
-        move_.removed_mm3 += volume;
-        move_.contact.add(intersection(cell.bounds, stock_));
+        meet_material(cell, volume, point);
         return volume;
     }
 
-    // Before the cutter has taken it away.
-    void ask_certainty(const Step& step, const cda::TreeCda& part) {
+    // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
+    double take_rapidly(const Cell& cell, const Step& step, cda::TreeCda& part) {
+        std::optional<Vec3> point = part.contact(cell);
+        if (!point) return 0.0;  // it would change nothing
+        const double volume = part.common_volume(cell);
+        const double rounding = rounding_of(step, lattice_);
+        if (rounding > 0.0 && !part.contact(shrunk(cell, rounding, lattice_))) {
+            move_.removed_mm3 += volume;  // in the books; but it is where the cutter was before
+        } else {
+            ask_certainty(step, part, point);
+            meet_material(cell, volume, point);
+        }
+        part.subtract_unmeasured(cell);
+        return volume;
+    }
+
+    // Looks for material around points inside the tool, those in front first: most feed moves cut,
+    // and the corners of a tetrahedron of a unit's size, well within the tool, that are all in the
+    // part tell so. (One point would not do: the part of an aggregate contains the walls without
+    // thickness between two cuts that touch. They are flat, the corners are not.) Where none is
+    // found, contact() of the whole sweep has to tell.
+    bool find_material(const Step& step, const cda::TreeCda& part) {
+        if (step.X_WA.rows != step.X_WB.rows) return false;
+        const Vec3 way = step.X_WB.translation - step.X_WA.translation;
+        for (const double t : {1.0, 0.5, 0.25, 0.75}) {
+            toolpath::Pose pose = step.X_WA;
+            pose.translation = pose.translation + t * way;
+            for (const Vec3& p_T : now_->probes_T) {
+                const Vec3 p_W = pose * p_T;
+                if (dot(p_W - pose.translation, way) < 0.0 || !stock_.contains(p_W)) continue;
+                const double u = lattice_.unit_mm;
+                const Vec3 corners[] = {p_W, p_W + Vec3{1.3 * u, 0.4 * u, 0.7 * u},
+                                        p_W + Vec3{-0.6 * u, 1.1 * u, -0.9 * u},
+                                        p_W + Vec3{0.2 * u, -1.4 * u, 0.5 * u}};
+                if (!std::ranges::all_of(corners, [&](Vec3 p) { return part.contains(p); })) {
+                    continue;
+                }
+                move_.meets_material = true;
+                if (!move_.contact_point) move_.contact_point = p_W;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void meet_material(const Cell& cell, double volume, const std::optional<Vec3>& point) {
+        move_.meets_material = true;
+        move_.removed_mm3 += volume;
+        move_.contact.add(intersection(cell.bounds, stock_));
+        if (!move_.contact_point) move_.contact_point = point;
+    }
+
+    // Before the cutter has taken it away. Moves `point` into the inscribed tool, if it meets.
+    void ask_certainty(const Step& step, const cda::TreeCda& part, std::optional<Vec3>& point) {
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
         now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_);
         const double less = step.bounds.gained_mm + rounding_of(step, lattice_);
         for (const Cell& cell : cells_) {
-            if (part.common_volume(less > 0.0 ? shrunk(cell, less, lattice_) : cell) > 0.0) {
-                move_.certainty = Certainty::Certain;
-            }
+            const auto inside = part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell);
+            if (!inside) continue;
+            move_.certainty = Certainty::Certain;
+            point = inside;
         }
     }
 
@@ -326,18 +408,17 @@ private:
         if (!asked("non-cutting-contact")) return;
         for (Watched::Part& watched : now_->bodies) {
             const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
-            if (meeting.volume_mm3 <= 0.0) continue;
+            if (!meeting.is_there) continue;
             const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
-            if (watched.body.meet(step, watched.raise_mm, part, stock_).volume_mm3 > 0.0) {
+            if (watched.body.meet(step, watched.raise_mm, part, stock_).is_there) {
                 watched.raise_mm =
                     needed_raise(watched.body, step, watched.raise_mm, limit, part, stock_);
             }
             auto old = std::ranges::find(move_.bodies, watched.piece, &BodyContact::piece);
             if (old == move_.bodies.end()) {
-                move_.bodies.push_back({watched.piece, 0.0, Certainty::Within, 0.0, {}, {}});
+                move_.bodies.push_back({watched.piece, Certainty::Within, 0.0, {}, {}});
                 old = move_.bodies.end() - 1;
             }
-            old->volume_mm3 += meeting.volume_mm3;
             old->raise_mm = watched.raise_mm;
             old->box.add(meeting.box);
             if (!old->point) old->point = meeting.point;
@@ -348,7 +429,8 @@ private:
     void meet_core(const Step& step, const cda::TreeCda& part) {
         if (!now_->core || move_.motion->kind != MoveKind::Feed) return;
         const Meeting meeting = now_->core->meet(step, 0.0, part, stock_);
-        move_.blind_mm3 += meeting.volume_mm3;
+        if (!meeting.is_there) return;
+        move_.blind_mm3 += now_->core->common_volume(step, part, stock_);
         move_.contact.add(meeting.box);
     }
 
@@ -356,11 +438,7 @@ private:
     void meet_too_high(const Step& step, cda::TreeCda& part, bool up) {
         if (!up) {
             for (const Cell& cell : now_->within->cells(step, 0.0, toolpath::Side::Inscribed)) {
-                if (stock_.overlaps(cell.bounds)) {
-                    const double volume = move_.asked ? part.subtract(cell) : 0.0;
-                    if (!move_.asked) part.subtract_unmeasured(cell);
-                    if (volume > 0.0) move_.removed_mm3 += volume, move_.meets_material = true;
-                }
+                if (stock_.overlaps(cell.bounds)) carve(cell, part);
             }
         }
         if (now_->too_high->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return;
@@ -429,6 +507,7 @@ private:
     std::uint64_t motions_ = 0;
     Move move_;
     Watched* now_ = nullptr;
+    bool met_ = false;         // this step meets material; nobody asks how much
     std::vector<Cell> cells_;  // kept for its memory
     AirCuts air_;
     Ledger ledger_;

@@ -18,7 +18,6 @@ namespace ncsim::verify {
 /// A piece of the tool that does not cut, and the material it meets.
 struct BodyContact {
     std::size_t piece = 0;  ///< Index into Tool::pieces.
-    double volume_mm3 = 0.0;
     Certainty certainty = Certainty::Within;
     /// The least by which the piece would have to sit higher on the tool not to meet material in
     /// any motion so far, rounded up to 0.01 mm.
