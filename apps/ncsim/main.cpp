@@ -2,6 +2,7 @@
 //
 // The ncsim program: argv in, an exit code out, and the one place that catches exceptions.
 #include "check.h"
+#include "diff.h"
 #include "options.h"
 #include "run.h"
 

@@ -51,6 +51,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     CheckOptions check_options;
     CLI::App* check = add_check(app, check_options);
     check->footer(footer("ncsim check samples/simple.nc samples/complex.nc"));
+    DiffOptions diff_options;
+    CLI::App* diff = add_diff(app, diff_options);
+    diff->footer(footer("ncsim diff old.nc new.nc --tol 0.01"));
     RulesOptions rules_options;
     CLI::App* rules = add_rules(app, rules_options);
 
@@ -72,6 +75,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         if (chosen() == check) {
             complete(check_options);
             return check_options;
+        }
+        if (chosen() == diff) {
+            complete(diff_options);
+            return diff_options;
         }
         if (chosen() == rules) return rules_options;
         complete(parse_options);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "check_options.h"
+#include "diff.h"
 #include "parse_command.h"
 #include "run_options.h"
 #include "tools_command.h"
@@ -23,7 +24,7 @@ struct Farewell {
 
 /// What can be asked for: for each command its options. For each of them there is a run().
 using Command =
-    std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, RulesOptions, Farewell>;
+    std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, DiffOptions, RulesOptions, Farewell>;
 
 /// Total: any arguments give one of them.
 Command parse_options(const std::vector<std::string>& arguments);

@@ -145,6 +145,7 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
     result.part =
         prototype(job.options)->create(cda::box_cell(min, max, result.lattice), result.lattice);
     result.stock_volume = result.part->volume();
+    if (verification.start) result.part = verification.start->clone();
 
     Mill mill(job, survey, verification, result);
     std::uint64_t moves = 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/lattice.h"
+#include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/provenance.h"
 #include "ncsim/toolpath/sampler.h"
@@ -57,6 +58,8 @@ struct Verification {
     /// Sees every motion and does the cutting; null: nothing is verified. Needs the model "cda".
     verify::Verifier* verifier = nullptr;
     toolpath::RapidPath rapid;
+    /// What is cut; null: the whole block. On the lattice of the block.
+    const cda::TreeCda* start = nullptr;
 };
 
 /// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may

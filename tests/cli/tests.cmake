@@ -6,6 +6,7 @@ if(TARGET ncsim)
     SOURCES
       bad_input_test.cpp
       check_test.cpp
+      diff_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/verify/region.h"
+
+#include <algorithm>
+
+namespace ncsim::verify {
+
+namespace {
+
+void absorb(Region& into, Region& from) {
+    into.volume_mm3 += from.volume_mm3;
+    into.box.add(from.box);
+    into.lines.insert(into.lines.end(), from.lines.begin(), from.lines.end());
+}
+
+// A box that has grown may reach others that were apart from it.
+void add_row(std::vector<Region>& regions, Region row) {
+    for (std::size_t i = 0; i < regions.size();) {
+        if (!regions[i].box.overlaps(row.box)) {
+            ++i;
+            continue;
+        }
+        absorb(regions[i], row);
+        row = std::move(regions[i]);
+        regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(i));
+        i = 0;
+    }
+    regions.push_back(std::move(row));
+}
+
+void tidy(std::vector<LineRange>& lines) {
+    std::ranges::sort(lines, {}, [](const LineRange& r) { return std::pair(r.file, r.first); });
+    std::vector<LineRange> merged;
+    for (const LineRange& r : lines) {
+        if (!merged.empty() && merged.back().file == r.file && r.first <= merged.back().last + 1) {
+            merged.back().last = std::max(merged.back().last, r.last);
+        } else {
+            merged.push_back(r);
+        }
+    }
+    lines = std::move(merged);
+}
+
+}  // namespace
+
+std::vector<Region> regions_of(const Ledger& ledger) {
+    std::vector<Region> regions;
+    for (const LedgerRow& row : ledger.rows) {
+        if (row.removed_mm3 <= 0.0) continue;
+        add_row(regions, {row.removed_mm3, row.contact, {{row.file, row.line, row.line}}});
+    }
+    for (Region& region : regions)
+        tidy(region.lines);
+    std::ranges::stable_sort(regions, std::ranges::greater{}, &Region::volume_mm3);
+    return regions;
+}
+
+}  // namespace ncsim::verify

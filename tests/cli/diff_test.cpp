@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+std::string replaced(const std::string& from, const std::string& to) {
+    std::string text(kSlot);
+    return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Diff, OfAProgramWithItselfIsNothing) {
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    folder.write("b.nc", std::string("(another remark)\n") + kSlot);
+    const Ran ran = folder.run({"diff", "a.nc", "b.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("the same motions"), std::string::npos) << ran.out;
+}
+
+TEST(Diff, SeesOnlyTheResult) {
+    // The same slot from the other side and in two steps.
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    folder.write("b.nc", replaced("G1 X30. F500.", "G1 X-1. F500.\nG0 Z5.\nX30.\nZ-2.\nG1 X-1."));
+    const Ran ran = folder.run({"diff", "a.nc", "b.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out;
+    EXPECT_NE(ran.out.find("only in a.nc: 0 mm3"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("the same part"), std::string::npos);
+}
+
+TEST(Diff, TellsVolumesPlacesAndLines) {
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    // Half a millimetre deeper, but only 30 of the 40 mm.
+    folder.write("b.nc", replaced("G0 Z-2.\nG1 X30. F500.", "G0 Z-2.5\nG1 X5. F500."));
+    const Ran ran = folder.run({"diff", "a.nc", "b.nc", "--json", "d.json"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    const json d = json::parse(folder.read("d.json"));
+    EXPECT_EQ(d["differs"], true);
+    const double only_old = d["only_in_old"]["volume_mm3"];
+    const double only_new = d["only_in_new"]["volume_mm3"];
+    EXPECT_DOUBLE_EQ(d["old_mm3"], 11200.0);
+    EXPECT_NEAR(only_old - only_new, 11200.0 - double(d["new_mm3"]), 1e-6);
+    // Under the slot from X-20 to the round end at X5 to X10.
+    EXPECT_GT(only_old, 25 * 10 * 0.5);
+    EXPECT_LT(only_old, 30 * 10 * 0.5);
+    ASSERT_EQ(d["only_in_old"]["regions"].size(), 1U);
+    EXPECT_EQ(d["only_in_old"]["regions"][0]["lines"],
+              json::parse(R"([{"file": "b.nc", "first": 8, "last": 8}])"));
+    EXPECT_EQ(d["only_in_new"]["regions"][0]["lines"][0]["file"], "a.nc");
+    EXPECT_EQ(d["only_in_new"]["regions"][0]["lines"][0]["first"], 8);
+    EXPECT_NE(ran.out.find("cut by b.nc:8"), std::string::npos) << ran.out;
+}
+
+TEST(Diff, LetsATolerancePass) {
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    folder.write("b.nc", replaced("G0 Z-2.\n", "G0 Z-2.001\n"));
+    // 40 x 10 x 0.001
+    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--tol", "0.39"}).exit_code, 1);
+    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--tol", "0.41"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "-q"}).out, "");
+}
+
+TEST(Diff, OfDifferentBlocksIsADifference) {
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    folder.write("b.nc", replaced("40.,30.,10.,20.", "41.,30.,10.,20."));
+    const Ran ran = folder.run({"diff", "a.nc", "b.nc"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.out.find("the blocks differ"), std::string::npos) << ran.out;
+    EXPECT_EQ(folder.run({"diff", "a.nc", "b.nc", "--stock", "40x30x10"}).exit_code, 0);
+}
+
+TEST(Diff, OfWhatCannotBeCutFails) {
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    folder.write("b.nc", "G21 G90\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F10\nM30\n");
+    const Ran ran = folder.run({"diff", "a.nc", "b.nc"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.err.find("tool 7 is not described"), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.run({"diff", "a.nc", "missing.nc"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"diff", "a.nc"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
