@@ -6,6 +6,7 @@
 #include "checked.h"
 #include "findings.h"
 #include "output.h"
+#include "page.h"
 
 #include <algorithm>
 #include <atomic>
@@ -76,6 +77,7 @@ int run(CheckOptions options) {
     outputs.write(options.sarif, [&](std::ostream& out) { write_sarif(out, all); });
     outputs.write(options.junit, [&](std::ostream& out) { write_junit(out, all, options); });
     outputs.write(options.csv, [&](std::ostream& out) { write_ledger_csv(out, all); });
+    outputs.write(options.html, [&](std::ostream& out) { write_page(out, all.front()); });
     outputs.commit();
 
     int worst = kClean;

@@ -105,6 +105,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
         ->type_name("FILE");
     check->add_option("--csv", o.csv, "What every block removed and took, CSV")->type_name("FILE");
+    check->add_option("--html", o.html, "A page about one program, with the part to turn")
+        ->type_name("FILE");
     check->add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
     check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
     check->add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
@@ -115,7 +117,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
 
 std::vector<std::string> outputs_of(const CheckOptions& o) {
     std::vector<std::string> paths;
-    for (const std::string* path : {&o.json, &o.sarif, &o.junit, &o.csv}) {
+    for (const std::string* path : {&o.json, &o.sarif, &o.junit, &o.csv, &o.html}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -125,6 +127,9 @@ void complete(const CheckOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     if (!o.model.empty() && o.model != "cda") {
         throw Refusal{"--model: programs are verified with the model cda"};
+    }
+    if (!o.html.empty() && o.programs.size() > 1) {
+        throw Refusal{"--html: a page is about one program"};
     }
     std::set<std::string> seen;
     for (const std::string& path : o.programs)

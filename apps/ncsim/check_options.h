@@ -17,8 +17,8 @@ struct CheckOptions : ProgramOptions, SimulationOptions {
     std::vector<std::string> programs;
     std::string machine;  ///< A machine.toml.
     verify::Selection selection;
-    std::string json, sarif, junit, csv;  ///< Files to write; empty: not asked for.
-    bool github = false;                  ///< Annotations for GitHub Actions instead of text.
+    std::string json, sarif, junit, csv, html;  ///< Files to write; empty: not asked for.
+    bool github = false;                        ///< Annotations for GitHub Actions instead of text.
     bool dog_leg = false;
     unsigned jobs = 0;  ///< Programs at a time; 0: as many as the machine has cores.
     bool exit_zero = false;

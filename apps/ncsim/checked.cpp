@@ -2,6 +2,9 @@
 #include "checked.h"
 
 #include "ncsim/cda/tree.h"
+#include "ncsim/export/camera.h"
+#include "ncsim/export/png.h"
+#include "ncsim/export/render.h"
 #include "ncsim/verify/verifier.h"
 
 #include "job.h"
@@ -14,6 +17,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 namespace ncsim::app {
@@ -62,7 +66,7 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
     setup.selection = options.selection;
     setup.suppressions = verify::Suppressions(job.program);
     setup.accuracy.tolerance_mm = options.tool_tolerance;
-    setup.ledger = !options.csv.empty();
+    setup.ledger = !options.csv.empty() || !options.html.empty();
     setup.rapid = rapid_path(options, machine.machine);
     for (const auto& [number, used] : survey.tools) {
         const auto told = machine.tools.find(number);
@@ -84,6 +88,28 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
             "machine zero {:g} mm above the program zero, since no machine tells it", kHomeHeight);
     }
     return setup;
+}
+
+Look look_at(const Survey& survey, const Simulation& simulation) {
+    Look look;
+    const cda::Boundary boundary = simulation.part->boundary();
+    look.mesh = cda::triangulate(boundary);
+    for (const std::uint32_t face : look.mesh.face)
+        look.lines.push_back(simulation.provenance.of(boundary.faces[face].origin).nc_line);
+    exporter::RenderOptions render;
+    render.width = 800;
+    render.height = 600;
+    render.colouring = exporter::Colouring::Tool;
+    using exporter::View;
+    for (const auto& [name, view] :
+         {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
+        render.camera = exporter::fit_camera(survey.stock->box, view, 4 / 3.0);
+        std::ostringstream png;
+        exporter::write_png(png,
+                            exporter::render_boundary(boundary, simulation.provenance, render));
+        look.pictures.emplace_back(name, png.str());
+    }
+    return look;
 }
 
 void verify_program(Checked& checked, Job job, const CheckOptions& options,
@@ -117,12 +143,17 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         const Simulation simulation = simulate(job, survey, {&verifier, rapid}, {});
         const auto* part = dynamic_cast<const cda::TreeCda*>(simulation.part.get());
         checked.verdict = verifier.finish(survey.interpretation, part);
+        if (!options.html.empty()) checked.look = look_at(survey, simulation);
     } else {
         gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
             verifier.begin(motion);
             verifier.end();
         });
         checked.verdict = verifier.finish(survey.interpretation, nullptr);
+    }
+    if (!options.html.empty()) {
+        if (!checked.look) checked.look.emplace();
+        checked.look->source = job.program.text;
     }
     for (const verify::Finding& f : checked.verdict.findings) {
         std::string line;

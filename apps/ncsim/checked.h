@@ -3,17 +3,28 @@
 // One program, verified: from a path to a verdict, whatever is wrong with it.
 #pragma once
 
+#include "ncsim/cda/mesh.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/verdict.h"
 
 #include "check_options.h"
 #include "machine_file.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::app {
+
+/// What a page shows beside the verdict.
+struct Look {
+    std::string source;                ///< The program.
+    cda::TriangleMesh mesh;            ///< Of the part; empty if nothing was simulated.
+    std::vector<std::uint32_t> lines;  ///< For each triangle the line that cut it; 0: the stock.
+    std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
+};
 
 struct Checked {
     std::string path;  ///< As given on the command line.
@@ -27,6 +38,7 @@ struct Checked {
     std::string not_simulated;  ///< Why not.
     std::string stock;          ///< What it was verified against, in words.
     std::uint64_t moves = 0;
+    std::optional<Look> look;  ///< Only where a page was asked for.
 };
 
 /// Reads and verifies `path`. Never throws: what is wrong is in the result. The result depends on

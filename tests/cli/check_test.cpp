@@ -201,6 +201,20 @@ TEST(Check, AnnotatesForGitHub) {
         << ran.out;
 }
 
+TEST(Check, MakesTheSamePageForAnyNumberOfThreads) {
+    Folder folder;
+    folder.write("slot.nc", rapid_slot());
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--html", "a.html", "--threads", "1"}).exit_code, 1);
+    folder.run({"check", "slot.nc", "--html", "b.html", "--threads", "3"});
+    const std::string page = folder.read("a.html");
+    EXPECT_EQ(page, folder.read("b.html"));
+    EXPECT_EQ(page.substr(0, 15), "<!DOCTYPE html>");
+    EXPECT_TRUE(contains(page, "rapid move through material: removed 800 mm3"));
+    EXPECT_EQ(folder.run({"check", "slot.nc", "slot.nc", "--html", "a.html"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"check", "none.nc", "--html", "c.html"}).exit_code, 2);
+    EXPECT_TRUE(contains(folder.read("c.html"), "not verified: cannot read"));
+}
+
 TEST(Check, NeverOverwritesAProgram) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -17,3 +17,22 @@ if(TARGET ncsim)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
   add_dependencies(ncsim_cli_tests ncsim)
 endif()
+
+# The page of ncsim check, used in a browser as its readers do.
+if(TARGET ncsim AND NCSIM_THREE_JS)
+  find_program(NCSIM_CHROMIUM chromium)
+  set(page_tools ${CMAKE_CURRENT_BINARY_DIR}/cli/page)
+  foreach(file package.json package-lock.json page.mjs)
+    configure_file(cli/page/${file} ${page_tools}/${file} COPYONLY)
+  endforeach()
+  add_test(NAME cli.install_browser_driver
+    COMMAND npm ci --no-audit --no-fund
+    WORKING_DIRECTORY ${page_tools})
+  set_tests_properties(cli.install_browser_driver PROPERTIES
+    FIXTURES_SETUP browser_driver TIMEOUT 300)
+  add_test(NAME cli.a_click_on_a_face_selects_its_line
+    COMMAND node page.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM}
+    WORKING_DIRECTORY ${page_tools})
+  set_tests_properties(cli.a_click_on_a_face_selects_its_line PROPERTIES
+    FIXTURES_REQUIRED browser_driver TIMEOUT 120)
+endif()

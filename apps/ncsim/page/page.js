@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page of one program: the part in three dimensions, each face linked with the line that cut
+// it, and the lines with their faces.
+"use strict";
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const lines = data.source;
+const picked = document.getElementById("picked");
+let selected = 0;
+let view = null;
+
+function bytes(text, Type) {
+  const raw = atob(text);
+  const out = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i += 1) out[i] = raw.charCodeAt(i);
+  return new Type(out.buffer);
+}
+
+// --- Source -------------------------------------------------------------------------------------
+
+const box = document.getElementById("source");
+const kWindow = 1500;  // lines shown at a time
+let first = 1;
+
+function showSource(from) {
+  first = Math.max(1, Math.min(from, lines.length - kWindow + 1));
+  const rows = document.createDocumentFragment();
+  for (let n = first; n < first + kWindow && n <= lines.length; n += 1) {
+    const row = document.createElement("div");
+    const number = document.createElement("i");
+    number.textContent = n;
+    row.append(number, lines[n - 1] || " ");
+    row.dataset.line = n;
+    if (data.marks[n]) row.className = data.marks[n];
+    rows.append(row);
+  }
+  box.replaceChildren(rows);
+}
+
+function rowOf(n) { return box.querySelector(`[data-line="${n}"]`); }
+
+function select(n, scroll = true) {
+  const old = rowOf(selected);
+  if (old) old.classList.remove("selected");
+  selected = n;
+  if (n > 0) {
+    if (!rowOf(n)) showSource(n - Math.floor(kWindow / 2));
+    const row = rowOf(n);
+    if (row) {
+      row.classList.add("selected");
+      if (scroll) row.scrollIntoView({ block: "center" });
+    }
+  }
+  picked.replaceChildren();
+  if (n > 0) {
+    const strong = document.createElement("b");
+    strong.textContent = `line ${n}`;
+    const removed = data.removed[n];
+    picked.append(strong, `  ${lines[n - 1] || ""}`,
+      removed === undefined ? "" : `  — removed ${removed} mm³`);
+  } else {
+    picked.textContent = "uncut stock";
+  }
+  if (view) view.highlight(n);
+}
+
+box.addEventListener("click", (event) => {
+  const row = event.target.closest("[data-line]");
+  if (row) select(Number(row.dataset.line), false);
+});
+for (const finding of document.querySelectorAll(".finding[data-line]")) {
+  finding.addEventListener("click", () => select(Number(finding.dataset.line)));
+}
+showSource(1);
+
+// --- The part -----------------------------------------------------------------------------------
+
+function makeView(holder, mesh) {
+  const corners = bytes(mesh.vertices, Float32Array);
+  const index = bytes(mesh.triangles, Uint32Array);
+  const lineOf = bytes(mesh.lines, Uint32Array);
+  const count = index.length / 3;
+  const positions = new Float32Array(9 * count);
+  for (let i = 0; i < index.length; i += 1) {
+    positions.set(corners.subarray(3 * index[i], 3 * index[i] + 3), 3 * i);
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+  const colours = new THREE.BufferAttribute(new Float32Array(9 * count), 3);
+  geometry.setAttribute("color", colours);
+  geometry.computeVertexNormals();  // nothing is shared, so they are those of the faces
+  geometry.computeBoundingSphere();
+
+  const kStock = [0.72, 0.75, 0.79], kCut = [0.33, 0.58, 0.84], kChosen = [0.98, 0.52, 0.12];
+  const kFault = [0.86, 0.20, 0.20];
+  function paint(chosen) {
+    for (let t = 0; t < count; t += 1) {
+      const line = lineOf[t];
+      let colour = line === 0 ? kStock : kCut;
+      if (data.marks[line] === "error") colour = kFault;
+      if (line === chosen && line > 0) colour = kChosen;
+      for (let v = 0; v < 3; v += 1) colours.array.set(colour, 9 * t + 3 * v);
+    }
+    colours.needsUpdate = true;
+  }
+
+  const scene = new THREE.Scene();
+  scene.background = new THREE.Color(0xeef1f4);
+  const part = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors }));
+  scene.add(part);
+  const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 20),
+    new THREE.LineBasicMaterial({ color: 0x31404f }));
+  scene.add(edges);
+  scene.add(new THREE.HemisphereLight(0xffffff, 0x8a96a3, 0.75));
+  const lamp = new THREE.DirectionalLight(0xffffff, 0.55);
+  scene.add(lamp);
+
+  const sphere = geometry.boundingSphere;
+  const camera = new THREE.PerspectiveCamera(35, 1, sphere.radius / 100, sphere.radius * 100);
+  camera.up.set(0, 0, 1);
+  const target = sphere.center.clone();
+  let azimuth = -Math.PI / 3, height = Math.PI / 5, distance = 3.6 * sphere.radius;
+
+  const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+  renderer.setPixelRatio(window.devicePixelRatio);
+  holder.append(renderer.domElement);
+
+  function draw() {
+    const width = holder.clientWidth, tall = holder.clientHeight;
+    renderer.setSize(width, tall, false);
+    camera.aspect = width / tall;
+    camera.position.set(
+      target.x + distance * Math.cos(height) * Math.cos(azimuth),
+      target.y + distance * Math.cos(height) * Math.sin(azimuth),
+      target.z + distance * Math.sin(height));
+    camera.lookAt(target);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    lamp.position.copy(camera.position).add(new THREE.Vector3(0, 0, sphere.radius));
+    renderer.render(scene, camera);
+  }
+
+  function pick(x, y) {
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2(2 * x / holder.clientWidth - 1,
+      1 - 2 * y / holder.clientHeight), camera);
+    const hits = ray.intersectObject(part);
+    return hits.length > 0 ? lineOf[hits[0].faceIndex] : null;
+  }
+
+  // Left: turn, right or shift: move, wheel: nearer.
+  let drag = null;
+  const canvas = renderer.domElement;
+  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+  canvas.addEventListener("pointerdown", (event) => {
+    drag = { x: event.clientX, y: event.clientY, moved: 0, pan: event.button === 2 || event.shiftKey };
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (!drag) return;
+    const dx = event.clientX - drag.x, dy = event.clientY - drag.y;
+    drag.x = event.clientX;
+    drag.y = event.clientY;
+    drag.moved += Math.abs(dx) + Math.abs(dy);
+    if (drag.pan) {
+      const step = distance / holder.clientHeight;
+      const right = new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
+      const up = new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
+      target.addScaledVector(right, -dx * step).addScaledVector(up, dy * step);
+    } else {
+      azimuth -= dx / 150;
+      height = Math.max(-1.55, Math.min(1.55, height + dy / 150));
+    }
+    draw();
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    const was = drag;
+    drag = null;
+    if (!was || was.moved > 4) return;
+    const frame = canvas.getBoundingClientRect();
+    const line = pick(event.clientX - frame.left, event.clientY - frame.top);
+    if (line !== null) select(line);
+  });
+  canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    distance *= Math.exp(event.deltaY / 800);
+    draw();
+  }, { passive: false });
+  window.addEventListener("resize", draw);
+
+  paint(0);
+  draw();
+  return {
+    highlight(line) { paint(line); draw(); },
+    // Where a point of the part is on the page: for tests and for those who script it.
+    project(x, y, z) {
+      const p = new THREE.Vector3(x, y, z).project(camera);
+      const frame = canvas.getBoundingClientRect();
+      return { x: frame.left + (p.x + 1) / 2 * frame.width, y: frame.top + (1 - p.y) / 2 * frame.height };
+    },
+    triangles: count,
+  };
+}
+
+const holder = document.getElementById("view");
+if (holder && data.mesh) {
+  try {
+    view = makeView(holder, data.mesh);
+    picked.textContent = "Click a face to see the line that cut it, or a line to see its faces.";
+  } catch (error) {
+    picked.textContent = `No view of the part here: ${error.message}`;
+  }
+}
+window.ncsim = { select, view, selected: () => selected };

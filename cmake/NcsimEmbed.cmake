@@ -1,0 +1,13 @@
+# ncsim_embed(<target> <name> <file>): <file> becomes part of <target> as
+#     extern const std::string_view <name>;   (namespace ncsim::app)
+# Made anew when the file changes.
+function(ncsim_embed target name file)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.cpp)
+  add_custom_command(OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -D NAME=${name} -D INPUT=${file} -D OUTPUT=${source}
+      -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${file} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    COMMENT "Embedding ${file}"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${source})
+endfunction()

@@ -1,0 +1,13 @@
+# cmake -D NAME=… -D INPUT=… -D OUTPUT=… -P embed.cmake: a file as an array of bytes.
+file(READ ${INPUT} bytes HEX)
+string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${bytes}")
+file(WRITE ${OUTPUT} "// Generated from ${INPUT}.
+#include <string_view>
+namespace ncsim::app {
+namespace {
+const char kBytes[] = {${bytes} 0};
+}
+extern const std::string_view ${NAME};
+const std::string_view ${NAME}(kBytes, sizeof kBytes - 1);
+}  // namespace ncsim::app
+")
