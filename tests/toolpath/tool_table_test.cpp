@@ -61,6 +61,10 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"Tool 8 = .250 Vee bit", "T8 v-cutter D0.25 L50"},
         {"Tool change - D = 2.0 mm  type BALL flutes 2", "T1 ball end mill D2 L50"},
         {"End mill 3mm", "T1 flat end mill D3 L50"},
+        {"tool#=1 flute=6 len=20 unit=metric", "T1 flat end mill D6 L20"},
+        {"tool#=2 flute=0.25 len=1 unit=imperial", "T2 flat end mill D6.35 L25.4"},
+        {"DIAMETER: 6.0", "T1 flat end mill D6 L50"},
+        {"Change tool: End mill 3mm", "T1 flat end mill D3 L50"},
         // None of these is a tool.
         {"", "nothing"},
         {"drill 4 holes", "nothing"},
@@ -69,6 +73,10 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"STOCK 100 x 50 mm", "nothing"},
         {"Tool change", "nothing"},
         {"tool.jetDiameter = 1.5", "nothing"},
+        {"Tool Holder Diameter: 40", "nothing"},
+        {"TIP RADIUS: 0.5", "nothing"},
+        {"DIAMETER: about 6", "nothing"},
+        {"tool#=1 flute=0", "nothing"},
         {"TOOL/MILL,0,0,0,0", "nothing"},
         {"TOOL/CRMILL,1,2,3,4,5", "nothing"},
     };
@@ -134,6 +142,56 @@ TEST(ToolComments, RememberWhereTheyStand) {
     EXPECT_EQ(n.tools.at(0).span.line, 2U);
     EXPECT_EQ(n.tools.at(0).span.column, 9U);
     EXPECT_EQ(n.tools.at(0).text, "T1 D=6. CR=0. - flat end mill");
+}
+
+TEST(ToolComments, OfPowerMillTellOneThingEach) {
+    const ProgramNotes n = notes(
+        "G21\n(Tool Number: 3)\n(TOOL TYPE: Tip Radiused)\n(DIAMETER: 10.0)\n(TIP RADIUS: 1.5)\n"
+        "T3 M6\nG0 X0\n(DIAMETER: 6.0)\n(TIP RADIUS: 3.0)\nT4 M6\nG0 X0\n");
+    ASSERT_EQ(n.tools.size(), 2U);
+    EXPECT_EQ(n.tools[0].spec.number, 3);
+    EXPECT_EQ(describe(make_tool(n.tools[0].spec, 50)), "bull nose end mill D10 R1.5 L50");
+    EXPECT_EQ(n.tools[1].spec.number, 4);
+    EXPECT_EQ(describe(make_tool(n.tools[1].spec, 50)), "ball end mill D6 L50");
+}
+
+TEST(ToolComments, OfEstlcamsListAreInTheOrderOfTheCalls) {
+    const char* list = "(Required tools:)\n(End mill 3mm)\n(Ball nose 6mm)\n\n";
+    const ProgramNotes n = notes(std::string("G21\n") + list + "T5 M6\nG0 X0\nT6 M6\nG0 X0\n");
+    ASSERT_EQ(n.tools.size(), 2U);
+    EXPECT_EQ(n.tools[0].spec.number, 5);
+    EXPECT_EQ(n.tools[0].spec.diameter, 3);
+    EXPECT_EQ(n.tools[1].spec.number, 6);
+    EXPECT_EQ(n.tools[1].spec.kind, ToolKind::BallEndMill);
+    // What the change itself says beats the list, and a program without calls has one tool.
+    const ProgramNotes said =
+        notes(std::string("G21\n") + list + "T5 M06 (Change tool: Drill 2mm)\nG0 X0\n");
+    EXPECT_EQ(said.tools.at(0).spec.diameter, 2);
+    const ProgramNotes one = notes("G21\n(Required tools:)\n(End mill 3mm)\nG0 X0\n");
+    EXPECT_EQ(one.tools.at(0).spec.number, 0);
+}
+
+TEST(StockComments, OfVectricAreASizeAndAPlace) {
+    const std::string size = "( Material Size)\n( X= 80.000, Y= 40.000, Z= 10.000)\nG21\n";
+    const ProgramNotes corner = notes(size);
+    ASSERT_TRUE(corner.stock);
+    EXPECT_EQ(corner.stock->box.min, (cda::Vec3{0, 0, -10}));
+    EXPECT_EQ(corner.stock->box.max, (cda::Vec3{80, 40, 0}));
+    EXPECT_EQ(corner.stock->span.line, 2U);
+    const ProgramNotes centre = notes(size +
+                                      "( Z Origin for Material = Table Surface)\n"
+                                      "( XY Origin for Material = Center)\n");
+    EXPECT_EQ(centre.stock->box.min, (cda::Vec3{-40, -20, 0}));
+    EXPECT_EQ(centre.stock->box.max, (cda::Vec3{40, 20, 10}));
+    const ProgramNotes right = notes(size + "( XY Origin for Material = Top Right Corner)\n");
+    EXPECT_EQ(right.stock->box.min, (cda::Vec3{-80, -40, -10}));
+    EXPECT_FALSE(notes("( Material Size)\n( soft wood)\n( X= 80, Y= 40, Z= 10)\n").stock);
+    EXPECT_FALSE(notes("( X= 80, Y= 40, Z= 10)\n").stock) << "extents of something";
+}
+
+TEST(StockComments, OfKiriAreASize) {
+    EXPECT_EQ(notes("; Stock X:100 Y:50 Z:10\nG21\n").stock->box.max, (cda::Vec3{100, 50, 0}));
+    EXPECT_FALSE(notes("; Stock X:100 Y:0 Z:10\nG21\n").stock);
 }
 
 TEST(StockComments, BlockIsSizeAndTheZeroSeenFromItsCorner) {

@@ -221,6 +221,23 @@ std::optional<ToolRemark> read_piped(std::string_view s) {
     return remark;
 }
 
+// "tool#=1 flute=6 len=20 unit=metric", as Kiri:Moto writes it.
+std::optional<ToolRemark> read_kiri(std::string_view s) {
+    if (s.substr(0, 6) != "TOOL#=") return std::nullopt;
+    ToolRemark remark;
+    remark.certain = true;
+    remark.spec.number = tool_number_at(s, 6);
+    const auto diameter = value_after(s, "FLUTE", "=");
+    if (!diameter || diameter->value <= 0) return std::nullopt;
+    remark.spec.diameter = diameter->value;
+    if (const auto length = value_after(s, "LEN", "=")) {
+        if (length->value > 0) remark.spec.length = length->value;
+    }
+    if (s.find("UNIT=METRIC") != kNone) remark.unit = Unit::Millimetre;
+    if (s.find("UNIT=IMPERIAL") != kNone) remark.unit = Unit::Inch;
+    return remark;
+}
+
 // The first number that can be a size: one with a unit of length, or a fraction.
 std::optional<Quantity> size_in_name(std::string_view s) {
     for (std::size_t at = 0; at < s.size(); ++at) {
@@ -286,6 +303,29 @@ std::optional<ToolRemark> read_free_text(std::string_view s) {
     return remark;
 }
 
+// X, Y and Z with numbers behind them: "X= 76.000, Y= 5.500, Z= 1.000", "X:100 Y:50 Z:10".
+std::optional<Triple> named_triple(std::string_view s) {
+    Triple t;
+    for (int axis = 0; axis < 3; ++axis) {
+        const char name = static_cast<char>('X' + axis);
+        const auto q = value_after(s, {&name, 1}, "=: ");
+        if (!q || std::abs(q->value) > 1e6) return std::nullopt;
+        t.value[axis] = q->value;
+        if (q->unit != Unit::None) t.unit = q->unit;
+    }
+    const bool is_size = t.value.x > 0 && t.value.y > 0 && t.value.z > 0;
+    return is_size ? std::optional(t) : std::nullopt;
+}
+
+// Vectric's words for where the zero is: "Bottom Left Corner", "Center".
+Triple corner_named(std::string_view s) {
+    const auto has = [s](std::string_view word) { return s.find(word) != kNone; };
+    Triple t;
+    t.value.x = has("LEFT") ? -1.0 : has("RIGHT") ? 1.0 : 0.0;
+    t.value.y = has("BOTTOM") ? -1.0 : has("TOP") ? 1.0 : 0.0;
+    return t;
+}
+
 // Three numbers behind a key, with or without units: "0.00mm, 0.00mm, -1.00mm".
 std::optional<Triple> triple_at(std::string_view s) {
     const auto parts = text::split(s, ',');
@@ -306,7 +346,7 @@ std::optional<Triple> triple_at(std::string_view s) {
 std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
     const std::string upper = text::upper(text::trimmed(comment));
     if (upper.size() < 3) return std::nullopt;
-    for (const auto& form : {read_fusion, read_cutviewer, read_piped, read_free_text}) {
+    for (const auto& form : {read_fusion, read_cutviewer, read_piped, read_kiri, read_free_text}) {
         if (auto remark = form(upper)) {
             remark->spec.description = std::string(text::trimmed(comment));
             return remark;
@@ -335,6 +375,28 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         return remark;
     }
     using What = StockRemark::What;
+    const std::size_t equals = s.find('=');
+    if (s == "MATERIAL SIZE" || s == "MATERIAL SIZE:") {
+        remark.what = What::Heading;
+        return remark;
+    }
+    if (starts("STOCK X:") || starts("STOCK X=")) {
+        const auto size = named_triple(s);
+        if (!size) return std::nullopt;
+        remark.what = What::Size;
+        remark.first = *size;
+        return remark;
+    }
+    if (starts("Z ORIGIN FOR MATERIAL") && equals != kNone) {
+        const bool bed = s.find("TABLE", equals) != kNone || s.find("BED", equals) != kNone;
+        remark.what = bed ? What::ZeroAtBed : What::ZeroAtTop;
+        return remark;
+    }
+    if (starts("XY ORIGIN FOR MATERIAL") && equals != kNone) {
+        remark.what = What::ZeroXY;
+        remark.first = corner_named(s.substr(equals));
+        return remark;
+    }
     for (const auto& [key, what] :
          {std::pair{"STOCKMIN:", What::Min}, {"STOCKMAX:", What::Max}, {"FROM/", What::Start}}) {
         if (!starts(key)) continue;
@@ -345,6 +407,40 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         return remark;
     }
     return std::nullopt;
+}
+
+std::optional<Triple> read_size_remark(std::string_view comment) {
+    const std::string upper = text::upper(text::trimmed(comment));
+    return upper.empty() || upper.front() != 'X' ? std::nullopt : named_triple(upper);
+}
+
+std::optional<KeyedRemark> read_keyed_remark(std::string_view comment) {
+    using Key = KeyedRemark::Key;
+    static constexpr std::pair<std::string_view, Key> kKeys[] = {
+        {"TOOL NUMBER", Key::ToolNumber},  {"TOOL NO", Key::ToolNumber},
+        {"DIAMETER", Key::Diameter},       {"TOOL DIAMETER", Key::Diameter},
+        {"TIP RADIUS", Key::TipRadius},    {"TOOL TIP RADIUS", Key::TipRadius},
+        {"CORNER RADIUS", Key::TipRadius}, {"TAPER ANGLE", Key::Taper},
+        {"TOOL TYPE", Key::ToolType}};
+    const std::string upper = text::upper(text::trimmed(comment));
+    const std::string_view s = upper;
+    const std::size_t colon = s.find(':');
+    if (colon == kNone) return std::nullopt;
+    const std::string_view key = text::trimmed(s.substr(0, colon));
+    const auto* found = std::find_if(std::begin(kKeys), std::end(kKeys),
+                                     [key](const auto& k) { return k.first == key; });
+    if (found == std::end(kKeys)) return std::nullopt;
+    const std::string_view rest = text::trimmed(s.substr(colon + 1));
+    KeyedRemark remark{found->second, 0.0, Unit::None, std::nullopt};
+    if (remark.key == Key::ToolType) {
+        remark.kind = kind_named(rest);
+        return remark;
+    }
+    const auto q = rest.empty() ? std::nullopt : text::quantity_at(rest, 0);
+    if (!q || q->end != rest.size() || q->value < 0) return std::nullopt;
+    remark.value = q->value;
+    remark.unit = q->is_fraction && q->unit == Unit::None ? Unit::Inch : q->unit;
+    return remark;
 }
 
 }  // namespace ncsim::toolpath

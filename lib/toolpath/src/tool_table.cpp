@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace ncsim::toolpath {
 
@@ -55,6 +56,7 @@ public:
         : inches_(default_inches), inches_first_(default_inches) {}
 
     void read(const Block& block) {
+        if (!block.words.empty()) in_list_ = false;  // lists stand in lines of their own
         for (const gcode::Comment& comment : block.comments)
             read(comment);
         for (const gcode::Word& word : block.words) {
@@ -68,6 +70,7 @@ public:
 
     ProgramNotes finish() {
         end_waiting();
+        place_listed();
         for (PlacedRemark& placed : remarks_)
             keep(placed);
         if (block_) {
@@ -82,6 +85,12 @@ public:
             box.add(factor(min_->unit, inches_first_) * min_->value);
             box.add(factor(max_->unit, inches_first_) * max_->value);
             set_stock(box, block_span_, block_text_);
+        } else if (size_) {
+            // Vectric's usual zero, unless it says another: the lower left corner, on top.
+            const cda::Vec3 size = factor(size_->unit, inches_first_) * size_->value;
+            cda::Vec3 min{-(zero_xy_.x + 1) / 2 * size.x, -(zero_xy_.y + 1) / 2 * size.y,
+                          zero_at_bed_ ? 0.0 : -size.z};
+            set_stock({min, min + size}, block_span_, block_text_);
         }
         if (start_) notes_.start = factor(start_->unit, inches_first_) * start_->value;
         return std::move(notes_);
@@ -94,14 +103,87 @@ private:
     }
 
     void read(const gcode::Comment& comment) {
+        const bool after_heading = std::exchange(size_expected_, false);
+        if (after_heading) {
+            if (const auto size = read_size_remark(comment.text)) {
+                StockRemark remark;
+                remark.what = StockRemark::What::Size;
+                remark.first = *size;
+                return take_stock(remark, comment);
+            }
+        }
+        const std::string heading = text::upper(text::trimmed(comment.text));
+        if (heading == "REQUIRED TOOLS:") {
+            in_list_ = true;
+            return;
+        }
         // Nested parentheses come as one comment; the inner pair may be the remark.
         if (auto stock = read_stock_remark(comment.text)) {
             take_stock(*stock, comment);
+        } else if (const auto keyed = read_keyed_remark(comment.text)) {
+            take_keyed(*keyed, comment);
         } else if (auto tool = read_tool_remark(comment.text)) {
             PlacedRemark placed{std::move(*tool), comment.span, std::string(comment.text), 0};
             placed.owner = placed.remark.spec.number;
+            if (placed.owner == 0 && in_list_) {
+                listed_.push_back(std::move(placed));
+                return;
+            }
             if (placed.owner == 0) waiting_.push_back(remarks_.size());
             remarks_.push_back(std::move(placed));
+        }
+    }
+
+    // PowerMill: one thing a comment. A key that comes again speaks of another tool.
+    void take_keyed(const KeyedRemark& keyed, const gcode::Comment& comment) {
+        using Key = KeyedRemark::Key;
+        const unsigned bit = 1U << static_cast<unsigned>(keyed.key);
+        if ((keys_seen_ & bit) != 0) end_keyed();
+        if (keys_seen_ == 0) keyed_ = {ToolRemark{}, comment.span, std::string(comment.text), 0};
+        keys_seen_ |= bit;
+        ToolSpec& spec = keyed_.remark.spec;
+        switch (keyed.key) {
+            case Key::ToolNumber:
+                if (keyed.value >= 1 && keyed.value < 1e8) {
+                    spec.number = static_cast<int>(keyed.value);
+                }
+                break;
+            case Key::Diameter:
+                if (keyed.value > 0) spec.diameter = keyed.value;
+                keyed_.remark.unit = keyed.unit;
+                keyed_.text = std::string(comment.text);
+                keyed_.span = comment.span;
+                break;
+            case Key::TipRadius:
+                if (keyed.value > 0) spec.corner_radius = keyed.value;
+                break;
+            case Key::Taper:
+                if (keyed.value > 0) spec.taper = std::min(keyed.value, 80.0);
+                break;
+            case Key::ToolType: spec.kind = keyed.kind; break;
+        }
+    }
+
+    void end_keyed() {
+        if (keys_seen_ == 0) return;
+        keys_seen_ = 0;
+        if (!keyed_.remark.spec.diameter) return;
+        keyed_.remark.certain = true;
+        keyed_.remark.spec.description = keyed_.text;
+        if (keyed_.remark.spec.kind == ToolKind::FlatEndMill && keyed_.remark.spec.corner_radius) {
+            keyed_.remark.spec.kind.reset();  // the radius says more than the name
+        }
+        keyed_.owner = keyed_.remark.spec.number;
+        if (keyed_.owner == 0) waiting_.push_back(remarks_.size());
+        remarks_.push_back(std::move(keyed_));
+    }
+
+    // The tools of a list without numbers are called in its order. What stands at a call beats it.
+    void place_listed() {
+        for (std::size_t i = 0; i < listed_.size(); ++i) {
+            if (i >= calls_.size() && (i > 0 || !calls_.empty())) break;
+            listed_[i].owner = calls_.empty() ? 0 : calls_[i];
+            remarks_.push_back(std::move(listed_[i]));
         }
     }
 
@@ -112,6 +194,16 @@ private:
         if (remark.what == What::Min && !min_) min_ = remark.first;
         if (remark.what == What::Max && !max_) max_ = remark.first;
         if (whole && !block_) block_ = remark;
+        switch (remark.what) {
+            case What::Heading: size_expected_ = true; return;
+            case What::ZeroAtTop: zero_at_bed_ = false; return;
+            case What::ZeroAtBed: zero_at_bed_ = true; return;
+            case What::ZeroXY: zero_xy_ = remark.first.value; return;
+            case What::Size:
+                if (!size_) size_ = remark.first;
+                break;
+            default: break;
+        }
         if (remark.what != What::Start && (block_text_.empty() || (whole && !whole_seen_))) {
             block_text_ = std::string(comment.text);
             block_span_ = comment.span;
@@ -127,7 +219,11 @@ private:
 
     // Numberless remarks before the call belong to this tool.
     void call_tool(int number) {
+        end_keyed();
         last_tool_ = number;
+        if (std::find(calls_.begin(), calls_.end(), number) == calls_.end()) {
+            calls_.push_back(number);
+        }
         if (units_seen_) tool_inches_.try_emplace(number, inches_);
         for (const std::size_t i : waiting_)
             remarks_[i].owner = number;
@@ -136,6 +232,7 @@ private:
 
     // A move came before a call: they belong to the tool in the spindle.
     void end_waiting() {
+        end_keyed();
         for (const std::size_t i : waiting_)
             remarks_[i].owner = last_tool_;
         waiting_.clear();
@@ -199,6 +296,15 @@ private:
     std::map<int, bool> tool_inches_;   // units at the first call
     std::optional<StockRemark> block_;
     std::optional<Triple> min_, max_, start_;
+    std::optional<Triple> size_;  // without a place: Vectric, Kiri:Moto
+    cda::Vec3 zero_xy_{-1, -1, 0};
+    bool zero_at_bed_ = false;
+    bool size_expected_ = false;  // behind "Material Size"
+    bool in_list_ = false;        // behind "Required tools:"
+    std::vector<PlacedRemark> listed_;
+    std::vector<int> calls_;  // tool numbers in the order of their first call
+    PlacedRemark keyed_;
+    unsigned keys_seen_ = 0;  // a bit for each KeyedRemark::Key
     gcode::SourceSpan block_span_;
     std::string block_text_;
     bool whole_seen_ = false;
