@@ -247,6 +247,11 @@ const std::vector<Case>& codes() {
         {"G99", By::Default, "G99 G81 X1 Z-1 R1",
          "rapid X0 Y0 Z1; rapid X1 Y0 Z1; feed X1 Y0 Z-1 F100; rapid X1 Y0 Z1"},
         {"G154", By::Haas, "G154 P5 G0 X1", "rapid X1 Y0 Z0 ! offset-unknown"},
+        {"G5", By::Fanuc, "G1 X1~G05 P10000~X2~G05 P0~X3",
+         "feed X1 Y0 Z0 F100; feed X2 Y0 Z0 F100; feed X3 Y0 Z0 F100"},
+        {"G5.1", By::Fanuc, "G1 X1~G5.1 Q1 X0 Y0 Z0~X2", "feed X1 Y0 Z0 F100; feed X2 Y0 Z0 F100"},
+        {"G6.2", By::Fanuc, "G6.2 P2 K0 X0 Y0 R1~K0 X10 Y0~K1~K1",
+         "spline X10 Y0 Z0 order 2 [0 0 *1] [10 0 *1] F100"},
     };
     return kCases;
 }
@@ -420,6 +425,9 @@ TEST(Traps, AreNotSteppedInto) {
          "step-limit"},
         {"endless recursion", By::Default, "o<a> sub~o<a> call~o<a> endsub~o<a> call",
          " ! error call-depth"},
+        {"two tools and M6", By::Fanuc, "T1 T2 M6~G0 X1~M6~X2",
+         "tool 1 at X0 Y0 Z0; rapid X1 Y0 Z0 T1; tool 2 at X1 Y0 Z0; rapid X2 Y0 Z0 T2"},
+        {"G8 P1 looks ahead", By::Fanuc, "G08 P1~G0 X1", "rapid X1 Y0 Z0"},
     });
 }
 

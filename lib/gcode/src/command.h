@@ -26,7 +26,7 @@ struct Command {
     std::array<double, 28> value;
     std::array<std::int16_t, kGroups> g;  ///< Times ten; kNone.
     std::array<std::int16_t, kMGroups> m;
-    std::int16_t second_coolant = kNone;
+    double next_tool = -1.0;  ///< The second T of "T1 T2 M6": it waits in the magazine.
     bool has_m = false;       ///< Any M word, known or not.
     bool has_others = false;  ///< A G code that is not known or was declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.

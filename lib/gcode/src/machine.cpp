@@ -196,7 +196,8 @@ bool Machine::check_unused_words(const Command& command) {
                 command.group(Group::Rotation) == 680 || command.group(Group::Scaling) == 510 ||
                 g64 != kNone || command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
                 command.group(MGroup::ToolChange) != kNone || motion == 310 ||
-                command.group(Group::Polar) != kNone || is_cycle);
+                command.group(Group::Polar) != kNone || is_cycle || knots_open_ ||
+                command.group(Group::Diameter) != kNone);
     const bool centre = is_arc || is_spline || g10 || motion == 760 || motion == 870;
     const Use uses[] = {
         {'D', lax || side == 410 || side == 420 || side == 411 || side == 421 ||
@@ -253,6 +254,9 @@ void Machine::set_speeds_and_tools(const Command& command) {
     const int change = command.group(MGroup::ToolChange);
     if (change == 6 && state_.selected_tool >= 0) {
         state_.tool = state_.selected_tool;
+        if (command.next_tool >= 0.0) {
+            state_.selected_tool = static_cast<int>(std::min(command.next_tool, 1e9));
+        }
         state_.spindle = SpindleTurning::Stopped;
         path_.tool_change(state_);
     } else if (change == 61 && command.has('Q')) {
@@ -368,6 +372,7 @@ bool Machine::move(const Command& command, int motion) {
         command.group(Group::ToolLength) == 431 || command.group(Group::Rotation) == 680 ||
         command.group(Group::Scaling) == 510 || command.group(Group::Mirror) != kNone ||
         (command.group(Group::Macro) != kNone);
+    if (is_speed_mode(command, motion)) return true;
     if (motion != kNone) {
         state_.motion = motion;
         if (motion == 0 || motion == 10) state_.last_straight = motion;
@@ -382,7 +387,8 @@ bool Machine::move(const Command& command, int motion) {
             return true;  // "G0 G28 Z0": the words belong to G28
         }
     } else {
-        if ((!command.axis_words && !is_modal_arc(command)) || words_taken) return true;
+        const bool knot = knots_open_ && command.has('K');  // of G6.2
+        if ((!command.axis_words && !is_modal_arc(command) && !knot) || words_taken) return true;
         motion = state_.motion;
         if (motion == -1 || motion == 800) {
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
@@ -426,6 +432,14 @@ bool Machine::move(const Command& command, int motion) {
         case 331: return threading(command, motion);
         default: return cycle(command, motion);
     }
+}
+
+/// G5 P10000, G5.1 Q1: modes of Fanuc's kin for fast machining, and no curves; the motion before
+/// them goes on.
+bool Machine::is_speed_mode(const Command& command, int motion) const {
+    if (rules_.strict || command.has_any(letters('I', 'J'))) return false;
+    return (motion == 50 && !command.axis_words) ||
+           (motion == 51 && (command.has('Q') || !command.axis_words));
 }
 
 /// "I-7.5 J0" alone is a full circle while G2 or G3 is on.

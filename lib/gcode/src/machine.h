@@ -107,6 +107,7 @@ private:
     bool needs_feed(const Command& command, std::string_view what);
     bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
     bool is_modal_arc(const Command& command) const;
+    bool is_speed_mode(const Command& command, int motion) const;
     std::string_view motion_name(int motion);
 
     SourceSpan span_of(const Command& command, char letter) const;

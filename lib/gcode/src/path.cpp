@@ -15,7 +15,7 @@ constexpr double kFullCircleStrict = 1e-12;
 
 }  // namespace
 
-Position Path::to_W(const MachineState& state, const Axes& p) const {
+Position Path::in_workpiece(const MachineState& state, const Axes& p) const {
     const double mm = state.unit_mm();
     double x = p[kX] + state.offset_92[kX];
     double y = p[kY] + state.offset_92[kY];
@@ -43,7 +43,7 @@ Position Path::to_W(const MachineState& state, const Axes& p) const {
 
 Position Path::start(const MachineState& state) {
     if (stale_) {
-        at_ = to_W(state, state.position);
+        at_ = in_workpiece(state, state.position);
         stale_ = false;
     }
     return at_;
@@ -72,8 +72,8 @@ void Path::emit(const MachineState& state) {
     if (sink_) sink_(motion_);
 }
 
-void Path::arrive(MachineState& state, const Axes& end, const Position& end_W, AxisMask mask) {
-    at_ = end_W;
+void Path::arrive(MachineState& state, const Axes& end, const Position& target, AxisMask mask) {
+    at_ = target;
     state.position = end;
     state.known.x = state.known.x || (mask & 1U << kX) != 0;
     state.known.y = state.known.y || (mask & 1U << kY) != 0;
@@ -82,7 +82,7 @@ void Path::arrive(MachineState& state, const Axes& end, const Position& end_W, A
 
 void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask) {
     const Position from = start(state);
-    const Position to = to_W(state, end);
+    const Position to = in_workpiece(state, end);
     fill(state, kind);
     const bool lengths = from.x != to.x || from.y != to.y || from.z != to.z || from.u != to.u ||
                          from.v != to.v || from.w != to.w;
@@ -115,8 +115,8 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     Axes centre = state.position;
     centre[axes.first] = arc.centre_1;
     centre[axes.second] = arc.centre_2;
-    const Position centre_W = to_W(state, centre);
-    Position to = to_W(state, end);
+    const Position arc_centre = in_workpiece(state, centre);
+    Position to = in_workpiece(state, end);
     const auto pick = [](const Position& p, std::size_t axis) {
         const Length lengths[] = {p.x, p.y, p.z, Length(), Length(), Length(), p.u, p.v, p.w};
         return lengths[axis];
@@ -135,8 +135,9 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     }
     fill(state, MoveKind::Feed);
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
-    motion_.what = Arc{
-        from, to, state.plane, pick(centre_W, axes.first), pick(centre_W, axes.second), arc.turns};
+    motion_.what =
+        Arc{from,     to, state.plane, pick(arc_centre, axes.first), pick(arc_centre, axes.second),
+            arc.turns};
     emit(state);
     arrive(state, end, to, mask);
 }
@@ -144,12 +145,12 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
 void Path::spline(MachineState& state, const Spline& spline, const Axes& end, AxisMask mask) {
     Spline out = spline;
     out.from = start(state);
-    out.to = to_W(state, end);
+    out.to = in_workpiece(state, end);
     for (Spline::ControlPoint& point : out.control_points) {
         Axes p = state.position;
         p[kX] = point.x.mm();
         p[kY] = point.y.mm();
-        const Position at = to_W(state, p);
+        const Position at = in_workpiece(state, p);
         point.x = at.x;
         point.y = at.y;
     }

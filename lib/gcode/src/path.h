@@ -64,11 +64,11 @@ public:
     std::uint64_t count() const { return result_.motions; }
 
 private:
-    Position to_W(const MachineState& state, const Axes& p) const;
+    Position in_workpiece(const MachineState& state, const Axes& p) const;
     Position start(const MachineState& state);
     void fill(const MachineState& state, MoveKind kind);
     void emit(const MachineState& state);
-    void arrive(MachineState& state, const Axes& end, const Position& end_W, AxisMask mask);
+    void arrive(MachineState& state, const Axes& end, const Position& target, AxisMask mask);
 
     const InterpreterOptions& options_;
     const MotionSink& sink_;

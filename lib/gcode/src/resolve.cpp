@@ -124,6 +124,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.present = 0;
     command.g.fill(kNone);
     command.m.fill(kNone);
+    command.next_tool = -1.0;
     command.has_m = false;
     command.has_others = false;
     unknown_g_ = false;
@@ -155,6 +156,11 @@ bool Resolver::resolve(const Block& block, Command& command) {
         }
         const std::size_t i = letter_index(word.letter);
         if ((command.present >> i & 1U) != 0) {
+            if (word.letter == 'T' && !rules_.strict && value >= 0.0) {
+                log_.add(Message::NextTool, word.span, {"T"});
+                command.next_tool = value;
+                continue;
+            }
             if (!tolerate(Message::WordTwice, word.span, {text_of(word, value)})) return false;
         }
         command.present |= 1U << i;

@@ -30,9 +30,6 @@ std::vector<double> clamped_knots(std::size_t points, int order) {
 
 bool Machine::spline(const Command& command, int motion) {
     const std::string_view name = motion == 50 ? "G5" : "G5.1";
-    if (!command.has_any(kAxisLetters | letters('I', 'J')) && !rules_.strict) {
-        return true;  // G5 P10000, G5.1 Q1: high speed modes of Fanuc
-    }
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
     if (!needs_feed(command, name)) return false;
     Axes end{};
