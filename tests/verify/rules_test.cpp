@@ -55,6 +55,22 @@ TEST(RapidInMaterial, IsNotFoundWhereTheToolOnlyTouches) {
     EXPECT_EQ(skipped_because(verdict, "rapid-in-material"), "");
 }
 
+TEST(RapidInMaterial, IsNotFoundWhereAConeGoesBackUp) {
+    // The planes of a cone are rounded, so the end of one sweep and the beginning of the next
+    // differ by less than anything: 1e-13 mm3 here.
+    verify::Setup setup = plain_setup();
+    setup.tools.at(1).tool = toolpath::v_cutter(6.35, 0.0, 90.0, 30.0);
+    const auto verdict = verdict_of(
+        "G20 G90 G17 T1 M6 S1000 M3 F10 G0 X0.0387 Y0.1609 Z0.5\nG1 Z-0.05\n"
+        "G1 X0.0405 Y0.1562\nG0 Z0.5\n",
+        setup);
+    EXPECT_TRUE(findings_of(verdict, "rapid-in-material").empty());
+    // A tenth of a micrometre is more than rounding.
+    const auto bite = verdict_of(
+        "G21 G90 G17 T1 M6 S1000 M3 F100 G0 X0 Y0 Z5\nG1 Z-1\nG1 X3\nG0 Z-1.0001\nG0 Z5\n", setup);
+    EXPECT_EQ(only(bite, "rapid-in-material").place.span.line, 4U);
+}
+
 TEST(RapidInMaterial, IsFoundForTheSmallestBite) {
     // A micrometre deep over 40 mm.
     const auto verdict = verdict_of(kStart + "G0 Z-0.001\nG0 X30\n");

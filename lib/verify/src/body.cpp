@@ -60,7 +60,13 @@ Cell shrunk(const Cell& cell, double distance, const cda::Lattice& lattice) {
     return result;
 }
 
-double rounding_of(const Step& step, const cda::Lattice& lattice) {
+bool is_prism(const toolpath::ToolPiece& piece) {
+    return std::ranges::all_of(piece.profile, [&](const toolpath::ProfilePoint& p) {
+        return p.fillet == 0.0 && p.radius == piece.profile.front().radius;
+    });
+}
+
+double rounding_of(const Step& step, bool prism, const cda::Lattice& lattice) {
     // Two hulls of turned corners, half a unit an axis each, and their planes.
     constexpr double kUnits = 4.0;
     const auto is_exact = [](const Pose& pose) {
@@ -71,7 +77,7 @@ double rounding_of(const Step& step, const cda::Lattice& lattice) {
         }
         return true;
     };
-    return is_exact(step.X_WA) && is_exact(step.X_WB) ? 0.0 : kUnits * lattice.unit_mm;
+    return prism && is_exact(step.X_WA) && is_exact(step.X_WB) ? 0.0 : kUnits * lattice.unit_mm;
 }
 
 Box intersection(const Box& a, const Box& b) {
@@ -84,6 +90,7 @@ Box intersection(const Box& a, const Box& b) {
 Body::Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
            toolpath::ToolAccuracy accuracy)
     : lattice_(lattice),
+      prism_(is_prism(piece)),
       outer_(tool_of(piece), lattice, with_side(accuracy, Side::Circumscribed)),
       inner_(tool_of(piece), lattice, with_side(accuracy, Side::Inscribed)) {}
 
@@ -101,7 +108,7 @@ Box Body::bounds(const Step& step, double raise) const {
 Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, const Box& stock) {
     Meeting meeting;
     if (!stock.overlaps(bounds(step, raise))) return meeting;
-    const double rounding = rounding_of(step, lattice_);
+    const double rounding = rounding_of(step, prism_, lattice_);
     for (const Cell& cell : cells(step, raise, Side::Circumscribed)) {
         const auto point = part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
         if (!point) continue;

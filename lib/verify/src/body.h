@@ -27,10 +27,13 @@ cda::Vec3 axis_of(const toolpath::Pose& X_WT);
 toolpath::Pose raised(const toolpath::Pose& X_WT, double distance);
 /// The halfspaces of `cell` drawn in by `distance` (mm, > 0) or moved out (< 0).
 cda::Cell shrunk(const cda::Cell& cell, double distance, const cda::Lattice& lattice);
-/// How far (mm) the cells of this step may lie off for rounding alone: the corners of a turned tool
-/// are rounded to the lattice. 0 for upright tools, whose cells are exact: for them touching is
-/// exactly nothing, whatever came before.
-double rounding_of(const toolpath::Step& step, const cda::Lattice& lattice);
+/// Is the piece a cylinder? The planes of its polytope are exact then; those of cones and rounded
+/// ends have normals that are rounded to the lattice.
+bool is_prism(const toolpath::ToolPiece& piece);
+/// How far (mm) the cells of this step may lie off for rounding alone: corners of turned tools, and
+/// the planes of tools that are no prisms. 0 for upright prisms, whose cells are exact: for them
+/// touching is exactly nothing, whatever came before.
+double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& lattice);
 /// The part common to both boxes; empty where there is none.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
 
@@ -54,6 +57,7 @@ public:
 
 private:
     cda::Lattice lattice_;
+    bool prism_;
     toolpath::Cutter outer_, inner_;
 };
 

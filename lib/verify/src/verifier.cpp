@@ -37,6 +37,7 @@ struct Watched {
     std::optional<Body> too_high;               // what cuts, but above the limit of depth
     std::optional<Body> within;                 // what cuts below it
     std::vector<Vec3> probes_T;                 // points strictly inside the cutting pieces
+    bool prism = true;                          // all of what cuts
     std::optional<toolpath::Cutter> inscribed;  // the cutter, for certainty
 };
 
@@ -78,6 +79,7 @@ Watched watch(const ToolFacts& facts, const cda::Lattice& lattice,
     inner.side = toolpath::Side::Inscribed;
     w.inscribed.emplace(facts.tool, lattice, inner);
     for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
+        if (piece.cutting) w.prism &= is_prism(piece);
         if (piece.cutting) add_probes(piece, lattice, inner, w.probes_T);
     }
     return w;
@@ -343,7 +345,7 @@ private:
         std::optional<Vec3> point = part.contact(cell);
         if (!point) return 0.0;  // it would change nothing
         const double volume = part.common_volume(cell);
-        const double rounding = rounding_of(step, lattice_);
+        const double rounding = rounding_of(step, now_->prism, lattice_);
         if (rounding > 0.0 && !part.contact(shrunk(cell, rounding, lattice_))) {
             move_.removed_mm3 += volume;  // in the books; but it is where the cutter was before
         } else {
@@ -395,7 +397,7 @@ private:
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
         now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_);
-        const double less = step.bounds.gained_mm + rounding_of(step, lattice_);
+        const double less = step.bounds.gained_mm + rounding_of(step, now_->prism, lattice_);
         for (const Cell& cell : cells_) {
             const auto inside = part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell);
             if (!inside) continue;
