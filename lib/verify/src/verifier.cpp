@@ -347,7 +347,9 @@ private:
         const double volume = part.common_volume(cell);
         const double rounding = rounding_of(step, now_->prism, lattice_);
         if (rounding > 0.0 && !part.contact(shrunk(cell, rounding, lattice_))) {
-            move_.removed_mm3 += volume;  // in the books; but it is where the cutter was before
+            // In the books, but no contact: it is where the cutter was before.
+            move_.removed_mm3 += volume;
+            move_.contact.add(intersection(cell.bounds, stock_));
         } else {
             ask_certainty(step, part, point);
             meet_material(cell, volume, point);
