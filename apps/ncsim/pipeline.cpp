@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -46,6 +47,9 @@ toolpath::Walk make_walk(const Job& job, const Survey& survey, const cda::Lattic
     sampling.rotation_gain_mm = 10 * job.options.tolerance;
     return {lattice, survey.stock->box, accuracy, sampling, rapid};
 }
+
+// Cells taken away at a time: what one of them covers is not looked at for the others.
+constexpr std::size_t kBatch = 1024;
 
 class Mill {
 public:
@@ -87,10 +91,11 @@ public:
                     if (measured_) {
                         removed += result_.part->subtract(cell);
                     } else {
-                        result_.part->subtract_unmeasured(cell);
+                        batch_.push_back(cell);
                     }
                 }
             });
+        if (batch_.size() >= kBatch) flush();
         if (verifier_) verifier_->end();
         if (!met_stock) return;
         cut_since_change_ = true;
@@ -103,7 +108,10 @@ public:
     }
 
     /// After the last motion.
-    void finish() {
+    void finish(bool needs_surface) {
+        flush();
+        // The surface first: on the way to it, the volume is found.
+        if (needs_surface) result_.boundary = result_.part->boundary();
         change_tool(0);
         result_.part_volume = volume_;
     }
@@ -111,6 +119,7 @@ public:
 private:
     // Where cells are not measured one by one, what a tool removed is the difference of volumes.
     void change_tool(int next) {
+        flush();
         if (cut_since_change_) {
             const double volume = result_.part->volume();
             if (!measured_) result_.removed_by_tool[tool_] += volume_ - volume;
@@ -118,6 +127,11 @@ private:
         }
         cut_since_change_ = false;
         tool_ = next;
+    }
+
+    void flush() {
+        result_.part->subtract_unmeasured(batch_);
+        batch_.clear();
     }
 
     Simulation& result_;
@@ -128,6 +142,7 @@ private:
     int tool_ = 0;
     double volume_;
     bool cut_since_change_ = false;
+    std::vector<cda::Cell> batch_;  // not yet subtracted
 };
 
 }  // namespace
@@ -153,7 +168,7 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
         mill.take(motion);
         if (progress && start_of(motion)) progress(++moves);
     });
-    mill.finish();
+    mill.finish(needs_surface(job.options));
     return result;
 }
 

@@ -3,6 +3,7 @@
 // Job → part: the one place where all stages meet.
 #pragma once
 
+#include "ncsim/cda/boundary.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
@@ -18,6 +19,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace ncsim::app {
@@ -35,8 +37,9 @@ using BlockPlace = std::pair<std::uint32_t, std::uint32_t>;
 struct Simulation {
     cda::Lattice lattice;
     std::unique_ptr<cda::WorkpieceModel> part;
-    exporter::Provenance provenance;  ///< For the origins in `part`.
-    double stock_volume = 0.0;        ///< mm³
+    exporter::Provenance provenance;        ///< For the origins in `part`.
+    std::optional<cda::Boundary> boundary;  ///< Of `part`, if needs_surface().
+    double stock_volume = 0.0;              ///< mm³
     double part_volume = 0.0;
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
     std::map<int, double> removed_by_tool;  ///< mm³

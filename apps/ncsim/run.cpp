@@ -42,7 +42,10 @@ exporter::Image picture(const Job& job, const Survey& survey, const Simulation& 
     options.depth_top = survey.stock->box.max.z;
     options.depth_bottom = std::max(survey.stock->box.min.z, survey.tip_positions.min.z);
     options.camera = exporter::fit_camera(survey.stock->box, job.options.view, aspect);
-    return exporter::render_model(*simulation.part, simulation.provenance, options);
+    // The flat aggregate is drawn by its masks, as the thesis does it.
+    return job.options.model == "cda-flat"
+               ? exporter::render_model(*simulation.part, simulation.provenance, options)
+               : exporter::render_boundary(*simulation.boundary, simulation.provenance, options);
 }
 
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
@@ -89,17 +92,11 @@ int run(Options options) {
 
     Outcome outcome{job, survey, nullptr, nullptr};
     std::optional<Simulation> simulation;
-    std::optional<cda::Boundary> boundary;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); });
         outcome.simulation = &*simulation;
-        const bool needs_surface = !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
-                                   !o.step.empty() || !o.report.empty();
-        if (needs_surface) {
-            boundary = simulation->part->boundary();
-            outcome.boundary = &*boundary;
-        }
+        if (simulation->boundary) outcome.boundary = &*simulation->boundary;
         write_outputs(outcome, outputs);
     }
     outputs.write(o.save_job, [&](std::ostream& out) {

@@ -81,6 +81,13 @@ std::vector<std::string> outputs_of(const Options& o) {
     return paths;
 }
 
+bool needs_surface(const Options& o) {
+    // The flat aggregate draws itself.
+    const bool png = !o.png.empty() && o.model != "cda-flat";
+    return png || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() || !o.step.empty() ||
+           !o.report.empty();
+}
+
 CLI::App* add_run(CLI::App& app, Options& options) {
     using Text = const std::string&;
     Options& o = options;

@@ -26,6 +26,9 @@ struct Options : ProgramOptions, SimulationOptions {
     bool block_volumes = true;
 };
 
+/// Is the surface of the part needed as faces, for what was asked for?
+bool needs_surface(const Options& options);
+
 /// The paths of all files that were asked for.
 std::vector<std::string> outputs_of(const Options& options);
 

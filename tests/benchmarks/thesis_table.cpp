@@ -33,7 +33,7 @@ void measure(const std::filesystem::path& folder, const std::filesystem::path& f
     options.stats = "timed";  // the model gets a clock; nothing is written here
     const app::Job job = app::read_job(options);
     const app::Survey survey = app::survey(job);
-    const app::Simulation run = app::simulate(job, survey, [](std::uint64_t) {});
+    const app::Simulation run = app::simulate(job, survey, {}, {});
     const auto& part = dynamic_cast<const cda::FlatCda&>(*run.part);
 
     // Rendering along the way: the same cells again, a picture at every twentieth of them.

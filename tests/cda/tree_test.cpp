@@ -60,7 +60,7 @@ TEST(TreeCda, HasTheSameBoundaryAsTheFlatAggregate) {
 TEST(TreeCda, DoesNotDependOnHowItSplits) {
     const auto cuts = random_cuts(77, 60, 60000);
     const Boundary expected = milled(TreeCda(kStock, kLattice), cuts);
-    for (const std::uint32_t leaf : {1U, 2U, 4U, 24U, 1000U}) {
+    for (const std::uint32_t leaf : {6U, 12U, 40U, 200U, 10000U}) {
         SCOPED_TRACE(leaf);
         const TreeParameters parameters{leaf};
         expect_same(milled(TreeCda(kStock, kLattice, parameters), cuts), expected);
@@ -69,11 +69,11 @@ TEST(TreeCda, DoesNotDependOnHowItSplits) {
 
 TEST(TreeCda, DoesNotDependOnTheNumberOfThreads) {
     const auto cuts = random_cuts(79, 80, 60000);
-    TreeCda one(kStock, kLattice, {4, 1});
+    TreeCda one(kStock, kLattice, {12, 1});
     for (const Cell& cut : cuts)
         one.subtract_unmeasured(cut);
     for (const std::uint32_t threads : {2U, 8U}) {
-        TreeCda many(kStock, kLattice, {4, threads});
+        TreeCda many(kStock, kLattice, {12, threads});
         for (const Cell& cut : cuts)
             many.subtract_unmeasured(cut);
         EXPECT_EQ(many.volume(), one.volume());  // to the last bit
@@ -94,7 +94,7 @@ TEST(TreeCda, AgreesWithUnitCubesFiveThousandTimes) {
     for (int i = 0; i < 5000; ++i) {
         SCOPED_TRACE(i);
         test::UnitCubes cubes;
-        TreeCda part(mm_box(0, 0, 0, 6, 6, 6), kLattice, {2});
+        TreeCda part(mm_box(0, 0, 0, 6, 6, 6), kLattice, {12});
         const auto cuts = random.between(1, 12);
         for (std::int64_t k = 0; k < cuts; ++k) {
             const auto b = test::random_grid_box(random);

@@ -20,260 +20,243 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr std::int64_t kSmallestBox = 2048;
 // Splits in a row that part nothing before a list is left as it is.
 constexpr int kFruitlessSplits = 3;
+// Of more cells than this each is compared with so many others only.
+constexpr std::size_t kManyCells = 64;
+constexpr std::size_t kComparisons = 16;
+// Planes on the way down are not looked at for being implied if they are as few as this.
+constexpr std::size_t kFewPlanes = 4;
 // Planes are looked through for unused ones when there are this many times those last used.
 constexpr std::size_t kPlaneGrowth = 3;
-constexpr std::size_t kFewPlanes = 4096;
+constexpr std::size_t kPlanesWorthDropping = 4096;
 
-// `cell` is not needed beside `other`.
-bool is_redundant(Domination found, std::uint32_t cell, std::uint32_t other,
-                  const CellOrder& order) {
-    // Of facets in one plane the first one is the wall.
-    return found == Domination::Strict || (found == Domination::Coplanar && order(other, cell));
+BoxPlane seen_from(const BoxFrame& frame, const HalfPlane& p, const Plane& exact) {
+    BoxPlane result;
+    result.n = {p.nx, p.ny, p.nz};
+    result.e = p.d2 - p.nx * frame.centre[0] - p.ny * frame.centre[1] - p.nz * frame.centre[2];
+    result.exact = &exact;
+    return result;
 }
 
-bool may_dominate(std::uint64_t mask, std::uint64_t other) {
-    return (other & ~mask) == 0;
+// Is the plane not needed in the box, because one beside it is all that can be seen of the cell
+// there? Asked only where its facet seems to be somewhere else.
+bool is_implied(const BoxFrame& frame, const IncomingCell& cell, std::size_t plane) {
+    const FacetHint& hint = cell.hints[plane];
+    bool is_elsewhere = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        // Hints are in whole units.
+        is_elsewhere = is_elsewhere || 2.0 * hint.min[i] > frame.centre[i] + frame.half[i] ||
+                       2.0 * hint.max[i] < frame.centre[i] - frame.half[i];
+    }
+    if (!is_elsewhere) return false;
+    // The neighbour that has most of the plane above it, seen from the middle of the box.
+    const HalfPlane& h = cell.half_planes[plane];
+    const double above =
+        h.nx * frame.centre[0] + h.ny * frame.centre[1] + h.nz * frame.centre[2] - h.d2;
+    const double step = above / (h.nx * h.nx + h.ny * h.ny + h.nz * h.nz);
+    const double x = frame.centre[0] - step * h.nx;
+    const double y = frame.centre[1] - step * h.ny;
+    const double z = frame.centre[2] - step * h.nz;
+    std::size_t best = hint.count;
+    double highest = 0.0;
+    for (std::size_t k = 0; k < hint.count; ++k) {
+        const HalfPlane& m = cell.half_planes[hint.neighbours[k]];
+        const double height = m.nx * x + m.ny * y + m.nz * z - m.d2;
+        if (height <= highest) continue;
+        highest = height;
+        best = k;
+    }
+    if (best == hint.count) return false;
+    const std::size_t beside = hint.neighbours[best];
+    return implies(seen_from(frame, cell.half_planes[beside], cell.planes[beside]),
+                   seen_from(frame, h, cell.planes[plane]), frame.half) == Domination::Strict;
 }
 
-std::uint64_t mask_at(std::span<const std::uint32_t> words) {
-    return words[1] | std::uint64_t{words[2]} << 32;
+bool meets(const BoxFrame& frame, const IncomingCell& cell) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (cell.min[i] > frame.centre[i] + frame.half[i]) return false;
+        if (cell.max[i] < frame.centre[i] - frame.half[i]) return false;
+    }
+    return true;
 }
 
 }  // namespace
 
-void BlockTree::insert(std::uint32_t cell, std::span<const Plane> planes, const CellOrder& order,
+// Cells on their way down: stacks that all levels share. A level adds what is left of the cells of
+// the level above in its box, and takes it away again.
+struct BlockTree::Work {
+    struct ActivePlane {
+        HalfPlane half_plane;
+        std::uint32_t stored = 0;  // index in planes_, kNone before it is needed
+        std::uint32_t local = 0;   // index in the incoming cell
+    };
+    struct Item {
+        std::uint32_t number = 0;
+        const IncomingCell* cell = nullptr;  // null: was in the tree before
+        std::size_t first = 0, count = 0;    // in planes
+        bool is_new = true;                  // Not yet compared with others in this box
+        Profile profile;
+        std::uint32_t* stored = nullptr;  // of an incoming cell: where its planes are in planes_
+    };
+    const CellOrder* order = nullptr;
+    std::uint32_t leaf = 0;
+    std::vector<Item> items;
+    std::vector<ActivePlane> planes;
+    std::uint32_t last_cover = kNone;   // number of the cell that last covered a box
+    std::vector<std::uint32_t> stored;  // of all cells, see Item
+    // Kept for their memory.
+    std::vector<BoxPlane> seen;
+    std::vector<std::size_t> seen_begin;
+    std::vector<std::size_t> kept;
+};
+
+void BlockTree::insert(std::span<const IncomingCell> cells, const CellOrder& order,
                        std::uint32_t leaf) {
     if (nodes_[0].kind == Kind::Empty) return;
-    thread_local Incoming incoming;
-    incoming.cell = cell;
-    incoming.planes = planes;
-    incoming.half_planes.clear();
-    for (const Plane& plane : planes)
-        incoming.half_planes.emplace_back(plane);
-    incoming.stored.assign(planes.size(), kNone);
-    incoming.active.clear();
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        incoming.active.push_back(static_cast<std::uint16_t>(i));
-    insert_at(0, box_, 0, incoming, order, leaf);
-    if (planes_.size() > kPlaneGrowth * planes_after_drop_ + kFewPlanes) drop_unused_planes();
+    thread_local Work work;
+    work.order = &order;
+    work.leaf = leaf;
+    work.items.clear();
+    work.planes.clear();
+    work.stored.clear();
+    const BoxFrame frame(box_);
+    std::size_t count = 0;
+    std::vector<const IncomingCell*> here;
+    for (const IncomingCell& cell : cells) {
+        if (!meets(frame, cell)) continue;
+        here.push_back(&cell);
+        count += cell.planes.size();
+    }
+    if (here.empty()) return;
+    work.stored.assign(count, kNone);
+    std::uint32_t* next = work.stored.data();
+    for (const IncomingCell* cell : here) {
+        Work::Item item;
+        item.number = cell->number;
+        item.cell = cell;
+        item.first = work.planes.size();
+        item.count = cell->cutting.size();
+        item.stored = next;
+        next += cell->planes.size();
+        for (const std::uint16_t plane : cell->cutting)
+            work.planes.push_back({cell->half_planes[plane], kNone, plane});
+        work.items.push_back(item);
+    }
+    insert_at(0, box_, 0, work.items.size(), work, 0, kNone);
+    if (planes_.size() > kPlaneGrowth * planes_after_drop_ + kPlanesWorthDropping) {
+        drop_unused_planes();
+    }
 }
 
-void BlockTree::insert_at(std::uint32_t number, const HalfBox& box, std::size_t active_begin,
-                          Incoming& in, const CellOrder& order, std::uint32_t leaf) {
-    std::vector<std::uint16_t>& active = in.active;
-    const std::size_t active_end = active.size();
+bool BlockTree::meets_any(std::span<const IncomingCell> cells) const {
+    if (nodes_[0].kind == Kind::Empty) return false;
+    const BoxFrame frame(box_);
+    return std::any_of(cells.begin(), cells.end(),
+                       [&](const IncomingCell& cell) { return meets(frame, cell); });
+}
+
+// Items [begin, end) of the level above.
+void BlockTree::insert_at(std::uint32_t number, const HalfBox& box, std::size_t begin,
+                          std::size_t end, Work& work, int fruitless, std::size_t parent_load) {
     const BoxFrame frame(box);
-    for (std::size_t i = active_begin; i < active_end; ++i) {
-        switch (side_of(frame, in.half_planes[active[i]])) {
-            case Side::Below: break;
-            case Side::Above: active.resize(active_end); return;
-            case Side::On: active.push_back(active[i]); break;
+    const std::size_t my_items = work.items.size();
+    const std::size_t my_planes = work.planes.size();
+    const auto leave = [&] {
+        work.items.resize(my_items);
+        work.planes.resize(my_planes);
+    };
+    // What the item has here; false if that is all of the box.
+    const auto take = [&](std::size_t i) {
+        Work::Item item = work.items[i];
+        const std::size_t first = work.planes.size();
+        for (std::size_t k = item.first; k < item.first + item.count; ++k) {
+            const Work::ActivePlane plane = work.planes[k];
+            const Side side = side_of(frame, plane.half_plane);
+            if (side == Side::Above) {
+                work.planes.resize(first);
+                return true;
+            }
+            if (side == Side::On) work.planes.push_back(plane);
         }
+        if (work.planes.size() == first) {
+            work.last_cover = item.number;
+            return false;
+        }
+        if (item.cell && !item.cell->hints.empty() && work.planes.size() - first > kFewPlanes) {
+            // What is implied by a plane that is itself implied is implied by what implies that.
+            work.planes.erase(
+                std::remove_if(work.planes.begin() + static_cast<std::ptrdiff_t>(first),
+                               work.planes.end(),
+                               [&](const Work::ActivePlane& plane) {
+                                   return is_implied(frame, *item.cell, plane.local);
+                               }),
+                work.planes.end());
+        }
+        item.first = first;
+        item.count = work.planes.size() - first;
+        item.is_new = true;
+        work.items.push_back(item);
+        return true;
+    };
+    const auto cover =
+        std::find_if(work.items.begin() + static_cast<std::ptrdiff_t>(begin),
+                     work.items.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](const Work::Item& item) { return item.number == work.last_cover; });
+    const auto hopeful = static_cast<std::size_t>(cover - work.items.begin());
+    bool is_covered = hopeful < end && !take(hopeful);
+    for (std::size_t i = begin; i < end && !is_covered; ++i) {
+        if (i != hopeful) is_covered = !take(i);
     }
-    if (active.size() == active_end) {
-        release(number);
-        nodes_[number].kind = Kind::Empty;
-        return;
-    }
-    if (nodes_[number].kind == Kind::Material) {
-        add_to_leaf(number, box, active_end, in, order, leaf);
+    if (is_covered) {
+        become_empty(number);
+    } else if (work.items.size() == my_items) {
+        // Nothing of them is here.
+    } else if (nodes_[number].kind == Kind::Material) {
+        take_out(number, work);
+        build(number, box, my_items, work, fruitless, parent_load);
     } else {
+        const std::size_t my_end = work.items.size();
         const std::uint32_t first = nodes_[number].first_child;
         const std::size_t axis = nodes_[number].axis;
         for (const bool upper : {false, true}) {
             const std::uint32_t child = first + static_cast<std::uint32_t>(upper);
             if (nodes_[child].kind == Kind::Empty) continue;
-            insert_at(child, box.half(axis, upper), active_end, in, order, leaf);
+            insert_at(child, box.half(axis, upper), my_items, my_end, work, 0, kNone);
         }
-        if (nodes_[first].kind == Kind::Empty && nodes_[first + 1].kind == Kind::Empty) {
-            release(number);
-            nodes_[number].kind = Kind::Empty;
-        }
+        become_empty_if_children_are(number);
     }
-    active.resize(active_end);
+    leave();
 }
 
-void BlockTree::add_to_leaf(std::uint32_t number, const HalfBox& box, std::size_t active_begin,
-                            Incoming& in, const CellOrder& order, std::uint32_t leaf) {
-    thread_local std::vector<BoxPlane> mine;
-    thread_local std::vector<BoxPlane> others;
+// Adds the cells of a leaf to the items.
+void BlockTree::take_out(std::uint32_t number, Work& work) const {
+    const std::span<const std::uint32_t> words(nodes_[number].cells);
+    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1]) {
+        Work::Item item;
+        item.number = words[at];
+        item.first = work.planes.size();
+        item.count = words[at + 1];
+        item.is_new = false;
+        for (const std::uint32_t plane : words.subspan(at + kHead, item.count))
+            work.planes.push_back({HalfPlane(planes_[plane]), plane, 0});
+        work.items.push_back(item);
+    }
+}
+
+// Makes a leaf of the items from `begin` on, or a tree if they are too many.
+void BlockTree::build(std::uint32_t number, const HalfBox& box, std::size_t begin, Work& work,
+                      int fruitless, std::size_t parent_load) {
     const BoxFrame frame(box);
-    mine.clear();
-    for (std::size_t i = active_begin; i < in.active.size(); ++i)
-        mine.emplace_back(in.planes[in.active[i]], frame);
-    const std::uint64_t mask = sample_mask(mine, frame.half);
+    const std::size_t load = drop_redundant(frame, begin, work);
 
-    std::vector<std::uint32_t>& words = nodes_[number].cells;
-    const auto load = [&](std::size_t at) {
-        others.clear();
-        for (std::uint32_t k = 0; k < words[at + 3]; ++k)
-            others.emplace_back(planes_[words[at + kHead + k]], frame);
-    };
-    std::uint32_t count = 0;
-    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 3]) {
-        ++count;
-        if (!may_dominate(mask_at(std::span(words).subspan(at)), mask)) continue;
-        load(at);
-        if (is_redundant(dominated(mine, others, frame.half), in.cell, words[at], order)) return;
-    }
-    std::size_t kept = 0;
-    for (std::size_t at = 0; at < words.size();) {
-        const std::size_t size = kHead + words[at + 3];
-        bool redundant = false;
-        if (may_dominate(mask, mask_at(std::span(words).subspan(at)))) {
-            load(at);
-            redundant =
-                is_redundant(dominated(others, mine, frame.half), words[at], in.cell, order);
-        }
-        if (redundant) {
-            --count;
-        } else {
-            if (kept != at) std::copy_n(&words[at], size, &words[kept]);
-            kept += size;
-        }
-        at += size;
-    }
-    words.resize(kept);
-    words.insert(words.end(),
-                 {in.cell, static_cast<std::uint32_t>(mask), static_cast<std::uint32_t>(mask >> 32),
-                  static_cast<std::uint32_t>(in.active.size() - active_begin)});
-    for (std::size_t i = active_begin; i < in.active.size(); ++i) {
-        std::uint32_t& stored = in.stored[in.active[i]];
-        if (stored == kNone) {
-            stored = static_cast<std::uint32_t>(planes_.size());
-            planes_.push_back(in.planes[in.active[i]]);
-        }
-        words.push_back(stored);
-    }
-    if (count + 1 > std::max(leaf, nodes_[number].limit)) split(number, box, order, leaf, 0);
-}
-
-std::vector<BlockTree::Local> BlockTree::cells_of(const Node& node, const HalfBox& box) const {
-    const BoxFrame frame(box);
-    std::vector<Local> result;
-    const std::span<const std::uint32_t> words(node.cells);
-    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 3]) {
-        Local local{words[at], mask_at(words.subspan(at)), {}, {}};
-        for (const std::uint32_t plane : words.subspan(at + kHead, words[at + 3])) {
-            local.planes.push_back(plane);
-            local.seen.emplace_back(planes_[plane], frame);
-        }
-        result.push_back(std::move(local));
-    }
-    return result;
-}
-
-// The axis that parts the cells best; the longest of those that do as well.
-std::size_t BlockTree::best_axis(const HalfBox& box, const std::vector<Local>& cells) const {
-    std::size_t best = 3;
-    double best_cost = std::numeric_limits<double>::max();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (box.extent(axis) < kSmallestBox) continue;
-        std::size_t total = 0;
-        for (const bool upper : {false, true}) {
-            const BoxFrame frame(box.half(axis, upper));
-            std::size_t here = 0;
-            for (const Local& local : cells) {
-                bool outside = false;
-                bool cut = false;
-                for (const std::uint32_t plane : local.planes) {
-                    const Side side = side_of(frame, HalfPlane(planes_[plane]));
-                    outside = side == Side::Above;
-                    cut = cut || side == Side::On;
-                    if (outside) break;
-                }
-                if (outside) continue;
-                if (!cut) {
-                    here = 0;
-                    break;
-                }
-                ++here;
-            }
-            total += here;
-        }
-        const double shape = static_cast<double>(box.extent(axis)) /
-                             static_cast<double>(box.extent(box.longest_axis()));
-        const double cost =
-            static_cast<double>(total) / static_cast<double>(cells.size()) - 0.25 * shape;
-        if (cost < best_cost) {
-            best_cost = cost;
-            best = axis;
-        }
-    }
-    return best;
-}
-
-// Hands cells down to a leaf. False: one of them covers it.
-bool BlockTree::fill(Node& node, const HalfBox& box, const std::vector<Local>& cells,
-                     const CellOrder& order) const {
-    const BoxFrame frame(box);
-    std::vector<Local> kept;
-    for (const Local& local : cells) {
-        Local here{local.cell, 0, {}, {}};
-        bool outside = false;
-        for (const std::uint32_t plane : local.planes) {
-            const Side side = side_of(frame, HalfPlane(planes_[plane]));
-            outside = side == Side::Above;
-            if (outside) break;
-            if (side == Side::On) {
-                here.planes.push_back(plane);
-                here.seen.emplace_back(planes_[plane], frame);
-            }
-        }
-        if (outside) continue;
-        if (here.planes.empty()) return false;
-        here.mask = sample_mask(here.seen, frame.half);
-        const bool redundant = std::any_of(kept.begin(), kept.end(), [&](const Local& other) {
-            return may_dominate(other.mask, here.mask) &&
-                   is_redundant(dominated(here.seen, other.seen, frame.half), here.cell, other.cell,
-                                order);
-        });
-        if (redundant) continue;
-        std::erase_if(kept, [&](const Local& other) {
-            return may_dominate(here.mask, other.mask) &&
-                   is_redundant(dominated(other.seen, here.seen, frame.half), other.cell, here.cell,
-                                order);
-        });
-        kept.push_back(std::move(here));
-    }
-    std::size_t size = 0;
-    for (const Local& local : kept)
-        size += kHead + local.planes.size();
-    node.cells.reserve(size);
-    for (const Local& local : kept) {
-        node.cells.insert(node.cells.end(), {local.cell, static_cast<std::uint32_t>(local.mask),
-                                             static_cast<std::uint32_t>(local.mask >> 32),
-                                             static_cast<std::uint32_t>(local.planes.size())});
-        node.cells.insert(node.cells.end(), local.planes.begin(), local.planes.end());
-    }
-    node.limit = static_cast<std::uint32_t>(kept.size());
-    return true;
-}
-
-void BlockTree::split(std::uint32_t number, const HalfBox& box, const CellOrder& order,
-                      std::uint32_t leaf, int fruitless) {
-    const std::vector<Local> cells = cells_of(nodes_[number], box);
-    const auto leave_as_it_is = [&] {
-        nodes_[number].limit = static_cast<std::uint32_t>(2 * cells.size());
-    };
-    const std::size_t axis = best_axis(box, cells);
-    if (axis == 3) return leave_as_it_is();
-    std::array<Node, 2> halves;
-    std::array<bool, 2> overfull{};
-    std::array<int, 2> wasted{};
-    for (const bool upper : {false, true}) {
-        Node& node = halves[upper];
-        if (!fill(node, box.half(axis, upper), cells, order)) node.kind = Kind::Empty;
-        overfull[upper] = node.kind == Kind::Material && node.limit > leaf;
-        wasted[upper] = 10 * node.limit > 9 * cells.size() ? fruitless + 1 : 0;
-        node.limit = 0;
-    }
-    if (overfull[0] && overfull[1] && std::min(wasted[0], wasted[1]) >= kFruitlessSplits) {
-        return leave_as_it_is();
-    }
-    if (halves[0].kind == Kind::Empty && halves[1].kind == Kind::Empty) {
-        nodes_[number] = {};
-        nodes_[number].kind = Kind::Empty;
+    const std::size_t limit = std::max(work.leaf, nodes_[number].limit);
+    // A split that left nearly all of it in both halves.
+    const bool was_in_vain = 10 * load > 9 * parent_load;
+    fruitless = was_in_vain ? fruitless + 1 : 0;
+    Cut cut;
+    if (load > limit && fruitless < kFruitlessSplits) cut = best_cut(box, begin, work);
+    if (cut.axis == 3) {
+        store(number, begin, work);
+        if (load > limit) nodes_[number].limit = static_cast<std::uint32_t>(2 * load);
         return;
     }
     std::uint32_t first = 0;
@@ -286,16 +269,156 @@ void BlockTree::split(std::uint32_t number, const HalfBox& box, const CellOrder&
     }
     nodes_[number] = {};
     nodes_[number].kind = Kind::Inner;
-    nodes_[number].axis = static_cast<std::uint8_t>(axis);
+    nodes_[number].axis = static_cast<std::uint8_t>(cut.axis);
     nodes_[number].first_child = first;
+    const std::size_t end = work.items.size();
     for (const bool upper : {false, true}) {
-        const std::uint32_t child = first + static_cast<std::uint32_t>(upper);
-        nodes_[child] = std::move(halves[upper]);
-        if (overfull[upper]) split(child, box.half(axis, upper), order, leaf, wasted[upper]);
+        nodes_[first + static_cast<std::uint32_t>(upper)] = {};
+        insert_at(first + static_cast<std::uint32_t>(upper), box.half(cut.axis, upper), begin, end,
+                  work, fruitless, cut.parts ? kNone : load);
     }
+    become_empty_if_children_are(number);
+}
+
+// Of items from `begin` on, keeps what no other one covers in the box. How many planes those have.
+std::size_t BlockTree::drop_redundant(const BoxFrame& frame, std::size_t begin, Work& work) const {
+    const std::span<Work::Item> items = std::span(work.items).subspan(begin);
+    work.seen.clear();
+    work.seen_begin.clear();
+    for (Work::Item& item : items) {
+        const std::size_t first = work.seen.size();
+        work.seen_begin.push_back(first);
+        for (std::size_t k = item.first; k < item.first + item.count; ++k) {
+            const Work::ActivePlane& plane = work.planes[k];
+            work.seen.push_back(
+                seen_from(frame, plane.half_plane,
+                          item.cell ? item.cell->planes[plane.local] : planes_[plane.stored]));
+        }
+        item.profile = Profile(std::span(work.seen).subspan(first), frame.half);
+    }
+    work.seen_begin.push_back(work.seen.size());
+    const auto seen = [&](std::size_t i) {
+        return std::span(work.seen).subspan(work.seen_begin[i],
+                                            work.seen_begin[i + 1] - work.seen_begin[i]);
+    };
+    // `a` is not needed beside `b`.
+    const auto is_redundant = [&](std::size_t a, std::size_t b) {
+        if (!items[a].profile.may_be_covered_by(items[b].profile)) return false;
+        const Domination found = dominated(seen(a), seen(b), frame.half);
+        // Of facets in one plane the first one is the wall.
+        return found == Domination::Strict ||
+               (found == Domination::Coplanar && (*work.order)(items[b].number, items[a].number));
+    };
+    // Of many cells each is compared with a few that were kept: smaller boxes tell the rest.
+    const std::size_t most = items.size() > kManyCells ? kComparisons : items.size();
+    std::vector<std::size_t>& kept = work.kept;
+    kept.clear();
+    for (std::size_t a = 0; a < items.size(); ++a) {
+        bool is_needed = true;
+        const std::size_t from = kept.size() > most ? kept.size() - most : 0;
+        std::size_t to = from;
+        for (std::size_t i = from; i < kept.size(); ++i) {
+            const std::size_t b = kept[i];
+            const bool ask = is_needed && (items[a].is_new || items[b].is_new);
+            if (ask && is_redundant(a, b)) {
+                is_needed = false;
+            }
+            if (ask && is_redundant(b, a)) continue;
+            kept[to++] = b;
+        }
+        kept.resize(to);
+        if (is_needed) kept.push_back(a);
+    }
+    std::sort(kept.begin(), kept.end());
+    std::size_t load = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        items[i] = items[kept[i]];
+        load += items[i].count;
+    }
+    work.items.resize(begin + kept.size());
+    return load;
+}
+
+// Along the axis that parts the cells best; the longest of those that do as well.
+BlockTree::Cut BlockTree::best_cut(const HalfBox& box, std::size_t begin, const Work& work) {
+    const std::span<const Work::Item> items = std::span(work.items).subspan(begin);
+    const std::size_t longest = box.longest_axis();
+    if (box.extent(longest) < kSmallestBox) return {};
+    if (items.size() > kManyCells) return {longest, true};
+    Cut best;
+    double best_cost = std::numeric_limits<double>::max();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (box.extent(axis) < kSmallestBox) continue;
+        std::size_t total = 0;
+        for (const bool upper : {false, true}) {
+            const BoxFrame frame(box.half(axis, upper));
+            std::size_t here = 0;
+            for (const Work::Item& item : items) {
+                bool outside = false;
+                bool cut = false;
+                for (std::size_t k = item.first; k < item.first + item.count && !outside; ++k) {
+                    const Side side = side_of(frame, work.planes[k].half_plane);
+                    outside = side == Side::Above;
+                    cut = cut || side == Side::On;
+                }
+                if (outside) continue;
+                if (!cut) {
+                    here = 0;
+                    break;
+                }
+                ++here;
+            }
+            total += here;
+        }
+        const double shape =
+            static_cast<double>(box.extent(axis)) / static_cast<double>(box.extent(longest));
+        const double cost =
+            static_cast<double>(total) / static_cast<double>(items.size()) - 0.25 * shape;
+        if (cost < best_cost) {
+            best_cost = cost;
+            // Less than half of the cells in both halves: one was cut off rather.
+            best = {axis, 2 * total <= 3 * items.size()};
+        }
+    }
+    return best;
+}
+
+void BlockTree::store(std::uint32_t number, std::size_t begin, Work& work) {
+    const std::span<Work::Item> items = std::span(work.items).subspan(begin);
+    std::vector<std::uint32_t>& words = nodes_[number].cells;
+    words.clear();
+    std::size_t size = 0;
+    for (const Work::Item& item : items)
+        size += kHead + item.count;
+    words.reserve(size);
+    for (const Work::Item& item : items) {
+        words.push_back(item.number);
+        words.push_back(static_cast<std::uint32_t>(item.count));
+        for (std::size_t k = item.first; k < item.first + item.count; ++k) {
+            const Work::ActivePlane& plane = work.planes[k];
+            if (!item.cell) {
+                words.push_back(plane.stored);
+                continue;
+            }
+            std::uint32_t& stored = item.stored[plane.local];
+            if (stored == kNone) {
+                stored = static_cast<std::uint32_t>(planes_.size());
+                planes_.push_back(item.cell->planes[plane.local]);
+            }
+            words.push_back(stored);
+        }
+    }
+}
+
+void BlockTree::become_empty(std::uint32_t number) {
+    release(number);
+    nodes_[number].kind = Kind::Empty;
+}
+
+void BlockTree::become_empty_if_children_are(std::uint32_t number) {
+    const std::uint32_t first = nodes_[number].first_child;
     if (nodes_[first].kind == Kind::Empty && nodes_[first + 1].kind == Kind::Empty) {
-        release(number);
-        nodes_[number].kind = Kind::Empty;
+        become_empty(number);
     }
 }
 
@@ -315,8 +438,8 @@ void BlockTree::drop_unused_planes() {
     std::vector<Plane> used;
     for (Node& node : nodes_) {
         std::vector<std::uint32_t>& words = node.cells;
-        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 3]) {
-            for (std::uint32_t k = 0; k < words[at + 3]; ++k) {
+        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1]) {
+            for (std::uint32_t k = 0; k < words[at + 1]; ++k) {
                 std::uint32_t& index = words[at + kHead + k];
                 if (renumbered[index] == kNone) {
                     renumbered[index] = static_cast<std::uint32_t>(used.size());
@@ -344,8 +467,8 @@ void BlockTree::visit(
         }
         entries.clear();
         const std::span<const std::uint32_t> words(node.cells);
-        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 3])
-            entries.push_back({words[at], words.subspan(at + kHead, words[at + 3])});
+        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1])
+            entries.push_back({words[at], words.subspan(at + kHead, words[at + 1])});
         leaf(box, entries);
     };
     go(go, 0, box_);
@@ -364,8 +487,8 @@ bool BlockTree::find(const std::array<std::int64_t, 3>& point, std::vector<Entry
     if (nodes_[number].kind == Kind::Empty) return false;
     entries.clear();
     const std::span<const std::uint32_t> words(nodes_[number].cells);
-    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 3])
-        entries.push_back({words[at], words.subspan(at + kHead, words[at + 3])});
+    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1])
+        entries.push_back({words[at], words.subspan(at + kHead, words[at + 1])});
     return true;
 }
 

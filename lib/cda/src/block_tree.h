@@ -32,16 +32,28 @@ private:
     std::span<const Origin> origins_;
 };
 
+/// A cell on its way into the tree.
+struct IncomingCell {
+    std::uint32_t number = 0;
+    std::span<const Plane> planes;
+    std::span<const FacetHint> hints;    ///< One per plane, or none at all.
+    std::vector<HalfPlane> half_planes;  ///< The same planes.
+    std::vector<std::uint16_t> cutting;  ///< Indices of those that cut the stock.
+    std::array<double, 3> min{}, max{};  ///< Encloses it, in half units.
+};
+
 class BlockTree {
 public:
     explicit BlockTree(const HalfBox& box) : box_(box), nodes_(1) {}
 
     const HalfBox& box() const { return box_; }
 
-    /// Takes the cell away. Expected O(surface of the cell in the block that lies in material).
-    /// A leaf with more than `leaf` cells is split.
-    void insert(std::uint32_t cell, std::span<const Plane> planes, const CellOrder& order,
-                std::uint32_t leaf);
+    /// Takes cells away. Expected O(surface of the cells in the block that is left in the end):
+    /// what one of them covers is not looked at for the others. A leaf whose cells are cut by more
+    /// than `leaf` planes is split.
+    void insert(std::span<const IncomingCell> cells, const CellOrder& order, std::uint32_t leaf);
+    /// False: none of the cells is anywhere near, by their boxes.
+    bool meets_any(std::span<const IncomingCell> cells) const;
 
     /// One cell of a leaf: its number and the planes that cut the leaf (indices for plane()).
     struct Entry {
@@ -69,38 +81,27 @@ private:
         Kind kind = Kind::Material;
         std::uint8_t axis = 0;          // Inner: what is halved
         std::uint32_t first_child = 0;  // Inner: two in a row
-        std::uint32_t limit = 0;        // Material: cells that may be, where more than `leaf`
-        // Material: for each cell its number, 64 bits of sample_mask(), how many planes, and
-        // these.
+        std::uint32_t limit = 0;        // Material: planes that may be, where more than `leaf`
+        // Material: for each cell its number, how many planes, and these.
         std::vector<std::uint32_t> cells;
     };
-    static constexpr std::size_t kHead = 4;
-    // A cell in a box, taken out of a node.
-    struct Local {
-        std::uint32_t cell;
-        std::uint64_t mask;
-        std::vector<std::uint32_t> planes;
-        std::vector<BoxPlane> seen;
-    };
-    // The cell at hand.
-    struct Incoming {
-        std::uint32_t cell = 0;
-        std::span<const Plane> planes;
-        std::vector<HalfPlane> half_planes;
-        std::vector<std::uint32_t> stored;  // index in planes_, kNone before it is needed
-        std::vector<std::uint16_t> active;  // stack that all levels share
+    static constexpr std::size_t kHead = 2;
+    struct Work;
+    struct Cut {
+        std::size_t axis = 3;  // 3: none
+        bool parts = false;    // less than half of the cells are in both halves
     };
 
-    void insert_at(std::uint32_t number, const HalfBox& box, std::size_t active_begin,
-                   Incoming& incoming, const CellOrder& order, std::uint32_t leaf);
-    void add_to_leaf(std::uint32_t number, const HalfBox& box, std::size_t active_begin,
-                     Incoming& incoming, const CellOrder& order, std::uint32_t leaf);
-    void split(std::uint32_t number, const HalfBox& box, const CellOrder& order, std::uint32_t leaf,
-               int fruitless);
-    std::size_t best_axis(const HalfBox& box, const std::vector<Local>& cells) const;
-    bool fill(Node& node, const HalfBox& box, const std::vector<Local>& cells,
-              const CellOrder& order) const;
-    std::vector<Local> cells_of(const Node& node, const HalfBox& box) const;
+    void insert_at(std::uint32_t number, const HalfBox& box, std::size_t begin, std::size_t end,
+                   Work& work, int fruitless, std::size_t parent_load);
+    void take_out(std::uint32_t number, Work& work) const;
+    void build(std::uint32_t number, const HalfBox& box, std::size_t begin, Work& work,
+               int fruitless, std::size_t parent_load);
+    std::size_t drop_redundant(const BoxFrame& frame, std::size_t begin, Work& work) const;
+    static Cut best_cut(const HalfBox& box, std::size_t begin, const Work& work);
+    void store(std::uint32_t number, std::size_t begin, Work& work);
+    void become_empty(std::uint32_t number);
+    void become_empty_if_children_are(std::uint32_t number);
     void release(std::uint32_t number);
     void drop_unused_planes();
 

@@ -15,24 +15,19 @@ namespace {
 constexpr double kRoundingOfE = 16.0;
 constexpr double kRelativeRounding = 1e-14;
 
-// Does {m·x <= e_m} within the box imply p·x <= e_p?
+}  // namespace
+
 Domination implies(const BoxPlane& m, const BoxPlane& p, const std::array<double, 3>& half) {
-    const double cx = m.n[1] * p.n[2] - m.n[2] * p.n[1];
-    const double cy = m.n[2] * p.n[0] - m.n[0] * p.n[2];
-    const double cz = m.n[0] * p.n[1] - m.n[1] * p.n[0];
-    const double along = m.n[0] * p.n[0] + m.n[1] * p.n[1] + m.n[2] * p.n[2];
-    if (cx == 0 && cy == 0 && cz == 0) {
-        if (along < 0) return Domination::None;
-        const int order = compare_distances(*m.exact, *p.exact);
-        return order < 0    ? Domination::None
-               : order == 0 ? Domination::Coplanar
-                            : Domination::Strict;
-    }
+    // The corner of the box that lies deepest below m must lie below p, for a start.
+    double deepest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        deepest -= std::copysign(p.n[i], p.n[i] * m.n[i]) * half[i];
+    if (deepest > p.e) return Domination::None;
     // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i| half_i: convex, piecewise linear; the
     // least value is at a kink.
     for (std::size_t i = 0; i < 3; ++i) {
+        if (p.n[i] * m.n[i] <= 0) continue;
         const double lambda = p.n[i] / m.n[i];
-        if (!(lambda > 0) || !(lambda < 1e9)) continue;
         double bound = lambda * m.e;
         double size = std::abs(bound);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -42,10 +37,16 @@ Domination implies(const BoxPlane& m, const BoxPlane& p, const std::array<double
         const double margin = kRoundingOfE * (1.0 + lambda) + kRelativeRounding * size;
         if (bound + margin < p.e) return Domination::Strict;
     }
-    return Domination::None;
+    // Equal planes, or nearly so, are left to integers.
+    const bool are_parallel = m.n[1] * p.n[2] == m.n[2] * p.n[1] &&
+                              m.n[2] * p.n[0] == m.n[0] * p.n[2] &&
+                              m.n[0] * p.n[1] == m.n[1] * p.n[0];
+    if (!are_parallel || m.n[0] * p.n[0] + m.n[1] * p.n[1] + m.n[2] * p.n[2] < 0) {
+        return Domination::None;
+    }
+    const int order = compare_distances(*m.exact, *p.exact);
+    return order < 0 ? Domination::None : order == 0 ? Domination::Coplanar : Domination::Strict;
 }
-
-}  // namespace
 
 Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by,
                      const std::array<double, 3>& half) {
@@ -63,26 +64,44 @@ Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> b
     return result;
 }
 
-std::uint64_t sample_mask(std::span<const BoxPlane> cell, const std::array<double, 3>& half) {
-    // Three fifths apart about the middle: corners of the box tell little.
-    constexpr std::array<double, 4> kAt{-0.9, -0.3, 0.3, 0.9};
-    std::uint64_t inside = ~std::uint64_t{0};
+Profile::Profile(std::span<const BoxPlane> cell, const std::array<double, 3>& half) {
+    std::array<double, 3> sum{};
     for (const BoxPlane& p : cell) {
-        const double x = p.n[0] * half[0];
-        const double y = p.n[1] * half[1];
-        const double z = p.n[2] * half[2];
-        std::uint64_t here = 0;
-        for (std::size_t k = 0; k < 16; ++k) {
-            const double rest = p.e - y * kAt[k & 3] - z * kAt[k >> 2];
-            const unsigned bits = static_cast<unsigned>(x * kAt[0] <= rest) |
-                                  static_cast<unsigned>(x * kAt[1] <= rest) << 1 |
-                                  static_cast<unsigned>(x * kAt[2] <= rest) << 2 |
-                                  static_cast<unsigned>(x * kAt[3] <= rest) << 3;
-            here |= std::uint64_t{bits} << (4 * k);
-        }
-        inside &= here;
+        const double size = std::abs(p.n[0]) + std::abs(p.n[1]) + std::abs(p.n[2]);
+        for (std::size_t i = 0; i < 3; ++i)
+            sum[i] += p.n[i] / size;
     }
-    return inside;
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::abs(sum[i]) > std::abs(sum[axis])) axis = i;
+    }
+    const double sign = sum[axis] < 0 ? -1.0 : 1.0;
+    direction = static_cast<std::uint8_t>(2 * axis + (sum[axis] < 0 ? 1 : 0));
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    constexpr std::array<float, 4> kAt{-0.9F, -0.3F, 0.3F, 0.9F};
+    reach.fill(static_cast<float>(half[axis]));
+    for (const BoxPlane& p : cell) {
+        const double along = sign * p.n[axis];
+        if (along <= 0) continue;
+        const auto middle = static_cast<float>(p.e / along);
+        const auto du = static_cast<float>(p.n[u] * half[u] / along);
+        const auto dv = static_cast<float>(p.n[v] * half[v] / along);
+        for (std::size_t k = 0; k < 16; ++k) {
+            reach[k] = std::min(reach[k], middle - du * kAt[k & 3] - dv * kAt[k >> 2]);
+        }
+    }
+}
+
+bool Profile::may_be_covered_by(const Profile& other) const {
+    if (direction != other.direction) return true;
+    // Equal ones differ by rounding.
+    constexpr float kTolerance = 1e-5F;
+    bool covered = true;
+    for (std::size_t k = 0; k < 16; ++k) {
+        covered &= reach[k] <= other.reach[k] + kTolerance * (std::abs(reach[k]) + 1.0F);
+    }
+    return covered;
 }
 
 bool same_direction(const Plane& a, const Plane& b) {

@@ -31,16 +31,28 @@ enum class Domination : std::uint8_t {
     Strict,
 };
 
+/// Do all points of a box below `m` lie below `p`? Strict: none of them in p; Coplanar: m and p are
+/// one plane. Never claims what is not so. The linear program of a box and a halfspace, a convex
+/// function of one multiplier.
+Domination implies(const BoxPlane& m, const BoxPlane& p, const std::array<double, 3>& half);
+
 /// Is the part of a cell in a box within another cell? Both are given by the planes that cut the
 /// box. Never claims what is not so; may miss what needs two planes at once to be seen. Each plane
-/// of the other cell is tried against each of this one by the linear program of a box and a
-/// halfspace (a convex function of one multiplier): O(planes · planes).
+/// of the other cell is tried against each of this one: O(planes · planes).
 Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by,
                      const std::array<double, 3>& half);
 
-/// Which of 64 points of a box lie in a cell: what dominates another has all of its points. Only to
-/// save work.
-std::uint64_t sample_mask(std::span<const BoxPlane> cell, const std::array<double, 3>& half);
+/// How far a cell reaches through a box along the axis most of its planes look along, in 16 columns
+/// beside each other: what dominates another reaches as far in each. Only to save work.
+struct Profile {
+    Profile() = default;
+    Profile(std::span<const BoxPlane> cell, const std::array<double, 3>& half);
+    /// Roughly: may a cell with this profile be covered by one with `other`?
+    bool may_be_covered_by(const Profile& other) const;
+
+    std::uint8_t direction = 0;  ///< Twice the axis, plus one for the negative direction.
+    std::array<float, 16> reach{};
+};
 
 /// Of planes with the same direction: the sign of the distance of `b` less that of `a`. Exact.
 int compare_distances(const Plane& a, const Plane& b);

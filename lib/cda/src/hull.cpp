@@ -9,6 +9,8 @@
 #include "qhull.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -131,8 +133,10 @@ std::optional<LatticeHull> lattice_hull(std::span<const LatticePoint> points) {
     return hull;
 }
 
+// Normals have no common divisor here, so planes are canonical as they are.
 Plane plane_of(Normal n, std::int64_t d) {
-    return canonical(n.x, n.y, n.z, d);
+    return {static_cast<std::int32_t>(n.x), static_cast<std::int32_t>(n.y),
+            static_cast<std::int32_t>(n.z), d};
 }
 
 std::int64_t facet_distance(const LatticeHull& hull, std::size_t facet,
@@ -145,15 +149,45 @@ std::int64_t facet_distance(const LatticeHull& hull, std::size_t facet,
     return d;
 }
 
+// Where some of `points` are; neighbours are left to the caller.
+template <class Indices>
+FacetHint around(const Indices& corners, std::span<const LatticePoint> points) {
+    FacetHint hint;
+    bool is_first = true;
+    for (const std::uint32_t corner : corners) {
+        const LatticePoint& p = points[corner];
+        const std::array<float, 3> at{static_cast<float>(p.x), static_cast<float>(p.y),
+                                      static_cast<float>(p.z)};
+        for (std::size_t i = 0; i < 3; ++i) {
+            hint.min[i] = is_first ? at[i] : std::min(hint.min[i], at[i]);
+            hint.max[i] = is_first ? at[i] : std::max(hint.max[i], at[i]);
+        }
+        is_first = false;
+    }
+    return hint;
+}
+
+void unite(FacetHint& hint, const FacetHint& with) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        hint.min[i] = std::min(hint.min[i], with.min[i]);
+        hint.max[i] = std::max(hint.max[i], with.max[i]);
+    }
+}
+
+// To where it is on the way between a and b.
+void move(FacetHint& hint, LatticePoint a, LatticePoint b) {
+    const std::array<std::int64_t, 3> p{a.x, a.y, a.z};
+    const std::array<std::int64_t, 3> q{b.x, b.y, b.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+        hint.min[i] += static_cast<float>(std::min(p[i], q[i]));
+        hint.max[i] += static_cast<float>(std::max(p[i], q[i]));
+    }
+}
+
 // Six planes that keep a cell within the box of its points: where facets are nearly parallel,
 // quantising them could let a corner run far away.
 constexpr std::array<Normal, 6> kBoxNormals{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
-
-void sort_unique(std::vector<Plane>& planes) {
-    std::sort(planes.begin(), planes.end());
-    planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-}
 
 }  // namespace
 
@@ -163,13 +197,35 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
     if (!hull) return std::nullopt;
     Cell cell;
     cell.origin = origin;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> facet_at;  // directed edge
     for (std::size_t i = 0; i < hull->loops.size(); ++i) {
-        cell.planes.push_back(
-            plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding)));
+        const auto& loop = hull->loops[i];
+        const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
+        const FacetHint hint = around(loop, points);
+        const auto same = std::find(cell.planes.begin(), cell.planes.end(), plane);
+        const auto index = static_cast<std::size_t>(same - cell.planes.begin());
+        if (same == cell.planes.end()) {
+            cell.planes.push_back(plane);
+            cell.hints.push_back(hint);
+        } else {
+            unite(cell.hints[index], hint);
+        }
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const std::uint32_t tail = loop[k];
+            const std::uint32_t head = loop[(k + 1) % loop.size()];
+            facet_at[{tail, head}] = index;
+            const auto beside = facet_at.find({head, tail});
+            if (beside == facet_at.end()) continue;
+            cell.hints[index].add_neighbour(beside->second);
+            cell.hints[beside->second].add_neighbour(index);
+        }
     }
-    for (const Normal& n : kBoxNormals)
-        cell.planes.push_back(plane_of(n, support(n, points)));
-    sort_unique(cell.planes);
+    for (const Normal& n : kBoxNormals) {
+        const Plane plane = plane_of(n, support(n, points));
+        if (std::find(cell.planes.begin(), cell.planes.end(), plane) != cell.planes.end()) continue;
+        cell.planes.push_back(plane);
+        cell.hints.push_back(FacetHint::anywhere());
+    }
     const Extent e = extent(points);
     cell.bounds = {lattice.to_mm(e.min), lattice.to_mm(e.max)};
     return cell;
@@ -203,17 +259,38 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
                 static_cast<std::uint32_t>(i);
         }
     }
+    for (std::size_t i = 0; i < hull->loops.size(); ++i)
+        sweep.hints_.push_back(around(hull->loops[i], points));
     for (const auto& [edge, left] : facet_at) {
         if (edge.first > edge.second) continue;
         const auto right = facet_at.find({edge.second, edge.first});
         if (right == facet_at.end()) continue;  // qhull merged across it
         sweep.edges_.push_back({left, right->second, edge.first, edge.second});
+        sweep.hints_[left].add_neighbour(right->second);
+        sweep.hints_[right->second].add_neighbour(left);
     }
     for (const Normal& n : kBoxNormals) {
         const Plane plane = plane_of(n, support(n, points));
-        if (std::find(sweep.facets_.begin(), sweep.facets_.end(), plane) == sweep.facets_.end()) {
-            sweep.facets_.push_back(plane);
+        if (std::find(sweep.facets_.begin(), sweep.facets_.end(), plane) != sweep.facets_.end()) {
+            continue;
         }
+        // It touches a corner, or an edge; facets there are its neighbours.
+        FacetHint hint;
+        std::vector<std::uint32_t> touched;
+        for (std::size_t i = 0; i < hull->loops.size(); ++i) {
+            const auto& loop = hull->loops[i];
+            const auto touches = [&](std::uint32_t corner) {
+                return dot(n, points[corner]) == plane.d;
+            };
+            if (std::none_of(loop.begin(), loop.end(), touches)) continue;
+            std::copy_if(loop.begin(), loop.end(), std::back_inserter(touched), touches);
+            hint.add_neighbour(i);
+        }
+        const FacetHint where = around(touched, points);
+        hint.min = where.min;
+        hint.max = where.max;
+        sweep.facets_.push_back(plane);
+        sweep.hints_.push_back(hint);
     }
     return sweep;
 }
@@ -222,37 +299,18 @@ Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin ori
     Cell cell;
     cell.origin = origin;
     cell.planes.reserve(facets_.size() + 32);
+    cell.hints.reserve(facets_.size() + 32);
     const LatticePoint t = to - from;
     const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };
-    const auto moved = [&](const Plane& p) {
-        const Normal n = normal(p);
-        return plane_of(n, p.d + std::max(dot(n, from), dot(n, to)));
-    };
-    for (const Plane& facet : facets_)
-        cell.planes.push_back(moved(facet));
-
-    // Edges of the silhouette seen along t: e × t points outwards where the left facet goes with
-    // the motion and the right one against it (left facet counter-clockwise, e = n_left × n_right).
-    if (t != LatticePoint{}) {
-        for (const Edge& edge : edges_) {
-            const std::int64_t left = dot(normal(facets_[edge.left]), t);
-            const std::int64_t right = dot(normal(facets_[edge.right]), t);
-            if (!((left > 0 && right < 0) || (left < 0 && right > 0))) continue;
-            Wide m = cross(vertices_[edge.head] - vertices_[edge.tail], t);
-            if (left < 0) m = {-m.x, -m.y, -m.z};
-            if (m.x == 0 && m.y == 0 && m.z == 0) continue;
-            const Normal n = quantised(m);
-            std::int64_t d = 0;
-            if (rounding_ == Rounding::Outward) {
-                d = support(n, vertices_) + std::max(dot(n, from), dot(n, to));
-            } else {
-                d = std::min(dot(n, vertices_[edge.tail]), dot(n, vertices_[edge.head])) +
-                    std::min(dot(n, from), dot(n, to));
-            }
-            cell.planes.push_back(plane_of(n, d));
-        }
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        const Normal n = normal(facets_[i]);
+        const std::int64_t at_from = dot(n, from);
+        const std::int64_t at_to = dot(n, to);
+        cell.planes.push_back(plane_of(n, facets_[i].d + std::max(at_from, at_to)));
+        cell.hints.push_back(hints_[i]);
+        move(cell.hints.back(), at_from > at_to ? from : to, at_to > at_from ? to : from);
     }
-    sort_unique(cell.planes);
+    if (t != LatticePoint{}) add_sides(cell, from, to);
     const Extent e = extent(vertices_);
     const auto low = [](std::int64_t a, std::int64_t b) { return std::min(a, b); };
     const auto high = [](std::int64_t a, std::int64_t b) { return std::max(a, b); };
@@ -261,6 +319,57 @@ Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin ori
                    lattice_.to_mm(e.max + LatticePoint{high(from.x, to.x), high(from.y, to.y),
                                                        high(from.z, to.z)})};
     return cell;
+}
+
+// Edges of the silhouette seen along t: e × t points outwards where the left facet goes with the
+// motion and the right one against it (left facet counter-clockwise, e = n_left × n_right).
+void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to) const {
+    const LatticePoint t = to - from;
+    const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };
+    struct SidePlane {
+        std::size_t plane;
+        const Edge* edge;
+    };
+    std::vector<SidePlane> sides;
+    for (const Edge& edge : edges_) {
+        const std::int64_t left = dot(normal(facets_[edge.left]), t);
+        const std::int64_t right = dot(normal(facets_[edge.right]), t);
+        if (!((left > 0 && right < 0) || (left < 0 && right > 0))) continue;
+        Wide m = cross(vertices_[edge.head] - vertices_[edge.tail], t);
+        if (left < 0) m = {-m.x, -m.y, -m.z};
+        if (m.x == 0 && m.y == 0 && m.z == 0) continue;
+        const Normal n = quantised(m);
+        std::int64_t d = 0;
+        if (rounding_ == Rounding::Outward) {
+            d = support(n, vertices_) + std::max(dot(n, from), dot(n, to));
+        } else {
+            d = std::min(dot(n, vertices_[edge.tail]), dot(n, vertices_[edge.head])) +
+                std::min(dot(n, from), dot(n, to));
+        }
+        const Plane plane = plane_of(n, d);
+        FacetHint hint = around(std::array{edge.tail, edge.head}, vertices_);
+        move(hint, from, to);
+        const auto same = std::find(cell.planes.begin(), cell.planes.end(), plane);
+        const auto index = static_cast<std::size_t>(same - cell.planes.begin());
+        if (same == cell.planes.end()) {
+            cell.planes.push_back(plane);
+            cell.hints.push_back(hint);
+        } else {
+            unite(cell.hints[index], hint);
+        }
+        for (const std::uint32_t facet : {edge.left, edge.right}) {
+            cell.hints[index].add_neighbour(facet);
+            cell.hints[facet].add_neighbour(index);
+        }
+        for (const SidePlane& other : sides) {
+            const bool meet = other.edge->tail == edge.tail || other.edge->tail == edge.head ||
+                              other.edge->head == edge.tail || other.edge->head == edge.head;
+            if (!meet || other.plane == index) continue;
+            cell.hints[index].add_neighbour(other.plane);
+            cell.hints[other.plane].add_neighbour(index);
+        }
+        sides.push_back({index, &edge});
+    }
 }
 
 }  // namespace ncsim::cda

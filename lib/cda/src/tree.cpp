@@ -100,39 +100,39 @@ std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
 }
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
-    // What cuts the stock, of those that do.
-    struct Kept {
-        std::uint32_t number;
-        std::vector<Plane> planes;
-    };
-    std::vector<Kept> kept;
+    std::vector<IncomingCell> kept;
     kept.reserve(cells.size());
     for (const Cell& cell : cells) {
-        Kept here{static_cast<std::uint32_t>(origins_.size()), {}};
-        here.planes.reserve(cell.planes.size());
-        const bool is_outside =
-            std::any_of(cell.planes.begin(), cell.planes.end(), [&](const Plane& plane) {
-                const Side side = classify_box(stock_box_, plane);
-                if (side == Side::On) here.planes.push_back(plane);
-                return side == Side::Above;
-            });
+        IncomingCell here;
+        const bool has_hints = cell.hints.size() == cell.planes.size();
+        here.planes = cell.planes;
+        if (has_hints) here.hints = cell.hints;
+        here.half_planes.reserve(cell.planes.size());
+        here.cutting.reserve(cell.planes.size());
+        bool is_outside = false;
+        for (std::size_t i = 0; i < cell.planes.size() && !is_outside; ++i) {
+            const Side side = classify_box(stock_box_, cell.planes[i]);
+            is_outside = side == Side::Above;
+            if (side == Side::On) here.cutting.push_back(static_cast<std::uint16_t>(i));
+            here.half_planes.emplace_back(cell.planes[i]);
+        }
         if (is_outside) continue;
+        here.number = static_cast<std::uint32_t>(origins_.size());
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Four half units for the rounding to millimetres and back.
+            const int axis = static_cast<int>(i);
+            here.min[i] = 2.0 * cell.bounds.min[axis] / lattice_.unit_mm - 4.0;
+            here.max[i] = 2.0 * cell.bounds.max[axis] / lattice_.unit_mm + 4.0;
+        }
         origins_.push_back(cell.origin);
         ++counts_.cells;
-        counts_.planes += here.planes.size();
+        counts_.planes += here.cutting.size();
         kept.push_back(std::move(here));
     }
     const CellOrder order(origins_);
     const auto take = [&](std::size_t i) {
         Block& block = blocks_[i];
-        const BoxFrame frame(block.tree->box());
-        for (const Kept& cell : kept) {
-            const bool is_outside =
-                std::any_of(cell.planes.begin(), cell.planes.end(), [&](const Plane& plane) {
-                    return side_of(frame, HalfPlane(plane)) == Side::Above;
-                });
-            if (!is_outside) block.own().insert(cell.number, cell.planes, order, parameters_.leaf);
-        }
+        if (block.tree->meets_any(kept)) block.own().insert(kept, order, parameters_.leaf);
     };
     if (kept.size() < kCellsWorthThreads) {
         for (std::size_t i = 0; i < blocks_.size(); ++i)

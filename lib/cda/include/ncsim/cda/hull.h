@@ -47,7 +47,9 @@ private:
         std::uint32_t tail, head;   ///< Vertices, `left` on the left side seen from outside.
     };
     TranslationSweep() = default;
+    void add_sides(Cell& cell, LatticePoint from, LatticePoint to) const;
     std::vector<Plane> facets_;
+    std::vector<FacetHint> hints_;  // of facets_, at rest
     std::vector<Edge> edges_;
     std::vector<LatticePoint> vertices_;
     Lattice lattice_;
