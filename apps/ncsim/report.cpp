@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -67,20 +68,17 @@ Json tools_json(const Outcome& o) {
     return tools;
 }
 
-Distances total(const Survey& survey) {
-    Distances sum;
-    for (const auto& [number, d] : survey.distances) {
-        sum.rapid_mm += d.rapid_mm;
-        sum.feed_mm += d.feed_mm;
-    }
-    return sum;
-}
+}  // namespace
 
 std::string volume_text(double mm3) {
     return fmt::format("{:.3f} cm3", mm3 / 1000);
 }
 
-}  // namespace
+std::string time_text(double seconds) {
+    const auto whole = static_cast<std::uint64_t>(std::llround(seconds));
+    if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
+    return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
+}
 
 std::string summary(const Outcome& o) {
     std::string text;
@@ -104,14 +102,15 @@ std::string summary(const Outcome& o) {
                        "accuracy  {:.3g} mm missed, {:.3g} mm gained by arcs and turning tools\n",
                        s.bounds.missed_mm, s.bounds.gained_mm);
     }
-    const Distances distances = total(o.survey);
-    fmt::format_to(out, "path      {:.1f} mm at feed, {:.1f} mm rapid\n", distances.feed_mm,
+    const Distances distances = total_distances(o.survey);
+    fmt::format_to(out, "path      {:.1f} mm at feed{}, {:.1f} mm rapid\n", distances.feed_mm,
+                   distances.feed_seconds ? " (" + time_text(*distances.feed_seconds) + ")" : "",
                    distances.rapid_mm);
     return text;
 }
 
 void write_report(std::ostream& out, const Outcome& o) {
-    const Distances distances = total(o.survey);
+    const Distances distances = total_distances(o.survey);
     const gcode::Interpretation& read = o.survey.interpretation;
     Json json;
     json["ncsim"] = kVersion;
@@ -151,6 +150,7 @@ void write_report(std::ostream& out, const Outcome& o) {
                         {"shells", o.boundary->shells}};
     }
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
+    if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);
     json["tip_extents"] = to_json(o.survey.tip_positions);
     json["tools"] = tools_json(o);
     if (o.simulation && !o.simulation->removed_by_block.empty()) {

@@ -5,16 +5,18 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/visitor.h"
 #include "ncsim/export/gltf.h"
+#include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
-#include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
+#include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
 
 #include "findings.h"
 #include "job.h"
 #include "job_file.h"
 #include "output.h"
+#include "picture.h"
 #include "pipeline.h"
 #include "progress.h"
 #include "report.h"
@@ -24,7 +26,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -33,27 +34,10 @@ namespace ncsim::app {
 
 namespace {
 
-exporter::Image picture(const Job& job, const Survey& survey, const Simulation& simulation) {
-    exporter::RenderOptions options;
-    options.width = job.options.width;
-    options.height = job.options.height;
-    const double aspect = static_cast<double>(options.width) / options.height;
-    options.colouring = job.options.colouring;
-    options.depth_top = survey.stock->box.max.z;
-    options.depth_bottom = std::max(survey.stock->box.min.z, survey.tip_positions.min.z);
-    options.camera = exporter::fit_camera(survey.stock->box, job.options.view, aspect);
-    // The flat aggregate is drawn by its masks, as the thesis does it.
-    return job.options.model == "cda-flat"
-               ? exporter::render_model(*simulation.part, simulation.provenance, options)
-               : exporter::render_boundary(*simulation.boundary, simulation.provenance, options);
-}
-
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const Options& o = outcome.job.options;
     const Simulation& s = *outcome.simulation;
-    outputs.write(o.png, [&](std::ostream& out) {
-        exporter::write_png(out, picture(outcome.job, outcome.survey, s));
-    });
+    outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
     outputs.write(o.gltf, [&](std::ostream& out) {
         exporter::write_gltf(out, *outcome.boundary, s.provenance);
     });
@@ -62,6 +46,12 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     });
     outputs.write(o.stl, [&](std::ostream& out) {
         exporter::write_stl(out, cda::triangulate(*outcome.boundary));
+    });
+    outputs.write(o.ply, [&](std::ostream& out) {
+        exporter::write_ply(out, *outcome.boundary, s.provenance);
+    });
+    outputs.write(o.threemf, [&](std::ostream& out) {
+        exporter::write_3mf(out, *outcome.boundary, s.provenance);
     });
     const auto* flat = dynamic_cast<const cda::FlatCda*>(s.part.get());
     const auto flat_only = [&](const std::string& path, const auto& writer) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
@@ -36,6 +37,28 @@ exporter::View read_view(const std::string& name) {
             "--view '{}': expected iso, top, bottom, front, back, left or right", name)};
     }
     return *view;
+}
+
+std::vector<exporter::View> read_views(const std::string& names) {
+    std::vector<exporter::View> views;
+    for (std::size_t begin = 0; begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        const auto view = exporter::parse_view(names.substr(begin, end - begin));
+        if (!view) {
+            throw Refusal{fmt::format(
+                "--views '{}': expected names with commas between them, such as iso,top,front",
+                names)};
+        }
+        views.push_back(*view);
+        begin = end + 1;
+    }
+    return views;
+}
+
+exporter::Background read_background(const std::string& name) {
+    if (name == "white") return exporter::Background::White;
+    if (name == "dark") return exporter::Background::Dark;
+    throw Refusal{fmt::format("--background '{}': expected white or dark", name)};
 }
 
 exporter::Colouring read_colouring(const std::string& name) {
@@ -74,8 +97,8 @@ void choose_model(Options& o) {
 
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
-    for (const std::string* path :
-         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.step, &o.report, &o.stats, &o.xml, &o.save_job}) {
+    for (const std::string* path : {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step,
+                                    &o.report, &o.stats, &o.xml, &o.save_job}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -84,8 +107,8 @@ std::vector<std::string> outputs_of(const Options& o) {
 bool needs_surface(const Options& o) {
     // The flat aggregate draws itself.
     const bool png = !o.png.empty() && o.model != "cda-flat";
-    return png || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() || !o.step.empty() ||
-           !o.report.empty();
+    return png || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() || !o.ply.empty() ||
+           !o.threemf.empty() || !o.step.empty() || !o.report.empty();
 }
 
 CLI::App* add_run(CLI::App& app, Options& options) {
@@ -101,21 +124,33 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option("--vrml", o.vrml, "Mesh with the NC line of every face, VRML97")
         ->type_name("FILE");
     run->add_option("--stl", o.stl, "Mesh, binary STL")->type_name("FILE");
+    run->add_option("--ply", o.ply, "Mesh with the NC line of every face, PLY")->type_name("FILE");
+    run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
+        ->type_name("FILE");
     run->add_option("--step", o.step, "Solid for CAD, STEP AP214")->type_name("FILE");
     run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
     run->add_option("--stats", o.stats, "What each hull cost, CSV")->type_name("FILE");
     run->add_option("--xml", o.xml, "The cells of the workpiece, XML")->type_name("FILE");
     add_simulation_options(*run, o);
     run->add_option_function<std::string>(
-           "--view", [&o](Text name) { o.view = read_view(name); },
+           "--view", [&o](Text name) { o.views = {read_view(name)}; },
            "iso, top, bottom, front, back, left, right")
         ->type_name("VIEW");
+    run->add_option_function<std::string>(
+           "--views", [&o](Text names) { o.views = read_views(names); },
+           "Several of them on one sheet with a caption: iso,top,front")
+        ->type_name("LIST")
+        ->excludes("--view");
+    run->add_option_function<std::string>(
+           "--background", [&o](Text name) { o.background = read_background(name); },
+           "Of the picture: white, dark")
+        ->type_name("WHAT");
     run->add_option_function<std::string>(
            "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
            "What colours tell: tool, line, depth")
         ->type_name("WHAT");
     run->add_option_function<std::string>(
-           "--size", [&o](Text size) { read_size(size, o); }, "Of the picture, pixels [1280x960]")
+           "--size", [&o](Text size) { read_size(size, o); }, "Of each view, pixels [1280x960]")
         ->type_name("WxH");
     run->add_flag("!--no-block-volumes", o.block_volumes,
                   "Report without what each block removed: faster with --model cda");

@@ -16,11 +16,13 @@ namespace ncsim::app {
 
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
-    std::string png, gltf, vrml, stl, step, report, stats, xml;
+    std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml;
 
-    exporter::View view = exporter::View::Iso;
+    /// Of the picture; several are put on one sheet with a caption. Never empty.
+    std::vector<exporter::View> views{exporter::View::Iso};
+    exporter::Background background = exporter::Background::White;
     exporter::Colouring colouring = exporter::Colouring::Tool;
-    std::uint32_t width = 1280, height = 960;
+    std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
     bool quiet = false;
     /// In the report: what each block removed. With the model "cda" ten times the work.
     bool block_volumes = true;

@@ -33,6 +33,25 @@ void tell(Survey& survey, Severity severity, const char* code, std::string messa
     survey.diagnostics.push_back(std::move(d));
 }
 
+std::optional<double> sum(std::optional<double> a, std::optional<double> b) {
+    return a && b ? std::optional(*a + *b) : std::nullopt;
+}
+
+// Of a move at its feed all the way; `length` in mm. Turns of rotary axes alone go by degrees.
+std::optional<double> seconds_of(const gcode::Motion& motion, double length) {
+    if (!(motion.feed > 0.0)) return std::nullopt;
+    if (motion.feed_mode == gcode::FeedMode::InverseTime) return 60.0 / motion.feed;
+    if (length == 0.0) {
+        const gcode::Position* from = start_of(motion);
+        const gcode::Position* to = end_of(motion);
+        length = norm(cda::Vec3{to->a.degrees(), to->b.degrees(), to->c.degrees()} -
+                      cda::Vec3{from->a.degrees(), from->b.degrees(), from->c.degrees()});
+    }
+    if (motion.feed_mode == gcode::FeedMode::PerMinute) return 60.0 * length / motion.feed;
+    if (!(motion.spindle_rpm > 0.0)) return std::nullopt;
+    return 60.0 * length / (motion.feed * motion.spindle_rpm);
+}
+
 // What the motions alone tell, gathered in one pass.
 class MotionSurvey {
 public:
@@ -79,7 +98,12 @@ public:
             if (i > 0) track->second.highest_tip = std::max(track->second.highest_tip, p.z);
         }
         Distances& distances = result_.distances[motion.tool];
-        (motion.kind == gcode::MoveKind::Rapid ? distances.rapid_mm : distances.feed_mm) += length;
+        if (motion.kind == gcode::MoveKind::Rapid) {
+            distances.rapid_mm += length;
+            return;
+        }
+        distances.feed_mm += length;
+        distances.feed_seconds = sum(distances.feed_seconds, seconds_of(motion, length));
     }
 
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
@@ -178,6 +202,16 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
 }
 
 }  // namespace
+
+Distances total_distances(const Survey& survey) {
+    Distances total;
+    for (const auto& [number, d] : survey.distances) {
+        total.rapid_mm += d.rapid_mm;
+        total.feed_mm += d.feed_mm;
+        total.feed_seconds = sum(total.feed_seconds, d.feed_seconds);
+    }
+    return total;
+}
 
 Survey survey(const Job& job) {
     Survey result;

@@ -33,6 +33,9 @@ struct UsedTool {
 struct Distances {
     double rapid_mm = 0.0;
     double feed_mm = 0.0;
+    /// Of the moves at feed, as if every one kept its feed from end to end. Empty if a feed is
+    /// not told, or no spindle speed where it counts.
+    std::optional<double> feed_seconds = 0.0;
 };
 
 struct Survey {
@@ -57,6 +60,9 @@ struct Survey {
     bool is_ready() const { return ready; }
     bool ready = false;
 };
+
+/// Sum over all tools.
+Distances total_distances(const Survey& survey);
 
 Survey survey(const Job& job);
 

@@ -83,9 +83,17 @@ TEST(Options, TakeEverythingThatCanBeAskedFor) {
     EXPECT_TRUE(o.block_delete);
     EXPECT_EQ(o.tolerance, 0.01);
     EXPECT_EQ(o.threads, 4U);
-    EXPECT_EQ(o.view, exporter::View::Top);
+    EXPECT_EQ(o.views, std::vector{exporter::View::Top});
     EXPECT_EQ(o.height, 480U);
     EXPECT_TRUE(o.quiet);
+}
+
+TEST(Options, NameViewsInTheOrderOfTheSheet) {
+    const Options o = options({"run", "part.nc", "--png", "a.png", "--ply", "a.ply", "--3mf",
+                               "a.3mf", "--views", "front,iso", "--background", "dark"});
+    EXPECT_EQ(o.views, (std::vector{exporter::View::Front, exporter::View::Iso}));
+    EXPECT_EQ(o.background, exporter::Background::Dark);
+    EXPECT_EQ(outputs_of(o), (std::vector<std::string>{"a.png", "a.ply", "a.3mf"}));
 }
 
 TEST(Options, NameTheControlAndItsWords) {
@@ -115,6 +123,10 @@ TEST(Options, RefuseWhatMakesNoSense) {
         {"run", "part.nc", "--tolerance", "1e9"},
         {"run", "part.nc", "--threads", "0"},
         {"run", "part.nc", "--view", "sideways"},
+        {"run", "part.nc", "--views", "iso,,top"},
+        {"run", "part.nc", "--views", ""},
+        {"run", "part.nc", "--view", "iso", "--views", "iso,top"},
+        {"run", "part.nc", "--background", "pink"},
         {"run", "part.nc", "--units", "furlong"},
         {"run", "part.nc", "--model", "voxel"},
         {"run", "part.nc", "--model", "cda", "--stats", "a.csv"},

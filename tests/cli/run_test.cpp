@@ -44,7 +44,8 @@ TEST(Run, WritesEveryFormat) {
     const Ran ran =
         folder.run({"run",    "slot.nc", "-q",    "--png", "a.png",  "--gltf", "a.glb",
                     "--vrml", "a.wrl",   "--stl", "a.stl", "--step", "a.step", "--report",
-                    "a.json", "--stats", "a.csv", "--xml", "a.xml",  "--size", "200x100"});
+                    "a.json", "--stats", "a.csv", "--xml", "a.xml",  "--size", "200x100",
+                    "--ply",  "a.ply",   "--3mf", "a.3mf"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_EQ(folder.read("a.png").substr(1, 3), "PNG");
     EXPECT_EQ(folder.read("a.glb").substr(0, 4), "glTF");
@@ -53,7 +54,59 @@ TEST(Run, WritesEveryFormat) {
     EXPECT_GT(folder.read("a.stl").size(), 84U);
     EXPECT_TRUE(contains(folder.read("a.xml"), "<"));
     EXPECT_TRUE(contains(folder.read("a.csv"), ","));
-    EXPECT_EQ(folder.files().size(), 9U) << "nothing but what was asked for";
+    EXPECT_EQ(folder.read("a.ply").substr(0, 4), "ply\n");
+    EXPECT_EQ(folder.read("a.3mf").substr(0, 2), "PK");
+    EXPECT_EQ(folder.files().size(), 11U) << "nothing but what was asked for";
+}
+
+// Width and height as the header of a PNG file tells them.
+std::pair<int, int> size_of_png(const std::string& bytes) {
+    const auto number = [&](std::size_t at) {
+        int value = 0;
+        for (std::size_t i = at; i < at + 4; ++i)
+            value = value * 256 + static_cast<unsigned char>(bytes.at(i));
+        return value;
+    };
+    return {number(16), number(20)};
+}
+
+TEST(Run, SeveralViewsAreOneSheetWithACaption) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran one = folder.run({"run", "slot.nc", "-q", "--png", "one.png", "--size", "200x150"});
+    EXPECT_EQ(one.exit_code, 0) << one.err;
+    EXPECT_EQ(size_of_png(folder.read("one.png")), std::pair(200, 150));
+    const Ran three = folder.run({"run", "slot.nc", "-q", "--png", "three.png", "--size", "200x150",
+                                  "--views", "iso,top,front", "--background", "dark"});
+    EXPECT_EQ(three.exit_code, 0) << three.err;
+    const auto [width, height] = size_of_png(folder.read("three.png"));
+    EXPECT_EQ(width, 600);
+    EXPECT_GT(height, 150) << "there is a caption";
+    EXPECT_LT(height, 300);
+}
+
+TEST(Run, ASheetThatIsTooLargeIsRefusedAndNothingIsWritten) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran = folder.run(
+        {"run", "slot.nc", "-q", "--png", "a.png", "--size", "9000x10", "--views", "iso,top"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.err, "18000")) << ran.err;
+    EXPECT_FALSE(folder.has("a.png"));
+}
+
+TEST(Run, TellsHowLongItCutsIfEveryFeedIsTold) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran told = folder.run({"run", "slot.nc", "--report", "a.json"});
+    // 60 mm at 500 mm/min
+    EXPECT_TRUE(contains(told.out, "60.0 mm at feed (0:07 min)")) << told.out;
+    EXPECT_DOUBLE_EQ(json::parse(folder.read("a.json"))["feed_seconds"], 7.2);
+    std::string text(kSlot);
+    text.erase(text.find(" F500."), 6);
+    folder.write("slot.nc", text);
+    folder.run({"run", "slot.nc", "--report", "a.json"});
+    EXPECT_FALSE(json::parse(folder.read("a.json")).contains("feed_seconds"));
 }
 
 TEST(Run, ReportsVolumesByToolAndByBlock) {
