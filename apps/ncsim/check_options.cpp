@@ -99,6 +99,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    check->add_flag("--cut-free", o.cut_free,
+                    "Ask for pieces cut free, too: costs about half a simulation more");
     check->add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
     check->add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
         ->type_name("FILE");

@@ -20,7 +20,8 @@ struct CheckOptions : ProgramOptions, SimulationOptions {
     std::string json, sarif, junit, csv, html;  ///< Files to write; empty: not asked for.
     bool github = false;                        ///< Annotations for GitHub Actions instead of text.
     bool dog_leg = false;
-    unsigned jobs = 0;  ///< Programs at a time; 0: as many as the machine has cores.
+    bool cut_free = false;  ///< Look for pieces that are cut free.
+    unsigned jobs = 0;      ///< Programs at a time; 0: as many as the machine has cores.
     bool exit_zero = false;
     bool warnings_as_errors = false;
     bool notes = false;  ///< Show notes, too.

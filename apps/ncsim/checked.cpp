@@ -7,6 +7,7 @@
 #include "ncsim/export/render.h"
 #include "ncsim/verify/verifier.h"
 
+#include "cut_free.h"
 #include "job.h"
 #include "pipeline.h"
 #include "sheet.h"
@@ -66,6 +67,7 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
     setup.selection = options.selection;
     setup.suppressions = verify::Suppressions(job.program);
     setup.accuracy.tolerance_mm = options.tool_tolerance;
+    setup.pieces_counted = options.cut_free;
     setup.ledger = !options.csv.empty() || !options.html.empty();
     setup.rapid = rapid_path(options, machine.machine);
     for (const auto& [number, used] : survey.tools) {
@@ -140,7 +142,14 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         verifier.set_frame(frame);
     };
     if (survey.is_ready()) {
-        const Simulation simulation = simulate(job, survey, {&verifier, rapid}, {});
+        Verification verification;
+        verification.verifier = &verifier;
+        verification.rapid = rapid;
+        const Simulation simulation = simulate(job, survey, verification, {});
+        if (options.cut_free) {
+            for (verify::Finding& f : cut_free(job, survey, verification, simulation))
+                verifier.add(std::move(f));
+        }
         const auto* part = dynamic_cast<const cda::TreeCda*>(simulation.part.get());
         checked.verdict = verifier.finish(survey.interpretation, part);
         if (!options.html.empty()) checked.look = look_at(survey, simulation);

@@ -58,6 +58,7 @@ public:
           walk_(make_walk(job, survey, result.lattice, verification.rapid)),
           verifier_(verification.verifier),
           verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
+          most_cuts_(verification.most_cuts),
           measured_(job.options.model == "cda-flat" ||
                     (!job.options.report.empty() && job.options.block_volumes) ||
                     (verifier_ && verifier_->measures_all())),
@@ -72,6 +73,8 @@ public:
     }
 
     void take(const gcode::Motion& motion) {
+        ++motions_;
+        if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         bool met_stock = false;
@@ -99,6 +102,8 @@ public:
         if (verifier_) verifier_->end();
         if (!met_stock) return;
         cut_since_change_ = true;
+        result_.last_cut = {motion.file, motion.span};
+        result_.last_motion = motions_;
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
         if (measured_) result_.removed_by_tool[motion.tool] += removed;
@@ -138,6 +143,8 @@ private:
     toolpath::Walk walk_;
     verify::Verifier* verifier_;
     cda::TreeCda* verified_;  // the part, if it is verified
+    std::optional<std::uint32_t> most_cuts_;
+    std::uint64_t motions_ = 0;
     bool measured_;
     int tool_ = 0;
     double volume_;

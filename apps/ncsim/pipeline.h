@@ -47,6 +47,8 @@ struct Simulation {
     /// (cda-flat).
     std::map<BlockPlace, double> removed_by_block;
     std::map<int, CutterFacts> cutters;
+    verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
+    std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
     toolpath::SampleBounds bounds;  ///< The worst of all motions that met the stock.
 };
 
@@ -63,6 +65,8 @@ struct Verification {
     toolpath::RapidPath rapid;
     /// What is cut; null: the whole block. On the lattice of the block.
     const cda::TreeCda* start = nullptr;
+    /// Stop cutting after so many motions that meet the block: those of the origins 1 to this.
+    std::optional<std::uint32_t> most_cuts;
 };
 
 /// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may

@@ -215,6 +215,30 @@ TEST(Check, MakesTheSamePageForAnyNumberOfThreads) {
     EXPECT_TRUE(contains(folder.read("c.html"), "not verified: cannot read"));
 }
 
+TEST(Check, FindsTheBlockThatCutsAPieceFree) {
+    // A ring of slots through the block around a square of 10 mm; the last side, line 10, frees it.
+    Folder folder;
+    const std::string ring =
+        "(T1 D=4. - flat end mill)\n(STOCK/BLOCK,40.,40.,5.,20.,20.,5.)\n"
+        "G21 G90 G17 T1 M6 S1000 M3 F500\nG0 X-7. Y-7. Z5.\nG1 Z-5.\nG1 X7.\nG1 Y7.\nG1 X-7.\n"
+        "G1 Y0.\nG1 Y-6.\nG1 Y-7.\nG0 Z5.\nM30\n";
+    folder.write("ring.nc", ring);
+    const Ran ran = folder.run({"check", "ring.nc", "--cut-free"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_TRUE(
+        contains(ran.out,
+                 "ring.nc:10:1: warning: a piece of the part is cut free: left of it at the "
+                 "end 500 mm3 [part-cut-free]"))
+        << ran.out;
+    // With a skin of 0.1 mm left it is not.
+    std::string skin = ring;
+    skin.replace(skin.find("Z-5.\n"), 4, "Z-4.9");
+    folder.write("skin.nc", skin);
+    EXPECT_FALSE(contains(folder.run({"check", "skin.nc", "--cut-free"}).out, "part-cut-free]"));
+    EXPECT_TRUE(
+        contains(folder.run({"check", "ring.nc"}).out, "skipped  part-cut-free: pieces are"));
+}
+
 TEST(Check, NeverOverwritesAProgram) {
     Folder folder;
     folder.write("slot.nc", kSlot);

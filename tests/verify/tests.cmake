@@ -4,6 +4,7 @@ ncsim_add_test(verify
   SOURCES
     cycle_time_test.cpp
     rules_test.cpp
+    solids_test.cpp
     verified.cpp)
 
 # JSON and SARIF: validated against their schemas, with what the lock file names.

@@ -23,6 +23,7 @@ std::span<const Rule> rule_table();
 /// For geometric rules: why the program was not simulated.
 std::optional<std::string> needs_simulation(const Setup& setup);
 std::optional<std::string> needs_nothing(const Setup& setup);
+std::optional<std::string> needs_counting(const Setup& setup);
 std::optional<std::string> needs_travel(const Setup& setup);
 std::optional<std::string> needs_fixtures(const Setup& setup);
 std::optional<std::string> needs_bodies(const Setup& setup);

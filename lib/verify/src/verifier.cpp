@@ -223,6 +223,14 @@ public:
         diagnostics_.insert(diagnostics_.end(), diagnostics.begin(), diagnostics.end());
     }
 
+    void add(Finding finding) {
+        if (!asked(finding.rule)) return;
+        if (!setup_.stock_assumption.empty()) {
+            finding.assumptions.push_back("stock: " + setup_.stock_assumption);
+        }
+        log_.add(std::move(finding));
+    }
+
     Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part) {
         Verdict verdict;
         verdict.files = interpretation.files;
@@ -544,6 +552,10 @@ bool Verifier::measures_all() const {
 
 void Verifier::add(const gcode::Diagnostics& diagnostics) {
     impl_->add(diagnostics);
+}
+
+void Verifier::add(Finding finding) {
+    impl_->add(std::move(finding));
 }
 
 Verdict Verifier::finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part) {

@@ -19,6 +19,12 @@ std::optional<std::string> needs_simulation(const Setup& setup) {
     return std::nullopt;
 }
 
+std::optional<std::string> needs_counting(const Setup& setup) {
+    if (auto reason = needs_simulation(setup)) return reason;
+    if (setup.pieces_counted) return std::nullopt;
+    return "pieces are counted where they are asked for (--cut-free)";
+}
+
 std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     std::vector<std::string> all;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);

@@ -45,6 +45,7 @@ struct Setup {
     std::string stock_assumption;
     std::string units_assumption;
     std::string home_assumption;  ///< Of moves in machine coordinates.
+    bool pieces_counted = false;  ///< Somebody looks for pieces that are cut free.
     bool ledger = false;          ///< Keep a row a block, with exact volumes.
 };
 

@@ -40,6 +40,9 @@ public:
 
     /// Adds what the interpreter and others have to say.
     void add(const gcode::Diagnostics& diagnostics);
+    /// Adds what somebody else found, complete but for category, hint and suppression. Left out if
+    /// its rule is not selected.
+    void add(Finding finding);
     /// After the last motion. `part` is null if nothing was simulated.
     Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part);
 
