@@ -124,6 +124,14 @@ TEST(RapidInMaterial, NamesWhatItRestsOnAndIsThenAWarning) {
                                         "path: rapid moves are straight (--rapid linear)"}));
 }
 
+TEST(RapidInMaterial, AfterAProbeRestsOnWhereItMetSomething) {
+    const Finding f =
+        only(verdict_of(kStart + "G0 X0\nG38.2 Z-3 F50\nG0 X10\n"), "rapid-in-material");
+    EXPECT_EQ(f.place.span.line, 4U);
+    EXPECT_EQ(f.severity, Severity::Warning);
+    EXPECT_EQ(f.assumptions.front().substr(0, 6), "probe:");
+}
+
 TEST(RapidInMaterial, IsSkippedWhereNothingIsSimulated) {
     const auto verdict = verdict_of(kStart + "G0 Z-2\nG0 X30\n", not_simulated());
     EXPECT_TRUE(findings_of(verdict, "rapid-in-material").empty());

@@ -171,6 +171,8 @@ public:
         const auto* from = gcode::start_of(motion);
         const auto* to = gcode::end_of(motion);
         move_.is_move = from && to;
+        move_.after_probe = probed_;
+        probed_ |= motion.kind == MoveKind::Probe;
         if (!move_.is_move) return;
         measure_path(motion, *from, *to);
         const auto watched = watched_.find(motion.tool);
@@ -517,6 +519,7 @@ private:
     Vec3 tool_offset_;
     Box way_;
     std::uint64_t motions_ = 0;
+    bool probed_ = false;
     Move move_;
     Watched* now_ = nullptr;
     bool met_ = false;         // this step meets material; nobody asks how much

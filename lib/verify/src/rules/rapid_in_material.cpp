@@ -34,6 +34,9 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
         all.push_back("home: " + setup.home_assumption);
     }
+    if (move.after_probe) {
+        all.emplace_back("probe: it met something at its target; what follows may stand on that");
+    }
     if (move.motion->kind == gcode::MoveKind::Rapid) {
         all.emplace_back(setup.rapid.dog_leg
                              ? "path: each axis moves at its own rapid rate (--rapid dog-leg)"
@@ -44,7 +47,7 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
 
 bool rests_on_guesses(const Setup& setup, const Move& move) {
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
-    return !setup.stock_assumption.empty() || (tool && tool->is_guess) ||
+    return !setup.stock_assumption.empty() || (tool && tool->is_guess) || move.after_probe ||
            (move.motion->machine_coordinates && !setup.home_assumption.empty());
 }
 

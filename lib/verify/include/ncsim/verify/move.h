@@ -39,6 +39,7 @@ struct Move {
     std::uint64_t number = 0;  ///< From 1, in the order of execution.
     bool is_move = false;      ///< Else a dwell or a tool change.
     bool is_traced = false;    ///< Its tool and its start are known, so it was simulated.
+    bool after_probe = false;  ///< A probe moved before: where it met something is assumed.
     double length_mm = 0.0;    ///< Path of the controlled point.
     cda::Vec3 enters, leaves;  ///< Unit vectors of the path's two ends; 0 without a length.
     double radius_mm = 0.0;    ///< Of an arc, the smaller one of a spiral; else 0.
