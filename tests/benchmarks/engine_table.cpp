@@ -74,8 +74,6 @@ void measure(const std::string& name, std::uint32_t threads) {
 
     cda::TreeParameters parameters;
     parameters.threads = threads;
-    if (const char* leaf = std::getenv("LEAF"))
-        parameters.leaf = static_cast<std::uint32_t>(std::atoi(leaf));
     cda::TreeCda part(cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice),
                       lattice, parameters);
     start = cpu_seconds();

@@ -25,6 +25,8 @@ constexpr std::size_t kManyCells = 64;
 constexpr std::size_t kComparisons = 16;
 // Planes on the way down are not looked at for being implied if they are as few as this.
 constexpr std::size_t kFewPlanes = 4;
+// Levels before a plane that was not implied is asked for again: boxes shrink by half an axis each.
+constexpr std::uint16_t kPatience = 2;
 // Planes are looked through for unused ones when there are this many times those last used.
 constexpr std::size_t kPlaneGrowth = 3;
 constexpr std::size_t kPlanesWorthDropping = 4096;
@@ -86,8 +88,9 @@ bool meets(const BoxFrame& frame, const IncomingCell& cell) {
 struct BlockTree::Work {
     struct ActivePlane {
         HalfPlane half_plane;
-        std::uint32_t stored = 0;  // index in planes_, kNone before it is needed
-        std::uint32_t local = 0;   // index in the incoming cell
+        std::uint32_t stored = 0;    // index in planes_, kNone before it is needed
+        std::uint16_t local = 0;     // index in the incoming cell
+        std::uint16_t patience = 0;  // levels before it is asked again whether it is implied
     };
     struct Item {
         std::uint32_t number = 0;
@@ -177,18 +180,20 @@ void BlockTree::insert_at(std::uint32_t number, const HalfBox& box, std::size_t 
             }
             if (side == Side::On) work.planes.push_back(plane);
         }
-        if (work.planes.size() == first) {
-            work.last_cover = item.number;
-            return false;
-        }
+        if (work.planes.size() == first) return false;
         if (item.cell && !item.cell->hints.empty() && work.planes.size() - first > kFewPlanes) {
             // What is implied by a plane that is itself implied is implied by what implies that.
+            const auto is_dropped = [&](Work::ActivePlane& plane) {
+                if (plane.patience > 0) {
+                    --plane.patience;
+                    return false;
+                }
+                plane.patience = kPatience;
+                return is_implied(frame, *item.cell, plane.local);
+            };
             work.planes.erase(
                 std::remove_if(work.planes.begin() + static_cast<std::ptrdiff_t>(first),
-                               work.planes.end(),
-                               [&](const Work::ActivePlane& plane) {
-                                   return is_implied(frame, *item.cell, plane.local);
-                               }),
+                               work.planes.end(), is_dropped),
                 work.planes.end());
         }
         item.first = first;
@@ -197,11 +202,22 @@ void BlockTree::insert_at(std::uint32_t number, const HalfBox& box, std::size_t 
         work.items.push_back(item);
         return true;
     };
-    const auto cover =
-        std::find_if(work.items.begin() + static_cast<std::ptrdiff_t>(begin),
-                     work.items.begin() + static_cast<std::ptrdiff_t>(end),
-                     [&](const Work::Item& item) { return item.number == work.last_cover; });
-    const auto hopeful = static_cast<std::size_t>(cover - work.items.begin());
+    // First the cell that has the box nearest to its middle: it may cover all of it.
+    std::size_t hopeful = end;
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t i = begin; i < end; ++i) {
+        const IncomingCell* cell = work.items[i].cell;
+        if (!cell) continue;
+        double distance = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            distance =
+                std::max(distance, std::abs(cell->min[k] + cell->max[k] - 2.0 * frame.centre[k]) /
+                                       (cell->max[k] - cell->min[k]));
+        }
+        if (distance >= nearest) continue;
+        nearest = distance;
+        hopeful = i;
+    }
     bool is_covered = hopeful < end && !take(hopeful);
     for (std::size_t i = begin; i < end && !is_covered; ++i) {
         if (i != hopeful) is_covered = !take(i);

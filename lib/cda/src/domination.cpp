@@ -18,11 +18,11 @@ constexpr double kRelativeRounding = 1e-14;
 }  // namespace
 
 Domination implies(const BoxPlane& m, const BoxPlane& p, const std::array<double, 3>& half) {
-    // The corner of the box that lies deepest below m must lie below p, for a start.
-    double deepest = 0.0;
+    // The corner of the box that is farthest above p must be above m, for a start.
+    double height = -m.e;
     for (std::size_t i = 0; i < 3; ++i)
-        deepest -= std::copysign(p.n[i], p.n[i] * m.n[i]) * half[i];
-    if (deepest > p.e) return Domination::None;
+        height += m.n[i] * std::copysign(half[i], p.n[i]);
+    if (height < 0) return Domination::None;
     // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i| half_i: convex, piecewise linear; the
     // least value is at a kink.
     for (std::size_t i = 0; i < 3; ++i) {

@@ -33,7 +33,7 @@ struct TreeCounts {
 
 /// How the tree works; none of it changes a result.
 struct TreeParameters {
-    std::uint32_t leaf = 64;    ///< Planes in a leaf before it is split.
+    std::uint32_t leaf = 80;    ///< Planes in a leaf before it is split.
     std::uint32_t threads = 0;  ///< 0: as many as the machine has.
 };
 
