@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A small workpiece and cuts, checked against all that is known about the result. For the fuzzer
+// and the nightly run; throws std::runtime_error that says what is wrong.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/tree.h"
+
+#include "support/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::test {
+
+inline void require(bool holds, const char* what) {
+    if (!holds) throw std::runtime_error(what);
+}
+
+inline void require_equal(const cda::Boundary& a, const cda::Boundary& b) {
+    require(a.vertices == b.vertices, "the vertices differ");
+    require(a.faces.size() == b.faces.size(), "the number of faces differs");
+    for (std::size_t i = 0; i < a.faces.size(); ++i) {
+        require(a.faces[i].loops == b.faces[i].loops, "the loops of a face differ");
+        require(a.faces[i].origin == b.faces[i].origin, "a face has another origin");
+    }
+}
+
+/// Closed, and the volume of the surface is that of the aggregate.
+inline cda::Boundary sound_boundary(const cda::TreeCda& part, double scale) {
+    const cda::Boundary boundary = part.boundary();
+    require(cda::check(boundary).is_closed(), "the surface is not closed");
+    require(std::abs(cda::volume(boundary) - part.volume()) <= 1e-9 * scale,
+            "the volume of the surface is not that of the aggregate");
+    return boundary;
+}
+
+/// Boxes on the grid of the unit cubes, in any order, in leaves of any size.
+inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint32_t leaf,
+                        bool at_once) {
+    constexpr int n = UnitCubes::kSize;
+    UnitCubes cubes;
+    std::vector<cda::Cell> cells;
+    for (const auto& b : boxes) {
+        cubes.remove(b);
+        cells.push_back(mm_box(b[0], b[1], b[2], b[3], b[4], b[5],
+                               cda::Origin{static_cast<std::uint32_t>(cells.size() + 1)}));
+    }
+    cda::TreeCda part(mm_box(0, 0, 0, n, n, n), kLattice, {leaf, 1});
+    if (at_once) {
+        part.subtract_unmeasured(cells);
+    } else {
+        double left = n * n * n;
+        for (const cda::Cell& cell : cells)
+            left -= part.subtract(cell);
+        require(std::abs(left - cubes.volume()) < 1e-9, "the removed volumes do not add up");
+    }
+    const cda::Boundary boundary = sound_boundary(part, 1.0);
+    require(std::abs(cda::volume(boundary) - cubes.volume()) < 1e-9, "the volume is wrong");
+    require(std::abs(cda::area(boundary) - cubes.area()) < 1e-9, "the area is wrong");
+}
+
+/// Oblique hulls in a cube of 6 mm: against the flat aggregate, face for face.
+inline void check_hulls(const std::vector<cda::Cell>& cells, std::uint32_t leaf) {
+    const cda::Cell stock = mm_box(-3, -3, -3, 3, 3, 3);
+    cda::TreeCda part(stock, kLattice, {leaf, 1});
+    part.subtract_unmeasured(cells);
+    cda::FlatCda flat(stock, kLattice);
+    for (const cda::Cell& cell : cells)
+        flat.subtract(cell);
+    const cda::Boundary boundary = sound_boundary(part, 216.0);
+    require_equal(boundary, flat.boundary());
+    require(cda::check(cda::triangulate(boundary)).is_closed(), "the mesh is not closed");
+}
+
+}  // namespace ncsim::test
