@@ -9,8 +9,12 @@
 #include "ncsim/cda/tree.h"
 #include "ncsim/toolpath/walk.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <stdexcept>
 #include <vector>
 
@@ -21,6 +25,15 @@ namespace {
 double now_in_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
+}
+
+// Of this process, as far as the system tells (Linux); else 0.
+std::uint64_t resident_bytes() {
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t all = 0;
+    std::uint64_t resident = 0;
+    if (!(statm >> all >> resident)) return 0;
+    return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 // Models by name; the one place that knows them.
@@ -62,6 +75,7 @@ public:
           measured_(job.options.model == "cda-flat" ||
                     (!job.options.report.empty() && job.options.block_volumes) ||
                     (verifier_ && verifier_->measures_all())),
+          max_memory_gb_(job.options.max_memory_gb),
           volume_(result.stock_volume) {
         if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
         for (const auto& [number, used] : survey.tools) {
@@ -73,6 +87,7 @@ public:
     }
 
     void take(const gcode::Motion& motion) {
+        line_ = motion.span.line;
         ++motions_;
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
@@ -137,6 +152,15 @@ private:
     void flush() {
         result_.part->subtract_unmeasured(batch_);
         batch_.clear();
+        check_memory();
+    }
+
+    void check_memory() const {
+        const auto used = static_cast<double>(resident_bytes());
+        if (max_memory_gb_ <= 0.0 || used <= 1e9 * max_memory_gb_) return;
+        throw std::runtime_error(fmt::format(
+            "{}:{}: {:.2f} GB are in use after {} hulls, more than --max-memory {:g}: given up",
+            result_.provenance.program, line_, used * 1e-9, result_.hulls, max_memory_gb_));
     }
 
     Simulation& result_;
@@ -146,6 +170,8 @@ private:
     std::optional<std::uint32_t> most_cuts_;
     std::uint64_t motions_ = 0;
     bool measured_;
+    double max_memory_gb_;
+    std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
     double volume_;
     bool cut_since_change_ = false;

@@ -176,6 +176,11 @@ void add_simulation_options(CLI::App& command, SimulationOptions& options) {
     command.add_option("--threads", o.threads, "Threads; the result is the same for any number")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    command
+        .add_option("--max-memory", o.max_memory_gb,
+                    "Give up, saying where, before more than this is used, GB")
+        ->type_name("GB")
+        ->check(CLI::PositiveNumber);
 }
 
 }  // namespace ncsim::app

@@ -57,6 +57,7 @@ struct SimulationOptions {
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
     unsigned threads = 0;          ///< 0: as many as the machine has.
+    double max_memory_gb = 0.0;    ///< 10^9 bytes; 0: as much as there is.
 };
 
 /// Lets `command` read them into `options`, which must outlive it. What makes no sense throws
