@@ -98,6 +98,11 @@ std::string summary(const Outcome& o) {
             fmt::format_to(out, "extents   {}\n",
                            box.is_empty() ? "nothing is left" : describe(box));
         }
+        if (o.simplified) {
+            fmt::format_to(out, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
+                           o.simplified->boundary.faces.size(), o.boundary->faces.size(),
+                           o.simplified->deviation_mm);
+        }
         fmt::format_to(out,
                        "accuracy  {:.3g} mm missed, {:.3g} mm gained by arcs and turning tools\n",
                        s.bounds.missed_mm, s.bounds.gained_mm);
@@ -148,6 +153,11 @@ void write_report(std::ostream& out, const Outcome& o) {
                         {"faces", o.boundary->faces.size()},
                         {"vertices", o.boundary->vertices.size()},
                         {"shells", o.boundary->shells}};
+    }
+    if (o.simplified) {
+        json["simplified"] = {{"tolerance_mm", o.job.options.simplify},
+                              {"deviation_mm", o.simplified->deviation_mm},
+                              {"faces", o.simplified->boundary.faces.size()}};
     }
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);

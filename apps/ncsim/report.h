@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/export/simplify.h"
 
 #include "job.h"
 #include "pipeline.h"
@@ -21,6 +22,8 @@ struct Outcome {
     const Survey& survey;
     const Simulation* simulation = nullptr;
     const cda::Boundary* boundary = nullptr;
+    /// What meshes are made of, if it is not `boundary` itself.
+    const exporter::Simplified* simplified = nullptr;
 };
 
 /// "1.250 cm3".

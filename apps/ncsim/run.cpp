@@ -7,6 +7,7 @@
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
+#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
@@ -26,6 +27,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -37,22 +39,18 @@ namespace {
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const Options& o = outcome.job.options;
     const Simulation& s = *outcome.simulation;
+    const cda::Boundary* mesh =
+        outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
     outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
-    outputs.write(o.gltf, [&](std::ostream& out) {
-        exporter::write_gltf(out, *outcome.boundary, s.provenance);
-    });
-    outputs.write(o.vrml, [&](std::ostream& out) {
-        exporter::write_vrml(out, *outcome.boundary, s.provenance);
-    });
-    outputs.write(o.stl, [&](std::ostream& out) {
-        exporter::write_stl(out, cda::triangulate(*outcome.boundary));
-    });
-    outputs.write(o.ply, [&](std::ostream& out) {
-        exporter::write_ply(out, *outcome.boundary, s.provenance);
-    });
-    outputs.write(o.threemf, [&](std::ostream& out) {
-        exporter::write_3mf(out, *outcome.boundary, s.provenance);
-    });
+    outputs.write(o.gltf,
+                  [&](std::ostream& out) { exporter::write_gltf(out, *mesh, s.provenance); });
+    outputs.write(o.vrml,
+                  [&](std::ostream& out) { exporter::write_vrml(out, *mesh, s.provenance); });
+    outputs.write(o.stl,
+                  [&](std::ostream& out) { exporter::write_stl(out, cda::triangulate(*mesh)); });
+    outputs.write(o.ply, [&](std::ostream& out) { exporter::write_ply(out, *mesh, s.provenance); });
+    outputs.write(o.threemf,
+                  [&](std::ostream& out) { exporter::write_3mf(out, *mesh, s.provenance); });
     const auto* flat = dynamic_cast<const cda::FlatCda*>(s.part.get());
     const auto flat_only = [&](const std::string& path, const auto& writer) {
         outputs.write(path, [&](std::ostream& out) {
@@ -61,7 +59,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         });
     };
     outputs.write(o.step, [&](std::ostream& out) {
-        exporter::write_step(out, *outcome.boundary, s.provenance);
+        const exporter::StepOptions options{std::max(o.simplify, exporter::kStepTolerance),
+                                            o.step_max_faces};
+        exporter::write_step(out, *outcome.boundary, s.provenance, options);
     });
     flat_only(o.stats, cda::write_statistics_csv);
     flat_only(o.xml, cda::write_xml);
@@ -80,13 +80,18 @@ int run(Options options) {
     if (!o.quiet) say(assumption_sheet(job, survey));
     print_findings(job.program, survey.diagnostics);
 
-    Outcome outcome{job, survey, nullptr, nullptr};
+    Outcome outcome{job, survey};
     std::optional<Simulation> simulation;
+    std::optional<exporter::Simplified> simplified;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); });
         outcome.simulation = &*simulation;
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
+        if (o.simplify > 0.0 && outcome.boundary) {
+            simplified = exporter::simplify(*outcome.boundary, o.simplify);
+            outcome.simplified = &*simplified;
+        }
         write_outputs(outcome, outputs);
     }
     outputs.write(o.save_job, [&](std::ostream& out) {

@@ -68,6 +68,11 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
+double read_simplify(double tolerance) {
+    if (tolerance >= 1e-6 && tolerance <= 1.0) return tolerance;
+    throw Refusal{fmt::format("--simplify {}: expected 0.000001 to 1 mm", tolerance)};
+}
+
 // No two outputs may be one file, and none the program itself.
 void check_paths(const Options& o) {
     std::set<std::string> seen{std::filesystem::path(o.program).lexically_normal().string()};
@@ -128,6 +133,15 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
         ->type_name("FILE");
     run->add_option("--step", o.step, "Solid for CAD, STEP AP214")->type_name("FILE");
+    run->add_option("--step-max-faces", o.step_max_faces,
+                    fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
+        ->check(CLI::Range(1, 1'000'000'000))
+        ->type_name("N");
+    run->add_option_function<double>(
+           "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
+           "Merge faces and edges in meshes and solids within TOL mm; the deviation is "
+           "reported")
+        ->type_name("TOL");
     run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
     run->add_option("--stats", o.stats, "What each hull cost, CSV")->type_name("FILE");
     run->add_option("--xml", o.xml, "The cells of the workpiece, XML")->type_name("FILE");

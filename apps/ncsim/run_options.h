@@ -5,9 +5,11 @@
 
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
+#include "ncsim/export/step.h"
 
 #include "program_options.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,6 +25,9 @@ struct Options : ProgramOptions, SimulationOptions {
     exporter::Background background = exporter::Background::White;
     exporter::Colouring colouring = exporter::Colouring::Tool;
     std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
+    /// mm; 0: meshes are exact, STEP within kStepTolerance.
+    double simplify = 0.0;
+    std::size_t step_max_faces = exporter::kStepMaxFaces;
     bool quiet = false;
     /// In the report: what each block removed. With the model "cda" ten times the work.
     bool block_volumes = true;

@@ -95,6 +95,38 @@ TEST(Run, ASheetThatIsTooLargeIsRefusedAndNothingIsWritten) {
     EXPECT_FALSE(folder.has("a.png"));
 }
 
+TEST(Run, SimplifiesAndSaysByHowMuch) {
+    Folder folder;
+    // A shallow arc: many narrow facets that lie nearly in one plane.
+    std::string text(kSlot);
+    text.replace(text.find("G1 X30. F500."), 13, "G3 X30. Y0. I30. J300. F500.");
+    folder.write("part.nc", text);
+    const Ran exact = folder.run({"run", "part.nc", "--report", "a.json", "--stl", "a.stl"});
+    EXPECT_EQ(exact.exit_code, 0) << exact.err;
+    EXPECT_FALSE(contains(exact.out, "simpler"));
+    const Ran ran = folder.run(
+        {"run", "part.nc", "--report", "b.json", "--stl", "b.stl", "--simplify", "0.05"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "mm off at most")) << ran.out;
+    const json simplified = json::parse(folder.read("b.json"))["simplified"];
+    EXPECT_EQ(simplified["tolerance_mm"], 0.05);
+    EXPECT_GT(simplified["deviation_mm"], 0.0);
+    EXPECT_LE(simplified["deviation_mm"], 0.05);
+    EXPECT_LT(folder.read("b.stl").size(), folder.read("a.stl").size());
+}
+
+TEST(Run, ASolidOfTooManyFacesIsRefused) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran =
+        folder.run({"run", "slot.nc", "-q", "--step", "a.step", "--step-max-faces", "5"});
+    EXPECT_EQ(ran.exit_code, 2);
+    // A block with a slot through it: ten faces.
+    EXPECT_TRUE(contains(ran.err, "the part has 10 faces, more than the 5")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "--step-max-faces")) << ran.err;
+    EXPECT_FALSE(folder.has("a.step"));
+}
+
 TEST(Run, TellsHowLongItCutsIfEveryFeedIsTold) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -64,9 +64,10 @@ TEST(WriteStep, APartOfWhichNothingIsLeftHasNoSolid) {
 TEST(WriteStep, RefusesMoreFacesThanAskedFor) {
     const auto part = test::grooved_part();
     std::ostringstream out;
-    EXPECT_THROW(write_step(out, test::boundary_of(part), {}, 24), std::runtime_error);
+    EXPECT_THROW(write_step(out, test::boundary_of(part), {}, {.max_faces = 24}),
+                 std::runtime_error);
     EXPECT_EQ(out.str(), "");
-    EXPECT_NO_THROW(write_step(out, test::boundary_of(part), {}, 25));
+    EXPECT_NO_THROW(write_step(out, test::boundary_of(part), {}, {.max_faces = 25}));
 }
 
 TEST(WriteStep, SaysTheSameTwice) {

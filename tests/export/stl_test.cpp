@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/export/stl.h"
 
+#include "polytope_part.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace ncsim::exporter {
 namespace {
@@ -45,12 +51,52 @@ TEST(WriteStl, AMeshWithoutTrianglesIsAHeader) {
     EXPECT_EQ(written({}).substr(80), std::string(4, '\0'));
 }
 
-TEST(WriteStl, KeepsTrianglesThatVanishInFloats) {
+std::uint32_t count_of(const std::string& bytes) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, &bytes[80], sizeof value);
+    return value;
+}
+
+TEST(WriteStl, LeavesOutTrianglesThatVanishInFloats) {
     const std::string bytes =
         written({{{1e6, 0, 0}, {1e6, 1, 0}, {1e6 + 1e-9, 1, 0}}, {{0, 1, 2}}, {0}});
-    ASSERT_EQ(bytes.size(), kHeader + kTriangle);
-    for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(float_at(bytes, kHeader + 4 * i), 0.0F);
+    EXPECT_EQ(bytes.size(), kHeader);
+    EXPECT_EQ(count_of(bytes), 0U);
+}
+
+TEST(WriteStl, LeavesOutWhatLiesBackToBackInFloats) {
+    // A tetrahedron too thin for floats, and the two sides of a sheet beside a third triangle.
+    const double thin = 1e-9;
+    const std::string flat = written({{{1e6, 0, 0}, {1e6, 1, 0}, {1e6, 0, 1}, {1e6 + thin, 0, 0}},
+                                      {{0, 1, 2}, {3, 2, 1}, {0, 3, 1}, {0, 2, 3}},
+                                      {0, 1, 2, 3}});
+    EXPECT_EQ(count_of(flat), 0U);
+    const std::string three =
+        written({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}, {1, 2, 0}}, {0, 1, 2}});
+    EXPECT_EQ(count_of(three), 1U);
+}
+
+// Every edge of the file stands as often in one direction as in the other, and no corner of a
+// triangle twice.
+TEST(WriteStl, StaysClosedInFloats) {
+    const cda::TriangleMesh mesh = cda::triangulate(test::polytope_part().boundary());
+    const std::string bytes = written(mesh);
+    using Point = std::array<float, 3>;
+    std::map<std::pair<Point, Point>, int> edges;
+    for (std::uint32_t t = 0; t < count_of(bytes); ++t) {
+        std::array<Point, 3> corners{};
+        std::memcpy(&corners, &bytes[kHeader + t * kTriangle + 12], sizeof corners);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point& a = corners[i];
+            const Point& b = corners[(i + 1) % 3];
+            ASSERT_NE(a, b);
+            ++edges[{a, b}];
+            --edges[{b, a}];
+        }
+    }
+    EXPECT_GT(edges.size(), 100U);
+    for (const auto& [edge, sum] : edges)
+        EXPECT_EQ(sum, 0);
 }
 
 TEST(WriteStl, KnowsOnlyOneZero) {

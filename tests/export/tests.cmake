@@ -12,6 +12,7 @@ ncsim_add_test(export
     read_png.cpp
     render_test.cpp
     sheet_test.cpp
+    simplify_test.cpp
     step_test.cpp
     stl_test.cpp
     text_test.cpp

@@ -10,11 +10,11 @@
 //  4. Vertices with two edges are left out of the loops.
 #include "merge_faces.h"
 
+#include "half_edges.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 namespace ncsim::exporter {
@@ -23,63 +23,6 @@ namespace {
 
 using cda::Vec3;
 using VertexIndex = std::uint32_t;
-
-struct HalfEdge {
-    VertexIndex from, to;
-    std::uint32_t face;
-};
-
-std::vector<HalfEdge> half_edges(const cda::Boundary& boundary) {
-    std::vector<HalfEdge> edges;
-    for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-        for (const auto& loop : boundary.faces[f].loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                edges.push_back({loop[i], loop[(i + 1) % loop.size()], f});
-            }
-        }
-    }
-    return edges;
-}
-
-// For each half-edge, by position, its twin.
-std::vector<std::uint32_t> twins_of(const std::vector<HalfEdge>& edges) {
-    std::vector<std::uint32_t> order(edges.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](std::uint32_t e) {
-        const auto& [from, to, face] = edges[e];
-        return std::array{std::min(from, to), std::max(from, to), from < to ? 0U : 1U};
-    };
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    // A closed surface: they stand in pairs.
-    std::vector<std::uint32_t> twins(edges.size());
-    for (std::size_t i = 0; i + 1 < order.size(); i += 2) {
-        twins[order[i]] = order[i + 1];
-        twins[order[i + 1]] = order[i];
-    }
-    return twins;
-}
-
-class Groups {
-public:
-    explicit Groups(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    // The smaller number stays, so that the order of faces does.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 // Angle of turning counter-clockwise from `back` to `out` about `normal`, as a number that grows
 // with it from 0 to 4: no arctangent is needed to compare.
@@ -160,16 +103,9 @@ void drop_straight_vertices(cda::Boundary& boundary) {
 
 }  // namespace
 
-MergedFaces merge_coplanar(const cda::Boundary& boundary) {
+MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups) {
     const std::vector<HalfEdge> edges = half_edges(boundary);
     const std::vector<std::uint32_t> twins = twins_of(edges);
-    Groups groups(boundary.faces.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const std::uint32_t face = edges[e].face;
-        const std::uint32_t other = edges[twins[e]].face;
-        if (boundary.faces[face].normal == boundary.faces[other].normal) groups.join(face, other);
-    }
-
     // What is left of each group, by the number of its first face.
     std::vector<std::vector<HalfEdge>> outlines(boundary.faces.size());
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -196,6 +132,19 @@ MergedFaces merge_coplanar(const cda::Boundary& boundary) {
         result.boundary.faces.push_back(std::move(face));
         result.origins.push_back(std::move(origins[f]));
     }
+    return result;
+}
+
+MergedFaces merge_coplanar(const cda::Boundary& boundary) {
+    const std::vector<HalfEdge> edges = half_edges(boundary);
+    const std::vector<std::uint32_t> twins = twins_of(edges);
+    Groups groups(boundary.faces.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const std::uint32_t face = edges[e].face;
+        const std::uint32_t other = edges[twins[e]].face;
+        if (boundary.faces[face].normal == boundary.faces[other].normal) groups.join(face, other);
+    }
+    MergedFaces result = merge_groups(boundary, groups);
     drop_straight_vertices(result.boundary);
     return result;
 }

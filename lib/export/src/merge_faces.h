@@ -5,7 +5,8 @@
 
 #include "ncsim/cda/boundary.h"
 
-#include <cstdint>
+#include "half_edges.h"
+
 #include <vector>
 
 namespace ncsim::exporter {
@@ -17,6 +18,10 @@ struct MergedFaces {
     /// For each merged face the origins of the faces it is made of, ascending, each once.
     std::vector<std::vector<cda::Origin>> origins;
 };
+
+/// Makes one face of each of `groups`, which hold the numbers of faces that hang together and lie
+/// in the plane of the group's first one, more or less. All vertices stay. O(n log n).
+MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups);
 
 /// Joins faces that share an edge and lie in the same plane, and leaves out vertices at which only
 /// two faces remain: their edges go straight on. Nothing moves, so the surface stays closed and

@@ -5,7 +5,8 @@
 // the edges it is the first to use, before each edge its line and vertices.
 #include "ncsim/export/step.h"
 
-#include "merge_faces.h"
+#include "ncsim/export/simplify.h"
+
 #include "palette.h"
 #include "text.h"
 
@@ -165,10 +166,10 @@ std::vector<Solid> solids_of(const cda::Boundary& boundary) {
 
 class Writer {
 public:
-    Writer(std::ostream& out, const MergedFaces& merged, const Provenance& provenance)
+    Writer(std::ostream& out, const Simplified& part, const Provenance& provenance)
         : out_(out),
-          boundary_(merged.boundary),
-          origins_(merged.origins),
+          boundary_(part.boundary),
+          origins_(part.origins),
           provenance_(provenance),
           palette_(provenance),
           vertices_(boundary_.vertices.size()),
@@ -408,14 +409,14 @@ private:
 }  // namespace
 
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                std::size_t max_faces) {
-    const MergedFaces merged = merge_coplanar(boundary);
-    if (merged.boundary.faces.size() > max_faces) {
-        throw std::runtime_error("the part has " + std::to_string(merged.boundary.faces.size()) +
-                                 " faces, more than the " + std::to_string(max_faces) +
-                                 " that a STEP file is to have");
+                const StepOptions& options) {
+    const Simplified part = simplify(boundary, options.tolerance_mm);
+    if (part.boundary.faces.size() > options.max_faces) {
+        throw std::runtime_error("the part has " + std::to_string(part.boundary.faces.size()) +
+                                 " faces, more than the " + std::to_string(options.max_faces) +
+                                 " that a STEP file is to have (--step-max-faces, --simplify)");
     }
-    Writer(out, merged, provenance).write();
+    Writer(out, part, provenance).write();
 }
 
 }  // namespace ncsim::exporter

@@ -16,20 +16,29 @@ namespace ncsim::exporter {
 /// programs take minutes to open the file.
 inline constexpr std::size_t kStepMaxFaces = 100'000;
 
+/// mm. Below what any machine or gauge sees, above the 10 nm of the lattice that makes several
+/// facets of one flat wall, and far above the 1e-7 mm within which readers take two points for one.
+inline constexpr double kStepTolerance = 1e-4;
+
+struct StepOptions {
+    double tolerance_mm = kStepTolerance;  ///< For simplify(); 0: exactly coplanar faces only.
+    std::size_t max_faces = kStepMaxFaces;
+};
+
 /// Writes `boundary` as STEP AP214, in millimetres: a solid for each connected part, with its
-/// voids. Faces are flat with any number of holes; neighbours in one plane are one face, whoever
-/// cut them, and no edge has a vertex in its middle. Points, edges and directions are shared.
-/// A face is named after the lines that cut it (LINE_10, LINE_10_20; STOCK) and has the colour of
-/// its first one's tool.
+/// voids. What is written is simplify(boundary, options.tolerance_mm): faces are flat with any
+/// number of holes, neighbours in one plane are one face, whoever cut them, and no edge has a
+/// vertex in its middle. No point is farther than the tolerance from where it was. Points, edges
+/// and directions are shared. A face is named after the lines that cut it (LINE_10, LINE_10_20;
+/// STOCK) and has the colour of its first one's tool.
 ///
-/// Nothing is moved and no edge is left out, however short. Where planes nearly meet in a point,
-/// exact edges of 1e-11 mm arise; readers take their two ends for one point (OpenCASCADE below 1e-7
-/// mm) and may then find the shell open, as with samples/complex.nc.
+/// With a tolerance of 0 nothing is moved, and where planes nearly meet in a point there are edges
+/// of 1e-11 mm: readers take their ends for one point and may find the shell open.
 ///
 /// A part of which nothing is left gives a valid file without a solid. Equal input gives equal
 /// bytes: the time in the header is that of 1970. Throws std::runtime_error if there are more
-/// than `max_faces` faces after merging, or the stream fails.
+/// than `options.max_faces` faces, or the stream fails.
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                std::size_t max_faces = kStepMaxFaces);
+                const StepOptions& options = {});
 
 }  // namespace ncsim::exporter

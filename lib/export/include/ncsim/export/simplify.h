@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The same part with fewer faces, within a tolerance: for readers that have one of their own.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+
+#include <vector>
+
+namespace ncsim::exporter {
+
+struct Simplified {
+    /// `origin` of a face is the smallest of those it is made of. Some vertices may be unused.
+    cda::Boundary boundary;
+    /// For each face the origins of the faces it is made of, ascending, each once.
+    std::vector<std::vector<cda::Origin>> origins;
+    /// In mm, measured: the farthest that a corner or the middle of a triangle of one surface lies
+    /// from the other. Never more than the tolerance.
+    double deviation_mm = 0.0;
+};
+
+/// Joins the ends of edges that are shorter than a quarter of `tolerance_mm`, makes one face of
+/// neighbours that lie in one plane within a quarter of it, and leaves out vertices that lie within
+/// a quarter of it on a straight edge between two faces; less than a quarter, if that adds up
+/// to more than the tolerance somewhere. Faces that turn away from each other by
+/// more than 15° stay apart, unless one of them is thinner than the tolerance.
+///
+/// A closed surface stays closed, with the same shells, save those smaller than the tolerance,
+/// which vanish: an edge whose ends cannot be joined without changing what hangs together stays.
+/// Faces are flat within half the tolerance, no longer exactly. Provenance is kept; tools and lines
+/// do not keep faces apart. Requires a tolerance ≥ 0; with 0, only what is exactly coplanar is
+/// joined. Expected O(n log n).
+Simplified simplify(const cda::Boundary& boundary, double tolerance_mm);
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,499 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. Short edges are contracted, shortest first, where the surface stays a manifold (the link
+//     condition: Dey, Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999).
+//  2. Faces are joined to groups across edges while every vertex of a group stays near the
+//     plane of its largest face; thin faces may turn any way.
+//  3. Each group becomes a face (merge_groups).
+//  4. Chains of vertices between two faces become straight where they almost are (Douglas and
+//     Peucker, Algorithms for the reduction of the number of points, 1973).
+//  5. Faces that lost their plane on the way get a new one.
+// Each step has a quarter of the tolerance. Where the steps add up to more than all of it, which
+// is seen by comparing the surfaces, everything is done again with half as much.
+#include "ncsim/export/simplify.h"
+
+#include "ncsim/cda/mesh.h"
+
+#include "deviation.h"
+#include "half_edges.h"
+#include "merge_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using cda::Vec3;
+using Vertex = std::uint32_t;
+using Loop = std::vector<Vertex>;
+
+constexpr double kMostTurn = 0.9659;  // cosine of 15°
+
+double distance(Vec3 a, Vec3 b) {
+    return cda::norm(b - a);
+}
+
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+    const Vec3 along = b - a;
+    const double length = cda::dot(along, along);
+    const double t = length > 0.0 ? std::clamp(cda::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
+    return distance(p, a + t * along);
+}
+
+// Normal times area, from all loops.
+Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& face) {
+    Vec3 sum;
+    const Vec3 apex = vertices[face.loops.front().front()];
+    for (const Loop& loop : face.loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            sum = sum + cda::cross(vertices[loop[i]] - apex,
+                                   vertices[loop[(i + 1) % loop.size()]] - apex);
+        }
+    }
+    return 0.5 * sum;
+}
+
+// Step 1.
+class Contraction {
+public:
+    Contraction(cda::Boundary& boundary, double tolerance)
+        : boundary_(boundary),
+          tolerance_(tolerance),
+          faces_at_(boundary.vertices.size()),
+          radius_(boundary.vertices.size(), 0.0) {
+        for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
+            for (const Loop& loop : boundary.faces[f].loops) {
+                for (const Vertex v : loop)
+                    faces_at_[v].push_back(f);
+            }
+        }
+        for (auto& faces : faces_at_)
+            make_set(faces);
+    }
+
+    void run() {
+        while (pass()) {
+        }
+        drop_leaves();
+        std::erase_if(boundary_.faces, [](const auto& face) { return face.loops.empty(); });
+    }
+
+private:
+    static void make_set(std::vector<std::uint32_t>& numbers) {
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    }
+
+    bool pass() {
+        std::vector<std::pair<double, std::pair<Vertex, Vertex>>> edges;
+        for (const auto& face : boundary_.faces) {
+            for (const Loop& loop : face.loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    const Vertex a = loop[i];
+                    const Vertex b = loop[(i + 1) % loop.size()];
+                    const double length = distance(boundary_.vertices[a], boundary_.vertices[b]);
+                    if (a < b && length < tolerance_) edges.push_back({length, {a, b}});
+                }
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        bool changed = false;
+        for (const auto& [length, ends] : edges)
+            changed |= contract(ends.first, ends.second, length);
+        return changed;
+    }
+
+    struct Place {
+        std::uint32_t face;
+        std::size_t loop;
+    };
+
+    std::vector<Vertex> neighbours(Vertex v) const {
+        std::vector<Vertex> all;
+        for (const std::uint32_t f : faces_at_[v]) {
+            for (const Loop& loop : boundary_.faces[f].loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    if (loop[i] != v) continue;
+                    all.push_back(loop[(i + 1) % loop.size()]);
+                    all.push_back(loop[(i + loop.size() - 1) % loop.size()]);
+                }
+            }
+        }
+        make_set(all);
+        return all;
+    }
+
+    // `gone` becomes `kept`, if that changes nothing but lengths.
+    bool contract(Vertex gone, Vertex kept, double length) {
+        if (faces_at_[gone].empty() || faces_at_[kept].empty()) return false;
+        if (faces_at_[gone].size() > faces_at_[kept].size()) std::swap(gone, kept);
+        if (radius_[gone] + length > tolerance_) std::swap(gone, kept);
+        if (radius_[gone] + length > tolerance_) return false;
+
+        // Faces with both must have them as an edge, and these are two.
+        std::vector<std::uint32_t> both;
+        std::set_intersection(faces_at_[gone].begin(), faces_at_[gone].end(),
+                              faces_at_[kept].begin(), faces_at_[kept].end(),
+                              std::back_inserter(both));
+        if (both.size() != 2) return false;
+        std::vector<Vertex> tips;  // of the triangles that vanish
+        for (const std::uint32_t f : both) {
+            bool is_edge = false;
+            for (const Loop& loop : boundary_.faces[f].loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    const Vertex a = loop[i];
+                    const Vertex b = loop[(i + 1) % loop.size()];
+                    if (!(a == gone && b == kept) && !(a == kept && b == gone)) continue;
+                    is_edge = true;
+                    if (loop.size() == 3) tips.push_back(loop[(i + 2) % 3]);
+                }
+            }
+            if (!is_edge) return false;
+        }
+        make_set(tips);
+        const std::vector<Vertex> near_gone = neighbours(gone);
+        const std::vector<Vertex> near_kept = neighbours(kept);
+        std::vector<Vertex> common;
+        std::set_intersection(near_gone.begin(), near_gone.end(), near_kept.begin(),
+                              near_kept.end(), std::back_inserter(common));
+        if (common != tips) return false;
+
+        for (const std::uint32_t f : faces_at_[gone])
+            replace(boundary_.faces[f], f, gone, kept);
+        std::vector<std::uint32_t> merged = faces_at_[kept];
+        merged.insert(merged.end(), faces_at_[gone].begin(), faces_at_[gone].end());
+        make_set(merged);
+        std::erase_if(merged, [&](std::uint32_t f) { return boundary_.faces[f].loops.empty(); });
+        faces_at_[kept] = std::move(merged);
+        faces_at_[gone].clear();
+        radius_[kept] = std::max(radius_[kept], radius_[gone] + length);
+        return true;
+    }
+
+    void replace(cda::BoundaryFace& face, std::uint32_t f, Vertex gone, Vertex kept) {
+        for (Loop& loop : face.loops) {
+            std::replace(loop.begin(), loop.end(), gone, kept);
+            loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+            if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+            if (loop.size() > 2) continue;
+            // Its two edges are now one and lie upon each other.
+            for (const Vertex v : loop) {
+                if (v != kept) std::erase(faces_at_[v], f);
+            }
+            loop.clear();
+        }
+        const bool lost_outline = face.loops.front().empty();
+        std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
+        // A face without an outline has no holes.
+        if (lost_outline && !face.loops.empty()) outline_first(face);
+    }
+
+    void outline_first(cda::BoundaryFace& face) const {
+        std::stable_partition(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
+            cda::BoundaryFace alone;
+            alone.loops = {loop};
+            return cda::dot(area_vector(boundary_.vertices, alone), face.normal) > 0.0;
+        });
+    }
+
+    // What is left of a shell that was smaller than the tolerance: two triangles, back to back.
+    void drop_leaves() {
+        for (std::uint32_t f = 0; f < boundary_.faces.size(); ++f) {
+            auto& loops = boundary_.faces[f].loops;
+            if (loops.size() != 1 || loops[0].size() != 3) continue;
+            const Loop corners = sorted(loops[0]);
+            for (const std::uint32_t g : faces_at_[corners[0]]) {
+                auto& others = boundary_.faces[g].loops;
+                if (g == f || others.size() != 1 || sorted(others[0]) != corners) continue;
+                loops.clear();
+                others.clear();
+                break;
+            }
+        }
+    }
+
+    static Loop sorted(Loop loop) {
+        std::sort(loop.begin(), loop.end());
+        return loop;
+    }
+
+    cda::Boundary& boundary_;
+    double tolerance_;
+    std::vector<std::vector<std::uint32_t>> faces_at_;  // ascending
+    std::vector<double> radius_;                        // farthest vertex that became this one
+};
+
+// Step 2.
+class Flats {
+public:
+    Flats(cda::Boundary& boundary, double tolerance)
+        : boundary_(boundary), tolerance_(tolerance), groups_(boundary.faces.size()) {
+        for (const auto& face : boundary.faces) {
+            Flat flat;
+            const Vec3 area = area_vector(boundary.vertices, face);
+            flat.area = cda::norm(area);
+            flat.normal = face.normal;
+            flat.offset = face.offset;
+            double longest = 0.0;
+            for (const Loop& loop : face.loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    flat.vertices.push_back(loop[i]);
+                    longest =
+                        std::max(longest, distance(boundary.vertices[loop[i]],
+                                                   boundary.vertices[loop[(i + 1) % loop.size()]]));
+                }
+            }
+            flat.is_thin = flat.area < tolerance * longest;
+            flats_.push_back(std::move(flat));
+        }
+    }
+
+    void run() {
+        const std::vector<HalfEdge> edges = half_edges(boundary_);
+        const std::vector<std::uint32_t> twins = twins_of(edges);
+        struct Candidate {
+            int rank;
+            double length;
+            std::uint32_t face, other;
+        };
+        std::vector<Candidate> candidates;
+        for (std::uint32_t e = 0; e < edges.size(); ++e) {
+            if (twins[e] < e) continue;
+            const std::uint32_t f = edges[e].face;
+            const std::uint32_t g = edges[twins[e]].face;
+            if (f == g) continue;
+            // Exact planes first, thin faces last: they fit to many.
+            int rank = 1;
+            if (flats_[f].is_thin || flats_[g].is_thin) rank = 2;
+            if (boundary_.faces[f].normal == boundary_.faces[g].normal) rank = 0;
+            candidates.push_back(
+                {rank, distance(boundary_.vertices[edges[e].from], boundary_.vertices[edges[e].to]),
+                 f, g});
+        }
+        std::stable_sort(candidates.begin(), candidates.end(),
+                         [](const Candidate& a, const Candidate& b) {
+                             return a.rank != b.rank ? a.rank < b.rank : a.length > b.length;
+                         });
+        for (const Candidate& c : candidates)
+            join(groups_.find(c.face), groups_.find(c.other), c.rank == 0);
+        for (std::uint32_t f = 0; f < flats_.size(); ++f) {
+            if (groups_.find(f) != f) continue;
+            boundary_.faces[f].normal = flats_[f].normal;
+            boundary_.faces[f].offset = flats_[f].offset;
+        }
+    }
+
+    Groups& groups() { return groups_; }
+
+private:
+    struct Flat {
+        Vec3 normal;
+        double offset = 0.0;
+        double area = 0.0;
+        bool is_thin = false;
+        std::vector<Vertex> vertices;
+    };
+
+    void join(std::uint32_t a, std::uint32_t b, bool is_exact) {
+        if (a == b) return;
+        if (flats_[a].area < flats_[b].area) std::swap(a, b);
+        Flat& large = flats_[a];
+        Flat& small = flats_[b];
+        if (!small.is_thin && cda::dot(large.normal, small.normal) < kMostTurn) return;
+        double farthest = 0.0;
+        for (const Vertex v : small.vertices) {
+            const double off = cda::dot(large.normal, boundary_.vertices[v]) - large.offset;
+            farthest = std::max(farthest, std::abs(off));
+        }
+        if (farthest > tolerance_ && !is_exact) return;
+        Flat both;
+        both.normal = large.normal;
+        both.offset = large.offset;
+        both.area = large.area + small.area;
+        both.is_thin = large.is_thin && small.is_thin;
+        both.vertices = std::move(large.vertices);
+        both.vertices.insert(both.vertices.end(), small.vertices.begin(), small.vertices.end());
+        small.vertices.clear();
+        groups_.join(a, b);
+        flats_[groups_.find(a)] = std::move(both);
+    }
+
+    cda::Boundary& boundary_;
+    double tolerance_;
+    Groups groups_;
+    std::vector<Flat> flats_;  // of a group: that of its first face
+};
+
+// Step 4.
+class Straightening {
+public:
+    Straightening(cda::Boundary& boundary, double tolerance)
+        : boundary_(boundary),
+          tolerance_(tolerance),
+          edges_at_(boundary.vertices.size(), 0),
+          is_kept_(boundary.vertices.size(), false),
+          is_done_(boundary.vertices.size(), false) {}
+
+    void run() {
+        for_each_loop([&](const Loop& loop) {
+            for (const Vertex v : loop)
+                ++edges_at_[v];
+        });
+        for (Vertex v = 0; v < edges_at_.size(); ++v)
+            is_kept_[v] = edges_at_[v] > 2;
+        for_each_loop([&](const Loop& loop) { anchor(loop); });
+        // Edges that stay as they are come first: no chain may become one of them.
+        std::vector<Loop> chains;
+        for_each_loop([&](const Loop& loop) { split(loop, chains); });
+        for (const Loop& chain : chains)
+            straighten(chain);
+        for (auto& face : boundary_.faces) {
+            for (Loop& loop : face.loops)
+                std::erase_if(loop, [&](Vertex v) { return !is_kept_[v]; });
+        }
+    }
+
+private:
+    template <typename Action>
+    void for_each_loop(Action action) {
+        for (const auto& face : boundary_.faces) {
+            for (const Loop& loop : face.loops)
+                action(loop);
+        }
+    }
+
+    // A loop without corners keeps two vertices that are far from each other.
+    void anchor(const Loop& loop) {
+        const auto is_kept = [&](Vertex v) { return is_kept_[v]; };
+        if (std::count_if(loop.begin(), loop.end(), is_kept) > 1) return;
+        const auto corner = std::find_if(loop.begin(), loop.end(), is_kept);
+        const Vertex a =
+            corner != loop.end() ? *corner : *std::min_element(loop.begin(), loop.end());
+        const auto far = [&](Vertex v) {
+            return distance(boundary_.vertices[a], boundary_.vertices[v]);
+        };
+        const Vertex b = *std::max_element(loop.begin(), loop.end(), [&](Vertex v, Vertex w) {
+            return std::pair(far(v), v) < std::pair(far(w), w);
+        });
+        is_kept_[a] = is_kept_[b] = true;
+    }
+
+    // Appends the pieces between kept vertices, both included, that have others between them.
+    void split(const Loop& loop, std::vector<Loop>& chains) {
+        const auto first =
+            std::find_if(loop.begin(), loop.end(), [&](Vertex v) { return is_kept_[v]; });
+        const auto start = static_cast<std::size_t>(first - loop.begin());
+        Loop chain{loop[start]};
+        for (std::size_t i = 1; i <= loop.size(); ++i) {
+            const Vertex v = loop[(start + i) % loop.size()];
+            chain.push_back(v);
+            if (!is_kept_[v]) continue;
+            if (chain.size() == 2) {
+                taken_.insert(std::minmax(chain[0], chain[1]));
+            } else if (!is_done_[chain[1]]) {
+                for (std::size_t k = 1; k + 1 < chain.size(); ++k)
+                    is_done_[chain[k]] = true;
+                chains.push_back(chain);
+            }
+            chain = {v};
+        }
+    }
+
+    void straighten(const Loop& chain) {
+        reduce(chain, 0, chain.size() - 1, false);
+        const bool is_edge =
+            std::none_of(chain.begin() + 1, chain.end() - 1, [&](Vertex v) { return is_kept_[v]; });
+        if (!is_edge || taken_.insert(std::minmax(chain.front(), chain.back())).second) return;
+        // There is such an edge already: this one keeps a vertex to tell them apart.
+        reduce(chain, 0, chain.size() - 1, true);
+    }
+
+    void reduce(const Loop& chain, std::size_t first, std::size_t last, bool keeps_one) {
+        if (last - first < 2) return;
+        std::size_t middle = first + 1;
+        double far = -1.0;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double d =
+                distance_to_segment(boundary_.vertices[chain[i]], boundary_.vertices[chain[first]],
+                                    boundary_.vertices[chain[last]]);
+            if (d > far) far = d, middle = i;
+        }
+        if (far <= tolerance_ && !keeps_one) return;
+        is_kept_[chain[middle]] = true;
+        reduce(chain, first, middle, false);
+        reduce(chain, middle, last, false);
+    }
+
+    cda::Boundary& boundary_;
+    double tolerance_;
+    std::vector<std::uint32_t> edges_at_;
+    std::vector<bool> is_kept_, is_done_;
+    std::set<std::pair<Vertex, Vertex>> taken_;
+};
+
+double farthest_from_plane(const std::vector<Vec3>& vertices, const cda::BoundaryFace& face) {
+    double farthest = 0.0;
+    for (const Loop& loop : face.loops) {
+        for (const Vertex v : loop) {
+            const double off = cda::dot(face.normal, vertices[v]) - face.offset;
+            farthest = std::max(farthest, std::abs(off));
+        }
+    }
+    return farthest;
+}
+
+// Step 5: the plane through the middle of the corners, at right angles to the area vector.
+void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
+    const Vec3 area = area_vector(vertices, face);
+    if (!(cda::norm(area) > 0.0)) return;
+    face.normal = cda::normalized(area);
+    double least = cda::Box::kInf;
+    double most = -cda::Box::kInf;
+    for (const Vertex v : face.loops.front()) {
+        const double at = cda::dot(face.normal, vertices[v]);
+        least = std::min(least, at);
+        most = std::max(most, at);
+    }
+    face.offset = 0.5 * (least + most);
+}
+
+Simplified simplify_steps(const cda::Boundary& boundary, double share) {
+    cda::Boundary work = boundary;
+    Contraction(work, share).run();
+    if (work.faces.empty()) return {};
+    Flats flats(work, share);
+    flats.run();
+    MergedFaces merged = merge_groups(work, flats.groups());
+    Straightening(merged.boundary, share).run();
+    for (auto& face : merged.boundary.faces) {
+        const bool is_right_way =
+            cda::dot(area_vector(merged.boundary.vertices, face), face.normal) > 0.0;
+        if (!is_right_way || farthest_from_plane(merged.boundary.vertices, face) > share)
+            fit_plane(merged.boundary.vertices, face);
+    }
+    return {std::move(merged.boundary), std::move(merged.origins), 0.0};
+}
+
+}  // namespace
+
+Simplified simplify(const cda::Boundary& boundary, double tolerance_mm) {
+    if (boundary.faces.empty()) return {boundary, {}, 0.0};
+    const cda::TriangleMesh before = cda::triangulate(boundary);
+    Simplified result;
+    for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
+        // Far below the tolerance nothing but rounding is left to move.
+        if (share < 1e-3 * tolerance_mm) share = 0.0;
+        result = simplify_steps(boundary, share);
+        if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
+        result.deviation_mm = deviation(before, cda::triangulate(result.boundary));
+        if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;
+    }
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/export/simplify.h"
+
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/mesh.h"
+
+#include "box_part.h"
+#include "polytope_part.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace ncsim::exporter {
+namespace {
+
+using cda::Vec3;
+
+// Distance from a point to a triangle: to its plane inside, to its edges else.
+double distance_to(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+    const Vec3 n = cda::normalized(cda::cross(b - a, c - a));
+    const auto left_of = [&](Vec3 from, Vec3 to) {
+        return cda::dot(cda::cross(to - from, p - from), n) >= 0.0;
+    };
+    if (cda::norm(n) > 0.5 && left_of(a, b) && left_of(b, c) && left_of(c, a))
+        return std::abs(cda::dot(n, p - a));
+    const auto to_edge = [&](Vec3 from, Vec3 to) {
+        const Vec3 along = to - from;
+        const double length = cda::dot(along, along);
+        const double t =
+            length > 0.0 ? std::clamp(cda::dot(p - from, along) / length, 0.0, 1.0) : 0.0;
+        return cda::norm(p - from - t * along);
+    };
+    return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
+}
+
+// The farthest corner or middle of a triangle of `from` from `to`.
+double farthest(const cda::TriangleMesh& from, const cda::TriangleMesh& to) {
+    double result = 0.0;
+    const auto look = [&](Vec3 p) {
+        double nearest = cda::Box::kInf;
+        for (const auto& t : to.triangles) {
+            nearest = std::min(
+                nearest, distance_to(p, to.vertices[t[0]], to.vertices[t[1]], to.vertices[t[2]]));
+        }
+        result = std::max(result, nearest);
+    };
+    for (const auto& t : from.triangles) {
+        const Vec3 a = from.vertices[t[0]];
+        const Vec3 b = from.vertices[t[1]];
+        const Vec3 c = from.vertices[t[2]];
+        look(a);
+        look((1.0 / 3.0) * (a + b + c));
+    }
+    return result;
+}
+
+double shortest_edge(const cda::Boundary& boundary) {
+    double shortest = cda::Box::kInf;
+    for (const auto& face : boundary.faces) {
+        for (const auto& loop : face.loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Vec3 a = boundary.vertices[loop[i]];
+                const Vec3 b = boundary.vertices[loop[(i + 1) % loop.size()]];
+                shortest = std::min(shortest, cda::norm(b - a));
+            }
+        }
+    }
+    return shortest;
+}
+
+TEST(Simplify, WithoutToleranceJoinsWhatIsCoplanar) {
+    const auto part = test::grooved_part().tilted();
+    const cda::Boundary boundary = test::boundary_of(part);
+    const Simplified result = simplify(boundary, 0.0);
+    EXPECT_EQ(result.boundary.faces.size(), 25U);
+    EXPECT_EQ(result.origins.size(), 25U);
+    EXPECT_LE(result.deviation_mm, 1e-12);
+    EXPECT_TRUE(cda::check(result.boundary).is_closed());
+    EXPECT_NEAR(cda::volume(result.boundary), cda::volume(boundary), 1e-12 * cda::volume(boundary));
+}
+
+TEST(Simplify, JoinsFacetsOfAFlatThatRoundingHasTornApart) {
+    cda::Boundary boundary = test::boundary_of(test::grooved_part().tilted());
+    // Every vertex by up to 10 nm, always the same way.
+    std::uint32_t state = 1;
+    for (Vec3& v : boundary.vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            state = state * 1664525U + 1013904223U;
+            v[axis] += 1e-5 * (static_cast<double>(state >> 8) * 0x1p-24 - 0.5);
+        }
+    }
+    for (auto& face : boundary.faces) {
+        const Vec3 a = boundary.vertices[face.loops[0][0]];
+        face.normal = cda::normalized(cda::cross(boundary.vertices[face.loops[0][1]] - a,
+                                                 boundary.vertices[face.loops[0][2]] - a));
+        face.offset = cda::dot(face.normal, a);
+    }
+    EXPECT_GT(simplify(boundary, 0.0).boundary.faces.size(), 100U);
+    const Simplified result = simplify(boundary, 1e-2);
+    EXPECT_EQ(result.boundary.faces.size(), 25U);
+    EXPECT_TRUE(cda::check(result.boundary).is_closed());
+    EXPECT_GT(result.deviation_mm, 1e-6);
+    EXPECT_LT(result.deviation_mm, 1e-2);
+}
+
+class SimplifyBy : public testing::TestWithParam<double> {};
+
+INSTANTIATE_TEST_SUITE_P(Tolerances, SimplifyBy, testing::Values(1e-5, 1e-3, 0.1, 0.5));
+
+// Nothing about this part is where a person would have put it.
+TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
+    const double tolerance = GetParam();
+    const cda::Boundary boundary = test::polytope_part().boundary();
+    const Simplified result = simplify(boundary, tolerance);
+    EXPECT_LE(result.boundary.faces.size(), boundary.faces.size());
+    EXPECT_LE(result.deviation_mm, tolerance);
+    EXPECT_TRUE(cda::check(result.boundary).is_closed());
+    const cda::TriangleMesh before = cda::triangulate(boundary);
+    const cda::TriangleMesh after = cda::triangulate(result.boundary);
+    EXPECT_TRUE(cda::check(after).is_closed());
+    const double rounding = 1e-9;
+    EXPECT_LE(farthest(before, after), result.deviation_mm + rounding);
+    EXPECT_LE(farthest(after, before), result.deviation_mm + rounding);
+    EXPECT_NEAR(cda::volume(after), cda::volume(before),
+                cda::area(boundary) * result.deviation_mm + rounding);
+}
+
+TEST(Simplify, LeavesNoEdgeThatAReaderTakesForAPoint) {
+    const cda::Boundary boundary = test::polytope_part().boundary();
+    const double before = shortest_edge(boundary);
+    const double after = shortest_edge(simplify(boundary, 0.04).boundary);
+    EXPECT_LT(before, 0.01) << "else there is nothing to see";
+    EXPECT_GE(after, 0.01);
+}
+
+TEST(Simplify, KeepsWhoCutWhat) {
+    const auto part = test::grooved_part();
+    const Simplified result = simplify(test::boundary_of(part), 1e-3);
+    std::size_t most = 0;
+    for (std::size_t f = 0; f < result.origins.size(); ++f) {
+        EXPECT_EQ(result.boundary.faces[f].origin, result.origins[f].front());
+        most = std::max(most, result.origins[f].size());
+    }
+    EXPECT_EQ(most, 3U) << "the floor of the groove was cut in three passes";
+}
+
+TEST(Simplify, APartSmallerThanTheToleranceVanishes) {
+    test::BoxPart box;
+    box.stock = {{0, 0, 0}, {1, 1, 1}};
+    box.cell_mm = 1e-6;
+    EXPECT_TRUE(cda::check(simplify(test::boundary_of(box), 1e-3).boundary).is_closed());
+    EXPECT_LE(simplify(test::boundary_of(box), 1e-3).boundary.faces.size(), 6U);
+    EXPECT_TRUE(simplify({}, 1e-3).boundary.faces.empty());
+}
+
+}  // namespace
+}  // namespace ncsim::exporter
