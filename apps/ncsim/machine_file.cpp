@@ -2,11 +2,13 @@
 #include "machine_file.h"
 
 #include "job.h"
+#include "stl_file.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -103,10 +105,19 @@ private:
     std::string path_;
 };
 
-verify::Fixture read_fixture(const Reader& r, const toml::node& node, const std::string& key) {
+verify::Fixture read_fixture(const Reader& r, const std::filesystem::path& folder,
+                             const toml::node& node, const std::string& key) {
     verify::Fixture fixture;
     r.each(r.table(node, key), key,
            {{"name", [&](const auto& n, const auto& k) { fixture.name = r.text(n, k); }},
+            {"stl",
+             [&](const auto& n, const auto& k) {
+                 // As seen from the file that names it.
+                 const std::filesystem::path named(r.text(n, k));
+                 fixture.mesh = read_stl_file((folder / named).string());
+                 for (const cda::Vec3& v : fixture.mesh.vertices)
+                     fixture.box.add(v);
+             }},
             {"clearance",
              [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
             {"box", [&](const toml::node& n, const std::string& k) {
@@ -118,7 +129,10 @@ verify::Fixture read_fixture(const Reader& r, const toml::node& node, const std:
                      r.fail(n, fmt::format("'{}': the box has no volume", k));
                  }
              }}});
-    if (fixture.box.is_empty()) r.fail(node, "a fixture needs a box");
+    if (fixture.box.is_empty()) r.fail(node, "a fixture needs a box or an stl");
+    if (!fixture.mesh.triangles.empty() && node.as_table()->contains("box")) {
+        r.fail(node, "a fixture has a box or an stl, not both");
+    }
     if (fixture.name.empty()) fixture.name = "fixture";
     return fixture;
 }
@@ -157,6 +171,7 @@ MachineFile read_machine_file(const std::string& path) {
     MachineFile file;
     MachineDescription& m = file.machine;
     const Reader r(path);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     const auto list = [&r](const toml::node& n, const std::string& k, const Reader::Take& take) {
         if (!n.is_array_of_tables()) r.fail(n, fmt::format("write [[{}]]", k));
         for (const toml::node& element : *n.as_array())
@@ -227,7 +242,7 @@ MachineFile read_machine_file(const std::string& path) {
             {"fixture",
              [&](const toml::node& n, const std::string& k) {
                  list(n, k, [&](const toml::node& element, const std::string& key) {
-                     m.fixtures.push_back(read_fixture(r, element, key));
+                     m.fixtures.push_back(read_fixture(r, folder, element, key));
                  });
              }},
             {"tool", [&](const toml::node& n, const std::string& k) {

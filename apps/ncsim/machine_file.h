@@ -30,7 +30,7 @@
 //     [[fixture]]                    # in the frame of G54, mm
 //     name = "vice"
 //     box = [[-60, -40, -20], [60, -30, 5]]
-//     clearance = 2
+//     clearance = 2                  # or stl = "vice.stl", a closed surface, beside this file
 //     [[tool]]                       # limits of a tool
 //     number = 3
 //     max_feed = 600                 # mm/min

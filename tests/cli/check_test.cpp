@@ -136,13 +136,35 @@ TEST(Check, ReadsAMachine) {
     EXPECT_TRUE(contains(ran.out, "above the tool's limit of 1.5 mm: depth 2 mm")) << ran.out;
 }
 
+TEST(Check, ReadsFixturesAsMeshes) {
+    // A part that ncsim makes is the fixture: the block with its slot, beside the next one.
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    ASSERT_EQ(folder.run({"run", "slot.nc", "-q", "--stl", "jaw.stl"}).exit_code, 0);
+    folder.write("m.toml", "[[fixture]]\nname = 'jaw'\nstl = 'jaw.stl'\n");
+    // Its own way through the slot only touches; half a millimetre deeper it does not.
+    const Ran clear = folder.run({"check", "slot.nc", "--machine", "m.toml", "-q"});
+    EXPECT_EQ(clear.exit_code, 0) << clear.out << clear.err;
+    std::string deeper(kSlot);
+    deeper.replace(deeper.find("G0 Z-2."), 7, "G0 Z-2.5");
+    folder.write("deeper.nc", deeper);
+    const Ran ran = folder.run({"check", "deeper.nc", "--machine", "m.toml", "-q"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out, "deeper.nc:8:1: error: the cutter of T1 meets the fixture 'jaw'"))
+        << ran.out << ran.err;
+    folder.write("jaw.stl", "solid nothing\nendsolid\n");
+    const Ran broken = folder.run({"check", "slot.nc", "--machine", "m.toml"});
+    EXPECT_EQ(broken.exit_code, 2);
+    EXPECT_TRUE(contains(broken.err, "'jaw.stl' is no STL file")) << broken.err;
+}
+
 TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
     const std::vector<std::pair<std::string, std::string>> faults{
         {"[travel]\nx = [3, 1]\n", "m.toml:2:5: 'travel.x': the first end"},
         {"[travel]\nq = 1\n", "m.toml:2:5: 'q' is not known in travel; expected x, y, z"},
         {"[spindle]\nmax = 'fast'\n", "m.toml:2:7: 'spindle.max': expected a number"},
         {"travel = [\n", "m.toml:1:12: "},
-        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box"},
+        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box or an stl"},
         {"[[tool]]\nmax_feed = 3\n", "a tool needs its number"}};
     for (const auto& [text, message] : faults) {
         Folder folder;
