@@ -37,7 +37,7 @@ struct Side {
 };
 
 Side read_side(const DiffOptions& diff, const std::string& path,
-               const std::optional<cda::Box>& stock) {
+               const std::optional<toolpath::Stock>& stock) {
     Options options;
     static_cast<ProgramOptions&>(options) = diff;
     static_cast<SimulationOptions&>(options) = diff;
@@ -247,7 +247,7 @@ int run(const DiffOptions& options) {
     const Side a = read_side(options, options.program, {});
     if (!is_usable(a)) return kFindings;
     const Side b_alone = read_side(options, options.new_program, {});
-    const cda::Box stock = a.survey.stock->box;
+    const toolpath::Stock stock = *a.survey.stock;
     const Side b = read_side(options, options.new_program, stock);
     if (!is_usable(b)) return kFindings;
 
@@ -256,9 +256,9 @@ int run(const DiffOptions& options) {
     const auto& other = b_alone.survey.stock;
     const bool both_told = other && other->told_by != toolpath::ToldBy::Assumption &&
                            a.survey.stock->told_by != toolpath::ToldBy::Assumption;
-    if (both_told && !(other->box == stock)) {
+    if (both_told && !(*other == stock)) {
         d.stocks = fmt::format("the blocks differ: {} and {}; both were cut from the first",
-                               describe(stock), describe(other->box));
+                               describe(stock), describe(*other));
     }
     const bool differs = !d.stocks.empty() || d.only_old.volume_mm3 > options.tolerance_mm3 ||
                          d.only_new.volume_mm3 > options.tolerance_mm3;

@@ -161,8 +161,8 @@ private:
         refuse(node, "expected auto, rs274, fanuc, haas, grbl or mach3");
     }
 
-    cda::Box read_stock(const toml::table& t) const {
-        only(t, {"min", "max"});
+    toolpath::Stock read_stock(const toml::table& t) const {
+        only(t, {"min", "max", "round"});
         const auto* min = t.get("min");
         const auto* max = t.get("max");
         if (!min || !max) refuse(t, "a stock has two corners, min and max");
@@ -173,7 +173,12 @@ private:
         }
         cda::Box box;
         box.add(a), box.add(b);
-        return box;
+        toolpath::Stock stock{box};
+        if (const auto* round = t.get("round")) stock.is_round = boolean(*round);
+        if (stock.is_round && std::abs(box.size().x - box.size().y) > 1e-9 * box.size().x) {
+            refuse(*max, "a round stock is as wide in X as in Y");
+        }
+        return stock;
     }
 
     toolpath::ToolPiece read_piece(const toml::table& t) const {
@@ -336,7 +341,8 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
             << remark(told(survey.stock->told_by, survey.stock->span, survey.stock->text,
                            survey.stock->file, "--stock"))
             << "min = " << triple(survey.stock->box.min)
-            << "\nmax = " << triple(survey.stock->box.max) << '\n';
+            << "\nmax = " << triple(survey.stock->box.max) << '\n'
+            << (survey.stock->is_round ? "round = true\n" : "");
     }
     for (const auto& [number, used] : survey.tools) {
         out << '\n' << remark(told(used.told_by, used.span, used.text, used.file, "--tool"));

@@ -28,7 +28,7 @@ struct JobFile {
     bool block_delete = false;
     bool increments = false;
     std::vector<std::string> allow;
-    std::optional<cda::Box> stock;
+    std::optional<toolpath::Stock> stock;
     std::vector<toolpath::ToolEntry> tools;
 };
 

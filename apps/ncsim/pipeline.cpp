@@ -188,10 +188,10 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
                     const ProgressSink& progress) {
     Simulation result;
     result.lattice = lattice_for(*survey.stock);
-    const cda::LatticePoint min = result.lattice.round(survey.stock->box.min);
-    const cda::LatticePoint max = result.lattice.round(survey.stock->box.max);
-    result.part =
-        prototype(job.options)->create(cda::box_cell(min, max, result.lattice), result.lattice);
+    result.part = prototype(job.options)
+                      ->create(toolpath::stock_cell(*survey.stock, result.lattice,
+                                                    job.options.tool_tolerance),
+                               result.lattice);
     result.stock_volume = result.part->volume();
     if (verification.start) result.part = verification.start->clone();
 

@@ -48,7 +48,7 @@ toolpath::ToolSpec read_assumed_tool(const std::string& text) {
     return tool;
 }
 
-cda::Box read_stock(const std::string& text) {
+toolpath::Stock read_stock(const std::string& text) {
     std::string message;
     const auto stock = toolpath::parse_stock_option(text, message);
     if (!stock) throw Refusal{"--stock " + message};
@@ -142,8 +142,8 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--stock", [&o](Text text) { o.stock = read_stock(text); },
-            "The block, if the program does not say it")
-        ->type_name("BOX");
+            "The block, or DdxH for a round bar, if the program does not say it")
+        ->type_name("STOCK");
     command
         .add_option_function<std::string>(
             "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },

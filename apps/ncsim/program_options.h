@@ -4,8 +4,8 @@
 // in a file of its own.
 #pragma once
 
-#include "ncsim/cda/vec.h"
 #include "ncsim/gcode/dialect.h"
+#include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
 
 #include <optional>
@@ -35,7 +35,7 @@ struct Refusal {
 /// The program, and what it does not say itself. Lengths in mm.
 struct ProgramOptions {
     std::string program;
-    std::optional<cda::Box> stock;
+    std::optional<toolpath::Stock> stock;
     std::vector<toolpath::ToolSpec> tools;
     /// For tools that nobody describes; its number is 0.
     std::optional<toolpath::ToolSpec> assumed_tool;

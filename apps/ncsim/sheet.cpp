@@ -86,6 +86,10 @@ std::string describe(const cda::Box& box) {
         size.x, size.y, size.z, box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z);
 }
 
+std::string describe(const toolpath::Stock& stock) {
+    return (stock.is_round ? "a round bar in " : "") + describe(stock.box);
+}
+
 std::string assumption_sheet(const Job& job, const Survey& survey) {
     Sheet sheet;
     sheet.title("ncsim {}: {}, {} lines, {} moves", kVersion, printable(job.program.name),
@@ -114,7 +118,7 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
         if (!used.filled_in.empty()) sheet.line("", "assumed: {}", used.filled_in);
     }
     if (survey.stock) {
-        sheet.line("stock", "{}", describe(survey.stock->box));
+        sheet.line("stock", "{}", describe(*survey.stock));
         sheet.line("", "{}",
                    told(survey.stock->told_by, survey.stock->span, survey.stock->text,
                         survey.stock->file, "--stock"));

@@ -24,5 +24,6 @@ std::string printable(std::string_view text);
 
 /// "50 x 40 x 10 mm, X 0 to 50, Y 0 to 40, Z -10 to 0"
 std::string describe(const cda::Box& box);
+std::string describe(const toolpath::Stock& stock);
 
 }  // namespace ncsim::app

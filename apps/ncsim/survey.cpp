@@ -198,7 +198,7 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
     }
     const toolpath::DerivedStock derived = toolpath::derive_stock(swept, highest);
     if (derived.box.is_empty()) return;
-    result.stock = toolpath::StockEntry{derived.box, ToldBy::Assumption, {}, derived.rule};
+    result.stock = toolpath::StockEntry{{derived.box}, ToldBy::Assumption, {}, derived.rule};
 }
 
 }  // namespace

@@ -184,6 +184,21 @@ TEST(Run, TakesToolsAndStockFromTheCommandLineFirst) {
     EXPECT_TRUE(contains(ran.err, "from --stock"));
 }
 
+TEST(Run, CutsARoundBarAndKeepsItInTheJob) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    ASSERT_EQ(folder
+                  .run({"run", "slot.nc", "--tool", "T1=flat:D5", "--stock", "d40x10", "--save-job",
+                        "a.toml", "--stl", "a.stl"})
+                  .exit_code,
+              0);
+    EXPECT_TRUE(contains(folder.read("a.toml"), "round = true"));
+    const Ran again = folder.run({"run", "slot.nc", "--job", "a.toml", "--stl", "b.stl"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(contains(again.err, "a round bar in 40 x 40 x 10 mm")) << again.err;
+    EXPECT_EQ(folder.read("a.stl"), folder.read("b.stl"));
+}
+
 TEST(Run, DerivesAStockThatNobodyTells) {
     Folder folder;
     folder.write("part.nc",

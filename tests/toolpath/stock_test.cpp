@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/stock.h"
 
+#include "ncsim/cda/polytope.h"
+
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace ncsim::toolpath {
 namespace {
@@ -9,11 +13,18 @@ namespace {
 using cda::Box;
 using cda::Vec3;
 
-std::optional<Box> stock(const char* text) {
+std::optional<Stock> parsed(const char* text) {
     std::string message;
-    const auto box = parse_stock_option(text, message);
-    EXPECT_EQ(box.has_value(), message.empty()) << message;
-    return box;
+    const auto stock = parse_stock_option(text, message);
+    EXPECT_EQ(stock.has_value(), message.empty()) << message;
+    return stock;
+}
+
+std::optional<Box> stock(const char* text) {
+    const auto known = parsed(text);
+    if (!known) return std::nullopt;
+    EXPECT_FALSE(known->is_round);
+    return known->box;
 }
 
 TEST(StockOption, TakesTwoCornersInAnyOrder) {
@@ -27,10 +38,36 @@ TEST(StockOption, TakesSizes) {
     EXPECT_EQ(stock("50x40x10@0,0,-10"), (Box{{0, 0, -10}, {50, 40, 0}}));
 }
 
+TEST(StockOption, TakesBars) {
+    EXPECT_EQ(parsed("D60x30"), (Stock{{{-30, -30, -30}, {30, 30, 0}}, true}));
+    EXPECT_EQ(parsed("d60x30@100,50,-5"), (Stock{{{70, 20, -5}, {130, 80, 25}}, true}));
+    EXPECT_EQ(parsed("D1x2in"), (Stock{{{-12.7, -12.7, -50.8}, {12.7, 12.7, 0}}, true}));
+}
+
+TEST(StockCell, OfABarTouchesTheCircleAndStaysWithinTheTolerance) {
+    const cda::Lattice lattice{1e-5};
+    const Stock bar = *parsed("D60x30");
+    for (const double tolerance : {0.5, 0.05, 0.005}) {
+        SCOPED_TRACE(tolerance);
+        const cda::Cell cell = stock_cell(bar, lattice, tolerance);
+        const auto body = cda::ConvexPolytope::of(cell, lattice);
+        ASSERT_TRUE(body);
+        const double volume = body->volume() * 1e-15;
+        const double pi = std::numbers::pi;
+        EXPECT_GT(volume, pi * 30 * 30 * 30 * (1 - 1e-9));
+        EXPECT_LT(volume, pi * (30 + tolerance) * (30 + tolerance) * 30);
+        EXPECT_EQ(cell.bounds.min.z, -30);
+        // Four sides lie in the sides of the box.
+        EXPECT_NEAR(body->bounds().max.x, 3e6, 1.0);
+    }
+}
+
 TEST(StockOption, RefusesWhatIsNoBlock) {
     for (const char* bad :
-         {"", "1,2,3", "0,0,0:0,1,1", "0,0,0:1,1", "1x2", "0x1x1", "-1x1x1", "axbxc", "1x1x1@0,0",
-          "1e9x1x1", "9999999x1x1", "1x1x1@99999999,0,0", ":", "@"}) {
+         {"",       "1,2,3",  "0,0,0:0,1,1", "0,0,0:1,1", "1x2",         "0x1x1",
+          "-1x1x1", "axbxc",  "1x1x1@0,0",   "D5",        "D0x3",        "Dx3",
+          "D3x-1",  "D3x4x5", "D3x4@1,2",    "1e9x1x1",   "9999999x1x1", "1x1x1@99999999,0,0",
+          ":",      "@"}) {
         SCOPED_TRACE(bad);
         EXPECT_FALSE(stock(bad));
     }

@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/stock.h"
 
+#include "ncsim/cda/hull.h"
+
 #include "text.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace ncsim::toolpath {
 
 namespace {
 
-// Exactly three numbers between separators.
-std::optional<cda::Vec3> three_numbers(std::string_view s, char separator) {
+// Exactly `count` numbers, three at most, between separators.
+std::optional<cda::Vec3> numbers(std::string_view s, char separator, int count) {
     const auto parts = text::split(s, separator);
-    if (parts.size() != 3) return std::nullopt;
+    if (parts.size() != static_cast<std::size_t>(count)) return std::nullopt;
     cda::Vec3 v;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < count; ++axis) {
         const std::string_view part = text::trimmed(parts[static_cast<std::size_t>(axis)]);
         const auto q = text::quantity_at(part, 0);
         if (!q || q->end != part.size() || q->unit != text::Unit::None) return std::nullopt;
@@ -26,9 +30,13 @@ std::optional<cda::Vec3> three_numbers(std::string_view s, char separator) {
     return v;
 }
 
+std::optional<cda::Vec3> three_numbers(std::string_view s, char separator) {
+    return numbers(s, separator, 3);
+}
+
 }  // namespace
 
-std::optional<cda::Box> parse_stock_option(std::string_view option, std::string& message) {
+std::optional<Stock> parse_stock_option(std::string_view option, std::string& message) {
     const std::string upper = text::upper(text::trimmed(option));
     std::string_view s = upper;
     double scale = 1.0;
@@ -39,9 +47,23 @@ std::optional<cda::Box> parse_stock_option(std::string_view option, std::string&
         }
     }
     cda::Box box;
+    const bool is_round = s.substr(0, 1) == "D";
     const std::size_t colon = s.find(':');
     const std::size_t at = s.find('@');
-    if (colon != std::string_view::npos) {
+    if (is_round) {
+        const auto size = numbers(s.substr(1, at == std::string_view::npos ? at : at - 1), 'X', 2);
+        std::optional<cda::Vec3> foot;
+        if (at != std::string_view::npos) {
+            foot = three_numbers(s.substr(at + 1), ',');
+        } else if (size) {
+            foot = cda::Vec3{0, 0, -size->y};
+        }
+        if (foot && size && size->x > 0 && size->y > 0) {
+            const double r = size->x / 2;
+            box.add(scale * (*foot - cda::Vec3{r, r, 0}));
+            box.add(scale * (*foot + cda::Vec3{r, r, size->y}));
+        }
+    } else if (colon != std::string_view::npos) {
         const auto a = three_numbers(s.substr(0, colon), ',');
         const auto b = three_numbers(s.substr(colon + 1), ',');
         if (a && b) box.add(scale * *a), box.add(scale * *b);
@@ -62,7 +84,9 @@ std::optional<cda::Box> parse_stock_option(std::string_view option, std::string&
         return std::nullopt;
     };
     if (box.is_empty()) {
-        return refuse("expected x0,y0,z0:x1,y1,z1 or LxWxH or LxWxH@x,y,z");
+        return refuse(
+            "expected x0,y0,z0:x1,y1,z1 or LxWxH or LxWxH@x,y,z, "
+            "for a bar DdxH or DdxH@x,y,z");
     }
     const cda::Vec3 size = box.size();
     for (int axis = 0; axis < 3; ++axis) {
@@ -70,7 +94,33 @@ std::optional<cda::Box> parse_stock_option(std::string_view option, std::string&
             return refuse("a block must be between 1 nm and 1 km in each direction, near zero");
         }
     }
-    return box;
+    return Stock{box, is_round};
+}
+
+cda::Cell stock_cell(const Stock& stock, const cda::Lattice& lattice, double tolerance_mm) {
+    const cda::LatticePoint min = lattice.round(stock.box.min);
+    const cda::LatticePoint max = lattice.round(stock.box.max);
+    if (!stock.is_round) return cda::box_cell(min, max, lattice);
+    // A multiple of four sides, four of them in the sides of the box.
+    const double radius = 0.5 * (stock.box.max.x - stock.box.min.x);
+    int sides = 16;
+    const auto beyond = [&] { return radius * (1.0 / std::cos(std::numbers::pi / sides) - 1.0); };
+    while (beyond() > tolerance_mm && sides < 4096)
+        sides += 4;
+    const cda::Vec3 centre = 0.5 * (stock.box.min + stock.box.max);
+    const double corner = radius / std::cos(std::numbers::pi / sides);
+    std::vector<cda::LatticePoint> points;
+    for (int i = 0; i < sides; ++i) {
+        const double angle = std::numbers::pi * (2 * i + 1) / sides;
+        const cda::Vec3 p{centre.x + corner * std::cos(angle), centre.y + corner * std::sin(angle),
+                          0.0};
+        cda::LatticePoint at = lattice.round(p);
+        for (const std::int64_t z : {min.z, max.z}) {
+            at.z = z;
+            points.push_back(at);
+        }
+    }
+    return *cda::convex_hull(points, lattice, cda::kStockOrigin);
 }
 
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip) {

@@ -255,7 +255,7 @@ bool read_camotics(const Json& json, ToolFile& result, Collector& out) {
         box.add(*min), box.add(*max);
         const cda::Vec3 size = box.size();
         if (size.x > 0 && size.y > 0 && size.z > 0) {
-            result.stock = StockEntry{box, ToldBy::Table, {}, "the workpiece"};
+            result.stock = StockEntry{{box}, ToldBy::Table, {}, "the workpiece"};
         }
     }
     return true;

@@ -286,7 +286,7 @@ private:
             notes_.diagnostics.push_back(std::move(d));
             return;
         }
-        notes_.stock = StockEntry{box, ToldBy::Comment, span, text};
+        notes_.stock = StockEntry{{box}, ToldBy::Comment, span, text};
     }
 
     ProgramNotes notes_;

@@ -3,6 +3,8 @@
 // The block of material a program starts with: said by somebody, or derived from what is cut.
 #pragma once
 
+#include "ncsim/cda/cell.h"
+#include "ncsim/cda/lattice.h"
 #include "ncsim/cda/vec.h"
 
 #include <optional>
@@ -11,11 +13,23 @@
 
 namespace ncsim::toolpath {
 
+/// A block, or a round bar that stands upright in a box as wide as it is deep. mm.
+struct Stock {
+    cda::Box box;
+    bool is_round = false;
+    bool operator==(const Stock&) const = default;
+};
+
 /// Reads `x0,y0,z0:x1,y1,z1` (two corners) or `LxWxH` (sizes; the top at Z0, centred on X0 Y0) or
-/// `LxWxH@x,y,z` (sizes and the corner with the smallest coordinates). In mm, or in inches where
-/// the text ends in `in`. Nothing if it is of neither form or encloses no volume; the message then
-/// says why.
-std::optional<cda::Box> parse_stock_option(std::string_view text, std::string& message);
+/// `LxWxH@x,y,z` (sizes and the corner with the smallest coordinates), for a bar `DdxH` (diameter
+/// and height; the top at Z0, the axis in X0 Y0) or `DdxH@x,y,z` (the middle of its foot). In mm,
+/// or in inches where the text ends in `in`. Nothing if it is of none of these forms or encloses no
+/// volume; the message then says why.
+std::optional<Stock> parse_stock_option(std::string_view text, std::string& message);
+
+/// The stock on the lattice: a bar has as many sides as it takes for none of them to lie more than
+/// `tolerance_mm` outside of the circle, which all of them touch.
+cda::Cell stock_cell(const Stock& stock, const cda::Lattice& lattice, double tolerance_mm);
 
 /// A box for a program that does not say what it cuts.
 struct DerivedStock {

@@ -6,6 +6,7 @@
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
 
 #include <cstdint>
@@ -27,8 +28,7 @@ struct ToolEntry {
     cda::Vec3 offset{};      ///< What G43 applies, mm; known to some tables.
 };
 
-struct StockEntry {
-    cda::Box box;
+struct StockEntry : Stock {
     ToldBy told_by = ToldBy::Comment;
     gcode::SourceSpan span;
     std::string text{};  ///< As written; for a derived stock the rule.
