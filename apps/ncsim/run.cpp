@@ -28,13 +28,28 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
+#include <string>
 
 namespace ncsim::app {
 
 namespace {
+
+// Lines of other files have the same numbers: with them, no text is sure to be right.
+std::map<std::uint32_t, std::string> text_of_lines(const Job& job, const Survey& survey,
+                                                   const exporter::Provenance& provenance) {
+    std::map<std::uint32_t, std::string> text;
+    if (survey.interpretation.files.size() > 1) return text;
+    for (const auto& entry : provenance.entries) {
+        if (entry.nc_line == 0) continue;
+        text.try_emplace(entry.nc_line, gcode::line_text(job.program, entry.nc_line));
+    }
+    return text;
+}
 
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const Options& o = outcome.job.options;
@@ -86,6 +101,7 @@ int run(Options options) {
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); });
+        simulation->provenance.text = text_of_lines(job, survey, simulation->provenance);
         outcome.simulation = &*simulation;
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
         if (o.simplify > 0.0 && outcome.boundary) {

@@ -95,6 +95,36 @@ TEST(Run, ASheetThatIsTooLargeIsRefusedAndNothingIsWritten) {
     EXPECT_FALSE(folder.has("a.png"));
 }
 
+TEST(Run, TheMeshQuotesTheLinesThatCutIt) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.run({"run", "slot.nc", "-q", "--gltf", "a.glb"});
+    const std::string glb = folder.read("a.glb");
+    EXPECT_TRUE(contains(glb, R"("lines":{"8":"G1 X30. F500."})"));
+}
+
+// A block, and a groove through it by a tool that leans: bottom, two sides, two ends, the top in
+// two, the groove's floor and its two walls. That corners of the tilted tool lie on a lattice
+// must not tear any of them apart.
+TEST(Run, TheSolidHasTheFacesThatAPersonCounts) {
+    Folder folder;
+    for (const char* angle : {"0.", "7.", "-3."}) {
+        SCOPED_TRACE(angle);
+        std::string text(kSlot);
+        text.replace(text.find("G0 Z-2."), 7, std::string("G0 A").append(angle));
+        text.replace(text.find("G1 X30."), 7, "G0 Z-2.\nG1 X30.");
+        folder.write("slot.nc", text);
+        const Ran ran = folder.run({"run", "slot.nc", "-q", "--step", "a.step"});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        const std::string step = folder.read("a.step");
+        std::size_t faces = 0;
+        for (std::size_t at = step.find("ADVANCED_FACE"); at != std::string::npos;
+             at = step.find("ADVANCED_FACE", at + 1))
+            ++faces;
+        EXPECT_EQ(faces, 10U);
+    }
+}
+
 TEST(Run, SimplifiesAndSaysByHowMuch) {
     Folder folder;
     // A shallow arc: many narrow facets that lie nearly in one plane.

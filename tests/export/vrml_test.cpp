@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <sstream>
 #include <string>
 
@@ -40,8 +42,7 @@ WorldInfo { title "pyramid.nc" info [ "made by ncsim" "unit: mm, z up" ] }
 DEF STOCK Group { children [
 Shape {
 appearance DEF STOCK_LOOK Appearance { material Material { diffuseColor 0.588 0.611 0.643 specularColor 0.2 0.2 0.2 } }
-geometry IndexedFaceSet { convex FALSE
-coord Coordinate { point [
+geometry IndexedFaceSet { coord Coordinate { point [
 0 2 0
 2 2 0
 2 0 0
@@ -54,8 +55,7 @@ coordIndex [
 DEF LINE_7 Group { children [
 Shape {
 appearance DEF TOOL_4 Appearance { material Material { diffuseColor 0.494 0.713 0.886 specularColor 0.2 0.2 0.2 } }
-geometry IndexedFaceSet { convex FALSE
-coord Coordinate { point [
+geometry IndexedFaceSet { coord Coordinate { point [
 2 0 0
 2 2 0
 1 1 1.5
@@ -70,8 +70,7 @@ coordIndex [
 DEF LINE_9 Group { children [
 Shape {
 appearance USE TOOL_4
-geometry IndexedFaceSet { convex FALSE
-coord Coordinate { point [
+geometry IndexedFaceSet { coord Coordinate { point [
 0 0 0
 2 0 0
 1 1 1.5
@@ -101,6 +100,34 @@ TEST(WriteVrml, CutsFacesWithHolesIntoTriangles) {
         ++polygons;
     }
     EXPECT_EQ(polygons, 16U + 8U);
+}
+
+TEST(WriteVrml, CutsConcaveFacesIntoTriangles) {
+    // A prism over an L: two faces of six corners, six of four.
+    cda::Boundary b;
+    const std::array<std::array<double, 2>, 6> outline{
+        {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}};
+    for (const double z : {0.0, 1.0}) {
+        for (const auto& [x, y] : outline)
+            b.vertices.push_back({x, y, z});
+    }
+    b.faces.push_back({{0, 0, 1}, 1.0, cda::kStockOrigin, 0, {{6, 7, 8, 9, 10, 11}}});
+    b.faces.push_back({{0, 0, -1}, 0.0, cda::kStockOrigin, 0, {{5, 4, 3, 2, 1, 0}}});
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        const std::uint32_t j = (i + 1) % 6;
+        const cda::Vec3 along = b.vertices[j] - b.vertices[i];
+        b.faces.push_back({cda::normalized({along.y, -along.x, 0}),
+                           0.0,
+                           cda::kStockOrigin,
+                           0,
+                           {{i, j, j + 6, i + 6}}});
+    }
+    const std::string text = written(b, {});
+    std::size_t polygons = 0;
+    for (std::size_t at = text.find("-1\n"); at != std::string::npos;
+         at = text.find("-1\n", at + 1))
+        ++polygons;
+    EXPECT_EQ(polygons, 4U + 4U + 6U);
 }
 
 TEST(WriteVrml, QuotesTheNameOfTheProgram) {

@@ -168,6 +168,61 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
     EXPECT_EQ(disagreements, 0);
 }
 
+// "Which line made this wall": the hulls that the line left touch the triangle's plane from outside
+// the material, and reach up to its middle; uncut faces lie in the sides of the block.
+TEST_P(Samples, NameTheLineThatCutEachTriangle) {
+    const Sample& s = sample(GetParam());
+    std::vector<cda::Cell> hulls;
+    std::map<std::uint32_t, std::vector<std::size_t>> hulls_of;  // by line
+    std::map<int, toolpath::Cutter> cutters;
+    for (const auto& [number, used] : s.survey.tools) {
+        cutters.try_emplace(number, used.tool, s.tree.lattice, toolpath::ToolAccuracy{});
+    }
+    gcode::interpret(s.job.program, s.job.interpreter, [&](const gcode::Motion& motion) {
+        const auto cutter = cutters.find(motion.tool);
+        if (cutter == cutters.end() || !toolpath::has_known_start(motion)) return;
+        const auto path = toolpath::sample(motion, cutter->second.extent(), {});
+        const std::size_t first = hulls.size();
+        for (std::size_t i = 1; i < path.poses.size(); ++i) {
+            cutter->second.trace(path.poses[i - 1], path.poses[i], cda::Origin{1}, hulls);
+        }
+        for (std::size_t i = first; i < hulls.size(); ++i)
+            hulls_of[motion.span.line].push_back(i);
+    });
+
+    const cda::TriangleMesh mesh = cda::triangulate(s.boundary);
+    test::Random random(11);
+    const double slack = 2.0 * s.tree.lattice.unit_mm;
+    int cut = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const std::size_t t = random.next() % mesh.triangles.size();
+        const auto& [a, b, c] = mesh.triangles[t];
+        const Vec3 p = (1.0 / 3.0) * (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]);
+        const cda::BoundaryFace& face = s.boundary.faces[mesh.face[t]];
+        const auto line = s.tree.provenance.of(face.origin).nc_line;
+        if (line == 0) {
+            const cda::Box& box = s.survey.stock->box;
+            const Vec3 outside = p + 2.0 * slack * face.normal;
+            EXPECT_TRUE(box.contains(p - slack * face.normal) && !box.contains(outside));
+            continue;
+        }
+        ++cut;
+        const bool is_made_by_it =
+            std::any_of(hulls_of[line].begin(), hulls_of[line].end(), [&](std::size_t h) {
+                bool touches = false;
+                for (const cda::Plane& plane : hulls[h].planes) {
+                    const Vec3 n = cda::unit_normal(plane);
+                    const double off = dot(n, p) - cda::offset_mm(plane, s.tree.lattice);
+                    if (off > slack) return false;
+                    touches |= off > -slack && dot(n, face.normal) < -1.0 + 1e-9;
+                }
+                return touches;
+            });
+        EXPECT_TRUE(is_made_by_it) << "line " << line;
+    }
+    EXPECT_GT(cut, 500);
+}
+
 // The stencil buffer of the thesis against the computed surface: pixel for pixel, but for edges.
 TEST_P(Samples, LookTheSameThroughTheStencilAndAsASurface) {
     const Sample& s = sample(GetParam());

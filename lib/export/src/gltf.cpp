@@ -263,6 +263,17 @@ tinygltf::Node node_of(cda::Vec3 centre) {
     return node;
 }
 
+// What the lines say that left a face.
+tinygltf::Value text_of_lines(const cda::Boundary& boundary, const Provenance& provenance) {
+    tinygltf::Value::Object lines;
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        const auto found = provenance.text.find(provenance.of(face.origin).nc_line);
+        if (found == provenance.text.end()) continue;
+        lines.try_emplace(std::to_string(found->first), printable_utf8(found->second));
+    }
+    return tinygltf::Value(std::move(lines));
+}
+
 void check_size(const std::vector<Primitive>& primitives) {
     std::uint64_t bytes = 0;
     for (const Primitive& p : primitives)
@@ -287,6 +298,10 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
     model.asset.extras = tinygltf::Value(
         tinygltf::Value::Object{{"program", tinygltf::Value(printable_utf8(provenance.program))},
                                 {"unit", tinygltf::Value(std::string("mm"))}});
+    if (!provenance.text.empty()) {
+        model.asset.extras.Get<tinygltf::Value::Object>().emplace(
+            "lines", text_of_lines(boundary, provenance));
+    }
     model.scenes.emplace_back();
     model.scenes.front().name = "part";  // a scene without nodes and name would be written as null
     model.defaultScene = 0;

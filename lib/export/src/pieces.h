@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces for formats whose polygons have no holes.
+// Faces for formats whose polygons have no holes, and whose readers cut concave ones wrongly:
+// fans from a corner, or tessellators in floats, both of which lose volume.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -13,8 +14,8 @@
 
 namespace ncsim::exporter {
 
-/// Each face of a boundary as polygons without holes: itself if it has none, else triangles between
-/// its own vertices.
+/// Each face of a boundary as convex polygons: itself if it is one (but for rounding), else
+/// triangles between its own vertices.
 class Pieces {
 public:
     /// `boundary` must outlive the pieces.
@@ -25,10 +26,11 @@ public:
     std::span<const std::uint32_t> corners(std::uint32_t face, std::size_t i) const;
 
 private:
-    bool has_holes(std::uint32_t face) const { return boundary_.faces[face].loops.size() > 1; }
+    bool is_cut(std::uint32_t face) const { return is_cut_[face]; }
 
     const cda::Boundary& boundary_;
-    cda::TriangleMesh mesh_;             // of the faces with holes
+    std::vector<bool> is_cut_;           // by face
+    cda::TriangleMesh mesh_;             // of the faces that are cut
     std::vector<std::uint32_t> first_;   // for each face, where in `sorted_` its triangles begin
     std::vector<std::uint32_t> sorted_;  // triangles of mesh_, by face
 };

@@ -109,7 +109,7 @@ private:
     void shape(std::span<const FaceIndex> faces) {
         text_ += "Shape {\nappearance ";
         appearance(entry(faces.front()));
-        text_ += "\ngeometry IndexedFaceSet { convex FALSE\ncoord Coordinate { point [\n";
+        text_ += "\ngeometry IndexedFaceSet { coord Coordinate { point [\n";
         local_.clear();
         std::string polygons;
         for (const FaceIndex face : faces) {

@@ -18,8 +18,9 @@ namespace ncsim::exporter {
 /// Positions are millimetres from the centre of the part, so that little is lost in floats; the
 /// node carries that centre and turns millimetres, z up, into glTF's metres, y up. Each vertex has
 /// the attributes _NC_LINE (program line, 0 for uncut stock) and _TOOL: floats, since glTF has no
-/// 32-bit integers there, exact up to 2^24. The program's name and the unit are in the extras of
-/// the asset; a material's extras hold its tool number.
+/// 32-bit integers there, exact up to 2^24. The extras of the asset hold the program's name, the
+/// unit, and as `lines` the text of each line that cut a face that is left, by its number; a
+/// material's extras hold its tool number.
 ///
 /// A part of which nothing is left gives a valid file with an empty scene. Equal input
 /// gives equal bytes. Throws std::runtime_error if the file would exceed the format's 4 GiB, or

@@ -12,9 +12,8 @@
 namespace ncsim::exporter {
 
 /// Writes `boundary` as binary little-endian PLY, in millimetres, with coordinates in doubles:
-/// nothing is rounded. Faces are n-gons; those with holes, which PLY does not have, are cut into
-/// triangles. Each face has the properties nc_line and tool (0 for uncut stock) and red, green and
-/// blue.
+/// nothing is rounded. Convex faces are n-gons, others are cut into triangles. Each face has the
+/// properties nc_line and tool (0 for uncut stock) and red, green and blue.
 ///
 /// A part of which nothing is left gives a valid file. Equal input gives equal bytes. Throws
 /// std::runtime_error if the stream fails.

@@ -6,6 +6,7 @@
 #include "ncsim/cda/origin.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Provenance {
     };
     std::vector<Entry> entries;
     std::string program;  ///< File name without folders, as formats may quote it.
+    /// Text of the lines that entries name, as far as it is known.
+    std::map<std::uint32_t, std::string> text{};
 
     /// The entry of `origin`; that of the stock for numbers beyond the list.
     Entry of(cda::Origin origin) const;

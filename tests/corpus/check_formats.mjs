@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// node check_formats.mjs <build folder> <work folder> <program or folder>... [--most N] [-- <options of ncsim run>...]
+//
+// Runs ncsim on every program that simulates without faults, writes all formats, and has them read
+// by programs that nobody here wrote: OpenCASCADE (STEP), lib3mf, Coin (VRML), admesh (STL, and PLY
+// through assimp), the Khronos validator (glTF). Each must find the volume of the report
+// and closed surfaces. With --most, N programs evenly spread over all. Prints a line for
+// each complaint and a table; exit code 1 if there is any.
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+
+const args = process.argv.slice(2);
+const split = args.indexOf("--");
+const options = split < 0 ? [] : args.splice(split).slice(1);
+const mostAt = args.indexOf("--most");
+const most = mostAt < 0 ? Infinity : Number(args.splice(mostAt, 2)[1]);
+const [build, work, ...sources] = args;
+
+function programsOf(path) {
+  if (!statSync(path).isDirectory()) return [path];
+  return readdirSync(path).sort().flatMap((name) => programsOf(join(path, name)));
+}
+const isProgram = (name) => /\.(nc|ngc|tap|cnc|gcode|txt|mpf|eia|min)$/i.test(name);
+let programs = sources.flatMap(programsOf).filter(isProgram);
+if (programs.length > most) {
+  programs = Array.from({ length: most }, (_, i) => programs[Math.floor((i * programs.length) / most)]);
+}
+
+rmSync(work, { recursive: true, force: true });
+mkdirSync(work, { recursive: true });
+const formats = { gltf: "glb", vrml: "wrl", ply: "ply", "3mf": "3mf", stl: "stl", step: "step", report: "json" };
+const tally = { programs: programs.length, written: 0, "not simulated": 0, "too long": 0, "nothing left": 0 };
+const complaints = [];
+
+function linesOf(glb) {
+  const json = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString("utf8"));
+  const bin = glb.subarray(28 + glb.readUInt32LE(12));
+  const lines = new Set();
+  for (const primitive of json.meshes?.[0].primitives ?? []) {
+    const accessor = json.accessors[primitive.attributes._NC_LINE];
+    const { byteOffset = 0 } = json.bufferViews[accessor.bufferView];
+    for (let i = 0; i < accessor.count; i += 1) lines.add(bin.readFloatLE(byteOffset + 4 * i));
+  }
+  return [...lines].sort((a, b) => a - b);
+}
+
+for (const [i, program] of programs.entries()) {
+  const stem = join(work, `${i}_${basename(program).replace(/[^A-Za-z0-9]/g, "_")}`);
+  const outputs = Object.entries(formats).flatMap(([option, type]) => [`--${option}`, `${stem}.${type}`]);
+  const ran = spawnSync(
+    join(build, "ncsim"),
+    ["run", program, "-q", "--no-block-volumes", "--assume-tool", "flat:D6", ...outputs, ...options],
+    { timeout: 60000, encoding: "utf8" },
+  );
+  if (ran.error) { tally["too long"] += 1; continue; }
+  if (ran.status === 3 || ran.status === null) complaints.push(`${program}: ncsim ended with ${ran.status ?? ran.signal}`);
+  if (ran.status !== 0) {
+    if (ran.status === 2) complaints.push(`${program}: ${ran.stderr.trim().split("\n").pop()}`);
+    tally["not simulated"] += 1;
+    for (const type of Object.values(formats)) rmSync(`${stem}.${type}`, { force: true });
+    continue;
+  }
+  const report = JSON.parse(readFileSync(`${stem}.json`, "utf8"));
+  const { faces, shells } = report.part;
+  if (faces === 0) tally["nothing left"] += 1;
+  tally.written += 1;
+  const lines = linesOf(readFileSync(`${stem}.glb`));
+  writeFileSync(
+    `${stem}.expect`,
+    `volume ${report.volume_mm3.part}\nlines ${lines.join(" ")}\nfaces 0\nsolids ${faces === 0 ? 0 : -shells}\nmoved 1e-4\n`,
+  );
+}
+
+// Readers of a whole folder; each line on stderr is a complaint.
+function read(name, command, ...rest) {
+  const ran = spawnSync(command, rest, { encoding: "utf8", maxBuffer: 1 << 28, cwd: join(build, "tests/export/gltf") });
+  const told = ran.stderr.split("\n").filter((line) => line.trim() !== "");
+  complaints.push(...told.map((line) => `${name}: ${line}`));
+  if (ran.status !== 0 && told.length === 0) complaints.push(`${name} failed`);
+  tally[`${name} complaints`] = told.length;
+}
+if (tally.written > 0) {
+  read("OpenCASCADE", join(build, "tests/ncsim_read_step"), work);
+  read("lib3mf", join(build, "tests/ncsim_read_3mf"), work);
+  read("Coin", join(build, "tests/ncsim_read_vrml"), work);
+  read("gltf-validator", "node", join(build, "tests/export/gltf/validate.mjs"), work);
+}
+
+// admesh may find nothing to repair.
+const nothing = ["Degenerate facets", "Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges"];
+for (const kind of ["stl", "ply"]) {
+  let found = 0;
+  for (const name of readdirSync(work).filter((n) => n.endsWith(`.${kind}`))) {
+    const path = join(work, name);
+    const expect = readFileSync(path.replace(/\.\w+$/, ".expect"), "utf8");
+    const volume = Number(/^volume (\S+)/.exec(expect)[1]);
+    if (/solids 0\n/.test(expect)) continue;
+    let told = "";
+    try {
+      const stl = kind === "stl" ? path : `${path}.stl_`;
+      if (kind === "ply") execFileSync("assimp", ["export", path, stl, "-fstlb"], { stdio: "ignore" });
+      told = execFileSync("admesh", [stl], { encoding: "utf8" });
+    } catch (e) {
+      told = `fails: ${e.message}`;
+    }
+    const measured = Number(/Volume\s*:\s*(\S+)/.exec(told)?.[1]);
+    // assimp hands on floats with their dead triangles: of PLY only closedness and volume count.
+    const bad = nothing
+      .filter((what) => kind === "stl" || what === "Facets added" || what === "Backwards edges")
+      .filter((what) => !new RegExp(`${what}\\s*:\\s*0\\s`).test(told));
+    if (kind === "stl" && !/Total disconnected facets\s*:\s*0\s+0/.test(told)) bad.push("disconnected facets");
+    if (!(Math.abs(measured - volume) <= 1e-3 * volume + 0.1)) bad.push(`volume ${measured}, not ${volume}`);
+    if (bad.length > 0) {
+      found += 1;
+      complaints.push(`admesh: ${name}: ${bad.join(", ")}`);
+    }
+  }
+  tally[`admesh ${kind} complaints`] = found;
+}
+
+for (const complaint of complaints) console.error(complaint);
+for (const [what, count] of Object.entries(tally)) console.log(`${String(count).padStart(6)} ${what}`);
+process.exit(complaints.length === 0 ? 0 : 1);
