@@ -155,7 +155,7 @@ void write_report(std::ostream& out, const Outcome& o) {
                         {"shells", o.boundary->shells}};
     }
     if (o.simplified) {
-        json["simplified"] = {{"tolerance_mm", o.job.options.simplify},
+        json["simplified"] = {{"tolerance_mm", *o.job.options.simplify},
                               {"deviation_mm", o.simplified->deviation_mm},
                               {"faces", o.simplified->boundary.faces.size()}};
     }

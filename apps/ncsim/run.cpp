@@ -56,16 +56,24 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const Simulation& s = *outcome.simulation;
     const cda::Boundary* mesh =
         outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
+    // Formats with polygons get the faces that a person counts on the part.
+    std::optional<exporter::Simplified> counted;
+    const auto polygons = [&]() -> const cda::Boundary& {
+        if (outcome.simplified) return *mesh;
+        if (!counted) counted = exporter::simplify(*mesh, exporter::kFlatTolerance, &s.provenance);
+        return counted->boundary;
+    };
     outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
     outputs.write(o.gltf,
                   [&](std::ostream& out) { exporter::write_gltf(out, *mesh, s.provenance); });
     outputs.write(o.vrml,
-                  [&](std::ostream& out) { exporter::write_vrml(out, *mesh, s.provenance); });
+                  [&](std::ostream& out) { exporter::write_vrml(out, polygons(), s.provenance); });
     outputs.write(o.stl,
                   [&](std::ostream& out) { exporter::write_stl(out, cda::triangulate(*mesh)); });
-    outputs.write(o.ply, [&](std::ostream& out) { exporter::write_ply(out, *mesh, s.provenance); });
+    outputs.write(o.ply,
+                  [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
     outputs.write(o.threemf,
-                  [&](std::ostream& out) { exporter::write_3mf(out, *mesh, s.provenance); });
+                  [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
     const auto* flat = dynamic_cast<const cda::FlatCda*>(s.part.get());
     const auto flat_only = [&](const std::string& path, const auto& writer) {
         outputs.write(path, [&](std::ostream& out) {
@@ -74,8 +82,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         });
     };
     outputs.write(o.step, [&](std::ostream& out) {
-        const exporter::StepOptions options{std::max(o.simplify, exporter::kStepTolerance),
-                                            o.step_max_faces};
+        const exporter::StepOptions options{
+            std::max(o.simplify.value_or(0.0), exporter::kStepTolerance), o.step_max_faces};
         exporter::write_step(out, *outcome.boundary, s.provenance, options);
     });
     flat_only(o.stats, cda::write_statistics_csv);
@@ -104,8 +112,8 @@ int run(Options options) {
         simulation->provenance.text = text_of_lines(job, survey, simulation->provenance);
         outcome.simulation = &*simulation;
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
-        if (o.simplify > 0.0 && outcome.boundary) {
-            simplified = exporter::simplify(*outcome.boundary, o.simplify);
+        if (o.simplify && outcome.boundary) {
+            simplified = exporter::simplify(*outcome.boundary, *o.simplify);
             outcome.simplified = &*simplified;
         }
         write_outputs(outcome, outputs);

@@ -69,8 +69,8 @@ exporter::Colouring read_colouring(const std::string& name) {
 }
 
 double read_simplify(double tolerance) {
-    if (tolerance >= 1e-6 && tolerance <= 1.0) return tolerance;
-    throw Refusal{fmt::format("--simplify {}: expected 0.000001 to 1 mm", tolerance)};
+    if (tolerance == 0.0 || (tolerance >= 1e-6 && tolerance <= 1.0)) return tolerance;
+    throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
 }
 
 // No two outputs may be one file, and none the program itself.

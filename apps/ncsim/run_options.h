@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,8 @@ struct Options : ProgramOptions, SimulationOptions {
     exporter::Background background = exporter::Background::White;
     exporter::Colouring colouring = exporter::Colouring::Tool;
     std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
-    /// mm; 0: meshes are exact, STEP within kStepTolerance.
-    double simplify = 0.0;
+    /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
+    std::optional<double> simplify;
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     bool quiet = false;
     /// In the report: what each block removed. With the model "cda" ten times the work.

@@ -127,7 +127,7 @@ TEST(Options, RefuseWhatMakesNoSense) {
         {"run", "part.nc", "--views", ""},
         {"run", "part.nc", "--view", "iso", "--views", "iso,top"},
         {"run", "part.nc", "--background", "pink"},
-        {"run", "part.nc", "--simplify", "0"},
+        {"run", "part.nc", "--simplify", "1e-9"},
         {"run", "part.nc", "--simplify", "nan"},
         {"run", "part.nc", "--step-max-faces", "0"},
         {"run", "part.nc", "--units", "furlong"},

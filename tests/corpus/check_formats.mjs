@@ -9,14 +9,14 @@
 // each complaint and a table; exit code 1 if there is any.
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { basename, join } from "node:path";
+import { basename, join, resolve } from "node:path";
 
 const args = process.argv.slice(2);
 const split = args.indexOf("--");
 const options = split < 0 ? [] : args.splice(split).slice(1);
 const mostAt = args.indexOf("--most");
 const most = mostAt < 0 ? Infinity : Number(args.splice(mostAt, 2)[1]);
-const [build, work, ...sources] = args;
+const [build, work, ...sources] = args.map((path) => resolve(path));
 
 function programsOf(path) {
   if (!statSync(path).isDirectory()) return [path];
@@ -76,6 +76,7 @@ for (const [i, program] of programs.entries()) {
 // Readers of a whole folder; each line on stderr is a complaint.
 function read(name, command, ...rest) {
   const ran = spawnSync(command, rest, { encoding: "utf8", maxBuffer: 1 << 28, cwd: join(build, "tests/export/gltf") });
+  if (ran.error) throw ran.error;
   const told = ran.stderr.split("\n").filter((line) => line.trim() !== "");
   complaints.push(...told.map((line) => `${name}: ${line}`));
   if (ran.status !== 0 && told.length === 0) complaints.push(`${name} failed`);

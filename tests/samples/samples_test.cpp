@@ -8,6 +8,7 @@
 #include "ncsim/cda/tree.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
+#include "ncsim/export/simplify.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
 
@@ -221,6 +222,42 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
         EXPECT_TRUE(is_made_by_it) << "line " << line;
     }
     EXPECT_GT(cut, 500);
+}
+
+// simple.nc, counted by hand. The tool has 20 sides, so that a slot ends in 9 facets.
+//
+//  - the block: bottom, 4 sides                                                          5
+//  - its top, between the ten grooves: 11 strips. The four slots cut the 3 outer ones on each side
+//    into 3 pieces (6 · 3), 5 in the middle are whole; behind each corner that was cut off,
+//    a triangle is left (4)                                                             27
+//  - 4 corners: a floor and two walls each                                              12
+//  - 4 slots: a floor, two walls, 9 facets each                                         48
+//  - grooves 4 to 7: a floor and two walls each                                         12
+//  - grooves 3 and 8, which slots reach into from one side: that wall in 3 pieces, 5 each  10
+//  - grooves 1, 2, 9, 10, which slots cross: floor and walls in 3 pieces, 9 each        36
+constexpr std::size_t kFacesOfSimple = 5 + 27 + 12 + 48 + 12 + 10 + 36;
+
+TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
+    const Sample& s = sample("simple");
+    EXPECT_EQ(exporter::simplify(s.boundary, exporter::kFlatTolerance).boundary.faces.size(),
+              kFacesOfSimple);
+    EXPECT_EQ(exporter::simplify(s.flat_boundary, exporter::kFlatTolerance).boundary.faces.size(),
+              kFacesOfSimple);
+    // No face was cut by two lines: a tool that goes up again along its axis cuts nothing more.
+    const auto by_line =
+        exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance);
+    EXPECT_EQ(by_line.boundary.faces.size(), kFacesOfSimple);
+    std::map<std::uint32_t, std::size_t> faces;
+    for (const auto& face : by_line.boundary.faces)
+        ++faces[s.tree.provenance.of(face.origin).nc_line];
+    EXPECT_EQ(faces[0], 5U + 27U);
+    EXPECT_EQ(faces[15], 9U);
+    EXPECT_EQ(faces[23], 5U);
+    EXPECT_EQ(faces[27], 3U);
+    EXPECT_EQ(faces[56], 12U);
+    EXPECT_EQ(faces[60] + faces[61], 12U);
+    EXPECT_EQ(faces[74], 3U);
+    EXPECT_TRUE(cda::check(by_line.boundary).is_closed());
 }
 
 // The stencil buffer of the thesis against the computed surface: pixel for pixel, but for edges.

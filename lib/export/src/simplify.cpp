@@ -232,7 +232,7 @@ private:
 // Step 2.
 class Flats {
 public:
-    Flats(cda::Boundary& boundary, double tolerance)
+    Flats(cda::Boundary& boundary, double tolerance, const Provenance* lines)
         : boundary_(boundary), tolerance_(tolerance), groups_(boundary.faces.size()) {
         for (const auto& face : boundary.faces) {
             Flat flat;
@@ -240,6 +240,8 @@ public:
             flat.area = cda::norm(area);
             flat.normal = face.normal;
             flat.offset = face.offset;
+            flat.origin = face.origin;
+            if (lines) flat.line = lines->of(face.origin).nc_line;
             double longest = 0.0;
             for (const Loop& loop : face.loops) {
                 for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -289,6 +291,9 @@ public:
         }
     }
 
+    /// Of the largest face in the group of `face`.
+    cda::Origin origin(std::uint32_t face) { return flats_[groups_.find(face)].origin; }
+
     Groups& groups() { return groups_; }
 
 private:
@@ -296,6 +301,8 @@ private:
         Vec3 normal;
         double offset = 0.0;
         double area = 0.0;
+        cda::Origin origin = cda::kStockOrigin;
+        std::uint32_t line = 0;  // 0 too where lines do not matter
         bool is_thin = false;
         std::vector<Vertex> vertices;
     };
@@ -305,6 +312,7 @@ private:
         if (flats_[a].area < flats_[b].area) std::swap(a, b);
         Flat& large = flats_[a];
         Flat& small = flats_[b];
+        if (!small.is_thin && large.line != small.line) return;
         if (!small.is_thin && cda::dot(large.normal, small.normal) < kMostTurn) return;
         double farthest = 0.0;
         for (const Vertex v : small.vertices) {
@@ -316,6 +324,8 @@ private:
         both.normal = large.normal;
         both.offset = large.offset;
         both.area = large.area + small.area;
+        both.origin = large.origin;
+        both.line = large.line;
         both.is_thin = large.is_thin && small.is_thin;
         both.vertices = std::move(large.vertices);
         both.vertices.insert(both.vertices.end(), small.vertices.begin(), small.vertices.end());
@@ -463,13 +473,20 @@ void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     face.offset = 0.5 * (least + most);
 }
 
-Simplified simplify_steps(const cda::Boundary& boundary, double share) {
+Simplified simplify_steps(const cda::Boundary& boundary, double share, const Provenance* lines) {
     cda::Boundary work = boundary;
     Contraction(work, share).run();
     if (work.faces.empty()) return {};
-    Flats flats(work, share);
+    Flats flats(work, share, lines);
     flats.run();
     MergedFaces merged = merge_groups(work, flats.groups());
+    if (lines) {
+        // Merged faces stand in the order of the first face of each group.
+        auto face = merged.boundary.faces.begin();
+        for (std::uint32_t f = 0; f < work.faces.size(); ++f) {
+            if (flats.groups().find(f) == f) (face++)->origin = flats.origin(f);
+        }
+    }
     Straightening(merged.boundary, share).run();
     for (auto& face : merged.boundary.faces) {
         const bool is_right_way =
@@ -482,14 +499,14 @@ Simplified simplify_steps(const cda::Boundary& boundary, double share) {
 
 }  // namespace
 
-Simplified simplify(const cda::Boundary& boundary, double tolerance_mm) {
+Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines) {
     if (boundary.faces.empty()) return {boundary, {}, 0.0};
     const cda::TriangleMesh before = cda::triangulate(boundary);
     Simplified result;
     for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
         // Far below the tolerance nothing but rounding is left to move.
         if (share < 1e-3 * tolerance_mm) share = 0.0;
-        result = simplify_steps(boundary, share);
+        result = simplify_steps(boundary, share, lines);
         if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
         result.deviation_mm = deviation(before, cda::triangulate(result.boundary));
         if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;

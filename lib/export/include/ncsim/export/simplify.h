@@ -4,13 +4,19 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/export/provenance.h"
 
 #include <vector>
 
 namespace ncsim::exporter {
 
+/// mm. Below what any machine or gauge sees, above the 10 nm of the lattice that makes several
+/// facets of one flat wall: within it, faces are those that a person counts on the part.
+inline constexpr double kFlatTolerance = 1e-4;
+
 struct Simplified {
-    /// `origin` of a face is the smallest of those it is made of. Some vertices may be unused.
+    /// `origin` of a face is the smallest of those it is made of, or, where lines are kept apart,
+    /// that of its largest one. Some vertices may be unused.
     cda::Boundary boundary;
     /// For each face the origins of the faces it is made of, ascending, each once.
     std::vector<std::vector<cda::Origin>> origins;
@@ -27,9 +33,10 @@ struct Simplified {
 ///
 /// A closed surface stays closed, with the same shells, save those smaller than the tolerance,
 /// which vanish: an edge whose ends cannot be joined without changing what hangs together stays.
-/// Faces are flat within half the tolerance, no longer exactly. Provenance is kept; tools and lines
-/// do not keep faces apart. Requires a tolerance ≥ 0; with 0, only what is exactly coplanar is
-/// joined. Expected O(n log n).
-Simplified simplify(const cda::Boundary& boundary, double tolerance_mm);
+/// Faces are flat within half the tolerance, no longer exactly. Where `lines` is given, faces
+/// that different program lines cut stay apart too, with the same exception. Requires a tolerance ≥
+/// 0; with 0, only what is exactly coplanar is joined. Expected O(n log n).
+Simplified simplify(const cda::Boundary& boundary, double tolerance_mm,
+                    const Provenance* lines = nullptr);
 
 }  // namespace ncsim::exporter

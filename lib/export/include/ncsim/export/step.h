@@ -6,6 +6,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/provenance.h"
+#include "ncsim/export/simplify.h"
 
 #include <cstddef>
 #include <iosfwd>
@@ -16,9 +17,9 @@ namespace ncsim::exporter {
 /// programs take minutes to open the file.
 inline constexpr std::size_t kStepMaxFaces = 100'000;
 
-/// mm. Below what any machine or gauge sees, above the 10 nm of the lattice that makes several
-/// facets of one flat wall, and far above the 1e-7 mm within which readers take two points for one.
-inline constexpr double kStepTolerance = 1e-4;
+/// Above the lattice that makes several facets of one flat wall, and far above the 1e-7 mm within
+/// which readers take two points for one.
+inline constexpr double kStepTolerance = kFlatTolerance;
 
 struct StepOptions {
     double tolerance_mm = kStepTolerance;  ///< For simplify(); 0: exactly coplanar faces only.
