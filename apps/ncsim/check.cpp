@@ -5,6 +5,7 @@
 #include "check_text.h"
 #include "checked.h"
 #include "findings.h"
+#include "mesh_file.h"
 #include "output.h"
 #include "page.h"
 
@@ -12,6 +13,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <ostream>
 #include <thread>
 #include <vector>
@@ -56,6 +58,10 @@ int run(CheckOptions options) {
         outputs.reserve(path);
     const MachineFile machine =
         options.machine.empty() ? MachineFile{} : read_machine_file(options.machine);
+    std::optional<Design> design;
+    if (!options.design.empty()) {
+        design = Design{options.design, read_mesh_file(options.design), options.design_tolerance};
+    }
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const auto count = static_cast<unsigned>(options.programs.size());
     const unsigned jobs = std::min(count, options.jobs > 0 ? options.jobs : cores);
@@ -66,7 +72,8 @@ int run(CheckOptions options) {
     in_order(
         all.size(), jobs,
         [&](std::size_t i) {
-            all[i] = check_program(options.programs[i], options, machine, threads);
+            all[i] = check_program(options.programs[i], options, machine,
+                                   design ? &*design : nullptr, threads);
         },
         [&](std::size_t i) {
             put_out(options.github ? github_annotations(all[i]) : text_of(all[i], options));

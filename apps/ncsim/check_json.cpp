@@ -73,6 +73,21 @@ Json to_json(const verify::Ledger& ledger) {
     return json;
 }
 
+Json to_json(const DesignFacts::Side& side) {
+    return {{"largest_mm", tidy(side.largest_mm)},
+            {"volume_mm3", side.volume_mm3 ? Json(tidy(*side.volume_mm3)) : Json(nullptr)},
+            {"regions", side.regions}};
+}
+
+Json to_json(const DesignFacts& design) {
+    return {{"file", relative_path(design.path)},
+            {"tolerance_mm", design.tolerance_mm},
+            {"resolution_mm", tidy(design.resolution_mm)},
+            {"deviation_mm", tidy(design.deviation_mm)},
+            {"gouge", to_json(design.gouge)},
+            {"excess", to_json(design.excess)}};
+}
+
 Json to_json(const Checked& checked) {
     Json json{{"file", relative_path(checked.path)}};
     if (!checked.failure.empty()) {
@@ -100,6 +115,7 @@ Json to_json(const Checked& checked) {
     for (const verify::Skipped& s : v.skipped)
         json["skipped"].push_back({{"rule", s.rule}, {"reason", s.reason}});
     if (checked.simulated) json["ledger"] = to_json(v.ledger);
+    if (checked.design) json["design"] = to_json(*checked.design);
     return json;
 }
 

@@ -77,6 +77,15 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     add_simulation_options(*check, o);
     check->add_option("--machine", o.machine, "Travels, limits and fixtures, TOML")
         ->type_name("FILE");
+    check
+        ->add_option("--design", o.design,
+                     "What the part is to be: STL (mm) or GLB, closed, in G54")
+        ->type_name("FILE");
+    check
+        ->add_option("--design-tol", o.design_tolerance,
+                     "How far the part may be off the design, mm [0.1]")
+        ->type_name("MM")
+        ->check(CLI::Range(1e-4, 1e4));
     CLI::Option* selected = add_list(*check, "--select", "RULES", "Only these rules or categories",
                                      [&o](const auto& names) { select(o.selection, names); });
     // After --select, wherever it stands on the command line.

@@ -15,7 +15,9 @@ namespace ncsim::app {
 /// `program`, `save_job` and `model` are not used: there may be many programs.
 struct CheckOptions : ProgramOptions, SimulationOptions {
     std::vector<std::string> programs;
-    std::string machine;  ///< A machine.toml.
+    std::string machine;            ///< A machine.toml.
+    std::string design;             ///< STL or GLB.
+    double design_tolerance = 0.1;  ///< mm
     verify::Selection selection;
     std::string json, sarif, junit, csv, html;  ///< Files to write; empty: not asked for.
     bool github = false;                        ///< Annotations for GitHub Actions instead of text.

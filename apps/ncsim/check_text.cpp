@@ -104,6 +104,7 @@ std::string text_of(const Checked& checked, const CheckOptions& options) {
     if (v.suppressed() > 0) fmt::format_to(out, ", {} suppressed", v.suppressed());
     text += '\n';
     if (!checked.stock.empty()) fmt::format_to(out, "  stock    {}\n", checked.stock);
+    if (checked.design) fmt::format_to(out, "  design   {}\n", text_of(*checked.design));
     put_skipped(text, v.skipped);
     return printable(text);
 }

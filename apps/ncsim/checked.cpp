@@ -68,6 +68,7 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
     setup.suppressions = verify::Suppressions(job.program);
     setup.accuracy.tolerance_mm = options.tool_tolerance;
     setup.pieces_counted = options.cut_free;
+    setup.design = !options.design.empty();
     setup.ledger = !options.csv.empty() || !options.html.empty();
     setup.rapid = rapid_path(options, machine.machine);
     for (const auto& [number, used] : survey.tools) {
@@ -115,7 +116,7 @@ Look look_at(const Survey& survey, const Simulation& simulation) {
 }
 
 void verify_program(Checked& checked, Job job, const CheckOptions& options,
-                    const MachineFile& machine) {
+                    const MachineFile& machine, const Design* design) {
     if (const auto& zero = machine.machine.work_zero) {
         for (gcode::Position& origin : job.interpreter.work_offsets) {
             origin.x = gcode::Length::from_mm(zero->x);
@@ -145,9 +146,16 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         Verification verification;
         verification.verifier = &verifier;
         verification.rapid = rapid;
+        verification.keep_cuts = design != nullptr;
         const Simulation simulation = simulate(job, survey, verification, {});
         if (options.cut_free) {
             for (verify::Finding& f : cut_free(job, survey, verification, simulation))
+                verifier.add(std::move(f));
+        }
+        const bool compared =
+            options.selection.includes("gouge") || options.selection.includes("excess");
+        if (design && compared) {
+            for (verify::Finding& f : compare_with(*design, simulation, checked.design.emplace()))
                 verifier.add(std::move(f));
         }
         const auto* part = dynamic_cast<const cda::TreeCda*>(simulation.part.get());
@@ -191,11 +199,12 @@ toolpath::RapidPath rapid_path(const CheckOptions& options,
 }
 
 Checked check_program(const std::string& path, const CheckOptions& options,
-                      const MachineFile& machine, unsigned threads) {
+                      const MachineFile& machine, const Design* design, unsigned threads) {
     Checked checked;
     checked.path = path;
     try {
-        verify_program(checked, read_job(options_for(path, options, threads)), options, machine);
+        verify_program(checked, read_job(options_for(path, options, threads)), options, machine,
+                       design);
     } catch (const std::bad_alloc&) {
         checked.failure = "out of memory";
         checked.exit_code = kEnvironment;

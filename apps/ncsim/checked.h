@@ -8,6 +8,7 @@
 #include "ncsim/verify/verdict.h"
 
 #include "check_options.h"
+#include "design.h"
 #include "machine_file.h"
 
 #include <cstdint>
@@ -38,13 +39,14 @@ struct Checked {
     std::string not_simulated;  ///< Why not.
     std::string stock;          ///< What it was verified against, in words.
     std::uint64_t moves = 0;
-    std::optional<Look> look;  ///< Only where a page was asked for.
+    std::optional<DesignFacts> design;  ///< Only where the part was compared with one.
+    std::optional<Look> look;           ///< Only where a page was asked for.
 };
 
 /// Reads and verifies `path`. Never throws: what is wrong is in the result. The result depends on
-/// the file and the options only. `threads` evaluate at a time.
+/// the file and the options only. `design` may be null. `threads` evaluate at a time.
 Checked check_program(const std::string& path, const CheckOptions& options,
-                      const MachineFile& machine, unsigned threads);
+                      const MachineFile& machine, const Design* design, unsigned threads);
 
 /// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
 toolpath::RapidPath rapid_path(const CheckOptions& options,

@@ -121,17 +121,6 @@ Difference difference(const Side& a, const Side& b) {
     return d;
 }
 
-std::string lines_text(const std::vector<verify::LineRange>& lines) {
-    constexpr std::size_t kShown = 6;
-    std::string text;
-    for (std::size_t i = 0; i < lines.size() && i < kShown; ++i) {
-        text += fmt::format("{}{}", i == 0 ? "" : ", ", lines[i].first);
-        if (lines[i].last != lines[i].first) text += fmt::format("-{}", lines[i].last);
-    }
-    if (lines.size() > kShown) text += fmt::format(" and {} more", lines.size() - kShown);
-    return text;
-}
-
 void put_side(std::string& text, const OneSided& side, const std::string& has,
               const std::string& cuts) {
     constexpr std::size_t kShown = 10;

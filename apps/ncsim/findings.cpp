@@ -3,6 +3,8 @@
 
 #include "sheet.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -59,6 +61,17 @@ nlohmann::ordered_json findings_json(const gcode::Diagnostics& diagnostics) {
         findings.push_back(std::move(finding));
     }
     return findings;
+}
+
+std::string lines_text(const std::vector<verify::LineRange>& lines) {
+    constexpr std::size_t kShown = 6;
+    std::string text;
+    for (std::size_t i = 0; i < lines.size() && i < kShown; ++i) {
+        text += fmt::format("{}{}", i == 0 ? "" : ", ", lines[i].first);
+        if (lines[i].last != lines[i].first) text += fmt::format("-{}", lines[i].last);
+    }
+    if (lines.size() > kShown) text += fmt::format(" and {} more", lines.size() - kShown);
+    return text;
 }
 
 std::string to_line(const nlohmann::ordered_json& json) {

@@ -6,10 +6,12 @@
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/toolpath/tool_table.h"
+#include "ncsim/verify/region.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -27,6 +29,9 @@ void put_out(std::string_view text);
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics);
 /// An array of {severity, code, message, file, line, column, count}.
 nlohmann::ordered_json findings_json(const gcode::Diagnostics& diagnostics);
+
+/// "3-7, 12": the first few of them.
+std::string lines_text(const std::vector<verify::LineRange>& lines);
 
 /// One line of JSON; bytes that are no UTF-8 become U+FFFD.
 std::string to_line(const nlohmann::ordered_json& json);

@@ -2,7 +2,7 @@
 #include "machine_file.h"
 
 #include "job.h"
-#include "stl_file.h"
+#include "mesh_file.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -114,7 +114,7 @@ verify::Fixture read_fixture(const Reader& r, const std::filesystem::path& folde
              [&](const auto& n, const auto& k) {
                  // As seen from the file that names it.
                  const std::filesystem::path named(r.text(n, k));
-                 fixture.mesh = read_stl_file((folder / named).string());
+                 fixture.mesh = read_mesh_file((folder / named).string());
                  for (const cda::Vec3& v : fixture.mesh.vertices)
                      fixture.box.add(v);
              }},

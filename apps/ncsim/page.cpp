@@ -196,6 +196,7 @@ std::string ledger_html(const Checked& checked) {
             row("air", fmt::format("{:.3g} % of the feed path", 100 * l.air_mm / l.feed_mm));
         }
     }
+    if (checked.design) row("design", text_of(*checked.design));
     row("feed", fmt::format("{:.6g} mm, {}", l.feed_mm, seconds_text(l.feed_seconds)));
     row("rapid", fmt::format("{:.6g} mm, {}", l.rapid_mm, seconds_text(l.rapid_seconds)));
     text += "</table></section>\n";

@@ -75,6 +75,7 @@ public:
           measured_(job.options.model == "cda-flat" ||
                     (!job.options.report.empty() && job.options.block_volumes) ||
                     (verifier_ && verifier_->measures_all())),
+          keep_cuts_(verification.keep_cuts),
           max_memory_gb_(job.options.max_memory_gb),
           volume_(result.stock_volume) {
         if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
@@ -84,6 +85,7 @@ public:
         }
         result.provenance.program = base_name(job.program.name);
         result.provenance.entries.push_back({});  // the stock
+        if (keep_cuts_) result.cuts.push_back({});
     }
 
     void take(const gcode::Motion& motion) {
@@ -121,6 +123,7 @@ public:
         result_.last_motion = motions_;
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
+        if (keep_cuts_) result_.cuts.push_back({result_.last_cut, motions_, motion.tool});
         if (measured_) result_.removed_by_tool[motion.tool] += removed;
         if (removed > 0.0) result_.removed_by_block[{motion.file, motion.span.line}] += removed;
         result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, bounds.missed_mm);
@@ -170,6 +173,7 @@ private:
     std::optional<std::uint32_t> most_cuts_;
     std::uint64_t motions_ = 0;
     bool measured_;
+    bool keep_cuts_;
     double max_memory_gb_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;

@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -33,11 +34,19 @@ struct CutterFacts {
 /// File (index into Interpretation::files, 0: the program) and line.
 using BlockPlace = std::pair<std::uint32_t, std::uint32_t>;
 
+/// A motion that met the block.
+struct Cut {
+    verify::Place place;
+    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    int tool = 0;
+};
+
 /// The part, and what happened on the way to it.
 struct Simulation {
     cda::Lattice lattice;
     std::unique_ptr<cda::WorkpieceModel> part;
     exporter::Provenance provenance;        ///< For the origins in `part`.
+    std::vector<Cut> cuts;                  ///< For the same origins; only if they are kept.
     std::optional<cda::Boundary> boundary;  ///< Of `part`, if needs_surface().
     double stock_volume = 0.0;              ///< mm³
     double part_volume = 0.0;
@@ -67,6 +76,7 @@ struct Verification {
     const cda::TreeCda* start = nullptr;
     /// Stop cutting after so many motions that meet the block: those of the origins 1 to this.
     std::optional<std::uint32_t> most_cuts;
+    bool keep_cuts = false;
 };
 
 /// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may

@@ -155,7 +155,86 @@ TEST(Check, ReadsFixturesAsMeshes) {
     folder.write("jaw.stl", "solid nothing\nendsolid\n");
     const Ran broken = folder.run({"check", "slot.nc", "--machine", "m.toml"});
     EXPECT_EQ(broken.exit_code, 2);
-    EXPECT_TRUE(contains(broken.err, "'jaw.stl' is no STL file")) << broken.err;
+    EXPECT_TRUE(contains(broken.err, "'jaw.stl': it is neither STL nor binary glTF")) << broken.err;
+}
+
+// kSlot with a slot of another depth.
+std::string slot_at(const std::string& depth) {
+    std::string text(kSlot);
+    return text.replace(text.find("G0 Z-2."), 7, "G0 Z" + depth);
+}
+
+TEST(Check, ComparesThePartWithItsDesign) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("deeper.nc", slot_at("-2.1"));
+    for (const char* design : {"design.stl", "design.glb"}) {
+        const char* option = std::string(design).ends_with("stl") ? "--stl" : "--gltf";
+        ASSERT_EQ(folder.run({"run", "slot.nc", "-q", option, design}).exit_code, 0);
+        const Ran same = folder.run({"check", "slot.nc", "--design", design});
+        EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+        EXPECT_TRUE(contains(same.out, "within 0.1 mm: nothing beyond; farthest apart "))
+            << same.out;
+        const Ran ran = folder.run(
+            {"check", "deeper.nc", "--design", design, "--design-tol", "0.02", "--json", "a.json"});
+        EXPECT_EQ(ran.exit_code, 1);
+        EXPECT_TRUE(contains(ran.out,
+                             "deeper.nc:8:1: error: the part is cut into the design: depth 0.1 mm "
+                             "[gouge]\nG1 X30. F500.\n^~\n  assumed design: 'design."))
+            << ran.out;
+        EXPECT_TRUE(contains(ran.out, "gouged in 1 place, up to 0.1 mm, 40 mm3 in all")) << ran.out;
+        EXPECT_TRUE(contains(folder.read("a.json"), "\"design\": {\n    \"file\": \"design."));
+        // What the circle may be off its polygon may be what is missing.
+        const Ran near =
+            folder.run({"check", "deeper.nc", "--design", design, "--design-tol", "0.06", "-q"});
+        EXPECT_EQ(near.exit_code, 0) << near.out;
+        EXPECT_TRUE(contains(near.out,
+                             "warning: the part is cut into the design: depth 0.1 mm, "
+                             "not certain: within the accuracy of the tool [gouge]"))
+            << near.out;
+    }
+}
+
+TEST(Check, TellsWhatIsLeftBeyondTheDesign) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("deeper.nc", slot_at("-2.1"));
+    ASSERT_EQ(folder.run({"run", "deeper.nc", "-q", "--stl", "design.stl"}).exit_code, 0);
+    const Ran ran =
+        folder.run({"check", "slot.nc", "--design", "design.stl", "--design-tol", "0.05"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out;
+    EXPECT_TRUE(contains(ran.out,
+                         "slot.nc:8:1: warning: material is left that the design does not have, "
+                         "beside what was cut by lines 8: thickness "))
+        << ran.out;
+    const Ran kept =
+        folder.run({"check", "slot.nc", "--design", "design.stl", "--design-tol", "0.11"});
+    EXPECT_FALSE(contains(kept.out, "[excess]")) << kept.out;
+    const Ran none = folder.run({"check", "slot.nc"});
+    EXPECT_TRUE(contains(none.out, "skipped  gouge, excess: no design is given (--design)"))
+        << none.out;
+}
+
+TEST(Check, RefusesDesignsThatAreNoBodies) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\n";
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {"nonsense", "'d': it is neither STL nor binary glTF"},
+        {"solid s\n" + facet + "endsolid\n", "'d': its surface is not closed (3 open edges)"},
+        {"glTF nonsense", "'d': "},
+        {"solid s\nvertex 0 0 nan vertex 0 0 0 vertex 1 0 0", "'d': it has a corner"}};
+    for (const auto& [text, message] : faults) {
+        folder.write("d", text);
+        const Ran ran = folder.run({"check", "slot.nc", "--design", "d"});
+        EXPECT_EQ(ran.exit_code, 2) << text;
+        EXPECT_TRUE(contains(ran.err, message)) << ran.err;
+        EXPECT_EQ(ran.out, "");
+    }
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--design", "none.stl"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--design", "d", "--design-tol", "0"}).exit_code, 2);
 }
 
 TEST(Check, NamesThePlaceOfAFaultInTheMachine) {

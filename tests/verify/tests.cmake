@@ -3,9 +3,11 @@ ncsim_add_test(verify
     ncsim::verify
   SOURCES
     cycle_time_test.cpp
+    design_test.cpp
     rules_test.cpp
     solids_test.cpp
     verified.cpp)
+target_include_directories(ncsim_verify_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/verify/src)
 
 # JSON and SARIF: validated against their schemas, with what the lock file names.
 if(TARGET ncsim)

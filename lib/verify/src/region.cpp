@@ -28,20 +28,20 @@ void add_row(std::vector<Region>& regions, Region row) {
     regions.push_back(std::move(row));
 }
 
-void tidy(std::vector<LineRange>& lines) {
+}  // namespace
+
+std::vector<LineRange> merged(std::vector<LineRange> lines) {
     std::ranges::sort(lines, {}, [](const LineRange& r) { return std::pair(r.file, r.first); });
-    std::vector<LineRange> merged;
+    std::vector<LineRange> ranges;
     for (const LineRange& r : lines) {
-        if (!merged.empty() && merged.back().file == r.file && r.first <= merged.back().last + 1) {
-            merged.back().last = std::max(merged.back().last, r.last);
+        if (!ranges.empty() && ranges.back().file == r.file && r.first <= ranges.back().last + 1) {
+            ranges.back().last = std::max(ranges.back().last, r.last);
         } else {
-            merged.push_back(r);
+            ranges.push_back(r);
         }
     }
-    lines = std::move(merged);
+    return ranges;
 }
-
-}  // namespace
 
 std::vector<Region> regions_of(const Ledger& ledger) {
     std::vector<Region> regions;
@@ -50,7 +50,7 @@ std::vector<Region> regions_of(const Ledger& ledger) {
         add_row(regions, {row.removed_mm3, row.contact, {{row.file, row.line, row.line}}});
     }
     for (Region& region : regions)
-        tidy(region.lines);
+        region.lines = merged(std::move(region.lines));
     std::ranges::stable_sort(regions, std::ranges::greater{}, &Region::volume_mm3);
     return regions;
 }

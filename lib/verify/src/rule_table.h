@@ -24,6 +24,7 @@ std::span<const Rule> rule_table();
 std::optional<std::string> needs_simulation(const Setup& setup);
 std::optional<std::string> needs_nothing(const Setup& setup);
 std::optional<std::string> needs_counting(const Setup& setup);
+std::optional<std::string> needs_design(const Setup& setup);
 std::optional<std::string> needs_travel(const Setup& setup);
 std::optional<std::string> needs_fixtures(const Setup& setup);
 std::optional<std::string> needs_bodies(const Setup& setup);

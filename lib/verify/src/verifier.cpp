@@ -230,6 +230,13 @@ public:
         if (!setup_.stock_assumption.empty()) {
             finding.assumptions.push_back("stock: " + setup_.stock_assumption);
         }
+        const ToolFacts* tool = finding.tool > 0 ? facts_of(setup_, finding.tool) : nullptr;
+        if (tool && !tool->assumption.empty()) {
+            finding.assumptions.push_back("tool: " + tool->assumption);
+        }
+        if (!setup_.units_assumption.empty()) {
+            finding.assumptions.push_back("units: " + setup_.units_assumption);
+        }
         log_.add(std::move(finding));
     }
 

@@ -26,10 +26,10 @@ function expect(condition, message) {
   failures += 1;
 }
 
-function check(names) {
+function check(names, more = []) {
   let code = 0;
   try {
-    execFileSync(ncsim, ["check", ...names, "--json", "a.json", "--sarif", "a.sarif"],
+    execFileSync(ncsim, ["check", ...names, ...more, "--json", "a.json", "--sarif", "a.sarif"],
       { cwd: folder, stdio: "ignore" });
   } catch (error) {
     code = error.status;
@@ -61,12 +61,16 @@ writeFileSync(join(folder, "latin1.nc"), Buffer.concat([
   Buffer.from(head), Buffer.from([0x28, 0xfc, 0x29, 0x0a]), Buffer.from("G0 X\xff\n", "latin1")]));
 writeFileSync(join(folder, "unknown tool.nc"), "G21 G90 T7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F10\n");
 writeFileSync(join(folder, "empty.nc"), "");
+for (const [name, depth] of [["design", 2], ["deep", 2.5], ["flat", 1.5]])
+  writeFileSync(join(folder, `${name}.nc`), `${head}G0 X-30 Y0 Z5\nZ-${depth}\nG1 X30 F500\n`);
+execFileSync(ncsim, ["run", "design.nc", "-q", "--stl", "design.stl"], { cwd: folder });
 const samples = ["simple", "complex"].map((name) => join(source, "samples", `${name}.nc`));
 
 const runs = {
   faults: check(["bad program.nc", "moved.nc", "accepted.nc", "latin1.nc", "unknown tool.nc",
     "empty.nc", "missing.nc"]),
   samples: check(samples),
+  design: check(["design.nc", "deep.nc", "flat.nc"], ["--design", "design.stl"]),
 };
 expect(runs.faults.code === 2, `exit code ${runs.faults.code} where a file is missing`);
 expect(runs.samples.code === 0, `exit code ${runs.samples.code} for the samples`);
@@ -87,6 +91,10 @@ for (const [name, { json, sarif }] of Object.entries(runs)) {
     prints.add(print);
   }
 }
+
+const compared = runs.design.json.programs.map((program) => program.design);
+expect(compared.map((d) => d.gouge.regions).join() === "0,1,0", "gouges");
+expect(compared.map((d) => d.excess.regions).join() === "0,0,1", "excesses");
 
 const results = runs.faults.sarif.runs[0].results;
 const of = (uri, rule) => results.filter((r) => r.ruleId === rule &&

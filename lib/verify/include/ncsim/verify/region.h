@@ -19,6 +19,9 @@ struct LineRange {
     bool operator==(const LineRange&) const = default;
 };
 
+/// Sorted; ranges that overlap or follow one another are one.
+std::vector<LineRange> merged(std::vector<LineRange> lines);
+
 struct Region {
     double volume_mm3 = 0.0;
     cda::Box box;                  ///< In W, mm; encloses it.

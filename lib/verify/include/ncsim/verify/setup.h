@@ -46,6 +46,7 @@ struct Setup {
     std::string units_assumption;
     std::string home_assumption;  ///< Of moves in machine coordinates.
     bool pieces_counted = false;  ///< Somebody looks for pieces that are cut free.
+    bool design = false;          ///< Somebody compares the part with a design.
     bool ledger = false;          ///< Keep a row a block, with exact volumes.
 };
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part against its design: asked once, of the finished part, by compare().
+#include "rule_table.h"
+
+namespace ncsim::verify {
+
+std::optional<std::string> needs_design(const Setup& setup) {
+    if (!setup.design) return "no design is given (--design)";
+    return needs_simulation(setup);
+}
+
+}  // namespace ncsim::verify
