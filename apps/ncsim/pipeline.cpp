@@ -109,7 +109,8 @@ public:
                     met_stock = true;
                     ++result_.hulls;
                     if (measured_) {
-                        removed += result_.part->subtract(cell);
+                        // A difference of sums: rounding may leave less than nothing.
+                        removed += std::max(0.0, result_.part->subtract(cell));
                     } else {
                         batch_.push_back(cell);
                     }

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
+
 namespace ncsim::verify_test {
 namespace {
 
@@ -69,6 +72,47 @@ TEST(RapidInMaterial, IsNotFoundWhereAConeGoesBackUp) {
     const auto bite = verdict_of(
         "G21 G90 G17 T1 M6 S1000 M3 F100 G0 X0 Y0 Z5\nG1 Z-1\nG1 X3\nG0 Z-1.0001\nG0 Z5\n", setup);
     EXPECT_EQ(only(bite, "rapid-in-material").place.span.line, 4U);
+}
+
+// A V-cutter goes down, sideways, and after `before_up` back up at feed: 100 times, at places where
+// the end of one sweep and the beginning of the next differ by rounding.
+verify::Verdict of_cone_going_back_up(const std::string& before_up, bool ledger) {
+    verify::Setup setup = plain_setup();
+    setup.tools.at(1).tool = toolpath::v_cutter(6.0, 0.0, 30.0, 20.0);
+    setup.ledger = ledger;
+    std::string program = "G21 G90 G17 T1 M6 F100 G0 X0 Y0 Z5\n";
+    std::mt19937 random(5);
+    const auto word = [&random](const char* letter, int from, int to) {
+        const int steps = from + static_cast<int>(random() % static_cast<unsigned>(to - from));
+        return letter + std::to_string(1e-4 * steps);
+    };
+    for (int i = 0; i < 100; ++i) {
+        program += "S1000 M3 G0" + word(" X", -150000, 150000) + word(" Y", -100000, 100000) +
+                   "\nG1" + word(" Z-", 1000, 20000) + "\nG91 G1" + word(" X", -10000, 10000) +
+                   word(" Y", -10000, 10000) + "\nG90 " + before_up + "\nG1 Z5\n";
+    }
+    return verdict_of(program, setup);
+}
+
+TEST(Slivers, BetweenTheRoundedPlanesOfConesAreNoFindings) {
+    for (const bool ledger : {false, true}) {
+        SCOPED_TRACE(ledger);
+        EXPECT_TRUE(findings_of(of_cone_going_back_up("M5", ledger), "spindle-off").empty());
+        const auto reversed = of_cone_going_back_up("M4", ledger);
+        EXPECT_TRUE(findings_of(reversed, "spindle-reversed").empty());
+        // And a few that go where others were.
+        EXPECT_GE(std::stoi(only(reversed, "air-cut").message), 100);
+        // A micrometre deeper is more than rounding, where no deeper cut was.
+        const auto deeper = of_cone_going_back_up("M5 G91\nG1 Z-0.001\nG90", ledger);
+        EXPECT_EQ(findings_of(deeper, "spindle-off").size(), 99U);
+    }
+}
+
+TEST(Slivers, DoNotUnsettleTheBooks) {
+    const auto verdict = of_cone_going_back_up("", true);
+    for (const verify::LedgerRow& row : verdict.ledger.rows)
+        EXPECT_GE(row.removed_mm3, 0.0) << "line " << row.line;
+    EXPECT_LT(verdict.ledger.imbalance(), 1e-12);
 }
 
 TEST(RapidInMaterial, IsFoundForTheSmallestBite) {
@@ -429,6 +473,20 @@ TEST(FixtureClearance, IsAWarningOfItsOwn) {
     EXPECT_TRUE(findings_of(verdict, "fixture-contact").empty());
     const auto far = verdict_of(kStart + "G0 Y8.5 Z-2\nG1 X30\n", with_jaw(1.5));
     EXPECT_TRUE(findings_of(far, "fixture-clearance").empty());
+}
+
+TEST(FixtureContact, IsNotFoundWhereAConeOnlyTouches) {
+    // Its planes are rounded outwards, by less than the fixture would notice.
+    verify::Setup setup = plain_setup();
+    setup.tools.at(1).tool = toolpath::v_cutter(6.0, 0.0, 60.0, 30.0);
+    verify::Fixture table;
+    table.name = "table";
+    table.box = {{-50, -50, -60}, {50, 50, -40}};
+    setup.machine.fixtures.push_back(table);
+    const std::string program = "G21 G90 T1 M6 S1000 M3 G0 X37.123 Y31.37 Z5\nG0 Z-40\n";
+    EXPECT_TRUE(findings_of(verdict_of(program, setup), "fixture-contact").empty());
+    const auto lower = verdict_of(program + "G0 Z-40.001\n", setup);
+    EXPECT_EQ(only(lower, "fixture-contact").place.span.line, 3U);
 }
 
 TEST(FixtureContact, IsFoundForAMesh) {

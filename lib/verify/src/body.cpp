@@ -105,10 +105,14 @@ Box Body::bounds(const Step& step, double raise) const {
     return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise));
 }
 
+double Body::rounding(const Step& step) const {
+    return rounding_of(step, prism_, lattice_);
+}
+
 Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, const Box& stock) {
     Meeting meeting;
     if (!stock.overlaps(bounds(step, raise))) return meeting;
-    const double rounding = rounding_of(step, prism_, lattice_);
+    const double rounding = this->rounding(step);
     for (const Cell& cell : cells(step, raise, Side::Circumscribed)) {
         const auto point = part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
         if (!point) continue;
@@ -131,7 +135,7 @@ double Body::common_volume(const Step& step, const cda::TreeCda& part, const Box
     double volume = 0.0;
     if (!stock.overlaps(bounds(step, 0.0))) return volume;
     for (const Cell& cell : cells(step, 0.0, Side::Circumscribed))
-        volume += part.common_volume(cell);
+        volume += std::max(0.0, part.common_volume(cell));
     return volume;
 }
 

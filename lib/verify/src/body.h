@@ -42,12 +42,15 @@ public:
     Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
          toolpath::ToolAccuracy accuracy);
 
+    /// rounding_of() this body.
+    double rounding(const toolpath::Step& step) const;
+
     /// What the sweep of the body, `raise` mm higher on the tool, meets of `part`, which lies in
     /// `stock`. Certain if the inscribed polytope does, less what the motion's sampling gained.
     Meeting meet(const toolpath::Step& step, double raise, const cda::TreeCda& part,
                  const cda::Box& stock);
 
-    /// Volume (mm³) that the circumscribed sweep has in common with the part.
+    /// Volume (mm³) that the circumscribed sweep has in common with the part; never negative.
     double common_volume(const toolpath::Step& step, const cda::TreeCda& part,
                          const cda::Box& stock);
 

@@ -69,21 +69,24 @@ void FixtureScene::meet(int tool, const toolpath::Step& step,
             FixtureContact contact{f, piece, false, Certainty::Within, {}};
             bool closer = false;
             using toolpath::Side;
+            const double rounding = bodies[piece].rounding(step);
+            const auto meets = [&](const Cell& cell, double less) {
+                return touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell);
+            };
             for (const Cell& cell : bodies[piece].cells(step, 0.0, Side::Circumscribed)) {
-                const bool touching = touches(f, cell);
+                const bool touching = meets(cell, rounding);
                 const bool near =
-                    touching || (clearance > 0.0 && touches(f, shrunk(cell, -clearance, lattice_)));
+                    touching || (clearance > 0.0 && meets(cell, rounding - clearance));
                 if (near)
                     contact.box.add(intersection(cell.bounds, grown(fixtures_[f].box, clearance)));
                 contact.touches |= touching;
                 closer |= near;
             }
             if (!closer) continue;
-            const double less = step.bounds.gained_mm - (contact.touches ? 0.0 : clearance);
+            const double less =
+                rounding + step.bounds.gained_mm - (contact.touches ? 0.0 : clearance);
             for (const Cell& cell : bodies[piece].cells(step, 0.0, Side::Inscribed)) {
-                if (touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell)) {
-                    contact.certainty = Certainty::Certain;
-                }
+                if (meets(cell, less)) contact.certainty = Certainty::Certain;
             }
             if (old == contacts.end()) {
                 contacts.push_back(contact);

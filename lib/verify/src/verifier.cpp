@@ -339,34 +339,51 @@ private:
             return 0.0;
         }
         return move_.motion->kind == MoveKind::Rapid ? take_rapidly(cell, step, part)
-                                                     : carve(cell, part);
+                                                     : carve(cell, part, rounding_now(step));
     }
 
-    double carve(const Cell& cell, cda::TreeCda& part) {
-        double volume = 0.0;
-        std::optional<Vec3> point;
-        if (move_.volume_known) {
-            volume = part.subtract(cell);
-            if (volume <= 0.0) return 0.0;
-        } else {
-            point = part.contact(cell);
+    // How far the cutter's cells of this step may lie off for rounding alone.
+    double rounding_now(const Step& step) const { return rounding_of(step, now_->prism, lattice_); }
+
+    // Where the cell, less what may be rounding, and the part have volume in common.
+    std::optional<Vec3> contact(const Cell& cell, double rounding, const cda::TreeCda& part) const {
+        return part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
+    }
+
+    double carve(const Cell& cell, cda::TreeCda& part, double rounding) {
+        if (!move_.volume_known) {
+            const std::optional<Vec3> point = contact(cell, rounding, part);
             part.subtract_unmeasured(cell);
-            if (!point) return 0.0;
+            if (point) meet_material(cell, 0.0, point);
+            return 0.0;
         }
-        meet_material(cell, volume, point);
+        // Cells that are exact meet material if they remove some; of the others slivers may be
+        // left where they were before.
+        const bool meets = rounding > 0.0 && contact(cell, rounding, part);
+        const double volume = std::max(0.0, part.subtract(cell));
+        if (meets || (rounding == 0.0 && volume > 0.0)) {
+            meet_material(cell, volume, {});
+        } else {
+            book(cell, volume);
+        }
         return volume;
+    }
+
+    // In the books, but no contact.
+    void book(const Cell& cell, double volume) {
+        if (volume <= 0.0) return;
+        move_.removed_mm3 += volume;
+        move_.contact.add(intersection(cell.bounds, stock_));
     }
 
     // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
     double take_rapidly(const Cell& cell, const Step& step, cda::TreeCda& part) {
         std::optional<Vec3> point = part.contact(cell);
         if (!point) return 0.0;  // it would change nothing
-        const double volume = part.common_volume(cell);
-        const double rounding = rounding_of(step, now_->prism, lattice_);
-        if (rounding > 0.0 && !part.contact(shrunk(cell, rounding, lattice_))) {
-            // In the books, but no contact: it is where the cutter was before.
-            move_.removed_mm3 += volume;
-            move_.contact.add(intersection(cell.bounds, stock_));
+        const double volume = std::max(0.0, part.common_volume(cell));
+        const double rounding = rounding_now(step);
+        if (rounding > 0.0 && !contact(cell, rounding, part)) {
+            book(cell, volume);  // it is where the cutter was before
         } else {
             ask_certainty(step, part, point);
             meet_material(cell, volume, point);
@@ -416,9 +433,9 @@ private:
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
         now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_);
-        const double less = step.bounds.gained_mm + rounding_of(step, now_->prism, lattice_);
+        const double less = step.bounds.gained_mm + rounding_now(step);
         for (const Cell& cell : cells_) {
-            const auto inside = part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell);
+            const auto inside = contact(cell, less, part);
             if (!inside) continue;
             move_.certainty = Certainty::Certain;
             point = inside;
@@ -459,7 +476,7 @@ private:
     void meet_too_high(const Step& step, cda::TreeCda& part, bool up) {
         if (!up) {
             for (const Cell& cell : now_->within->cells(step, 0.0, toolpath::Side::Inscribed)) {
-                if (stock_.overlaps(cell.bounds)) carve(cell, part);
+                if (stock_.overlaps(cell.bounds)) carve(cell, part, rounding_now(step));
             }
         }
         if (now_->too_high->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return;
