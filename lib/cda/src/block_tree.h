@@ -2,7 +2,8 @@
 //
 // A block of the tree: a box that is halved where many cells meet. Leaves know the cells whose
 // surface passes through them, and of those the planes that do; what another cell of the leaf
-// covers is not kept. A block knows nothing of its neighbours, so blocks are worked on by any
+// covers is not kept. A node's box shrinks as material goes: what single cells cover from wall to
+// wall is cut off for good. A block knows nothing of its neighbours, so blocks are worked on by any
 // thread.
 #pragma once
 
@@ -44,9 +45,10 @@ struct IncomingCell {
 
 class BlockTree {
 public:
-    explicit BlockTree(const HalfBox& box) : box_(box), nodes_(1) {}
+    explicit BlockTree(const HalfBox& box);
 
-    const HalfBox& box() const { return box_; }
+    /// Where material may be.
+    HalfBox box() const { return nodes_[0].box(); }
 
     /// Takes cells away. Expected O(surface of the cells in the block that is left in the end):
     /// what one of them covers is not looked at for the others. A leaf whose cells are cut by more
@@ -78,12 +80,16 @@ public:
 private:
     enum class Kind : std::uint8_t { Material, Empty, Inner };
     struct Node {
+        // Half units of the stock fit.
+        std::array<std::int32_t, 3> min{}, max{};
         Kind kind = Kind::Material;
-        std::uint8_t axis = 0;          // Inner: what is halved
         std::uint32_t first_child = 0;  // Inner: two in a row
         std::uint32_t limit = 0;        // Material: planes that may be, where more than `leaf`
         // Material: for each cell its number, how many planes, and these.
         std::vector<std::uint32_t> cells;
+
+        HalfBox box() const;
+        void set_box(const HalfBox& box);
     };
     static constexpr std::size_t kHead = 2;
     struct Work;
@@ -92,20 +98,20 @@ private:
         bool parts = false;    // less than half of the cells are in both halves
     };
 
-    void insert_at(std::uint32_t number, const HalfBox& box, std::size_t begin, std::size_t end,
+    void insert_at(std::uint32_t number, const HalfBox& within, std::size_t begin, std::size_t end,
                    Work& work, int fruitless, std::size_t parent_load);
     void take_out(std::uint32_t number, Work& work) const;
-    void build(std::uint32_t number, const HalfBox& box, std::size_t begin, Work& work,
-               int fruitless, std::size_t parent_load);
-    std::size_t drop_redundant(const BoxFrame& frame, std::size_t begin, Work& work) const;
+    static bool settle(HalfBox& box, std::size_t begin, Work& work);
+    void build(std::uint32_t number, HalfBox box, std::size_t begin, Work& work, int fruitless,
+               std::size_t parent_load);
+    void drop_redundant(const BoxFrame& frame, std::size_t begin, Work& work) const;
     static Cut best_cut(const HalfBox& box, std::size_t begin, const Work& work);
     void store(std::uint32_t number, std::size_t begin, Work& work);
     void become_empty(std::uint32_t number);
-    void become_empty_if_children_are(std::uint32_t number);
+    void enclose_children(std::uint32_t number);
     void release(std::uint32_t number);
     void drop_unused_planes();
 
-    HalfBox box_;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> free_children_;
     std::vector<Plane> planes_;

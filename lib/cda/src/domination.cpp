@@ -17,44 +17,38 @@ constexpr double kRelativeRounding = 1e-14;
 
 }  // namespace
 
-Domination implies(const BoxPlane& m, const BoxPlane& p, const std::array<double, 3>& half) {
+Domination implies(const BoxPlane& m, const BoxPlane& p) {
     // The corner of the box that is farthest above p must be above m, for a start.
     double height = -m.e;
     for (std::size_t i = 0; i < 3; ++i)
-        height += m.n[i] * std::copysign(half[i], p.n[i]);
+        height += std::copysign(1.0, p.n[i]) * m.n[i];
     if (height < 0) return Domination::None;
-    // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i| half_i: convex, piecewise linear; the
-    // least value is at a kink.
+    // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i|: convex, piecewise linear; the least
+    // value is at a kink.
     for (std::size_t i = 0; i < 3; ++i) {
-        if (p.n[i] * m.n[i] <= 0) continue;
-        const double lambda = p.n[i] / m.n[i];
+        const double lambda = p.n[i] * m.inverse[i];
+        if (lambda <= 0) continue;
         double bound = lambda * m.e;
-        double size = std::abs(bound);
-        for (std::size_t k = 0; k < 3; ++k) {
-            bound += std::abs(p.n[k] - lambda * m.n[k]) * half[k];
-            size += (std::abs(p.n[k]) + lambda * std::abs(m.n[k])) * half[k];
-        }
+        for (std::size_t k = 0; k < 3; ++k)
+            bound += std::abs(p.n[k] - lambda * m.n[k]);
+        const double size = p.size + lambda * (m.size + std::abs(m.e));
         const double margin = kRoundingOfE * (1.0 + lambda) + kRelativeRounding * size;
         if (bound + margin < p.e) return Domination::Strict;
     }
     // Equal planes, or nearly so, are left to integers.
-    const bool are_parallel = m.n[1] * p.n[2] == m.n[2] * p.n[1] &&
-                              m.n[2] * p.n[0] == m.n[0] * p.n[2] &&
-                              m.n[0] * p.n[1] == m.n[1] * p.n[0];
-    if (!are_parallel || m.n[0] * p.n[0] + m.n[1] * p.n[1] + m.n[2] * p.n[2] < 0) {
+    if (!m.exact->is_parallel_to(*p.exact) || !same_direction(*m.exact, *p.exact)) {
         return Domination::None;
     }
     const int order = compare_distances(*m.exact, *p.exact);
     return order < 0 ? Domination::None : order == 0 ? Domination::Coplanar : Domination::Strict;
 }
 
-Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by,
-                     const std::array<double, 3>& half) {
+Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by) {
     Domination result = Domination::Strict;
     for (const BoxPlane& p : by) {
         Domination best = Domination::None;
         for (const BoxPlane& m : cell) {
-            const Domination found = implies(m, p, half);
+            const Domination found = implies(m, p);
             if (found > best) best = found;
             if (best == Domination::Strict) break;
         }
@@ -64,12 +58,11 @@ Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> b
     return result;
 }
 
-Profile::Profile(std::span<const BoxPlane> cell, const std::array<double, 3>& half) {
+Profile::Profile(std::span<const BoxPlane> cell) {
     std::array<double, 3> sum{};
     for (const BoxPlane& p : cell) {
-        const double size = std::abs(p.n[0]) + std::abs(p.n[1]) + std::abs(p.n[2]);
         for (std::size_t i = 0; i < 3; ++i)
-            sum[i] += p.n[i] / size;
+            sum[i] += p.n[i] / p.size;
     }
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i) {
@@ -80,13 +73,13 @@ Profile::Profile(std::span<const BoxPlane> cell, const std::array<double, 3>& ha
     const std::size_t u = (axis + 1) % 3;
     const std::size_t v = (axis + 2) % 3;
     constexpr std::array<float, 4> kAt{-0.9F, -0.3F, 0.3F, 0.9F};
-    reach.fill(static_cast<float>(half[axis]));
+    reach.fill(1.0F);
     for (const BoxPlane& p : cell) {
         const double along = sign * p.n[axis];
         if (along <= 0) continue;
         const auto middle = static_cast<float>(p.e / along);
-        const auto du = static_cast<float>(p.n[u] * half[u] / along);
-        const auto dv = static_cast<float>(p.n[v] * half[v] / along);
+        const auto du = static_cast<float>(p.n[u] / along);
+        const auto dv = static_cast<float>(p.n[v] / along);
         for (std::size_t k = 0; k < 16; ++k) {
             reach[k] = std::min(reach[k], middle - du * kAt[k & 3] - dv * kAt[k >> 2]);
         }

@@ -7,6 +7,7 @@
 #include "ncsim/cda/plane.h"
 #include "ncsim/cda/predicates.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,7 +34,28 @@ struct HalfBox {
         (upper ? result.min : result.max)[axis] = middle(axis);
         return result;
     }
+    bool is_empty() const { return min[0] >= max[0] || min[1] >= max[1] || min[2] >= max[2]; }
+    bool operator==(const HalfBox&) const = default;
 };
+
+/// What both have in common; empty if that has no volume.
+inline HalfBox intersection(const HalfBox& a, const HalfBox& b) {
+    HalfBox result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.min[i] = std::max(a.min[i], b.min[i]);
+        result.max[i] = std::min(a.max[i], b.max[i]);
+    }
+    return result;
+}
+
+inline HalfBox enclosing(const HalfBox& a, const HalfBox& b) {
+    HalfBox result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.min[i] = std::min(a.min[i], b.min[i]);
+        result.max[i] = std::max(a.max[i], b.max[i]);
+    }
+    return result;
+}
 
 /// Centre and half extents of a box, in half units: whole numbers.
 struct BoxFrame {
@@ -51,17 +73,29 @@ struct HalfPlane {
     HalfPlane() = default;
     explicit HalfPlane(const Plane& p)
         : nx(p.nx), ny(p.ny), nz(p.nz), d2(2.0 * static_cast<double>(p.d)) {}
+    double normal(std::size_t axis) const { return axis == 0 ? nx : axis == 1 ? ny : nz; }
     double nx = 0, ny = 0, nz = 0, d2 = 0;
 };
 
-/// Where a box lies to a plane. Exact: normals below 2^24 and coordinates below 2^26 half units
-/// make products below 2^50 whose sums are whole numbers below 2^53; only a difference that decides
-/// by its size alone may be rounded.
+/// How far the middle of a box is above a plane, and how far the box reaches from it to both sides;
+/// in half units times the length of the normal.
+struct Sight {
+    Sight(const BoxFrame& box, const HalfPlane& p)
+        : above(p.nx * box.centre[0] + p.ny * box.centre[1] + p.nz * box.centre[2] - p.d2),
+          reach(std::abs(p.nx) * box.half[0] + std::abs(p.ny) * box.half[1] +
+                std::abs(p.nz) * box.half[2]) {}
+    /// Exact: normals below 2^24 and coordinates below 2^26 half units make products below 2^50
+    /// whose sums are whole numbers below 2^53; only a difference that decides by its size alone
+    /// may be rounded.
+    Side side() const {
+        return above + reach <= 0 ? Side::Below : above >= reach ? Side::Above : Side::On;
+    }
+    double above, reach;
+};
+
+/// Where a box lies to a plane.
 inline Side side_of(const BoxFrame& box, const HalfPlane& p) {
-    const double v = p.nx * box.centre[0] + p.ny * box.centre[1] + p.nz * box.centre[2] - p.d2;
-    const double reach =
-        std::abs(p.nx) * box.half[0] + std::abs(p.ny) * box.half[1] + std::abs(p.nz) * box.half[2];
-    return v + reach <= 0 ? Side::Below : v >= reach ? Side::Above : Side::On;
+    return Sight(box, p).side();
 }
 
 }  // namespace ncsim::cda

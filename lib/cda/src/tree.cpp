@@ -271,16 +271,10 @@ bool TreeCda::contains(Vec3 point) const {
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
     }
-    // Half units are 2^15 of the fixed point.
-    constexpr std::int64_t kHalfUnit = QueryPoint::kScale / 2;
-    const auto block = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& b) {
-        const HalfBox& box = b.tree->box();
-        return query.at[0] <= box.max[0] * kHalfUnit && query.at[1] <= box.max[1] * kHalfUnit &&
-               query.at[2] <= box.max[2] * kHalfUnit && query.at[0] >= box.min[0] * kHalfUnit &&
-               query.at[1] >= box.min[1] * kHalfUnit && query.at[2] >= box.min[2] * kHalfUnit;
-    });
     std::vector<BlockTree::Entry> cells;
-    if (block == blocks_.end() || !block->tree->find(query.at, cells)) return false;
+    const auto block = std::find_if(blocks_.begin(), blocks_.end(),
+                                    [&](const Block& b) { return b.tree->find(query.at, cells); });
+    if (block == blocks_.end()) return false;
     return std::none_of(cells.begin(), cells.end(), [&](const BlockTree::Entry& cell) {
         return std::all_of(cell.planes.begin(), cell.planes.end(), [&](std::uint32_t h) {
             return query.side_of(block->tree->plane(h)) == Side::Below;
