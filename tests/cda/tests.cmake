@@ -9,6 +9,7 @@ ncsim_add_test(cda
     lattice_test.cpp
     polytope_test.cpp
     predicates_test.cpp
+    shape_test.cpp
     tree_test.cpp
     workpiece_test.cpp)
 target_include_directories(ncsim_cda_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/cda/src)

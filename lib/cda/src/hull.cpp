@@ -231,6 +231,14 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
     return cell;
 }
 
+std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,
+                                 std::span<const LatticePoint> points) {
+    const Wide v = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    if (v.x == 0 && v.y == 0 && v.z == 0) return std::nullopt;
+    const Normal n = quantised(v);
+    return plane_of(n, support(n, points));
+}
+
 std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoint> points,
                                                      const Lattice& lattice, Rounding rounding) {
     const auto hull = lattice_hull(points);

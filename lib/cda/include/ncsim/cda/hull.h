@@ -7,6 +7,7 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,6 +25,11 @@ enum class Rounding : std::uint8_t { Outward, Inward };
 /// plane: such a body removes no volume. Expected O(n log n).
 std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Lattice& lattice,
                                 Origin origin, Rounding rounding = Rounding::Outward);
+
+/// The plane of a triangle, its normal quantised, moved out as far as it takes for `points` to lie
+/// below or on it. Nothing if the corners lie on a line.
+std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,
+                                 std::span<const LatticePoint> points);
 
 /// A convex body that moves without turning: made once per tool piece and orientation, swept many
 /// times. Source: support functions, h(n) = h_T(n) + max(0, n·t): each facet keeps its normal, and

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/polytope.h"
+#include "ncsim/cda/shape.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <istream>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::cda {
+
+namespace {
+
+using Normal = std::array<std::int64_t, 3>;
+
+constexpr std::string_view kMagic = "ncsim stock 1";
+// More planes than any hull has; a limit for what a damaged file may ask for.
+constexpr std::size_t kMostPlanes = 65536;
+// |d| of planes that pass within kMaxPose of the origin stays below this.
+constexpr std::int64_t kMostDistance = std::int64_t{1} << 62;
+
+}  // namespace
+
+struct ShapeWriter::State {
+    std::ostream& out;
+    std::map<Normal, std::size_t> normals;
+    std::size_t carved = 0;
+
+    void write(std::string_view name, const Cell& cell) {
+        std::string line(name);
+        for (const Plane& plane : cell.planes) {
+            const auto [at, is_new] =
+                normals.try_emplace({plane.nx, plane.ny, plane.nz}, normals.size());
+            if (is_new) {
+                out << "normal " + std::to_string(plane.nx) + ' ' + std::to_string(plane.ny) + ' ' +
+                           std::to_string(plane.nz) + '\n';
+            }
+            line += ' ' + std::to_string(at->second) + ' ' + std::to_string(plane.d);
+        }
+        out << line << '\n';
+    }
+};
+
+ShapeWriter::ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer)
+    : state_(new State{out, {}}) {
+    std::array<char, 32> unit{};  // the shortest text that gives the same number
+    const auto end = std::to_chars(unit.data(), unit.data() + unit.size(), lattice.unit_mm).ptr;
+    out << kMagic << "\nunit " << std::string_view(unit.data(), end) << '\n';
+    state_->write("outer", outer);
+}
+
+ShapeWriter::~ShapeWriter() = default;
+ShapeWriter::ShapeWriter(ShapeWriter&&) noexcept = default;
+
+void ShapeWriter::carve(const Cell& cell) {
+    state_->write("cell", cell);
+    ++state_->carved;
+}
+
+void ShapeWriter::end() {
+    state_->out << "end " + std::to_string(state_->carved) + '\n';
+}
+
+namespace {
+
+class Reader {
+public:
+    explicit Reader(std::istream& in) : in_(in) {}
+
+    Shape read() {
+        if (!next() || line_ != kMagic) refuse("not a stock that ncsim wrote");
+        if (!next() || !word("unit")) refuse("expected the lattice: unit 1e-05");
+        double unit = 0.0;
+        if (!number(unit) || !(unit >= 1e-5 && unit < 1e6) || !is_at_end()) {
+            refuse("expected a length in mm, at least 1e-05");
+        }
+        shape_.lattice.unit_mm = unit;
+        bool has_outer = false;
+        while (next()) {
+            if (word("normal")) {
+                read_normal();
+            } else if (!has_outer && word("outer")) {
+                shape_.outer = read_cell();
+                check_outer();
+                has_outer = true;
+            } else if (has_outer && word("cell")) {
+                shape_.carved.push_back(read_cell());
+                shape_.carved.back().bounds = bounds_of(shape_.carved.back());
+            } else if (has_outer && word("end")) {
+                std::size_t count = 0;
+                if (!number(count) || !is_at_end() || count != shape_.carved.size()) {
+                    refuse("expected the number of cells above");
+                }
+                return std::move(shape_);
+            } else {
+                refuse("expected normal, outer, cell or end, in this order");
+            }
+        }
+        refuse("the file breaks off");
+    }
+
+private:
+    [[noreturn]] void refuse(const char* why) const {
+        throw std::runtime_error(std::to_string(count_) + ": " + why);
+    }
+    bool next() {
+        ++count_;
+        if (!std::getline(in_, line_)) return false;
+        rest_ = line_;
+        return true;
+    }
+    bool word(std::string_view name) {
+        if (!rest_.starts_with(name)) return false;
+        rest_.remove_prefix(name.size());
+        return true;
+    }
+    bool is_at_end() const { return rest_.empty(); }
+    template <class Number>
+    bool number(Number& value) {
+        if (!rest_.starts_with(' ')) return false;
+        rest_.remove_prefix(1);
+        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        if (error != std::errc{}) return false;
+        rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+        return true;
+    }
+
+    void read_normal() {
+        Normal n{};
+        for (std::int64_t& component : n) {
+            if (!number(component)) refuse("a normal has three numbers");
+            if (component > (1 << kNormalBits) || component < -(1 << kNormalBits)) {
+                refuse("a normal with a component beyond 2^24");
+            }
+        }
+        if (!is_at_end() || n == Normal{}) refuse("a normal has three numbers, not all zero");
+        normals_.push_back(n);
+    }
+
+    Cell read_cell() {
+        Cell cell;
+        while (!is_at_end()) {
+            std::size_t normal = 0;
+            std::int64_t d = 0;
+            if (!number(normal) || !number(d)) refuse("a cell is pairs of whole numbers");
+            if (normal >= normals_.size()) refuse("a normal that was not given before");
+            if (d > kMostDistance || d < -kMostDistance) refuse("a distance beyond 2^62");
+            const Normal& n = normals_[normal];
+            cell.planes.push_back(canonical(n[0], n[1], n[2], d));
+            if (cell.planes.size() > kMostPlanes) refuse("a cell with more than 65536 planes");
+        }
+        return cell;
+    }
+
+    // As far as planes across the axes tell, which cells of ours have; within the whole.
+    Box bounds_of(const Cell& cell) const {
+        Box box = shape_.outer.bounds;
+        for (const Plane& plane : cell.planes) {
+            const std::array<std::int32_t, 3> n{plane.nx, plane.ny, plane.nz};
+            for (int i = 0; i < 3; ++i) {
+                const auto k = static_cast<std::size_t>(i);
+                if (n[(k + 1) % 3] != 0 || n[(k + 2) % 3] != 0) continue;
+                const double wall = shape_.lattice.unit_mm *
+                                    (static_cast<double>(plane.d) / static_cast<double>(n[k]));
+                if (n[k] > 0) box.max[i] = std::min(box.max[i], wall);
+                if (n[k] < 0) box.min[i] = std::max(box.min[i], wall);
+            }
+        }
+        return box;
+    }
+
+    // Bounded, within the range of the lattice, with volume: cut out of all the lattice there is.
+    void check_outer() {
+        constexpr std::int64_t kReach = std::int64_t{1} << kCoordinateBits;
+        constexpr LatticePoint kMin{-kReach, -kReach, -kReach};
+        constexpr LatticePoint kMax{kReach, kReach, kReach};
+        const Cell world = box_cell(kMin, kMax, shape_.lattice);
+        std::optional<ConvexPolytope> body = ConvexPolytope::of(world, shape_.lattice);
+        for (const Plane& plane : shape_.outer.planes) {
+            const Side side = classify_box(body->bounds(), plane);
+            if (side == Side::Below) continue;
+            if (side == Side::On) body = body->clip(plane);
+            if (side == Side::Above || !body) refuse("the outer cell has no volume");
+        }
+        // Where a side of the lattice is left, no plane keeps the cell within.
+        for (const Plane& side : world.planes) {
+            const auto& its_own = shape_.outer.planes;
+            if (body->facet_in(side) &&
+                std::find(its_own.begin(), its_own.end(), side) == its_own.end()) {
+                refuse("the outer cell reaches beyond the lattice");
+            }
+        }
+        shape_.outer.bounds = {shape_.lattice.to_mm(body->bounds().min),
+                               shape_.lattice.to_mm(body->bounds().max)};
+    }
+
+    std::istream& in_;
+    std::string line_;
+    std::string_view rest_;
+    std::size_t count_ = 0;
+    std::vector<Normal> normals_;
+    Shape shape_;
+};
+
+}  // namespace
+
+Shape read_shape(std::istream& in) {
+    return Reader(in).read();
+}
+
+}  // namespace ncsim::cda
