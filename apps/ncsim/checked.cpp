@@ -131,9 +131,11 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
     if (setup.not_simulated) checked.not_simulated = *setup.not_simulated;
 
     const cda::Box stock = survey.is_ready() ? survey.stock->box : cda::Box{};
-    const cda::Lattice lattice = survey.is_ready() ? lattice_for(*survey.stock) : cda::Lattice{};
+    const cda::Lattice lattice =
+        survey.is_ready() ? toolpath::stock_lattice(*survey.stock) : cda::Lattice{};
     if (survey.is_ready()) {
-        checked.stock = describe(stock) + (setup.stock_assumption.empty() ? "" : ", assumed");
+        checked.stock =
+            describe(*survey.stock) + (setup.stock_assumption.empty() ? "" : ", assumed");
     }
     const toolpath::RapidPath rapid = setup.rapid;
     verify::Verifier verifier(std::move(setup), stock, lattice);
@@ -159,14 +161,14 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
                 verifier.add(std::move(f));
         }
         const auto* part = dynamic_cast<const cda::TreeCda*>(simulation.part.get());
-        checked.verdict = verifier.finish(survey.interpretation, part);
+        checked.verdict = verifier.finish(survey.interpretation, part, simulation.stock_volume);
         if (!options.html.empty()) checked.look = look_at(survey, simulation);
     } else {
         gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
             verifier.begin(motion);
             verifier.end();
         });
-        checked.verdict = verifier.finish(survey.interpretation, nullptr);
+        checked.verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
     }
     if (!options.html.empty()) {
         if (!checked.look) checked.look.emplace();

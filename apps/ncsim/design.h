@@ -34,9 +34,9 @@ struct DesignFacts {
 };
 
 /// Findings of the rules gouge and excess, one for each region, at the line that cut the part
-/// at its deepest point (at no line where only the stock's own faces are). What could be gouged by no more
-/// than the tool and the chords of arcs are off is not certain. `simulation` must have kept its
-/// cuts.
+/// at its deepest point (at no line where only the stock's own faces are). What could be gouged by
+/// no more than the tool and the chords of arcs are off is not certain. `simulation` must have kept
+/// its cuts.
 std::vector<verify::Finding> compare_with(const Design& design, const Simulation& simulation,
                                           DesignFacts& facts);
 

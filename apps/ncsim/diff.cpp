@@ -97,7 +97,8 @@ OneSided remainder(const Side& side, const Simulation& other) {
     verification.verifier = &verifier;
     verification.start = &tree_of(other);
     const Simulation cut = simulate(side.job, side.survey, verification, {});
-    const verify::Verdict verdict = verifier.finish(side.survey.interpretation, &tree_of(cut));
+    const verify::Verdict verdict =
+        verifier.finish(side.survey.interpretation, &tree_of(cut), cut.stock_volume);
     OneSided result;
     result.regions = verify::regions_of(verdict.ledger);
     result.volume_mm3 = verdict.ledger.removed_mm3;

@@ -5,6 +5,7 @@
 #include "ncsim/toolpath/tool_file.h"
 
 #include "job_file.h"
+#include "stock_file.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -59,13 +60,16 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
 // What the command line leaves open, and who said the rest.
 JobFile take_job_file(Options& options) {
     JobFile file = parse_job_file({options.job, read_text_file(options.job)});
+    const std::filesystem::path folder = std::filesystem::path(options.job).parent_path();
     if (options.program.empty()) {
         if (file.program.empty()) {
             throw std::runtime_error(fmt::format(
                 "'{}' names no program, and neither does the command line", options.job));
         }
-        const std::filesystem::path folder = std::filesystem::path(options.job).parent_path();
         options.program = (folder / file.program).string();
+    }
+    if (file.stock && file.stock->from) {
+        file.stock->from->path = (folder / file.stock->from->path).string();
     }
     if (!options.inches) options.inches = file.inches;
     if (file.dialect && options.dialect == gcode::Dialect::Auto) options.dialect = *file.dialect;
@@ -120,12 +124,23 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
 std::optional<toolpath::StockEntry> choose_stock(const Options& options, const JobFile& file,
                                                  const std::vector<toolpath::ToolFile>& tables,
                                                  std::optional<toolpath::StockEntry> noted) {
+    const bool is_placed = options.stock_turn || options.stock_move;
+    if (is_placed && !(options.stock && options.stock->from)) {
+        throw std::runtime_error("--stock-turn and --stock-move are for --stock FILE");
+    }
     if (options.stock) {
-        return toolpath::StockEntry{*options.stock, toolpath::ToldBy::Option, {}, {}};
+        toolpath::Stock stock = *options.stock;
+        if (stock.from && !stock.shape) {
+            if (options.stock_turn) stock.from->turn = *options.stock_turn;
+            if (options.stock_move) stock.from->move = *options.stock_move;
+            stock = read_stock_file(*stock.from);
+        }
+        return toolpath::StockEntry{stock, toolpath::ToldBy::Option, {}, {}};
     }
     if (file.stock) {
         toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
         entry.file = base_name(options.job);
+        if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from);
         return entry;
     }
     for (const toolpath::ToolFile& table : tables) {

@@ -4,6 +4,7 @@
 #include "findings.h"
 #include "job.h"
 #include "sheet.h"
+#include "stock_file.h"
 #include "survey.h"
 #include "version.h"
 
@@ -161,7 +162,28 @@ private:
         refuse(node, "expected auto, rs274, fanuc, haas, grbl or mach3");
     }
 
+    toolpath::Stock read_stock_from_file(const toml::table& t) const {
+        only(t, {"file", "turn", "move"});
+        toolpath::StockFile from;
+        const toml::node& name = *t.get("file");
+        from.path = string(name);
+        if (!is_stock_file(from.path)) refuse(name, "expected a file .stl, .glb or .ncstock");
+        if (const auto* turn = t.get("turn")) {
+            from.turn = string(*turn);
+            try {
+                parse_turn(from.turn);
+            } catch (const std::invalid_argument& e) {
+                refuse(*turn, e.what());
+            }
+        }
+        if (const auto* move = t.get("move")) from.move = triple(*move);
+        toolpath::Stock stock;
+        stock.from = std::move(from);
+        return stock;
+    }
+
     toolpath::Stock read_stock(const toml::table& t) const {
+        if (t.contains("file")) return read_stock_from_file(t);
         only(t, {"min", "max", "round"});
         const auto* min = t.get("min");
         const auto* max = t.get("max");
@@ -307,10 +329,22 @@ cda::Vec3 offset_of(const Job& job, int number) {
     return entry ? entry->offset : cda::Vec3{};
 }
 
-std::string program_seen_from(const std::string& program, const std::string& job_file) {
+// How a job file names another file.
+std::string seen_from(const std::string& job_file, const std::string& path) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::absolute(job_file).lexically_normal().parent_path();
-    return fs::absolute(program).lexically_normal().lexically_proximate(folder).generic_string();
+    return fs::absolute(path).lexically_normal().lexically_proximate(folder).generic_string();
+}
+
+void write_stock(std::ostream& out, const toolpath::Stock& stock, const std::string& job_file) {
+    if (!stock.from) {
+        out << "min = " << triple(stock.box.min) << "\nmax = " << triple(stock.box.max) << '\n'
+            << (stock.is_round ? "round = true\n" : "");
+        return;
+    }
+    out << "file = " << quoted(seen_from(job_file, stock.from->path)) << '\n';
+    if (!stock.from->turn.empty()) out << "turn = " << quoted(stock.from->turn) << '\n';
+    if (!(stock.from->move == cda::Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
 }
 
 }  // namespace
@@ -323,7 +357,7 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
                     const std::string& path) {
     out << "# Written by ncsim " << kVersion
         << ": what a program stood on. Lengths in mm, angles in degrees.\n"
-        << "version = 1\nprogram = " << quoted(program_seen_from(job.options.program, path))
+        << "version = 1\nprogram = " << quoted(seen_from(path, job.options.program))
         << "\nunits = \"" << (job.options.inches.value_or(false) ? "inch" : "mm")
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
         << gcode::name_of(survey.interpretation.dialect.dialect) << "\"\n";
@@ -339,10 +373,8 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
     if (survey.stock) {
         out << "\n[stock]\n"
             << remark(told(survey.stock->told_by, survey.stock->span, survey.stock->text,
-                           survey.stock->file, "--stock"))
-            << "min = " << triple(survey.stock->box.min)
-            << "\nmax = " << triple(survey.stock->box.max) << '\n'
-            << (survey.stock->is_round ? "round = true\n" : "");
+                           survey.stock->file, "--stock"));
+        write_stock(out, *survey.stock, path);
     }
     for (const auto& [number, used] : survey.tools) {
         out << '\n' << remark(told(used.told_by, used.span, used.text, used.file, "--tool"));

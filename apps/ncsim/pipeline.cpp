@@ -6,6 +6,7 @@
 
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/flat.h"
+#include "ncsim/cda/shape.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/toolpath/walk.h"
 
@@ -76,6 +77,7 @@ public:
                     (!job.options.report.empty() && job.options.block_volumes) ||
                     (verifier_ && verifier_->measures_all())),
           keep_cuts_(verification.keep_cuts),
+          keeps_cells_(!job.options.save_stock.empty()),
           max_memory_gb_(job.options.max_memory_gb),
           volume_(result.stock_volume) {
         if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
@@ -108,6 +110,10 @@ public:
                 for (const cda::Cell& cell : step.cells) {
                     met_stock = true;
                     ++result_.hulls;
+                    if (keeps_cells_) {
+                        result_.carved.push_back(cell);
+                        result_.carved.back().hints = {};  // not written
+                    }
                     if (measured_) {
                         // A difference of sums: rounding may leave less than nothing.
                         removed += std::max(0.0, result_.part->subtract(cell));
@@ -175,6 +181,7 @@ private:
     std::uint64_t motions_ = 0;
     bool measured_;
     bool keep_cuts_;
+    bool keeps_cells_;
     double max_memory_gb_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
@@ -185,18 +192,12 @@ private:
 
 }  // namespace
 
-cda::Lattice lattice_for(const toolpath::StockEntry& stock) {
-    return cda::Lattice::for_stock(stock.box);
-}
-
 Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress) {
     Simulation result;
-    result.lattice = lattice_for(*survey.stock);
-    result.part = prototype(job.options)
-                      ->create(toolpath::stock_cell(*survey.stock, result.lattice,
-                                                    job.options.tool_tolerance),
-                               result.lattice);
+    const cda::Shape stock = toolpath::stock_shape(*survey.stock, job.options.tool_tolerance);
+    result.lattice = stock.lattice;
+    result.part = cda::create(*prototype(job.options), stock);
     result.stock_volume = result.part->volume();
     if (verification.start) result.part = verification.start->clone();
 

@@ -55,14 +55,12 @@ struct Simulation {
     /// mm³. Only where it was asked for (a report) or costs nothing
     /// (cda-flat).
     std::map<BlockPlace, double> removed_by_block;
+    std::vector<cda::Cell> carved;  ///< What was taken away, if it is to be written (--save-stock).
     std::map<int, CutterFacts> cutters;
     verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
     std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
     toolpath::SampleBounds bounds;  ///< The worst of all motions that met the stock.
 };
-
-/// The lattice on which `stock` lies, and where `simulate` puts it.
-cda::Lattice lattice_for(const toolpath::StockEntry& stock);
 
 /// How far it got: moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;

@@ -3,10 +3,13 @@
 
 #include "ncsim/toolpath/stock.h"
 
+#include "stock_file.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace ncsim::app {
@@ -49,10 +52,30 @@ toolpath::ToolSpec read_assumed_tool(const std::string& text) {
 }
 
 toolpath::Stock read_stock(const std::string& text) {
+    if (is_stock_file(text)) {
+        toolpath::Stock stock;
+        stock.from = toolpath::StockFile{text};
+        return stock;
+    }
     std::string message;
     const auto stock = toolpath::parse_stock_option(text, message);
     if (!stock) throw Refusal{"--stock " + message};
     return *stock;
+}
+
+std::string read_turn(const std::string& text) {
+    try {
+        parse_turn(text);
+    } catch (const std::invalid_argument& e) {
+        throw Refusal{fmt::format("--stock-turn {}", e.what())};
+    }
+    return text;
+}
+
+cda::Vec3 read_move(const std::string& text) {
+    const auto move = toolpath::parse_triple(text);
+    if (!move) throw Refusal{fmt::format("--stock-move '{}': expected x,y,z in mm", text)};
+    return *move;
 }
 
 gcode::Dialect read_dialect(const std::string& name) {
@@ -142,8 +165,20 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
     command
         .add_option_function<std::string>(
             "--stock", [&o](Text text) { o.stock = read_stock(text); },
-            "The block, or DdxH for a round bar, if the program does not say it")
+            "What is cut, if the program does not say it: LxWxH, or DdxH for a round bar, or a "
+            "file "
+            "(.stl, .glb, .ncstock)")
         ->type_name("STOCK");
+    command
+        .add_option_function<std::string>(
+            "--stock-turn", [&o](Text text) { o.stock_turn = read_turn(text); },
+            "Stock from a file: by right angles about axes, as X180 or X90,Z-90")
+        ->type_name("TURNS");
+    command
+        .add_option_function<std::string>(
+            "--stock-move", [&o](Text text) { o.stock_move = read_move(text); },
+            "Stock from a file: then by so much, mm")
+        ->type_name("X,Y,Z");
     command
         .add_option_function<std::string>(
             "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },

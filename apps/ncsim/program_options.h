@@ -4,6 +4,7 @@
 // in a file of its own.
 #pragma once
 
+#include "ncsim/cda/vec.h"
 #include "ncsim/gcode/dialect.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
@@ -36,6 +37,9 @@ struct Refusal {
 struct ProgramOptions {
     std::string program;
     std::optional<toolpath::Stock> stock;
+    /// Of stock that comes from a file.
+    std::optional<std::string> stock_turn;
+    std::optional<cda::Vec3> stock_move;
     std::vector<toolpath::ToolSpec> tools;
     /// For tools that nobody describes; its number is 0.
     std::optional<toolpath::ToolSpec> assumed_tool;

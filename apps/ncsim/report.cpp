@@ -130,6 +130,11 @@ void write_report(std::ostream& out, const Outcome& o) {
                            {"uses_machine_coordinates", o.survey.uses_machine_coordinates}};
     if (o.survey.stock) {
         json["stock"] = to_json(o.survey.stock->box);
+        if (const auto& from = o.survey.stock->from) {
+            json["stock"]["file"] = base_name(from->path);
+            if (!from->turn.empty()) json["stock"]["turned"] = from->turn;
+            json["stock"]["moved"] = to_json(from->move);
+        }
         json["stock"]["told"] =
             source(o.survey.stock->told_by, o.survey.stock->span, o.survey.stock->text);
     }

@@ -22,6 +22,7 @@
 #include "progress.h"
 #include "report.h"
 #include "sheet.h"
+#include "stock_file.h"
 #include "survey.h"
 
 #include <fmt/format.h>
@@ -85,6 +86,10 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         const exporter::StepOptions options{
             std::max(o.simplify.value_or(0.0), exporter::kStepTolerance), o.step_max_faces};
         exporter::write_step(out, *outcome.boundary, s.provenance, options);
+    });
+    outputs.write(o.save_stock, [&](std::ostream& out) {
+        const cda::Shape stock = toolpath::stock_shape(*outcome.survey.stock, o.tool_tolerance);
+        write_stock_file(out, stock, s.carved);
     });
     flat_only(o.stats, cda::write_statistics_csv);
     flat_only(o.xml, cda::write_xml);

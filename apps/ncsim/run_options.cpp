@@ -76,7 +76,9 @@ double read_simplify(double tolerance) {
 // No two outputs may be one file, and none the program itself.
 void check_paths(const Options& o) {
     std::set<std::string> seen{std::filesystem::path(o.program).lexically_normal().string()};
-    for (const std::string& input : o.tool_tables)
+    std::vector<std::string> inputs = o.tool_tables;
+    if (o.stock && o.stock->from) inputs.push_back(o.stock->from->path);
+    for (const std::string& input : inputs)
         seen.insert(std::filesystem::path(input).lexically_normal().string());
     for (const std::string& path : outputs_of(o)) {
         if (path.rfind("/dev/", 0) == 0) continue;
@@ -103,7 +105,7 @@ void choose_model(Options& o) {
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
     for (const std::string* path : {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step,
-                                    &o.report, &o.stats, &o.xml, &o.save_job}) {
+                                    &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -143,6 +145,9 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "reported")
         ->type_name("TOL");
     run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
+    run->add_option("--save-stock", o.save_stock,
+                    "What is left, for --stock of another program: file.ncstock")
+        ->type_name("FILE");
     run->add_option("--stats", o.stats, "What each hull cost, CSV")->type_name("FILE");
     run->add_option("--xml", o.xml, "The cells of the workpiece, XML")->type_name("FILE");
     add_simulation_options(*run, o);

@@ -19,7 +19,7 @@ namespace ncsim::app {
 
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
-    std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml;
+    std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
 
     /// Of the picture; several are put on one sheet with a caption. Never empty.
     std::vector<exporter::View> views{exporter::View::Iso};

@@ -87,7 +87,10 @@ std::string describe(const cda::Box& box) {
 }
 
 std::string describe(const toolpath::Stock& stock) {
-    return (stock.is_round ? "a round bar in " : "") + describe(stock.box);
+    if (!stock.from) return (stock.is_round ? "a round bar in " : "") + describe(stock.box);
+    std::string text = fmt::format("{} in {}", base_name(stock.from->path), describe(stock.box));
+    if (!stock.from->turn.empty()) text += ", turned " + stock.from->turn;
+    return printable(text);
 }
 
 std::string assumption_sheet(const Job& job, const Survey& survey) {
@@ -123,7 +126,7 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
                    told(survey.stock->told_by, survey.stock->span, survey.stock->text,
                         survey.stock->file, "--stock"));
         sheet.line("model", "{}, lattice unit {:g} nm", job.options.model,
-                   lattice_for(*survey.stock).unit_mm * 1e6);
+                   toolpath::stock_lattice(*survey.stock).unit_mm * 1e6);
     }
     sheet.line(
         "tolerance",

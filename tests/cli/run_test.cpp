@@ -229,6 +229,68 @@ TEST(Run, CutsARoundBarAndKeepsItInTheJob) {
     EXPECT_EQ(folder.read("a.stl"), folder.read("b.stl"));
 }
 
+TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    ASSERT_EQ(folder.run({"run", "slot.nc", "--save-stock", "first.ncstock", "--stl", "first.stl"})
+                  .exit_code,
+              0);
+    // The same slot once more, from the other side; the surface is as good as the cells.
+    for (const char* stock : {"first.ncstock", "first.stl"}) {
+        SCOPED_TRACE(stock);
+        const Ran ran =
+            folder.run({"run", "slot.nc", "--stock", stock, "--stock-turn", "X180", "--stock-move",
+                        "0,0,-10", "--save-job", "second.toml", "--stl", "second.stl"});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_TRUE(contains(ran.out, "10.400 cm3 of 11.200 cm3; 0.800 cm3 removed")) << ran.out;
+        EXPECT_TRUE(contains(ran.err, "turned X180")) << ran.err;
+        const Ran again = folder.run({"run", "slot.nc", "--job", "second.toml", "--stl", "b.stl"});
+        EXPECT_EQ(again.exit_code, 0) << again.err;
+        EXPECT_TRUE(folder.read("b.stl") == folder.read("second.stl"));
+    }
+    // From the same side there is nothing left to do.
+    const Ran same = folder.run({"run", "slot.nc", "--stock", "first.ncstock"});
+    EXPECT_TRUE(contains(same.out, "11.200 cm3 of 11.200 cm3; 0.000 cm3 removed")) << same.out;
+    const Ran flat =
+        folder.run({"run", "slot.nc", "--stock", "first.ncstock", "--model", "cda-flat"});
+    EXPECT_TRUE(contains(flat.out, "11.200 cm3 of 11.200 cm3; 0.000 cm3 removed")) << flat.out;
+}
+
+TEST(Run, ChecksAndComparesWithStockFromAFile) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    ASSERT_EQ(folder.run({"run", "slot.nc", "--save-stock", "first.ncstock"}).exit_code, 0);
+    const Ran check =
+        folder.run({"check", "slot.nc", "--stock", "first.ncstock", "--json", "a.json"});
+    EXPECT_TRUE(contains(check.out, "first.ncstock in 40 x 30 x 10 mm")) << check.out;
+    EXPECT_TRUE(contains(folder.read("a.json"), "\"stock_mm3\": 11200")) << folder.read("a.json");
+    const Ran diff = folder.run({"diff", "slot.nc", "slot.nc", "--stock", "first.ncstock"});
+    EXPECT_EQ(diff.exit_code, 0) << diff.out << diff.err;
+}
+
+TEST(Run, RefusesStockFilesThatAreNone) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.write("bad.ncstock", "ncsim stock 1\nunit 1e-05\nnormal 1 0 0\nouter 0 5 7 1\nend 0\n");
+    folder.write("bad.stl", "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendsolid\n");
+    const auto refusal = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"run", "slot.nc", "--save-stock", "new.ncstock"});
+        const Ran ran = folder.run(options);
+        EXPECT_EQ(ran.exit_code, 2);
+        return ran.err;
+    };
+    EXPECT_TRUE(contains(refusal({"--stock", "none.ncstock"}), "none.ncstock"));
+    EXPECT_TRUE(contains(refusal({"--stock", "bad.ncstock"}), "bad.ncstock:4: a normal that was"));
+    EXPECT_TRUE(contains(refusal({"--stock", "bad.stl"}), "bad.stl"));
+    EXPECT_TRUE(contains(refusal({"--stock", "new.ncstock"}), "named twice"));
+    EXPECT_TRUE(contains(refusal({"--stock-turn", "X180"}), "--stock FILE"));
+    EXPECT_TRUE(
+        contains(refusal({"--stock", "40x30x10", "--stock-move", "1,2,3"}), "--stock FILE"));
+    EXPECT_TRUE(contains(refusal({"--stock", "a.stl", "--stock-turn", "X45"}), "right angles"));
+    EXPECT_TRUE(contains(refusal({"--stock", "a.stl", "--stock-move", "1,2"}), "expected x,y,z"));
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"bad.ncstock", "bad.stl", "slot.nc"}));
+}
+
 TEST(Run, DerivesAStockThatNobodyTells) {
     Folder folder;
     folder.write("part.nc",

@@ -45,18 +45,18 @@ TEST(StockOption, TakesBars) {
 }
 
 TEST(StockCell, OfABarTouchesTheCircleAndStaysWithinTheTolerance) {
-    const cda::Lattice lattice{1e-5};
     const Stock bar = *parsed("D60x30");
     for (const double tolerance : {0.5, 0.05, 0.005}) {
         SCOPED_TRACE(tolerance);
-        const cda::Cell cell = stock_cell(bar, lattice, tolerance);
-        const auto body = cda::ConvexPolytope::of(cell, lattice);
+        const cda::Shape shape = stock_shape(bar, tolerance);
+        const auto body = cda::ConvexPolytope::of(shape.outer, shape.lattice);
         ASSERT_TRUE(body);
         const double volume = body->volume() * 1e-15;
         const double pi = std::numbers::pi;
         EXPECT_GT(volume, pi * 30 * 30 * 30 * (1 - 1e-9));
         EXPECT_LT(volume, pi * (30 + tolerance) * (30 + tolerance) * 30);
-        EXPECT_EQ(cell.bounds.min.z, -30);
+        EXPECT_EQ(shape.lattice, cda::Lattice{1e-5});
+        EXPECT_EQ(shape.outer.bounds.min.z, -30);
         // Four sides lie in the sides of the box.
         EXPECT_NEAR(body->bounds().max.x, 3e6, 1.0);
     }

@@ -134,7 +134,7 @@ TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
         walk.take(m, cda::Origin{1}, [&](const toolpath::Step& s) { verifier.cut(s, part); });
         verifier.end();
     });
-    const verify::Ledger ledger = verifier.finish(result, &part).ledger;
+    const verify::Ledger ledger = verifier.finish(result, &part, 40.0 * 40.0 * 10.0).ledger;
     const double exact = 40 * 40 * 10 - 5 * (25 * 6 + 3.14159265358979324 * 9);
     EXPECT_NEAR(exact, 15108.63, 0.005);
     EXPECT_LE(ledger.rest_mm3, exact);

@@ -33,6 +33,7 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid);
     for (const auto& [number, facts] : setup.tools)
         walk.add_tool(number, facts.tool);
+    const double stock_mm3 = part.volume();
     verify::Verifier verifier(std::move(setup), simulated ? kBlock : cda::Box{}, lattice);
     gcode::InterpreterOptions options;
     options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
@@ -47,7 +48,7 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
         verifier.end();
     });
     verifier.add(result.diagnostics);
-    return verifier.finish(result, simulated ? &part : nullptr);
+    return verifier.finish(result, simulated ? &part : nullptr, stock_mm3);
 }
 
 std::vector<verify::Finding> findings_of(const verify::Verdict& verdict, const std::string& rule) {

@@ -36,6 +36,10 @@ std::optional<cda::Vec3> three_numbers(std::string_view s, char separator) {
 
 }  // namespace
 
+std::optional<cda::Vec3> parse_triple(std::string_view text) {
+    return three_numbers(text, ',');
+}
+
 std::optional<Stock> parse_stock_option(std::string_view option, std::string& message) {
     const std::string upper = text::upper(text::trimmed(option));
     std::string_view s = upper;
@@ -94,13 +98,19 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
             return refuse("a block must be between 1 nm and 1 km in each direction, near zero");
         }
     }
-    return Stock{box, is_round};
+    return Stock{box, is_round, {}, {}};
 }
 
-cda::Cell stock_cell(const Stock& stock, const cda::Lattice& lattice, double tolerance_mm) {
+cda::Lattice stock_lattice(const Stock& stock) {
+    return stock.shape ? stock.shape->lattice : cda::Lattice::for_stock(stock.box);
+}
+
+cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
+    if (stock.shape) return *stock.shape;
+    const cda::Lattice lattice = stock_lattice(stock);
     const cda::LatticePoint min = lattice.round(stock.box.min);
     const cda::LatticePoint max = lattice.round(stock.box.max);
-    if (!stock.is_round) return cda::box_cell(min, max, lattice);
+    if (!stock.is_round) return {lattice, cda::box_cell(min, max, lattice), {}};
     // A multiple of four sides, four of them in the sides of the box.
     const double radius = 0.5 * (stock.box.max.x - stock.box.min.x);
     int sides = 16;
@@ -120,7 +130,7 @@ cda::Cell stock_cell(const Stock& stock, const cda::Lattice& lattice, double tol
             points.push_back(at);
         }
     }
-    return *cda::convex_hull(points, lattice, cda::kStockOrigin);
+    return {lattice, *cda::convex_hull(points, lattice, cda::kStockOrigin), {}};
 }
 
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip) {

@@ -240,7 +240,8 @@ public:
         log_.add(std::move(finding));
     }
 
-    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part) {
+    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
+                   double stock_mm3) {
         Verdict verdict;
         verdict.files = interpretation.files;
         for (const gcode::Diagnostic& d : diagnostics_)
@@ -261,8 +262,7 @@ public:
         ledger_.air_known = contacts_ && part != nullptr;
         ledger_.air_mm = air_.air_mm();
         if (part) ledger_.rest_mm3 = part->volume();
-        const Vec3 size = stock_.size();
-        ledger_.stock_mm3 = size.x * size.y * size.z;
+        ledger_.stock_mm3 = stock_mm3;
         verdict.ledger = std::move(ledger_);
         return verdict;
     }
@@ -585,8 +585,9 @@ void Verifier::add(Finding finding) {
     impl_->add(std::move(finding));
 }
 
-Verdict Verifier::finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part) {
-    return impl_->finish(interpretation, part);
+Verdict Verifier::finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
+                         double stock_mm3) {
+    return impl_->finish(interpretation, part, stock_mm3);
 }
 
 }  // namespace ncsim::verify

@@ -5,19 +5,34 @@
 
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
+#include "ncsim/cda/shape.h"
 #include "ncsim/cda/vec.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace ncsim::toolpath {
 
-/// A block, or a round bar that stands upright in a box as wide as it is deep. mm.
+/// Where stock that is no block comes from.
+struct StockFile {
+    std::string path;
+    std::string turn{};  ///< "X180": by right angles about the axes of the program,
+    cda::Vec3 move{};    ///< and then moved by so much, mm.
+    bool operator==(const StockFile&) const = default;
+};
+
+/// A block; a round bar that stands upright in a box as wide as it is deep; or any shape in its
+/// box, from a file. mm.
 struct Stock {
     cda::Box box;
     bool is_round = false;
-    bool operator==(const Stock&) const = default;
+    std::optional<StockFile> from{};
+    std::shared_ptr<const cda::Shape> shape{};  ///< Of `from`, once it was read.
+    bool operator==(const Stock& o) const {
+        return box == o.box && is_round == o.is_round && from == o.from;
+    }
 };
 
 /// Reads `x0,y0,z0:x1,y1,z1` (two corners) or `LxWxH` (sizes; the top at Z0, centred on X0 Y0) or
@@ -27,9 +42,14 @@ struct Stock {
 /// volume; the message then says why.
 std::optional<Stock> parse_stock_option(std::string_view text, std::string& message);
 
-/// The stock on the lattice: a bar has as many sides as it takes for none of them to lie more than
-/// `tolerance_mm` outside of the circle, which all of them touch.
-cda::Cell stock_cell(const Stock& stock, const cda::Lattice& lattice, double tolerance_mm);
+/// "x,y,z"
+std::optional<cda::Vec3> parse_triple(std::string_view text);
+
+/// The stock on its lattice: the finest that reaches a block or a bar, its own for a file. A bar
+/// has as many sides as it takes for none of them to lie more than `tolerance_mm` outside of the
+/// circle, which all of them touch.
+cda::Shape stock_shape(const Stock& stock, double tolerance_mm);
+cda::Lattice stock_lattice(const Stock& stock);
 
 /// A box for a program that does not say what it cuts.
 struct DerivedStock {

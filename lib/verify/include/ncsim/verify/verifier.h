@@ -43,8 +43,10 @@ public:
     /// Adds what somebody else found, complete but for category, hint and suppression. Left out if
     /// its rule is not selected.
     void add(Finding finding);
-    /// After the last motion. `part` is null if nothing was simulated.
-    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part);
+    /// After the last motion. `part` is null if nothing was simulated; `stock_mm3` is its volume
+    /// before the first cut.
+    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
+                   double stock_mm3);
 
 private:
     class Impl;

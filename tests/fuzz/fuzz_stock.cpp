@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Any bytes are a stock file: reading it must end, and what is no stock must be refused. What is
+// one is cut, if it is small, and must have a closed surface.
+#include "ncsim/cda/shape.h"
+
+#include "support/scene.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ncsim;
+    std::istringstream in(std::string(reinterpret_cast<const char*>(data), size));
+    cda::Shape shape;
+    try {
+        shape = cda::read_shape(in);
+    } catch (const std::runtime_error&) {
+        return 0;
+    }
+    constexpr std::size_t kSmall = 12;
+    if (shape.carved.size() > kSmall || shape.outer.planes.size() > 4 * kSmall) return 0;
+    try {
+        const cda::TreeCda prototype;
+        const auto part = cda::create(prototype, shape);
+        const cda::TreeCda block(shape.outer, shape.lattice);
+        test::sound_boundary(dynamic_cast<const cda::TreeCda&>(*part), block.volume());
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "%s\n", e.what());
+        std::abort();
+    }
+    return 0;
+}
