@@ -7,6 +7,7 @@ ncsim_add_test(cda
     hull_test.cpp
     intersect_test.cpp
     lattice_test.cpp
+    loops_test.cpp
     polytope_test.cpp
     predicates_test.cpp
     shape_test.cpp

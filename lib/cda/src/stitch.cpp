@@ -15,6 +15,7 @@
 //  8. write_faces    in an order that depends on the geometry only
 #include "stitch.h"
 
+#include "loops.h"
 #include "numbering.h"
 
 #include <algorithm>
@@ -518,7 +519,8 @@ private:
     Vec3 position_of(std::uint32_t h) const { return point(half_edges_[h].tail); }
 
     struct Loop {
-        std::vector<std::uint32_t> edges;  // the least corner first
+        std::vector<std::uint32_t> edges;   // the least corner first
+        std::vector<std::uint32_t> points;  // their tails
         bool is_hole = false;
     };
     // A face: its outline and the loops that are holes in it.
@@ -545,9 +547,9 @@ private:
                                              return before(position_of(a), position_of(b));
                                          }),
                         loop.edges.end());
-            // At the least corner an outline turns left, a hole right.
-            loop.is_hole = turn_sign(direction_of(half_edges_[loop.edges.back()]),
-                                     direction_of(half_edges_[loop.edges.front()]), plane) < 0;
+            for (const std::uint32_t h : loop.edges)
+                loop.points.push_back(half_edges_[h].tail);
+            loop.is_hole = orientation(loop.points, plane, loop_points_) < 0;
             loops.push_back(std::move(loop));
         }
         std::sort(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) {
@@ -556,39 +558,22 @@ private:
         return loops;
     }
 
-    // Does the outline surround the hole? Asked of the middle of an edge of the hole, which is
-    // not on the outline: the two meet in corners at most.
-    bool surrounds(const Loop& outline, const Loop& hole, Vec3 n) const {
-        const Vec3 p = 0.5 * (position_of(hole.edges[0]) + point(half_edges_[hole.edges[0]].head));
-        // Crossings of a ray in direction u, with v across it.
-        const Vec3 u = normalized(cross(n, std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-        const Vec3 v = cross(n, u);
-        bool inside = false;
-        for (const std::uint32_t e : outline.edges) {
-            const Vec3 a = position_of(e) - p;
-            const Vec3 b = point(half_edges_[e].head) - p;
-            const double va = dot(a, v);
-            const double vb = dot(b, v);
-            if ((va > 0.0) == (vb > 0.0)) continue;
-            if (dot(a, u) - va * (dot(b, u) - dot(a, u)) / (vb - va) > 0.0) inside = !inside;
-        }
-        return inside;
-    }
-
     // Faces in the order of their least corners. A hole belongs to the innermost outline around
-    // it: the one of those around it that begins last.
-    std::vector<Face> faces_of(const std::vector<Loop>& loops, Vec3 normal) const {
+    // it: the one of those around it that begins last. Asked of the middle of an edge of the hole,
+    // which is not on an outline: the two meet in corners at most.
+    std::vector<Face> faces_of(const std::vector<Loop>& loops, const Plane& plane) const {
         std::vector<Face> faces;
         for (const Loop& loop : loops) {
             if (!loop.is_hole) faces.push_back({&loop, {}});
         }
         for (const Loop& loop : loops) {
             if (!loop.is_hole) continue;
-            if (faces.empty()) throw std::logic_error("a hole without an outline");
-            std::size_t owner = faces.size() - 1;
-            while (owner > 0 && !surrounds(*faces[owner].outline, loop, normal))
-                --owner;
-            faces[owner].holes.push_back(&loop);
+            const HalfEdge& edge = half_edges_[loop.edges[0]];
+            const auto owner = std::find_if(faces.rbegin(), faces.rend(), [&](const Face& face) {
+                return surrounds(face.outline->points, edge.tail, edge.head, plane, loop_points_);
+            });
+            if (owner == faces.rend()) throw std::logic_error("a hole without an outline");
+            owner->holes.push_back(&loop);
         }
         return faces;
     }
@@ -657,7 +642,7 @@ private:
             const auto& [plane, origin] = owners_[owner];
             const Vec3 normal = unit_normal(plane);
             const std::vector<Loop> loops = loops_of(owner);
-            for (const Face& face : faces_of(loops, normal)) {
+            for (const Face& face : faces_of(loops, plane)) {
                 BoundaryFace out;
                 out.normal = normal;
                 out.offset = offset_mm(plane, lattice_);
@@ -699,6 +684,9 @@ private:
     std::vector<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
     std::vector<bool> done_;
+    const LoopPoints loop_points_{
+        [this](std::uint32_t p) { return point(p); },
+        [this](std::uint32_t p) { return exact(points_.keys()[p], planes_.keys()); }};
     // Of one line, kept for their memory.
     std::vector<std::uint32_t> stops_, breaks_, here_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
