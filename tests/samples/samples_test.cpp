@@ -20,10 +20,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,7 @@ const Sample& sample(const std::string& name) {
         app::Options options;
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/" + name + ".nc";
         options.model = "cda";
+        options.save_stock = "kept.ncstock";  // Keeps the cells; nothing is written here.
         slot->job = app::read_job(options);
         slot->survey = app::survey(slot->job);
         slot->tree = app::simulate(slot->job, slot->survey, {}, {});
@@ -107,6 +110,54 @@ TEST_P(Samples, BothModelsMakeTheSameSurface) {
     for (std::size_t i = 0; i < flat.faces.size(); ++i) {
         ASSERT_EQ(s.boundary.faces[i].loops, flat.faces[i].loops);
         ASSERT_EQ(s.boundary.faces[i].origin, flat.faces[i].origin);
+    }
+}
+
+// FNV-1a over all that a boundary says.
+std::uint64_t hash_of(const cda::Boundary& boundary) {
+    std::uint64_t h = 0xcbf29ce484222325ULL;
+    const auto mix = [&h](std::uint64_t v) {
+        for (int i = 0; i < 8; ++i)
+            h = (h ^ ((v >> (8 * i)) & 0xffU)) * 0x100000001b3ULL;
+    };
+    for (const Vec3& v : boundary.vertices) {
+        for (int axis = 0; axis < 3; ++axis)
+            mix(std::bit_cast<std::uint64_t>(v[axis] + 0.0));
+    }
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        mix(static_cast<std::uint32_t>(face.origin));
+        for (const auto& loop : face.loops) {
+            mix(loop.size());
+            for (const std::uint32_t vertex : loop)
+                mix(vertex);
+        }
+    }
+    return h;
+}
+
+// Threads, order, leaves, batches change nothing; nor does how the program was compiled.
+TEST_P(Samples, AreTheSameHoweverTheyAreMade) {
+    const Sample& s = sample(GetParam());
+    const std::map<std::string, std::uint64_t> known{{"simple", 12224367145059853698U},
+                                                     {"complex", 16208642326538887224U},
+                                                     {"wave", 9217685336802686913U}};
+    EXPECT_EQ(hash_of(s.boundary), known.at(GetParam()));
+    ASSERT_GE(s.tree.carved.size(), 2U);
+    const cda::Shape stock = toolpath::stock_shape(*s.survey.stock, 0.05);
+    test::Random random(11);
+    for (const cda::TreeParameters parameters :
+         {cda::TreeParameters{20, 1}, {80, 2}, {300, 8}, {33, 3}}) {
+        std::vector<cda::Cell> cells = s.tree.carved;
+        for (std::size_t i = cells.size(); i > 1; --i)
+            std::swap(cells[i - 1], cells[random.next() % i]);
+        cda::TreeCda part(stock.outer, stock.lattice, parameters);
+        const std::span<const cda::Cell> all(cells);
+        for (std::size_t at = 0; at < all.size();) {
+            const auto count = std::min<std::size_t>(1 + random.next() % 200, all.size() - at);
+            part.subtract_unmeasured(all.subspan(at, count));
+            at += count;
+        }
+        EXPECT_EQ(hash_of(part.boundary()), hash_of(s.boundary));
     }
 }
 
