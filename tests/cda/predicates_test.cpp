@@ -3,6 +3,7 @@
 
 #include "support/random_shapes.h"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 namespace ncsim::cda {
@@ -78,6 +79,69 @@ TEST(Reduced, MakesThePointIndependentOfThePlanesThatMadeIt) {
     const auto q = meet({1, 0, 0, 10}, {0, 2, 2, 14}, {0, 3, 1, 7});
     ASSERT_TRUE(p && q);
     EXPECT_TRUE(same_point(reduced(*p), reduced(*q)));
+}
+
+mpz_class wide(Int128 v) {
+    const bool is_negative = v < 0;
+    mpz_class result = 0;
+    for (int shift = 96; shift >= 0; shift -= 32) {
+        const Int128 word = (v >> shift) & 0xffffffff;
+        result = (result << 32) + static_cast<unsigned long>(word);
+    }
+    return is_negative ? mpz_class(result - (mpz_class(1) << 128)) : result;
+}
+
+// The same determinants in integers of any size, with every bit of the budget in use.
+TEST(Exactness, AgreesWithWiderIntegersAtTheLimits) {
+    Random random(5);
+    const auto det = [](const Plane& p, const Plane& q, const Plane& r, int with_d) {
+        // Rows (nx, ny, nz), one column replaced by d.
+        mpz_class m[3][3];
+        int row = 0;
+        for (const Plane& plane : {p, q, r}) {
+            const long n[3] = {plane.nx, plane.ny, plane.nz};
+            for (int k = 0; k < 3; ++k)
+                m[row][k] = k == with_d ? static_cast<long>(plane.d) : n[k];
+            ++row;
+        }
+        return mpz_class(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+    };
+    int at_limits = 0;
+    for (int i = 0; i < 200000; ++i) {
+        // Every other plane with the largest components there are.
+        const auto plane = [&] {
+            Plane p = random_plane(random);
+            if (random.between(0, 1) == 0) return p;
+            constexpr std::int64_t n = std::int64_t{1} << kNormalBits;
+            constexpr std::int64_t c = std::int64_t{1} << kCoordinateBits;
+            const auto end = [&](std::int64_t limit) {
+                return (random.between(0, 1) == 0 ? -1 : 1) * (limit - random.between(0, 1));
+            };
+            const std::int64_t x = end(n), y = end(n), z = end(n);
+            return canonical(x, y, z, x * end(c) + y * end(c) + z * end(c));
+        };
+        const Plane p = plane(), q = plane(), r = plane(), h = plane();
+        const auto point = meet(p, q, r);
+        const mpz_class w = det(p, q, r, 3);
+        ASSERT_EQ(point.has_value(), w != 0);
+        if (!point || !in_range(*point)) continue;
+        ++at_limits;
+        const int sign = sgn(w);
+        const mpz_class x = sign * det(p, q, r, 0);
+        const mpz_class y = sign * det(p, q, r, 1);
+        const mpz_class z = sign * det(p, q, r, 2);
+        ASSERT_EQ(wide(point->x), x);
+        ASSERT_EQ(wide(point->y), y);
+        ASSERT_EQ(wide(point->z), z);
+        ASSERT_EQ(wide(point->w), mpz_class(abs(w)));
+        const mpz_class height = x * static_cast<long>(h.nx) + y * static_cast<long>(h.ny) +
+                                 z * static_cast<long>(h.nz) - abs(w) * static_cast<long>(h.d);
+        ASSERT_EQ(static_cast<int>(classify_exact(*point, h)), sgn(height));
+        ASSERT_EQ(static_cast<int>(classify(*point, h)), sgn(height));
+    }
+    EXPECT_GT(at_limits, 20000);
 }
 
 TEST(OrderAlong, FollowsTheDirectionOfTheTwoNormals) {

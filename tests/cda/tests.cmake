@@ -1,6 +1,8 @@
 ncsim_add_test(cda
   LIBRARIES
     ncsim::cda
+    gmpxx
+    gmp
   SOURCES
     collision_test.cpp
     flat_test.cpp
