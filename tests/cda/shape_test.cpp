@@ -137,6 +137,20 @@ TEST(ShapeOf, RefusesASurfaceWithoutVolume) {
     EXPECT_THROW(shape_of({}, kLattice), std::invalid_argument);
 }
 
+TEST(ShapeOf, RefusesBodiesThatOverlap) {
+    TriangleMesh both = triangulate(TreeCda(mm_box(0, 0, 0, 4, 4, 4), kLattice).boundary());
+    const TriangleMesh other = triangulate(TreeCda(mm_box(3, 3, 3, 6, 6, 6), kLattice).boundary());
+    const auto first = static_cast<std::uint32_t>(both.vertices.size());
+    both.vertices.insert(both.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const auto& t : other.triangles)
+        both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    EXPECT_THROW(shape_of(both, kLattice), std::invalid_argument);
+    // Apart, they are two bodies of one stock.
+    for (std::size_t i = first; i < both.vertices.size(); ++i)
+        both.vertices[i] = both.vertices[i] + Vec3{2, 2, 2};
+    EXPECT_NEAR(create(TreeCda(), shape_of(both, kLattice))->volume(), 64 + 27, 1e-9);
+}
+
 TEST(Placement, TurnsCounterClockwiseAndMoves) {
     const TreeCda block(mm_box(1, 2, 3, 4, 6, 8), kLattice);
     const Shape shape = shape_of(triangulate(block.boundary()), kLattice);

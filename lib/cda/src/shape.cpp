@@ -199,7 +199,12 @@ public:
         }
     }
 
+    /// In lattice units cubed.
+    double carved_volume() const { return volume_; }
+
+private:
     void add(const ConvexPolytope& part) {
+        volume_ += part.volume();
         Cell cell;
         for (const auto& facet : part.facets())
             cell.planes.push_back(facet.plane);
@@ -207,7 +212,6 @@ public:
         carved_.push_back(std::move(cell));
     }
 
-private:
     // Across the longest side; nothing if that would part nothing. Beside the middle, and at odd
     // half units, so that it is not within the thickness of a surface that is in the middle.
     static std::optional<Plane> median_plane(const ConvexPolytope& part,
@@ -322,6 +326,7 @@ private:
     const std::vector<Plane>& planes_;
     const Lattice& lattice_;
     std::vector<Cell>& carved_;
+    double volume_ = 0.0;
 };
 
 }  // namespace
@@ -359,8 +364,22 @@ Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice) {
             });
         if (!is_in_hull) pieces.push_back(std::move(piece));
     }
-    if (!pieces.empty()) {
-        Carver(planes.all(), lattice, shape.carved).carve(*body, std::move(pieces));
+    Carver carver(planes.all(), lattice, shape.carved);
+    if (!pieces.empty()) carver.carve(*body, std::move(pieces));
+
+    // Where bodies overlap or a surface crosses itself, "in front of a facet" is not "outside", and
+    // the volumes tell.
+    double volume = 0.0;
+    double area = 0.0;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto corners = planes.corners(t);
+        const Vec3 n = area_vector(corners);
+        volume += dot(n, corners[0] - body->bounds().min) / 3.0;
+        area += norm(n);
+    }
+    const double difference = body->volume() - carver.carved_volume() - volume;
+    if (std::abs(difference) > 2.0 * kThickness * area + 1e-9 * body->volume()) {
+        throw std::invalid_argument("its surface crosses itself, or bodies of it overlap");
     }
     return shape;
 }
