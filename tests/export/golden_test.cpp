@@ -98,5 +98,29 @@ TEST(Golden, ASheetOfViews) {
     expect_like_golden(contact_sheet(pictures, caption), "sheet");
 }
 
+TEST(Golden, ThePathAndABodyOverThePart) {
+    const auto part = test::grooved_part();
+    const cda::Boundary boundary = test::boundary_of(part);
+    const cda::Box box = cda::bounds(boundary);
+    Overlay overlay;
+    const double z = box.max.z;
+    const int top = part.stock.max[2];
+    overlay.paths.push_back(
+        {{{box.min.x, box.min.y, z + 8}, {box.max.x, box.max.y, z + 8}, {box.max.x, box.max.y, z}},
+         true});
+    overlay.paths.push_back(
+        {{{box.max.x, box.max.y, z}, {box.min.x, box.max.y, z}, {box.min.x, box.min.y, z}}, false});
+    test::BoxPart body;
+    body.cell_mm = part.cell_mm;
+    body.stock = {{20, 10, top}, {26, 16, top + 14}};
+    overlay.bodies.push_back({test::boundary_of(body), {226, 186, 92}});
+    cda::Box seen = box;
+    seen.add(body.to_W({26, 16, 14.0 + top}));
+    expect_like_golden(
+        render_boundary(boundary, test::provenance_of(part),
+                        options_for(seen, View::Iso, Projection::Orthographic), overlay),
+        "path");
+}
+
 }  // namespace
 }  // namespace ncsim::exporter

@@ -208,5 +208,48 @@ TEST(Render, SaysTheSameTwice) {
               render_model(test::BoxModel(part), test::provenance_of(part), options));
 }
 
+// The ink of a path, on white.
+std::size_t path_pixels(const Image& with, const Image& without) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i)
+        count += difference(with.pixels[i], without.pixels[i]) > 40;
+    return count;
+}
+
+TEST(Render, PathsAreHiddenByWhatStandsBeforeThem) {
+    test::BoxPart part;
+    part.stock = {{0, 0, 0}, {40, 30, 10}};
+    const cda::Boundary boundary = test::boundary_of(part);
+    const RenderOptions options = options_for(boundary, View::Top);
+    const Image plain = render_boundary(boundary, {}, options);
+    const auto ink = [&](double z, bool is_rapid) {
+        const Overlay overlay{{{{{5, 15, z}, {35, 15, z}}, is_rapid}}, {}};
+        return path_pixels(render_boundary(boundary, {}, options, overlay), plain);
+    };
+    // 30 mm of 40 in most of 400 pixels. A line on the face itself is seen all along.
+    const std::size_t full = ink(12.0, false);
+    EXPECT_GT(full, 250U);
+    EXPECT_EQ(ink(10.0, false), full);
+    EXPECT_EQ(ink(5.0, false), 0U);
+    // Dashes are three fifths of it.
+    EXPECT_NEAR(static_cast<double>(ink(12.0, true)), 0.6 * static_cast<double>(full),
+                0.1 * static_cast<double>(full));
+}
+
+TEST(Render, BothRenderersDrawTheSameOverlay) {
+    const cda::FlatCda model = test::polytope_part();
+    const cda::Boundary boundary = model.boundary();
+    const RenderOptions options = options_for(boundary, View::Iso, Projection::Perspective);
+    test::BoxPart body;
+    body.stock = {{2, 2, 2}, {20, 20, 20}};
+    Overlay overlay{{{{{1, 2, 12}, {38, 27, 13}, {39, 3, 8}}, false}}, {}};
+    overlay.bodies.push_back({test::boundary_of(body), {200, 180, 90}});
+    const auto provenance = test::provenance_of_polytope_part();
+    const Comparison result = compare(render_model(model, provenance, options, overlay),
+                                      render_boundary(boundary, provenance, options, overlay));
+    EXPECT_EQ(result.flat_different, 0U);
+    EXPECT_LE(result.edge_different, result.edge / 50);
+}
+
 }  // namespace
 }  // namespace ncsim::exporter

@@ -112,5 +112,20 @@ TEST(ContactSheet, RefusesWhatCannotBe) {
     EXPECT_THROW(contact_sheet(wide, {}), std::runtime_error);
 }
 
+TEST(ContactSheet, LettersShrinkSoThatTheCaptionFits) {
+    const std::vector<LabelledImage> one{{"", plain(600, 600, {255, 255, 255})}};
+    const auto ink_in_last_columns = [&](const std::string& line) {
+        const Image sheet = contact_sheet(one, std::vector<std::string>{line});
+        std::size_t ink = 0;
+        for (std::uint32_t y = 610; y < sheet.height; ++y) {
+            for (std::uint32_t x = sheet.width - 4; x < sheet.width; ++x)
+                ink += sheet.at(x, y).r < 128;
+        }
+        return ink;
+    };
+    EXPECT_EQ(ink_in_last_columns(std::string(60, 'M')), 0U);
+    EXPECT_EQ(ink_in_last_columns("short"), 0U);
+}
+
 }  // namespace
 }  // namespace ncsim::exporter

@@ -3,6 +3,7 @@ ncsim_add_test(export
   SOURCES
     box_part.cpp
     camera_test.cpp
+    gif_test.cpp
     gltf_test.cpp
     golden_test.cpp
     merge_faces_test.cpp
@@ -18,9 +19,10 @@ ncsim_add_test(export
     text_test.cpp
     threemf_test.cpp
     vrml_test.cpp)
+find_package(GIF 5 REQUIRED)
 find_package(PNG REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
-target_link_libraries(ncsim_export_tests PRIVATE PNG::PNG)
+target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
 
 # What ncsim writes is read by programs that nobody here wrote. `write_samples` writes a folder of
 # files in all formats, each reader checks the ones it knows. A reader that is not there is a failure.

@@ -6,6 +6,7 @@
 
 #include "ncsim/cda/mesh.h"
 
+#include "overlay.h"
 #include "palette.h"
 #include "resolve.h"
 #include "surface.h"
@@ -30,10 +31,6 @@ constexpr std::uint32_t kMaxSamples = 4;
 // that is read back some 12 bytes a sample, so 200 MB.
 constexpr std::uint32_t kTileSide = 4096;
 
-// Faces seen more flatly than this (a sine) are invisible: nothing of them would be seen, and
-// their depth could not be computed.
-constexpr double kGrazing = 1e-6;
-
 void check(const RenderOptions& options) {
     const auto is_side = [](std::uint32_t n) { return n >= 1 && n <= kMaxImageSide; };
     if (!is_side(options.width) || !is_side(options.height)) {
@@ -48,14 +45,6 @@ void check(const RenderOptions& options) {
         throw std::runtime_error("cannot render with " + std::to_string(options.samples) +
                                  " samples: 1 to " + std::to_string(kMaxSamples) + " are possible");
     }
-}
-
-bool faces_camera(const Camera& camera, Vec3 normal, Vec3 point) {
-    const Vec3 towards_eye =
-        camera.is_orthographic()
-            ? camera.back
-            : cda::normalized(camera.target + camera.distance * camera.back - point);
-    return cda::dot(normal, towards_eye) > kGrazing;
 }
 
 // Draws everything `draw` draws, which is called once for each tile with the buffer.
@@ -104,7 +93,7 @@ public:
 
     Surface surface(Vec3 normal, Vec3 point, cda::Origin origin) const {
         const Vec3 n_C = map_.direction_in_camera(normal);
-        Surface result{n_C, cda::dot(n_C, map_.point_in_camera(point)), {}, false};
+        Surface result{n_C, cda::dot(n_C, map_.point_in_camera(point)), {}, false, false};
         const bool is_cut = origin != cda::kStockOrigin;
         if (is_cut && colouring_ == Colouring::Line) {
             // Origins are numbered as they were cut: program lines may come in loops.
@@ -128,9 +117,8 @@ private:
 // tile, so their numbers stay the same; the table is filled by the first.
 class StencilCanvas : public cda::FacetCanvas {
 public:
-    StencilCanvas(const ScreenMap& map, const Paint& paint) : map_(map), paint_(paint) {}
-
-    const std::vector<Surface>& surfaces() const { return surfaces_; }
+    StencilCanvas(const ScreenMap& map, const Paint& paint, std::vector<Surface>& surfaces)
+        : map_(map), paint_(paint), surfaces_(surfaces) {}
 
     void begin(VisibilityBuffer& buffer) {
         buffer_ = &buffer;
@@ -164,7 +152,7 @@ private:
     const Paint& paint_;
     VisibilityBuffer* buffer_ = nullptr;
     std::size_t next_ = 0;
-    std::vector<Surface> surfaces_;
+    std::vector<Surface>& surfaces_;
     std::vector<ScreenPoint> outline_;
     std::vector<std::vector<ScreenPoint>> masks_;
 };
@@ -172,22 +160,26 @@ private:
 }  // namespace
 
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
-                   const RenderOptions& options) {
+                   const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
     const Paint paint(map, provenance, options);
-    StencilCanvas canvas(map, paint);
-    return render(map, options, canvas.surfaces(), [&](VisibilityBuffer& buffer) {
+    std::vector<Surface> surfaces;
+    StencilCanvas canvas(map, paint, surfaces);
+    OverlayArt art(map, overlay, options);
+    return render(map, options, surfaces, [&](VisibilityBuffer& buffer) {
         canvas.begin(buffer);
         model.render(canvas);
+        art.draw(buffer, surfaces);
     });
 }
 
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
-                      const RenderOptions& options) {
+                      const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
     const Paint paint(map, provenance, options);
+    OverlayArt art(map, overlay, options);
     const cda::TriangleMesh mesh = cda::triangulate(boundary);
     std::vector<Surface> surfaces;
     std::vector<bool> is_visible;
@@ -207,6 +199,7 @@ Image render_boundary(const cda::Boundary& boundary, const Provenance& provenanc
             const std::array<ScreenPoint, 3> corners{points[a], points[b], points[c]};
             buffer.draw(corners, mesh.face[t] + 1);
         }
+        art.draw(buffer, surfaces);
     });
 }
 

@@ -66,6 +66,10 @@ Resolver::Lighting Resolver::lighting(const Surface& surface) {
 
 void Resolver::light_new_surfaces() {
     for (std::size_t i = lit_.size() - 1; i < surfaces_.size(); ++i) {
+        if (surfaces_[i].is_line) {
+            lit_.push_back(surfaces_[i].colour);
+            continue;
+        }
         const Lighting light = lighting(surfaces_[i]);
         lit_.push_back(light.diffuse * surfaces_[i].colour + light.sheen * kWhiteLight);
     }
@@ -104,10 +108,15 @@ bool Resolver::is_same_plane(SurfaceId a, SurfaceId b) const {
            std::abs(p.offset - q.offset) < 0.01 * map_.sample_size();
 }
 
+bool Resolver::is_line(SurfaceId id) const {
+    return id != kBackground && surfaces_[id - 1].is_line;
+}
+
 // Strength of the line between two neighbouring samples that see `a` and `b`; (x, y) is the
 // point between them.
 float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const {
     if (a == b) return 0.0F;
+    if (is_line(a) || is_line(b)) return 0.0F;
     if (a == kBackground || b == kBackground) return kSilhouetteInk;
     const Surface& p = surfaces_[a - 1];
     const Surface& q = surfaces_[b - 1];
@@ -131,7 +140,7 @@ void Resolver::remove_specks(std::vector<SurfaceId>& ids) {
             const bool is_alone = std::none_of(around.begin(), around.end(), [&](SurfaceId id) {
                 return is_same_plane(id, ids[i]);
             });
-            if (!is_alone) continue;
+            if (!is_alone || is_line(ids[i])) continue;
             const auto votes = [&](SurfaceId id) {
                 return std::count_if(around.begin(), around.end(),
                                      [&](SurfaceId other) { return is_same_plane(id, other); });

@@ -43,6 +43,7 @@ private:
     float line_between(SurfaceId a, SurfaceId b, double x, double y) const;
     double depth_at(const Surface& surface, double x, double y) const;
     bool is_same_plane(SurfaceId a, SurfaceId b) const;
+    bool is_line(SurfaceId id) const;
 
     ScreenMap map_;
     const RenderOptions& options_;

@@ -17,7 +17,8 @@ namespace {
 constexpr double kLabelHeight = 1.0 / 42.0;
 constexpr double kCaptionHeight = 1.0 / 36.0;
 constexpr double kLeastHeight = 7.0;
-constexpr double kLineSpacing = 2.1;  // from line to line, in heights of capitals
+constexpr double kCaptionMargin = 1.5;  // beside lines of text, in heights of capitals
+constexpr double kLineSpacing = 2.1;    // from line to line, in heights of capitals
 
 struct Look {
     Rgba8 background, text, rule;
@@ -36,6 +37,18 @@ std::uint32_t columns_for(std::size_t pictures) {
     while (std::size_t{columns} * columns < pictures)
         ++columns;
     return columns;
+}
+
+// Capitals are as high as the pictures ask for, less if a line would not fit.
+double caption_height(std::span<const std::string> caption, std::uint64_t width, double wanted) {
+    double height = wanted;
+    for (const std::string& line : caption) {
+        const double room = static_cast<double>(width) - 2.0 * kCaptionMargin * height;
+        const double needed = text_width(height, line);
+        if (needed > room)
+            height *= static_cast<double>(width) / (needed + 2.0 * kCaptionMargin * height);
+    }
+    return std::max(kLeastHeight, height);
 }
 
 void paste(Image& sheet, const Image& picture, std::uint32_t left, std::uint32_t top) {
@@ -59,7 +72,8 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
     }
     const std::uint32_t columns = columns_for(pictures.size());
     const auto rows = static_cast<std::uint32_t>((pictures.size() + columns - 1) / columns);
-    const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
+    const double capitals =
+        caption_height(caption, std::uint64_t{width} * columns, kCaptionHeight * height);
     const double margin = caption.empty() ? 0.0 : kLineSpacing * capitals;
     const double text_height =
         caption.empty()
@@ -90,7 +104,7 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
     std::fill_n(&sheet.at(0, rows * height), sheet.width, colours.rule);
     double base_line = rows * height + margin + 0.5 * capitals;
     for (const std::string& line : caption) {
-        draw_text(sheet, 1.5 * capitals, base_line, capitals, colours.text, line);
+        draw_text(sheet, kCaptionMargin * capitals, base_line, capitals, colours.text, line);
         base_line += kLineSpacing * capitals;
     }
     return sheet;

@@ -21,6 +21,7 @@ struct Surface {
     double offset = 0.0;    ///< n_C · x == offset on the surface.
     LinearColour colour;    ///< Of the material, before any light.
     bool by_depth = false;  ///< The colour depends on the height of each point instead.
+    bool is_line = false;   ///< Drawn over the part: neither light nor edges.
 };
 
 /// Number of a surface in the table; 0 is the background, surface i has the number i + 1.

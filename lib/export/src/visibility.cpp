@@ -17,6 +17,9 @@ namespace ncsim::exporter {
 
 namespace {
 
+// A sine.
+constexpr double kGrazing = 1e-6;
+
 constexpr std::int32_t kLastStencilValue = 255;
 // Vertices collected before they are handed to OpenGL: some megabytes.
 constexpr std::size_t kBatch = 3 * 65536;
@@ -61,6 +64,14 @@ ScreenPoint ScreenMap::operator()(cda::Vec3 p_W) const {
     const double far = (D + range) / D;
     return {0.5 * width_ * w + samples_per_mm * p_C.x, 0.5 * height_ * w - samples_per_mm * p_C.y,
             ((far + near) * w - 2.0 * far * near) / (far - near), w};
+}
+
+bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point) {
+    const cda::Vec3 towards_eye =
+        camera.is_orthographic()
+            ? camera.back
+            : cda::normalized(camera.target + camera.distance * camera.back - point);
+    return cda::dot(normal, towards_eye) > kGrazing;
 }
 
 // --- VisibilityBuffer --------------------------------------------------------------------

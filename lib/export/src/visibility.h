@@ -48,6 +48,10 @@ private:
     double width_, height_;
 };
 
+/// Is a face seen from the front? Not if it is seen more flatly than 1e-6 (a sine): nothing of it
+/// would be seen, and its depth could not be computed.
+bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point);
+
 /// Draws convex polygons into one rectangle at a time and hands back what is seen.
 class VisibilityBuffer {
 public:

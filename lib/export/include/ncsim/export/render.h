@@ -7,6 +7,7 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/image.h"
+#include "ncsim/export/overlay.h"
 #include "ncsim/export/provenance.h"
 
 #include <cstdint>
@@ -41,15 +42,17 @@ struct RenderOptions {
 /// (Schüppel 2001, section 5.1): no boundary is computed. Uncut stock and the faces of each
 /// tool have a colour of their own.
 ///
+/// `overlay` is drawn over it, hidden by what stands before it.
+///
 /// Both functions: the same input gives the same bytes for any number of threads. Throws
 /// std::runtime_error if the size or the number of samples is out of range, or if no
 /// off-screen context can be made.
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
-                   const RenderOptions& options);
+                   const RenderOptions& options, const Overlay& overlay = {});
 
 /// Draws `boundary`. Equal to the picture of the model whose boundary it is, but for pixels on
 /// edges.
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
-                      const RenderOptions& options);
+                      const RenderOptions& options, const Overlay& overlay = {});
 
 }  // namespace ncsim::exporter
