@@ -5,6 +5,8 @@
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
 
+#include "tool_body.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,18 +17,66 @@ namespace ncsim::app {
 
 namespace {
 
+// How far beyond the block paths and tools are shown, in diagonals of the block: what is farther
+// would make the part small.
+constexpr double kSurroundings = 0.3;
+
+cda::Box seen_box(const Outcome& outcome) {
+    const Options& o = outcome.job.options;
+    cda::Box seen = outcome.survey.stock->box;
+    if (!o.shows_path && !o.shows_tool) return seen;
+    const double reach = kSurroundings * norm(seen.size());
+    const cda::Vec3 margin{reach, reach, reach};
+    const cda::Box around{seen.min - margin, seen.max + margin};
+    const auto show = [&](cda::Vec3 p) {
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] = std::clamp(p[axis], around.min[axis], around.max[axis]);
+        seen.add(p);
+    };
+    const cda::Box& tips = outcome.survey.tip_positions;
+    if (!tips.is_empty()) {
+        show(tips.min);
+        show(tips.max);
+    }
+    if (o.shows_tool) show({seen.centre().x, seen.centre().y, around.max.z});
+    return seen;
+}
+
 exporter::RenderOptions render_options(const Outcome& outcome, exporter::View view) {
     const Options& o = outcome.job.options;
     const cda::Box& stock = outcome.survey.stock->box;
+    const cda::Box& tips = outcome.survey.tip_positions;
     exporter::RenderOptions options;
     options.width = o.width;
     options.height = o.height;
     options.background = o.background;
     options.colouring = o.colouring;
     options.depth_top = stock.max.z;
-    options.depth_bottom = std::max(stock.min.z, outcome.survey.tip_positions.min.z);
-    options.camera = exporter::fit_camera(stock, view, static_cast<double>(o.width) / o.height);
+    options.depth_bottom = std::max(stock.min.z, tips.min.z);
+    options.camera =
+        exporter::fit_camera(seen_box(outcome), view, static_cast<double>(o.width) / o.height);
+    // Paths and tools that reach out of the picture may be far before it, too.
+    if (o.shows_path || o.shows_tool) {
+        cda::Box all = stock;
+        if (!tips.is_empty()) {
+            all.add(tips.min);
+            all.add(tips.max);
+        }
+        options.camera.depth += norm(all.size());
+        for (const auto& [number, used] : outcome.survey.tools)
+            options.camera.depth += toolpath::height_of(used.tool);
+    }
     return options;
+}
+
+exporter::Overlay overlay(const Outcome& outcome) {
+    const Simulation& s = *outcome.simulation;
+    exporter::Overlay result{s.paths, {}};
+    if (!outcome.job.options.shows_tool || !s.standing) return result;
+    const auto used = outcome.survey.tools.find(s.standing->tool);
+    if (used != outcome.survey.tools.end())
+        result.bodies = tool_bodies(used->second.tool, s.standing->X_WT);
+    return result;
 }
 
 exporter::Image view_of(const Outcome& outcome, exporter::View view) {
@@ -34,32 +84,48 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const exporter::RenderOptions options = render_options(outcome, view);
     // The flat aggregate is drawn by its masks, as the thesis does it.
     if (outcome.job.options.model == "cda-flat")
-        return exporter::render_model(*s.part, s.provenance, options);
-    return exporter::render_boundary(*outcome.boundary, s.provenance, options);
+        return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
+    return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome));
+}
+
+// Its text, if there is only one file that could have such a line.
+std::string line_at(const Outcome& outcome) {
+    if (outcome.survey.interpretation.files.size() > 1) return {};
+    return std::string(gcode::line_text(outcome.job.program, outcome.simulation->line));
 }
 
 std::vector<std::string> caption(const Outcome& outcome) {
     const Simulation& s = *outcome.simulation;
     const cda::Vec3 size = outcome.survey.stock->box.size();
     const double removed = s.stock_volume - s.part_volume;
-    const Distances path = total_distances(outcome.survey);
+    const Distances& path = s.distances;
     std::string travelled = fmt::format("{:.1f} mm at feed", path.feed_mm);
     if (path.feed_seconds) travelled += " in " + time_text(*path.feed_seconds);
-    return {fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", base_name(outcome.job.program.name),
-                        size.x, size.y, size.z),
-            fmt::format("{} of {} removed ({:.1f} %)", volume_text(removed),
-                        volume_text(s.stock_volume), 100.0 * removed / s.stock_volume),
-            fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
+    std::vector<std::string> lines{
+        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", base_name(outcome.job.program.name), size.x,
+                    size.y, size.z),
+        fmt::format("{} of {} removed ({:.1f} %)", volume_text(removed),
+                    volume_text(s.stock_volume), 100.0 * removed / s.stock_volume),
+        fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
+    const Options& o = outcome.job.options;
+    if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
+        lines.push_back(s.line == 0 ? std::string("before the first move")
+                                    : fmt::format("after line {}: {}", s.line, line_at(outcome)));
+    }
+    return lines;
 }
 
 }  // namespace
 
 exporter::Image picture(const Outcome& outcome) {
     const std::vector<exporter::View>& views = outcome.job.options.views;
-    if (views.size() == 1) return view_of(outcome, views.front());
+    const bool has_caption = outcome.job.options.has_caption;
+    if (views.size() == 1 && !has_caption) return view_of(outcome, views.front());
     std::vector<exporter::LabelledImage> pictures;
-    for (const exporter::View view : views)
-        pictures.push_back({std::string(exporter::name(view)), view_of(outcome, view)});
+    for (const exporter::View view : views) {
+        const std::string label(views.size() == 1 ? "" : exporter::name(view));
+        pictures.push_back({label, view_of(outcome, view)});
+    }
     return exporter::contact_sheet(pictures, caption(outcome), outcome.job.options.background);
 }
 

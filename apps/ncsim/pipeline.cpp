@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -73,6 +74,7 @@ public:
           verifier_(verification.verifier),
           verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           most_cuts_(verification.most_cuts),
+          shows_path_(job.options.shows_path),
           measured_(job.options.model == "cda-flat" ||
                     (!job.options.report.empty() && job.options.block_volumes) ||
                     (verifier_ && verifier_->measures_all())),
@@ -90,9 +92,15 @@ public:
         if (keep_cuts_) result.cuts.push_back({});
     }
 
+    /// Makes no motion after the first `count`.
+    void stop_after(std::uint64_t count) { most_motions_ = count; }
+
     void take(const gcode::Motion& motion) {
         line_ = motion.span.line;
+        if (motions_ == most_motions_) return;
         ++motions_;
+        result_.line = line_;
+        add(result_.distances, motion);
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
@@ -101,6 +109,7 @@ public:
         if (verifier_) verifier_->begin(motion);
         const toolpath::SampleBounds bounds =
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
+                follow(motion, step);
                 if (verifier_) {
                     met_stock |= !step.cells.empty();
                     result_.hulls += step.cells.size();
@@ -137,16 +146,37 @@ public:
         result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, bounds.gained_mm);
     }
 
+    /// Makes the result say what is known by now.
+    void pause(bool needs_surface) {
+        flush();
+        if (needs_surface) result_.boundary = result_.part->boundary();
+        result_.part_volume = result_.part->volume();
+    }
+
     /// After the last motion.
     void finish(bool needs_surface) {
         flush();
         // The surface first: on the way to it, the volume is found.
         if (needs_surface) result_.boundary = result_.part->boundary();
+        const auto standing = result_.standing;
         change_tool(0);
+        result_.standing = standing;
         result_.part_volume = volume_;
     }
 
 private:
+    void follow(const gcode::Motion& motion, const toolpath::Step& step) {
+        result_.standing = {motion.tool, step.X_WB};
+        if (!shows_path_) return;
+        const bool is_rapid = motion.kind == gcode::MoveKind::Rapid;
+        auto& paths = result_.paths;
+        if (paths.empty() || paths.back().is_rapid != is_rapid ||
+            paths.back().points.back() != step.X_WA.translation) {
+            paths.push_back({{step.X_WA.translation}, is_rapid});
+        }
+        paths.back().points.push_back(step.X_WB.translation);
+    }
+
     // Where cells are not measured one by one, what a tool removed is the difference of volumes.
     void change_tool(int next) {
         flush();
@@ -157,6 +187,7 @@ private:
         }
         cut_since_change_ = false;
         tool_ = next;
+        result_.standing.reset();
     }
 
     void flush() {
@@ -179,6 +210,8 @@ private:
     cda::TreeCda* verified_;  // the part, if it is verified
     std::optional<std::uint32_t> most_cuts_;
     std::uint64_t motions_ = 0;
+    std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
+    bool shows_path_;
     bool measured_;
     bool keep_cuts_;
     bool keeps_cells_;
@@ -190,10 +223,30 @@ private:
     std::vector<cda::Cell> batch_;  // not yet subtracted
 };
 
+// Motions until `line` of the program has been run for the first time. If it makes none, the
+// nearest line before it that does counts.
+std::uint64_t motions_until(const Job& job, std::uint32_t line) {
+    std::uint64_t count = 0;
+    std::uint64_t until = 0;
+    std::uint32_t nearest = 0;
+    bool is_running = false;  // the nearest line
+    gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
+        ++count;
+        const std::uint32_t at = motion.file == 0 ? motion.span.line : 0;
+        if (at > nearest && at <= line) {
+            nearest = at;
+            is_running = true;
+        }
+        is_running = is_running && at == nearest;
+        if (is_running) until = count;
+    });
+    return until;
+}
+
 }  // namespace
 
 Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
-                    const ProgressSink& progress) {
+                    const ProgressSink& progress, const Onlooker& onlooker) {
     Simulation result;
     const cda::Shape stock = toolpath::stock_shape(*survey.stock, job.options.tool_tolerance);
     result.lattice = stock.lattice;
@@ -202,10 +255,20 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
     if (verification.start) result.part = verification.start->clone();
 
     Mill mill(job, survey, verification, result);
+    const std::uint64_t most = job.options.at_line ? motions_until(job, *job.options.at_line)
+                                                   : std::numeric_limits<std::uint64_t>::max();
+    mill.stop_after(most);
+    std::uint64_t motions = 0;
     std::uint64_t moves = 0;
     gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
         mill.take(motion);
-        if (progress && start_of(motion)) progress(++moves);
+        ++motions;
+        if (!start_of(motion)) return;
+        ++moves;
+        if (progress) progress(moves);
+        if (onlooker.every == 0 || moves % onlooker.every != 0 || motions > most) return;
+        mill.pause(needs_surface(job.options));
+        onlooker.look(result);
     });
     mill.finish(needs_surface(job.options));
     return result;

@@ -7,7 +7,9 @@
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
+#include "ncsim/export/overlay.h"
 #include "ncsim/export/provenance.h"
+#include "ncsim/toolpath/pose.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/verifier.h"
@@ -60,10 +62,25 @@ struct Simulation {
     verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
     std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
     toolpath::SampleBounds bounds;  ///< The worst of all motions that met the stock.
+    Distances distances;            ///< Of the motions that were made.
+    std::uint32_t line = 0;         ///< Of the last motion that was made; 0: none yet.
+    /// Where the tool stands, once it has moved.
+    struct Standing {
+        int tool = 0;
+        toolpath::Pose X_WT;
+    };
+    std::optional<Standing> standing;
+    std::vector<exporter::PathLine> paths;  ///< Of the tip, if pictures are to show them.
 };
 
 /// How far it got: moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;
+
+/// Looks at the part while it is cut.
+struct Onlooker {
+    std::uint64_t every = 0;  ///< Moves between two looks; 0: never.
+    std::function<void(const Simulation& so_far)> look;
+};
 
 /// How a program is verified while it is simulated.
 struct Verification {
@@ -78,8 +95,8 @@ struct Verification {
 };
 
 /// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may
-/// be empty.
+/// be empty. Where options.at_line is set, what comes after that line is not done.
 Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
-                    const ProgressSink& progress);
+                    const ProgressSink& progress, const Onlooker& onlooker = {});
 
 }  // namespace ncsim::app

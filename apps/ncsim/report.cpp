@@ -107,7 +107,9 @@ std::string summary(const Outcome& o) {
                        "accuracy  {:.3g} mm missed, {:.3g} mm gained by arcs and turning tools\n",
                        s.bounds.missed_mm, s.bounds.gained_mm);
     }
-    const Distances distances = total_distances(o.survey);
+    if (o.simulation && o.job.options.at_line)
+        fmt::format_to(out, "stopped   after line {}\n", *o.job.options.at_line);
+    const Distances distances = o.simulation ? o.simulation->distances : total_distances(o.survey);
     fmt::format_to(out, "path      {:.1f} mm at feed{}, {:.1f} mm rapid\n", distances.feed_mm,
                    distances.feed_seconds ? " (" + time_text(*distances.feed_seconds) + ")" : "",
                    distances.rapid_mm);
@@ -115,7 +117,7 @@ std::string summary(const Outcome& o) {
 }
 
 void write_report(std::ostream& out, const Outcome& o) {
-    const Distances distances = total_distances(o.survey);
+    const Distances distances = o.simulation ? o.simulation->distances : total_distances(o.survey);
     const gcode::Interpretation& read = o.survey.interpretation;
     Json json;
     json["ncsim"] = kVersion;
@@ -139,6 +141,7 @@ void write_report(std::ostream& out, const Outcome& o) {
             source(o.survey.stock->told_by, o.survey.stock->span, o.survey.stock->text);
     }
     json["simulated"] = o.simulation != nullptr;
+    if (o.job.options.at_line) json["at_line"] = *o.job.options.at_line;
     if (o.simulation) {
         const Simulation& s = *o.simulation;
         json["model"] = {{"name", o.job.options.model},

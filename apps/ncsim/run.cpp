@@ -13,6 +13,7 @@
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
 
+#include "animation.h"
 #include "findings.h"
 #include "job.h"
 #include "job_file.h"
@@ -108,12 +109,26 @@ int run(Options options) {
     if (!o.quiet) say(assumption_sheet(job, survey));
     print_findings(job.program, survey.diagnostics);
 
+    if (o.at_line && *o.at_line > survey.interpretation.lines) {
+        throw std::runtime_error(fmt::format("--at-line {}: the program has {} lines", *o.at_line,
+                                             survey.interpretation.lines));
+    }
+
     Outcome outcome{job, survey};
     std::optional<Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
-        simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); });
+        Animation animation(job, survey);
+        const auto take_frame = [&](const Simulation& so_far) {
+            Outcome now{job, survey, &so_far};
+            if (so_far.boundary) now.boundary = &*so_far.boundary;
+            animation.take(now);
+        };
+        simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); },
+                              {animation.every(), take_frame});
+        if (animation.every() != 0) take_frame(*simulation);
+        outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
         simulation->provenance.text = text_of_lines(job, survey, simulation->provenance);
         outcome.simulation = &*simulation;
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;

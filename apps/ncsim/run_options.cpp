@@ -104,8 +104,9 @@ void choose_model(Options& o) {
 
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
-    for (const std::string* path : {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step,
-                                    &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
+    for (const std::string* path :
+         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.gif, &o.report,
+          &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -113,9 +114,10 @@ std::vector<std::string> outputs_of(const Options& o) {
 
 bool needs_surface(const Options& o) {
     // The flat aggregate draws itself.
-    const bool png = !o.png.empty() && o.model != "cda-flat";
-    return png || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() || !o.ply.empty() ||
-           !o.threemf.empty() || !o.step.empty() || !o.report.empty();
+    const bool pictures = !o.png.empty() || !o.gif.empty() || !o.frames.empty();
+    return (pictures && o.model != "cda-flat") || !o.gltf.empty() || !o.vrml.empty() ||
+           !o.stl.empty() || !o.ply.empty() || !o.threemf.empty() || !o.step.empty() ||
+           !o.report.empty();
 }
 
 CLI::App* add_run(CLI::App& app, Options& options) {
@@ -126,6 +128,15 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     add_program_options(*run, o);
     add_setup_options(*run, o);
     run->add_option("--png", o.png, "Picture of the part")->type_name("FILE");
+    run->add_option("--gif", o.gif, "Moving picture of the cutting")->type_name("FILE");
+    run->add_option("--frames", o.frames, "Pictures of the cutting, numbered, in a folder")
+        ->type_name("DIR");
+    run->add_option("--every", o.every, "Moves from one frame to the next [so that there are 100]")
+        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+        ->type_name("N");
+    run->add_option("--at-line", o.at_line, "Stop after line N of the program")
+        ->check(CLI::Range(1U, 1'000'000'000U))
+        ->type_name("N");
     run->add_option("--gltf", o.gltf, "Mesh with the NC line of every face, glTF 2.0 binary")
         ->type_name("FILE");
     run->add_option("--vrml", o.vrml, "Mesh with the NC line of every face, VRML97")
@@ -168,6 +179,9 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
            "What colours tell: tool, line, depth")
         ->type_name("WHAT");
+    run->add_flag("--show-path", o.shows_path, "Draw the path of the tip, rapids dashed");
+    run->add_flag("--show-tool", o.shows_tool, "Draw the tool where it stands");
+    run->add_flag("--caption", o.has_caption, "Size, removed volume and time below pictures");
     run->add_option_function<std::string>(
            "--size", [&o](Text size) { read_size(size, o); }, "Of each view, pixels [1280x960]")
         ->type_name("WxH");
@@ -181,6 +195,9 @@ void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
     check_paths(options);
+    if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
+        throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
+    }
 }
 
 }  // namespace ncsim::app

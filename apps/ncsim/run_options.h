@@ -25,6 +25,12 @@ struct Options : ProgramOptions, SimulationOptions {
     std::vector<exporter::View> views{exporter::View::Iso};
     exporter::Background background = exporter::Background::White;
     exporter::Colouring colouring = exporter::Colouring::Tool;
+    bool shows_path = false, shows_tool = false, has_caption = false;
+    /// Line of the program after which the simulation stops; from 1.
+    std::optional<std::uint32_t> at_line;
+    std::string frames;       ///< A folder for pictures taken on the way.
+    std::string gif;          ///< The same as one moving picture.
+    std::uint64_t every = 0;  ///< Moves from one of them to the next; 0: some hundred pictures.
     std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
     /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
     std::optional<double> simplify;

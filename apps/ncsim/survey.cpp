@@ -52,6 +52,26 @@ std::optional<double> seconds_of(const gcode::Motion& motion, double length) {
     return 60.0 * length / (motion.feed * motion.spindle_rpm);
 }
 
+toolpath::Samples coarse_samples(const gcode::Motion& motion) {
+    toolpath::SamplingOptions coarse;
+    coarse.chord_tolerance_mm = 0.01;
+    coarse.rotation_miss_mm = 0.5;
+    return toolpath::sample(motion, {}, coarse);
+}
+
+void add_length(Distances& distances, const gcode::Motion& motion,
+                const toolpath::Samples& samples) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < samples.poses.size(); ++i)
+        length += norm(samples.poses[i].translation - samples.poses[i - 1].translation);
+    if (motion.kind == gcode::MoveKind::Rapid) {
+        distances.rapid_mm += length;
+        return;
+    }
+    distances.feed_mm += length;
+    distances.feed_seconds = sum(distances.feed_seconds, seconds_of(motion, length));
+}
+
 // What the motions alone tell, gathered in one pass.
 class MotionSurvey {
 public:
@@ -84,26 +104,15 @@ public:
         const auto [track, is_new] = tracks_.try_emplace(motion.tool);
         if (is_new) track->second.first = motion.span;
 
-        toolpath::SamplingOptions coarse;
-        coarse.chord_tolerance_mm = 0.01;
-        coarse.rotation_miss_mm = 0.5;
-        const toolpath::Samples samples = toolpath::sample(motion, {}, coarse);
-        double length = 0.0;
+        const toolpath::Samples samples = coarse_samples(motion);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
-            if (i > 0) length += norm(p - samples.poses[i - 1].translation);
             result_.tip_positions.add(p);
             if (!feed) continue;
             track->second.cutting_tips.add(p);
             if (i > 0) track->second.highest_tip = std::max(track->second.highest_tip, p.z);
         }
-        Distances& distances = result_.distances[motion.tool];
-        if (motion.kind == gcode::MoveKind::Rapid) {
-            distances.rapid_mm += length;
-            return;
-        }
-        distances.feed_mm += length;
-        distances.feed_seconds = sum(distances.feed_seconds, seconds_of(motion, length));
+        add_length(result_.distances[motion.tool], motion, samples);
     }
 
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
@@ -202,6 +211,11 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
 }
 
 }  // namespace
+
+void add(Distances& distances, const gcode::Motion& motion) {
+    if (start_of(motion) && toolpath::has_known_start(motion))
+        add_length(distances, motion, coarse_samples(motion));
+}
 
 Distances total_distances(const Survey& survey) {
     Distances total;

@@ -61,6 +61,9 @@ struct Survey {
     bool ready = false;
 };
 
+/// Adds those of a motion with a known start.
+void add(Distances& distances, const gcode::Motion& motion);
+
 /// Sum over all tools.
 Distances total_distances(const Survey& survey);
 

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace ncsim::cli_test {
 namespace {
@@ -143,6 +145,95 @@ TEST(Run, SimplifiesAndSaysByHowMuch) {
     EXPECT_GT(simplified["deviation_mm"], 0.0);
     EXPECT_LE(simplified["deviation_mm"], 0.05);
     EXPECT_LT(folder.read("b.stl").size(), folder.read("a.stl").size());
+}
+
+// Two slots of 800 mm³ that do not meet, the second in a loop.
+constexpr const char* kTwoSlots =
+    "(T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
+    "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
+    "G21 G90 G17\n"
+    "T1 M6\n"
+    "G0 X-30. Y-9. Z5.\n"
+    "G0 Z-2.\n"
+    "G1 X30. F500.\n"
+    "(between them)\n"
+    "G0 Y9.\n"
+    "G1 X-30.\n"
+    "M30\n";
+
+TEST(Run, StopsAfterALine) {
+    Folder folder;
+    folder.write("slots.nc", kTwoSlots);
+    const auto removed = [&](const char* line) {
+        const Ran ran =
+            folder.run({"run", "slots.nc", "-q", "--report", "a.json", "--at-line", line});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return json::parse(folder.read("a.json"))["volume_mm3"]["removed"].get<double>();
+    };
+    EXPECT_EQ(removed("6"), 0.0);
+    EXPECT_EQ(removed("7"), 800.0);
+    EXPECT_EQ(removed("8"), 800.0);
+    EXPECT_EQ(removed("10"), 1600.0);
+    EXPECT_EQ(json::parse(folder.read("a.json"))["at_line"], 10);
+    const Ran beyond = folder.run({"run", "slots.nc", "-q", "--png", "a.png", "--at-line", "12"});
+    EXPECT_EQ(beyond.exit_code, 2);
+    EXPECT_TRUE(contains(beyond.err, "--at-line 12: the program has 11 lines")) << beyond.err;
+    EXPECT_FALSE(folder.has("a.png"));
+}
+
+TEST(Run, ALineThatIsRepeatedIsDoneOnce) {
+    Folder folder;
+    std::string text(kTwoSlots);
+    // Line 7 cuts, line 8 steps over, again and again.
+    text.replace(text.find("G1 X30. F500.\n(between them)"), 28,
+                 "o1 repeat [2]\nG1 X30. F500.\nG0 X-30. Y9.\no1 endrepeat");
+    folder.write("slots.nc", text);
+    const Ran ran = folder.run({"run", "slots.nc", "-q", "--report", "a.json", "--at-line", "8"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(json::parse(folder.read("a.json"))["volume_mm3"]["removed"], 800.0);
+}
+
+TEST(Run, TakesPicturesOnTheWay) {
+    Folder folder;
+    folder.write("slots.nc", kTwoSlots);
+    const Ran ran =
+        folder.run({"run", "slots.nc", "-q", "--frames", "film", "--gif", "a.gif", "--every", "2",
+                    "--size", "80x60", "--show-tool", "--show-path", "--caption"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    // Five moves: after the second, the fourth, and the end.
+    const auto frames = folder.path() / "film";
+    for (const char* name : {"frame-00001.png", "frame-00002.png", "frame-00003.png"})
+        EXPECT_TRUE(std::filesystem::exists(frames / name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(frames / "frame-00004.png"));
+    EXPECT_NE(folder.read("film/frame-00001.png"), folder.read("film/frame-00002.png"));
+    EXPECT_EQ(folder.read("a.gif").substr(0, 6), "GIF89a");
+    const std::string first = folder.read("a.gif");
+    folder.run({"run", "slots.nc", "-q", "--gif", "a.gif", "--every", "2", "--size", "80x60",
+                "--show-tool", "--show-path", "--caption"});
+    EXPECT_EQ(folder.read("a.gif"), first);
+    const Ran bad = folder.run({"run", "slots.nc", "-q", "--frames", "slots.nc"});
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_TRUE(contains(bad.err, "slots.nc")) << bad.err;
+}
+
+TEST(Run, ShowsPathAndToolOnlyIfAskedTo) {
+    Folder folder;
+    folder.write("slots.nc", kTwoSlots);
+    const auto picture = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"run",    "slots.nc", "-q",        "--png", "a.png",
+                                           "--size", "80x60",    "--at-line", "7"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Ran ran = folder.run(arguments);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("a.png");
+    };
+    const std::string plain = picture({});
+    const std::string path = picture({"--show-path"});
+    const std::string tool = picture({"--show-tool"});
+    EXPECT_NE(path, plain);
+    EXPECT_NE(tool, plain);
+    EXPECT_NE(tool, path);
+    EXPECT_EQ(picture({"--show-path"}), path);
 }
 
 TEST(Run, ASolidOfTooManyFacesIsRefused) {

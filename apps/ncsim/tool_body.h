@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tool as pictures show it.
+#pragma once
+
+#include "ncsim/export/overlay.h"
+#include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/tool.h"
+
+#include <vector>
+
+namespace ncsim::app {
+
+/// A body for each piece of `tool`, where X_WT puts it: cutting pieces in gold, shank and holder in
+/// grey. Round within 0.02 mm.
+std::vector<exporter::Body> tool_bodies(const toolpath::Tool& tool, const toolpath::Pose& X_WT);
+
+}  // namespace ncsim::app
