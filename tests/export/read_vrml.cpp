@@ -6,7 +6,6 @@
 #include <Inventor/SoPrimitiveVertex.h>
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
 #include <Inventor/actions/SoCallbackAction.h>
-#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/errors/SoReadError.h>
 
 #include <cmath>
@@ -84,10 +83,7 @@ bool check(const std::filesystem::path& path) {
         good = false;
     }
     for (const std::string& group : expected.groups) {
-        SoSearchAction search;
-        search.setName(SbName(group.c_str()));
-        search.apply(root);
-        if (search.getPath() == nullptr) {
+        if (SoNode::getByName(SbName(group.c_str())) == nullptr) {
             std::cerr << path << ": no group " << group << '\n';
             good = false;
         }
