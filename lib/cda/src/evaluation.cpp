@@ -389,6 +389,7 @@ private:
 Evaluation evaluate(const BlockTree& block, const EvaluationInput& input) {
     Evaluation result;
     Evaluator(block, input, result).run();
+    result.outlines.close();
     return result;
 }
 

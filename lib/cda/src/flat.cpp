@@ -300,8 +300,7 @@ Boundary FlatCda::boundary() const {
             add(negative_[n], {CellKind::Negative, n, i}, negative_remainders_[n][i]);
         }
     }
-    const Outlines outlines = outlines_of(fragments);
-    return stitch({&outlines, 1}, lattice_);
+    return stitch({outlines_of(fragments)}, lattice_);
 }
 
 bool FlatCda::contains(Vec3 point) const {

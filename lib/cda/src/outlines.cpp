@@ -30,4 +30,10 @@ std::uint32_t Outlines::point(std::uint32_t a, std::uint32_t b, std::uint32_t c)
     return number;
 }
 
+void Outlines::close() {
+    triples_ = decltype(triples_){};
+    points_.shrink_to_fit();
+    pieces_.shrink_to_fit();
+}
+
 }  // namespace ncsim::cda

@@ -57,6 +57,8 @@ public:
     /// The meeting point of three planes of the table; they must meet in one.
     std::uint32_t point(std::uint32_t a, std::uint32_t b, std::uint32_t c);
     void add(const Piece& piece) { pieces_.push_back(piece); }
+    /// After the last point and piece: gives back memory that only adding needs.
+    void close();
 
     Plane plane(PlaneRef ref) const {
         return ref & 1 ? planes_[ref / 2].opposite() : planes_[ref / 2];

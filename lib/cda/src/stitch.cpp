@@ -23,6 +23,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace ncsim::cda {
 
@@ -92,8 +93,8 @@ private:
 
 class Stitcher {
 public:
-    Stitcher(std::span<const Outlines> parts, const Lattice& lattice)
-        : parts_(parts),
+    Stitcher(std::vector<Outlines> parts, const Lattice& lattice)
+        : parts_(std::move(parts)),
           lattice_(lattice),
           points_({}, SamePoint{&planes_.keys()}),
           lines_({}, SameLine{&planes_.keys()}) {}
@@ -201,7 +202,7 @@ private:
         Interner<Owner, HashOwner> owners;
         Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
         std::vector<std::uint32_t> line_of_pair;
-        for (const Outlines& part : parts_) {
+        for (Outlines& part : parts_) {
             std::vector<PlaneRef> planes;
             for (const Plane& plane : part.planes())
                 planes.push_back(number(plane));
@@ -232,6 +233,7 @@ private:
                 }
                 named.push_back({line_of_pair[p], tail, head, owners({plane, piece.origin})});
             }
+            part = {};  // Of a large part, the largest share of all memory.
         }
         // Owners in an order that depends on the geometry only.
         std::vector<std::uint32_t> order(owners.size());
@@ -671,7 +673,7 @@ private:
         }
     }
 
-    std::span<const Outlines> parts_;
+    std::vector<Outlines> parts_;
     const Lattice& lattice_;
     Interner<Plane, HashPlane> planes_;
     Interner<PointKey, HashPoint, SamePoint> points_;
@@ -715,8 +717,8 @@ Outlines outlines_of(const std::vector<Fragment>& fragments) {
     return outlines;
 }
 
-Boundary stitch(std::span<const Outlines> parts, const Lattice& lattice) {
-    return Stitcher(parts, lattice).run();
+Boundary stitch(std::vector<Outlines> parts, const Lattice& lattice) {
+    return Stitcher(std::move(parts), lattice).run();
 }
 
 }  // namespace ncsim::cda

@@ -9,7 +9,6 @@
 
 #include "outlines.h"
 
-#include <span>
 #include <vector>
 
 namespace ncsim::cda {
@@ -36,6 +35,6 @@ Outlines outlines_of(const std::vector<Fragment>& fragments);
 /// each surface gets vertices of its own. The result does not depend on the order of the pieces
 /// nor on how faces were cut into them. Expected O(n log n), most of it O(n); a hole is looked for
 /// in all outlines of its plane and origin.
-Boundary stitch(std::span<const Outlines> parts, const Lattice& lattice);
+Boundary stitch(std::vector<Outlines> parts, const Lattice& lattice);
 
 }  // namespace ncsim::cda

@@ -238,7 +238,7 @@ Boundary TreeCda::boundary() const {
         counts_.pieces += result.outlines.pieces().size();
         outlines.push_back(std::move(result.outlines));
     }
-    return stitch(outlines, lattice_);
+    return stitch(std::move(outlines), lattice_);
 }
 
 TreeCounts TreeCda::counts() const {
