@@ -115,7 +115,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
         ->type_name("FILE");
     check->add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
         ->type_name("FILE");
-    check->add_option("--csv", o.csv, "What every block removed and took, CSV")->type_name("FILE");
+    check->add_option("--csv", o.csv, "What every block removed and took, CSV; slower")
+        ->type_name("FILE");
     check->add_option("--html", o.html, "A page about one program, with the part to turn")
         ->type_name("FILE");
     check->add_flag("--github", o.github, "Findings as annotations of GitHub Actions");

@@ -124,6 +124,14 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
             origin.z = gcode::Length::from_mm(zero->z);
         }
     }
+    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
+        if (!told) return;
+        to.x = gcode::Length::from_mm(told->x);
+        to.y = gcode::Length::from_mm(told->y);
+        to.z = gcode::Length::from_mm(told->z);
+    };
+    lead(job.interpreter.homes[0], machine.machine.home);
+    lead(job.interpreter.homes[1], machine.machine.tool_change);
     const Survey survey = app::survey(job);
     checked.moves = survey.moves;
     checked.simulated = survey.is_ready();

@@ -21,8 +21,8 @@
 //     [feed]
 //     max = 8000
 //     [position]                     # machine coordinates, mm
-//     home = [0, 0, 0]
-//     tool_change = [0, 0, 0]
+//     home = [0, 0, 0]               # where G28 leads
+//     tool_change = [0, 0, 0]        # where G30 leads
 //     work_zero = [-250, -200, -300] # of G54
 //     [time]
 //     tool_change = 6.0              # s

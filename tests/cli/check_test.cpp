@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace ncsim::cli_test {
@@ -134,6 +135,35 @@ TEST(Check, ReadsAMachine) {
     EXPECT_TRUE(contains(ran.out, "the machine's limit of 400 mm/min: feed 500 mm/min"));
     EXPECT_TRUE(contains(ran.out, "the cutter of T1 meets the fixture 'jaw'"));
     EXPECT_TRUE(contains(ran.out, "above the tool's limit of 1.5 mm: depth 2 mm")) << ran.out;
+}
+
+TEST(Check, LeadsG28AndG30WhereTheMachineSays) {
+    // By way of home over the jaw, and to the place of tool change beyond the travel.
+    Folder folder;
+    const std::string head =
+        "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
+        "G21 G90 G17 T1 M6 S1000 M3 G0 X0 Y0 Z5\nG1 Z-1 F100\nG0 Z5\n";
+    folder.write("home.nc", head + "G91 G28 Y0 Z0\nG90\nM30\n");
+    folder.write("change.nc", head + "G91 G30 X0 Y0\nG90\nM30\n");
+    const std::string machine =
+        "[travel]\nx = [-400, 0]\ny = [-300, 0]\n[[fixture]]\nname = 'jaw'\n"
+        "box = [[-40, 40, -20], [40, 60, 9]]\n[position]\nwork_zero = [-200, -150, -300]\n";
+    folder.write("m.toml", machine);
+    folder.write("told.toml",
+                 machine + "home = [0, -100, -297]\ntool_change = [-401.5, -150, 0]\n");
+    const auto check = [&folder](const char* program, const char* file) {
+        return folder
+            .run({"check", program, "--machine", file, "-q", "--select", "collision,travel"})
+            .out;
+    };
+    EXPECT_EQ(check("home.nc", "m.toml"), "") << "machine zero, up and away";
+    EXPECT_TRUE(contains(check("home.nc", "told.toml"),
+                         "home.nc:6:1: error: the cutter of T1 meets the fixture 'jaw'"))
+        << check("home.nc", "told.toml");
+    EXPECT_EQ(check("change.nc", "m.toml"), "");
+    EXPECT_TRUE(contains(check("change.nc", "told.toml"),
+                         "change.nc:6:1: error: X runs beyond its lower end at -400: by 1.5 mm"))
+        << check("change.nc", "told.toml");
 }
 
 TEST(Check, ReadsFixturesAsMeshes) {
@@ -289,6 +319,19 @@ TEST(Check, WritesALedgerThatAddsUp) {
     const std::string json = folder.read("a.json");
     EXPECT_TRUE(contains(json, "\"rest_mm3\": 11200.0")) << json;
     EXPECT_TRUE(contains(json, "\"removed_mm3\": 800.0"));
+}
+
+TEST(Check, KeepsTheBooksOfABar) {
+    // The stock is the polygon around the circle, not the box around that.
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    folder.run({"check", "slot.nc", "--stock", "D40x10", "--csv", "a.csv", "--json", "a.json"});
+    const auto ledger = nlohmann::json::parse(folder.read("a.json"))["programs"][0]["ledger"];
+    const double stock = ledger["stock_mm3"];
+    EXPECT_GT(stock, 3.14159 * 400 * 10);
+    EXPECT_LT(stock, 3.16 * 400 * 10);
+    EXPECT_NEAR(ledger["rest_mm3"].get<double>() + ledger["removed_mm3"].get<double>(), stock,
+                1e-5);
 }
 
 TEST(Check, AnnotatesForGitHub) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/verify/cycle_time.h"
 
+#include "ncsim/cda/check.h"
+
 #include "verify/verified.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +116,7 @@ TEST(Ledger, HasNoTimeWhereARateIsNotTold) {
 }
 
 // A slot of a tool with a round end against the formula: 6 mm wide, 25 mm long, 5 mm deep, in a
-// block of 40 x 40 x 10 mm: what is left is within the chord bound of 15,108.63 mm3.
+// block of 40 x 40 x 10 mm: what is left is within the chord bound of 15,108.63 mm3, and closed.
 TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     const cda::Box block{{0, 0, -10}, {40, 40, 0}};
     const cda::Lattice lattice = cda::Lattice::for_stock(block);
@@ -141,6 +143,7 @@ TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     EXPECT_GE(ledger.rest_mm3, exact - 5 * 2 * 3.1416 * (3 + error) * error);
     EXPECT_NEAR(ledger.rest_mm3, exact, 0.1);
     EXPECT_LT(ledger.imbalance(), 1e-12);
+    EXPECT_TRUE(cda::check(cda::triangulate(part.boundary())).is_closed());
 }
 
 }  // namespace

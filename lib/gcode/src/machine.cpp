@@ -37,6 +37,8 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
     select_system(1);
     parameters_.view.state = &state_;
     parameters_.view.work_offsets = &work_offsets_;
+    for (std::size_t i = 0; i < homes_.size(); ++i)
+        homes_[i] = to_axes(options.homes[i]);
     parameters_.view.homes = &homes_;
     parameters_.view.stored_92 = &stored_92_;
     parameters_.view.probed = &probed_;

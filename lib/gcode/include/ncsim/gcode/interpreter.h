@@ -48,6 +48,8 @@ struct InterpreterOptions {
     /// Origins of G54, G55 … G59.3 in machine coordinates at the start. Motions are relative to the
     /// first.
     std::array<Position, 9> work_offsets{};
+    /// Where G28 and G30 lead, in machine coordinates, until G28.1 and G30.1 say otherwise.
+    std::array<Position, 2> homes{};
     bool block_delete = false;  ///< Skip blocks that start with '/'.
 
     Dialect dialect = Dialect::Auto;

@@ -39,8 +39,9 @@ struct MachineDescription {
     double junction_deviation = 0.01;
     std::optional<double> max_feed;
     std::optional<double> min_rpm, max_rpm;
-    std::optional<cda::Vec3> home;         ///< In machine coordinates.
-    std::optional<cda::Vec3> tool_change;  ///< Where tools are changed, in machine coordinates.
+    /// Where G28 leads, and G30, the second reference point, where tools are changed; in machine
+    /// coordinates. M6 itself moves nothing here.
+    std::optional<cda::Vec3> home, tool_change;
     std::optional<double> tool_change_seconds;
     /// Where the zero of G54 lies in machine coordinates.
     std::optional<cda::Vec3> work_zero;
