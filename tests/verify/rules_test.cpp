@@ -176,6 +176,15 @@ TEST(RapidInMaterial, AfterAProbeRestsOnWhereItMetSomething) {
     EXPECT_EQ(f.assumptions.front().substr(0, 6), "probe:");
 }
 
+TEST(RapidInMaterial, OfATurnedToolRestsOnTheKinematics) {
+    const std::string slot = "G0 Z-2\nG0 X30\n";
+    const Finding turned =
+        only(verdict_of(kStart + "G0 A90\n" + "G0 Y-2 Z0\nG0 X30\n"), "rapid-in-material");
+    EXPECT_EQ(turned.assumptions.front(), "kinematics: A, B and C turn about the program origin");
+    const Finding upright = only(verdict_of(kStart + slot), "rapid-in-material");
+    EXPECT_EQ(upright.assumptions.front().substr(0, 5), "path:");
+}
+
 TEST(RapidInMaterial, IsSkippedWhereNothingIsSimulated) {
     const auto verdict = verdict_of(kStart + "G0 Z-2\nG0 X30\n", not_simulated());
     EXPECT_TRUE(findings_of(verdict, "rapid-in-material").empty());

@@ -25,6 +25,14 @@ std::optional<std::string> needs_counting(const Setup& setup) {
     return "pieces are counted where they are asked for (--cut-free)";
 }
 
+namespace {
+
+bool is_turned(const gcode::Position* p) {
+    return p && (p->a.radians() != 0.0 || p->b.radians() != 0.0 || p->c.radians() != 0.0);
+}
+
+}  // namespace
+
 std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     std::vector<std::string> all;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
@@ -33,6 +41,9 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     if (!setup.units_assumption.empty()) all.push_back("units: " + setup.units_assumption);
     if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
         all.push_back("home: " + setup.home_assumption);
+    }
+    if (is_turned(gcode::start_of(*move.motion)) || is_turned(gcode::end_of(*move.motion))) {
+        all.emplace_back("kinematics: A, B and C turn about the program origin");
     }
     if (move.after_probe) {
         all.emplace_back("probe: it met something at its target; what follows may stand on that");
