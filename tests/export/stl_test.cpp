@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/export/stl.h"
 
+#include "ncsim/cda/tree.h"
+
 #include "polytope_part.h"
 
 #include <gtest/gtest.h>
@@ -97,6 +99,35 @@ TEST(WriteStl, StaysClosedInFloats) {
     EXPECT_GT(edges.size(), 100U);
     for (const auto& [edge, sum] : edges)
         EXPECT_EQ(sum, 0);
+}
+
+// Readers pair edges by coordinates: each must stand once in each direction even where surfaces
+// touch along edges and in corners.
+TEST(WriteStl, SurfacesThatTouchAreToldApart) {
+    const cda::Lattice lattice;
+    const auto box = [&](cda::Vec3 min, cda::Vec3 max) {
+        return cda::box_cell(lattice.round(min), lattice.round(max), lattice, cda::Origin{1});
+    };
+    // Of a block of eight cubes four are left, each touching the others along an edge.
+    cda::TreeCda part(box({0, 0, 0}, {2, 2, 2}), lattice);
+    for (const cda::Vec3 min : {cda::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}})
+        part.subtract(box(min, min + cda::Vec3{1, 1, 1}));
+    const std::string bytes = written(cda::triangulate(part.boundary()));
+    using Point = std::array<float, 3>;
+    std::map<std::pair<Point, Point>, int> edges;
+    for (std::uint32_t t = 0; t < count_of(bytes); ++t) {
+        std::array<Point, 3> corners{};
+        std::memcpy(&corners, &bytes[kHeader + t * kTriangle + 12], sizeof corners);
+        for (std::size_t i = 0; i < 3; ++i)
+            ++edges[{corners[i], corners[(i + 1) % 3]}];
+    }
+    EXPECT_EQ(edges.size(), 3U * 4 * 12);
+    for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1);
+        EXPECT_TRUE(edges.contains({edge.second, edge.first}));
+        for (const float coordinate : edge.first)
+            EXPECT_NEAR(coordinate, std::round(coordinate), 1e-6);
+    }
 }
 
 TEST(WriteStl, KnowsOnlyOneZero) {

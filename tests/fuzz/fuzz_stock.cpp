@@ -31,8 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const cda::TreeCda block(shape.outer, shape.lattice);
         // Corners are rounded to 2^-24 of a unit, which counts where all of it is a few units
         // large.
-        const cda::Vec3 size = shape.outer.bounds.size();
-        const double area = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+        const cda::Vec3 extent = shape.outer.bounds.size();
+        const double area = 2.0 * (extent.x * extent.y + extent.y * extent.z + extent.z * extent.x);
         test::sound_boundary(dynamic_cast<const cda::TreeCda&>(*part),
                              block.volume() + 200.0 * shape.lattice.unit_mm * area);
     } catch (const std::exception& e) {

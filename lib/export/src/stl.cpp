@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -75,6 +77,37 @@ std::vector<std::uint32_t> number_points(const std::vector<FloatPoint>& points) 
     return numbers;
 }
 
+// Readers know corners by their coordinates alone. Where surfaces touch, or lie so near each other
+// that floats cannot tell, corners that no edge connects would become one, and edges stand more
+// than twice: all but the first move on by the least that floats can, in z, then y, then x.
+void keep_apart(const cda::TriangleMesh& mesh, std::vector<FloatPoint>& points) {
+    // Corners that an edge connects may fall together: their triangles go.
+    std::vector<std::uint32_t> first(points.size());
+    std::iota(first.begin(), first.end(), 0U);
+    const auto find = [&](std::uint32_t v) {
+        while (first[v] != v)
+            v = first[v] = first[first[v]];
+        return v;
+    };
+    for (const auto& t : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t a = find(t[i]);
+            const std::uint32_t b = find(t[(i + 1) % 3]);
+            if (points[t[i]] == points[t[(i + 1) % 3]]) first[std::max(a, b)] = std::min(a, b);
+        }
+    }
+    std::set<FloatPoint> taken;
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+        if (find(v) != v) {
+            points[v] = points[find(v)];
+            continue;
+        }
+        for (std::size_t axis = 2; !taken.insert(points[v]).second; axis = (axis + 2) % 3) {
+            points[v][axis] = std::nextafter(points[v][axis], std::numeric_limits<float>::max());
+        }
+    }
+}
+
 // The triangles that are written, in the order of `mesh`.
 std::vector<std::uint32_t> real_triangles(const cda::TriangleMesh& mesh,
                                           const std::vector<FloatPoint>& points) {
@@ -125,6 +158,7 @@ void write_stl(std::ostream& out, const cda::TriangleMesh& mesh) {
     points.reserve(mesh.vertices.size());
     for (const cda::Vec3& p : mesh.vertices)
         points.push_back(to_float(p));
+    keep_apart(mesh, points);
     const std::vector<std::uint32_t> triangles = real_triangles(mesh, points);
     if (triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
         throw std::runtime_error("too many triangles for an STL file");

@@ -12,8 +12,11 @@ namespace ncsim::exporter {
 /// Writes `mesh` as binary STL, in millimetres. A vertex has the same three floats in each of its
 /// triangles, so a closed mesh stays closed. Triangles two corners of which fall together in floats
 /// are left out, and so are two triangles that then lie back to back: what is left is
-/// still closed, since their edges cancel out. Nothing else moves by more than rounding to floats:
-/// 2^-24 of the coordinate, 4 nm at 100 mm.
+/// still closed, since their edges cancel out. Corners without an edge between them never fall
+/// together: where surfaces touch, one moves on to the next float, so that each edge stands once in
+/// each direction for readers that know corners by their coordinates. Nothing moves by more than
+/// rounding to floats (2^-24 of the coordinate, 4 nm at 100 mm) and as many floats as surfaces
+/// touch.
 ///
 /// A mesh without triangles gives a valid file. Equal input gives equal bytes. Throws
 /// std::runtime_error if the mesh has more triangles than the format can count (2^32 - 1), or
