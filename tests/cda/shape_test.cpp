@@ -204,6 +204,18 @@ TEST(ShapeFile, ComesBackAsItWas) {
                 create(part, shape)->boundary().vertices);
 }
 
+TEST(ShapeFile, APlaneThatStandsTwiceCountsOnce) {
+    const std::string text =
+        "ncsim stock 1\nunit 1e-05\nnormal 1 0 0\nnormal -1 0 0\nnormal 0 1 0\nnormal 0 -1 0\n"
+        "normal 0 0 1\nnormal 0 0 -1\nnormal 1 1 2\n"
+        "outer 0 500000 1 0 2 500000 3 0 4 500000 5 0\n"
+        "cell 6 500000 6 300000 6 300000\nend 1\n";
+    const auto part = create(TreeCda(), read_back(text));
+    EXPECT_TRUE(check(part->boundary()).is_closed());
+    // The corner below x + y + 2 z = 3: 3 * 3 * 1.5 / 6.
+    EXPECT_NEAR(part->volume(), 125.0 - 2.25, 1e-9);
+}
+
 TEST(ShapeFile, RefusesWhatIsNoStock) {
     const TreeCda block(mm_box(0, 0, 0, 1, 1, 1), kLattice);
     const std::string good = written(shape_of(triangulate(block.boundary()), kLattice));

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace ncsim::cda {
@@ -146,6 +147,7 @@ private:
 
     Cell read_cell() {
         Cell cell;
+        std::unordered_set<Plane, PlaneHash> known;
         while (!is_at_end()) {
             std::size_t normal = 0;
             std::int64_t d = 0;
@@ -153,7 +155,8 @@ private:
             if (normal >= normals_.size()) refuse("a normal that was not given before");
             if (d > kMostDistance || d < -kMostDistance) refuse("a distance beyond 2^62");
             const Normal& n = normals_[normal];
-            cell.planes.push_back(canonical(n[0], n[1], n[2], d));
+            const Plane plane = canonical(n[0], n[1], n[2], d);
+            if (known.insert(plane).second) cell.planes.push_back(plane);
             if (cell.planes.size() > kMostPlanes) refuse("a cell with more than 65536 planes");
         }
         return cell;

@@ -34,8 +34,8 @@ struct FacetHint {
     }
 };
 
-/// The intersection of halfspaces; bounded. Redundant planes are allowed. `bounds` (mm)
-/// encloses it, not necessarily tightly; it is used to reject, never to decide.
+/// The intersection of halfspaces; bounded. Redundant planes are allowed, but none stands twice.
+/// `bounds` (mm) encloses it, not necessarily tightly; it is used to reject, never to decide.
 struct Cell {
     std::vector<Plane> planes;
     Box bounds;
