@@ -136,8 +136,7 @@ public:
                     region.depth_mm = place.depth;
                     region.point = place.point;
                 }
-                if (std::pair(place.cut_depth, region.origin) >
-                    std::pair(cut_depth, place.face)) {
+                if (std::pair(place.cut_depth, region.origin) > std::pair(cut_depth, place.face)) {
                     cut_depth = place.cut_depth;
                     region.origin = place.face;
                 }

@@ -30,8 +30,8 @@ struct Shape {
 /// plane within two units share it, quantised outwards as hulls are: the shape differs from the
 /// inside by two units at most, 20 nm on the finest lattice. A convex surface becomes one cell.
 /// Requires a mesh as check() finds closed, facing outwards, within the reach of the lattice.
-/// Throws std::invalid_argument if it encloses no volume, crosses itself, or consists of bodies that
-/// overlap.
+/// Throws std::invalid_argument if it encloses no volume, crosses itself, or consists of bodies
+/// that overlap.
 ///
 /// Source: Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures",
 /// SIGGRAPH 1980, after halving space at medians. Expected O(n log n) for n triangles.
