@@ -231,6 +231,7 @@ TEST(ShapeFile, RefusesWhatIsNoStock) {
         "solid",
         with("unit 1e-05", "unit 0"),
         with("unit 1e-05", "unit nan"),
+        with("unit 1e-05", "unit 9e-05"),
         with("unit 1e-05", "unit 1e-05 7"),
         with("end 0\n", ""),
         with("end 0", "end 1"),

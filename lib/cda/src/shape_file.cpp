@@ -79,8 +79,8 @@ public:
         if (!next() || line_ != kMagic) refuse("not a stock that ncsim wrote");
         if (!next() || !word("unit")) refuse("expected the lattice: unit 1e-05");
         double unit = 0.0;
-        if (!number(unit) || !(unit >= 1e-5 && unit < 1e6) || !is_at_end()) {
-            refuse("expected a length in mm, at least 1e-05");
+        if (!number(unit) || !is_unit(unit) || !is_at_end()) {
+            refuse("expected a length in mm: 1, 2 or 5 times a power of ten, at least 1e-05");
         }
         shape_.lattice.unit_mm = unit;
         bool has_outer = false;
@@ -121,6 +121,16 @@ private:
         if (!rest_.starts_with(name)) return false;
         rest_.remove_prefix(name.size());
         return true;
+    }
+    // One of those that Lattice::for_stock() chooses, computed as there.
+    static bool is_unit(double unit) {
+        double decade = 1e-5;
+        for (int k = 0; k < 12; ++k, decade *= 10.0) {
+            for (const double step : {1.0, 2.0, 5.0}) {
+                if (unit == step * decade) return true;
+            }
+        }
+        return false;
     }
     bool is_at_end() const { return rest_.empty(); }
     template <class Number>
