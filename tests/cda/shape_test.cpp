@@ -241,6 +241,7 @@ TEST(ShapeFile, RefusesWhatIsNoStock) {
         with("outer ", "outer x "),
         with("outer ", "normal 0 0 0\nouter "),
         with("outer ", "normal 99999999 0 1\nouter "),
+        with("outer ", "normal 2 0 0\nouter "),
         with("outer ", "normal 0 0\nouter "),
         // Nothing keeps the cell within bounds, and nothing of it is left.
         "ncsim stock 1\nunit 1e-05\nnormal 1 0 0\nouter 0 5\nend 0\n",

@@ -212,8 +212,9 @@ private:
         carved_.push_back(std::move(cell));
     }
 
-    // Across the longest side; nothing if that would part nothing. Beside the middle, and at odd
-    // half units, so that it is not within the thickness of a surface that is in the middle.
+    // Across the longest side; nothing if that would part nothing. Beside the middle, so that it is
+    // not within the thickness of a surface that is in the middle, and at a whole unit: halves are
+    // for boxes of the tree.
     static std::optional<Plane> median_plane(const ConvexPolytope& part,
                                              const std::vector<Piece>& pieces) {
         const Vec3 size = part.bounds().size();
@@ -224,21 +225,20 @@ private:
         std::nth_element(middles.begin(),
                          middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2),
                          middles.end());
-        const auto doubled =
-            2 * static_cast<std::int64_t>(std::floor(middles[middles.size() / 2])) + 17;
+        const auto d = static_cast<std::int64_t>(std::floor(middles[middles.size() / 2])) + 8;
         std::size_t crossed = 0;
         std::size_t below = 0;
         for (const Piece& piece : pieces) {
             bool is_below = false;
             bool is_above = false;
             for (const Vec3& p : piece.corners)
-                (2.0 * p[axis] < static_cast<double>(doubled) ? is_below : is_above) = true;
+                (p[axis] < static_cast<double>(d) ? is_below : is_above) = true;
             crossed += is_below && is_above ? 1 : 0;
             below += is_below ? 1 : 0;
         }
         const std::size_t above = pieces.size() - below + crossed;
         if (4 * std::max(below, above) > 3 * pieces.size()) return std::nullopt;
-        return Plane{axis == 0 ? 2 : 0, axis == 1 ? 2 : 0, axis == 2 ? 2 : 0, doubled};
+        return Plane{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, d};
     }
 
     // The plane of a piece that splits few others; a large piece where that is the same.

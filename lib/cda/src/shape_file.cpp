@@ -7,6 +7,7 @@
 #include <charconv>
 #include <istream>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -152,6 +153,8 @@ private:
             }
         }
         if (!is_at_end() || n == Normal{}) refuse("a normal has three numbers, not all zero");
+        // Planes across the axes lie at whole units: the tree counts on it.
+        if (std::gcd(std::gcd(n[0], n[1]), n[2]) != 1) refuse("a normal with a common divisor");
         normals_.push_back(n);
     }
 
