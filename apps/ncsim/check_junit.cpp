@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_outputs.h"
-#include "sheet.h"
+#include "markup.h"
 
 #include <fmt/format.h>
 
@@ -15,17 +15,14 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
-// Text of XML 1.0: markup is escaped, what may not stand there becomes '?'.
+// Text of XML 1.0: line ends stay in attributes, what may not stand there becomes '?'.
 std::string xml(std::string_view text) {
     std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            case '\n': out += "&#10;"; break;
-            default: out += static_cast<unsigned char>(c) < 0x80 ? c : '?';
+    for (const char c : escaped(text)) {
+        if (c == '\n') {
+            out += "&#10;";
+        } else {
+            out += static_cast<unsigned char>(c) < 0x80 ? c : '?';
         }
     }
     return out;

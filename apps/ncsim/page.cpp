@@ -2,6 +2,7 @@
 #include "page.h"
 
 #include "check_outputs.h"
+#include "markup.h"
 #include "plot.h"
 #include "sheet.h"
 #include "version.h"
@@ -28,21 +29,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using verify::Finding;
 using verify::Severity;
-
-// Text between tags and in quoted attributes. Bytes that are no UTF-8 are dealt with at the end.
-std::string html(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
-        }
-    }
-    return out;
-}
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view kDigits =
@@ -155,11 +141,12 @@ std::string finding_html(const Checked& checked, const Finding& f, const std::st
     if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
     if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
     fmt::format_to(out, "<b>{}</b> {} <small>{} · {}{}</small>", verify::name_of(f.severity),
-                   html(headline(f)), html(where), f.rule, f.suppressed ? " · suppressed" : "");
-    if (!line.empty()) fmt::format_to(out, "<code>{}</code>", html(line.substr(0, 200)));
+                   escaped(headline(f)), escaped(where), f.rule,
+                   f.suppressed ? " · suppressed" : "");
+    if (!line.empty()) fmt::format_to(out, "<code>{}</code>", escaped(line.substr(0, 200)));
     for (const std::string& assumption : f.assumptions)
-        fmt::format_to(out, "<small>assumed {}</small>", html(assumption));
-    if (f.last_motion > 0) fmt::format_to(out, "<small>{}</small>", html(f.hint));
+        fmt::format_to(out, "<small>assumed {}</small>", escaped(assumption));
+    if (f.last_motion > 0) fmt::format_to(out, "<small>{}</small>", escaped(f.hint));
     return text + "</div>\n";
 }
 
@@ -181,7 +168,7 @@ std::string ledger_html(const Checked& checked) {
     text += rate_plot(l);
     auto out = std::back_inserter(text);
     const auto row = [&out](const char* name, const std::string& value) {
-        fmt::format_to(out, "<tr><th>{}</th><td>{}</td></tr>\n", name, html(value));
+        fmt::format_to(out, "<tr><th>{}</th><td>{}</td></tr>\n", name, escaped(value));
     };
     text += "<table>\n";
     if (checked.simulated) {
@@ -206,7 +193,7 @@ std::string ledger_html(const Checked& checked) {
 std::string skipped_html(const Checked& checked) {
     std::string text = "<section><h2>Not asked</h2><table>\n";
     for (const verify::Skipped& s : checked.verdict.skipped)
-        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", s.rule, html(s.reason));
+        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", s.rule, escaped(s.reason));
     return text + "</table></section>\n";
 }
 
@@ -227,13 +214,13 @@ std::string header_html(const Checked& checked) {
     std::string text = fmt::format(
         "<header class=\"{}\"><h1>{}: {}</h1><p>errors {}, warnings {}, notes {}, suppressed "
         "{} · ncsim {}</p>",
-        clean ? "clean" : "failed", html(relative_path(checked.path)), clean ? "clean" : "failed",
-        v.count(Severity::Error), v.count(Severity::Warning), v.count(Severity::Note),
-        v.suppressed(), kVersion);
-    if (!checked.failure.empty()) text += "<p>not verified: " + html(checked.failure) + "</p>";
-    if (!checked.stock.empty()) text += "<p>stock " + html(checked.stock) + "</p>";
+        clean ? "clean" : "failed", escaped(relative_path(checked.path)),
+        clean ? "clean" : "failed", v.count(Severity::Error), v.count(Severity::Warning),
+        v.count(Severity::Note), v.suppressed(), kVersion);
+    if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
+    if (!checked.stock.empty()) text += "<p>stock " + escaped(checked.stock) + "</p>";
     if (!checked.not_simulated.empty()) {
-        text += "<p>not simulated: " + html(checked.not_simulated) + "</p>";
+        text += "<p>not simulated: " + escaped(checked.not_simulated) + "</p>";
     }
     return text + "</header>\n";
 }
@@ -263,7 +250,7 @@ void write_page(std::ostream& out, const Checked& checked) {
     }
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
-        << html(relative_path(checked.path)) << " · ncsim check</title>\n<style>\n"
+        << escaped(relative_path(checked.path)) << " · ncsim check</title>\n<style>\n"
         << kPageStyle << "</style></head>\n<body>\n"
         << valid_utf8(body);
     if (verified) {

@@ -5,9 +5,9 @@
 
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/cda/triangle_tree.h"
 
 #include "common_volume.h"
-#include "triangle_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -166,7 +166,7 @@ TEST(CommonVolume, IsNothingForBodiesThatTouchAndAllForTheSame) {
 TEST(TriangleTree, KnowsWhatIsInsideAndHowFarItIs) {
     const auto part = block_less({kSlot, box({-10, -3, -8}, {10, 3, -4})});  // and a hollow
     const cda::TriangleMesh mesh = mesh_of(part);
-    const verify::TriangleTree tree(mesh);
+    const cda::TriangleTree tree(mesh);
     std::mt19937 random(1997);
     std::uniform_real_distribution<double> along(0.0, 1.0);
     for (int i = 0; i < 20000; ++i) {
@@ -174,7 +174,7 @@ TEST(TriangleTree, KnowsWhatIsInsideAndHowFarItIs) {
         EXPECT_EQ(tree.contains(p), part.contains(p)) << p.x << ' ' << p.y << ' ' << p.z;
         double least = cda::Box::kInf;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-            least = std::min(least, verify::distance(p, verify::corners_of(mesh, t)));
+            least = std::min(least, cda::distance(p, cda::corners_of(mesh, t)));
         EXPECT_NEAR(tree.nearest(p).distance_mm, least, 1e-12);
     }
     // Straight above corners and edges.

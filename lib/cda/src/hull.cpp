@@ -184,6 +184,19 @@ void move(FacetHint& hint, LatticePoint a, LatticePoint b) {
     }
 }
 
+// None stands twice: facets in one plane share it. Its index.
+std::size_t add(Cell& cell, const Plane& plane, const FacetHint& hint) {
+    const auto same = std::find(cell.planes.begin(), cell.planes.end(), plane);
+    const auto index = static_cast<std::size_t>(same - cell.planes.begin());
+    if (same == cell.planes.end()) {
+        cell.planes.push_back(plane);
+        cell.hints.push_back(hint);
+    } else {
+        unite(cell.hints[index], hint);
+    }
+    return index;
+}
+
 // Six planes that keep a cell within the box of its points: where facets are nearly parallel,
 // quantising them could let a corner run far away.
 constexpr std::array<Normal, 6> kBoxNormals{
@@ -202,14 +215,7 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
         const auto& loop = hull->loops[i];
         const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
         const FacetHint hint = around(loop, points);
-        const auto same = std::find(cell.planes.begin(), cell.planes.end(), plane);
-        const auto index = static_cast<std::size_t>(same - cell.planes.begin());
-        if (same == cell.planes.end()) {
-            cell.planes.push_back(plane);
-            cell.hints.push_back(hint);
-        } else {
-            unite(cell.hints[index], hint);
-        }
+        const std::size_t index = add(cell, plane, hint);
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const std::uint32_t tail = loop[k];
             const std::uint32_t head = loop[(k + 1) % loop.size()];
@@ -357,14 +363,7 @@ void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to)
         const Plane plane = plane_of(n, d);
         FacetHint hint = around(std::array{edge.tail, edge.head}, vertices_);
         move(hint, from, to);
-        const auto same = std::find(cell.planes.begin(), cell.planes.end(), plane);
-        const auto index = static_cast<std::size_t>(same - cell.planes.begin());
-        if (same == cell.planes.end()) {
-            cell.planes.push_back(plane);
-            cell.hints.push_back(hint);
-        } else {
-            unite(cell.hints[index], hint);
-        }
+        const std::size_t index = add(cell, plane, hint);
         for (const std::uint32_t facet : {edge.left, edge.right}) {
             cell.hints[index].add_neighbour(facet);
             cell.hints[facet].add_neighbour(index);

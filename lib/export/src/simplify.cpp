@@ -13,6 +13,7 @@
 #include "ncsim/export/simplify.h"
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangle_tree.h"
 
 #include "deviation.h"
 #include "half_edges.h"
@@ -37,13 +38,6 @@ constexpr double kMostTurn = 0.9659;  // cosine of 15°
 
 double distance(Vec3 a, Vec3 b) {
     return cda::norm(b - a);
-}
-
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-    const Vec3 along = b - a;
-    const double length = cda::dot(along, along);
-    const double t = length > 0.0 ? std::clamp(cda::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-    return distance(p, a + t * along);
 }
 
 // Normal times area, from all loops.
@@ -429,9 +423,9 @@ private:
         std::size_t middle = first + 1;
         double far = -1.0;
         for (std::size_t i = first + 1; i < last; ++i) {
-            const double d =
-                distance_to_segment(boundary_.vertices[chain[i]], boundary_.vertices[chain[first]],
-                                    boundary_.vertices[chain[last]]);
+            const double d = cda::distance_to_segment(boundary_.vertices[chain[i]],
+                                                      boundary_.vertices[chain[first]],
+                                                      boundary_.vertices[chain[last]]);
             if (d > far) far = d, middle = i;
         }
         if (far <= tolerance_ && !keeps_one) return;

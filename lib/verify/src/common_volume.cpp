@@ -8,7 +8,7 @@
 //     volume under it.
 #include "common_volume.h"
 
-#include "triangle_tree.h"
+#include "ncsim/cda/triangle_tree.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -20,6 +20,8 @@
 namespace ncsim::verify {
 
 using cda::Box;
+using cda::Corners;
+using cda::TriangleTree;
 using cda::Vec3;
 
 namespace {

@@ -12,9 +12,9 @@
 #include "ncsim/verify/design.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/triangle_tree.h"
 
 #include "common_volume.h"
-#include "triangle_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,9 @@
 namespace ncsim::verify {
 
 using cda::Box;
+using cda::Corners;
 using cda::Origin;
+using cda::TriangleTree;
 using cda::Vec3;
 
 namespace {

@@ -5,9 +5,11 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangle_tree.h"
 #include "ncsim/cda/vec.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,21 +28,21 @@ struct Solid {
 /// The surface of a part, ready to be asked.
 class Solids {
 public:
-    /// O(faces).
+    /// O(n log n) for n faces.
     explicit Solids(const cda::Boundary& boundary);
 
     /// The largest volume first.
     const std::vector<Solid>& all() const { return solids_; }
-    /// Index into all() of the piece that `point` is in; of nested ones the inner one. By the
-    /// parity of crossings of a ray with each surface. O(triangles).
+    /// Index into all() of the piece that `point` is in; of nested ones the inner one. Expected
+    /// O(pieces + log n).
     std::optional<std::size_t> at(cda::Vec3 point) const;
 
 private:
     std::optional<cda::Vec3> point_in(std::size_t solid) const;
-    bool is_within(std::uint32_t shell, cda::Vec3 point) const;
 
-    cda::TriangleMesh mesh_;
+    std::unique_ptr<const cda::TriangleMesh> mesh_;      // stays where it is, for surfaces_
     std::vector<std::vector<std::uint32_t>> triangles_;  // of each shell
+    std::vector<cda::TriangleTree> surfaces_;            // the same
     std::vector<Solid> solids_;
 };
 

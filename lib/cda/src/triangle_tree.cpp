@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "triangle_tree.h"
+#include "ncsim/cda/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
-namespace ncsim::verify {
-
-using cda::Box;
-using cda::normalized;
-using cda::Vec3;
+namespace ncsim::cda {
 
 namespace {
 
 constexpr std::size_t kLeaf = 4;  // triangles
-
-double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-    const Vec3 along = b - a;
-    const double length = dot(along, along);
-    const double t = length > 0.0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0.0;
-    return norm(p - a - t * along);
-}
 
 double distance_to_box(Vec3 p, const Box& box) {
     Vec3 off;
@@ -55,11 +45,24 @@ std::optional<int> crossing(Vec3 p, Vec3 direction, const Corners& t) {
     return a > 0.0 ? -1 : 1;
 }
 
+std::vector<std::uint32_t> all_of(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+}
+
 }  // namespace
 
-Corners corners_of(const cda::TriangleMesh& mesh, std::uint32_t triangle) {
+Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
     const auto& t = mesh.triangles[triangle];
     return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+    const Vec3 along = b - a;
+    const double length = dot(along, along);
+    const double t = length > 0.0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0.0;
+    return norm(p - a - t * along);
 }
 
 double distance(Vec3 p, const Corners& t) {
@@ -93,9 +96,10 @@ bool meets_segment(const Box& box, Vec3 a, Vec3 b) {
     return first <= last + kSlack;
 }
 
-TriangleTree::TriangleTree(const cda::TriangleMesh& mesh)
-    : mesh_(mesh), order_(mesh.triangles.size()) {
-    std::iota(order_.begin(), order_.end(), 0U);
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : TriangleTree(mesh, all_of(mesh)) {}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles)
+    : mesh_(mesh), order_(std::move(triangles)) {
     if (!order_.empty()) build(0, order_.size());
 }
 
@@ -116,13 +120,16 @@ std::size_t TriangleTree::build(std::size_t begin, std::size_t end) {
         middles.add(middle(order_[i]));
     }
     nodes_.push_back(node);
-    if (end - begin <= kLeaf) return number;
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (end - begin <= kLeaf) {
+        std::sort(at(begin), at(end));
+        return number;
+    }
     const Vec3 size = middles.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t half = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-    // By number where they are level: the same order with every library.
-    std::sort(at(begin), at(end), [&](std::uint32_t s, std::uint32_t t) {
+    // By number where they are level: the same halves with every library.
+    std::nth_element(at(begin), at(half), at(end), [&](std::uint32_t s, std::uint32_t t) {
         const double a = middle(s)[axis], b = middle(t)[axis];
         return a < b || (a == b && s < t);
     });
@@ -182,4 +189,4 @@ bool TriangleTree::contains(Vec3 p) const {
     return winding != 0;
 }
 
-}  // namespace ncsim::verify
+}  // namespace ncsim::cda

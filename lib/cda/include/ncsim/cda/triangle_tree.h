@@ -12,30 +12,35 @@
 #include <cstdint>
 #include <vector>
 
-namespace ncsim::verify {
+namespace ncsim::cda {
 
-using Corners = std::array<cda::Vec3, 3>;
+using Corners = std::array<Vec3, 3>;
 
-Corners corners_of(const cda::TriangleMesh& mesh, std::uint32_t triangle);
+Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle);
+
+/// Of a point and a segment, mm.
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b);
 
 /// Of a point and a triangle with all of its border, mm. Triangles without area are segments.
-double distance(cda::Vec3 p, const Corners& triangle);
+double distance(Vec3 p, const Corners& triangle);
 
 class TriangleTree {
 public:
     /// Keeps a reference to `mesh`. O(n log n).
-    explicit TriangleTree(const cda::TriangleMesh& mesh);
+    explicit TriangleTree(const TriangleMesh& mesh);
+    /// Of some of its triangles only: those of one surface, for instance.
+    TriangleTree(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles);
 
     struct Nearest {
-        double distance_mm = cda::Box::kInf;
+        double distance_mm = Box::kInf;
         std::uint32_t triangle = 0;
     };
     /// The triangle nearest to `p`; infinitely far for an empty mesh. Expected O(log n).
-    Nearest nearest(cda::Vec3 p) const;
+    Nearest nearest(Vec3 p) const;
 
     /// Is `p` inside of the surface? By the signed crossings of a ray, so that bodies may overlap.
     /// Not on the surface, nor nearer to it than rounding.
-    bool contains(cda::Vec3 p) const;
+    bool contains(Vec3 p) const;
 
     /// Calls `take` for every triangle in a box that `wants` accepts, in an order that depends on
     /// the mesh only.
@@ -57,24 +62,24 @@ public:
         }
     }
 
-    const cda::TriangleMesh& mesh() const { return mesh_; }
+    const TriangleMesh& mesh() const { return mesh_; }
 
 private:
     struct Node {
-        cda::Box box;
+        Box box;
         std::size_t begin = 0, end = 0;   // in order_
         std::size_t left = 0, right = 0;  // nodes; 0: a leaf
     };
     std::size_t build(std::size_t begin, std::size_t end);
-    cda::Vec3 middle(std::uint32_t triangle) const;
-    void search(std::size_t number, cda::Vec3 p, Nearest& nearest) const;
+    Vec3 middle(std::uint32_t triangle) const;
+    void search(std::size_t number, Vec3 p, Nearest& nearest) const;
 
-    const cda::TriangleMesh& mesh_;
+    const TriangleMesh& mesh_;
     std::vector<std::uint32_t> order_;
     std::vector<Node> nodes_;
 };
 
 /// Does the box have a point of the segment from `a` to `b`, or one nearly so? Never a wrong no.
-bool meets_segment(const cda::Box& box, cda::Vec3 a, cda::Vec3 b);
+bool meets_segment(const Box& box, Vec3 a, Vec3 b);
 
-}  // namespace ncsim::verify
+}  // namespace ncsim::cda
