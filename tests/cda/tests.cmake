@@ -14,5 +14,6 @@ ncsim_add_test(cda
     predicates_test.cpp
     shape_test.cpp
     tree_test.cpp
+    triangulate_test.cpp
     workpiece_test.cpp)
 target_include_directories(ncsim_cda_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/cda/src)

@@ -14,6 +14,7 @@ ncsim_add_test(export
     render_test.cpp
     sheet_test.cpp
     simplify_test.cpp
+    slivers_test.cpp
     step_test.cpp
     stl_test.cpp
     text_test.cpp

@@ -2,11 +2,11 @@
 //
 // Faces to triangles. The usual face goes through CGAL's constrained Delaunay triangulation,
 // whose triangles are as round as the corners allow. Where rounding to doubles has made edges of
-// a face cross or corners coincide, ears are cut instead: that works on the loops alone, so
-// the mesh stays closed whatever the coordinates are.
+// a face cross or corners coincide, edges are first cut where they meet (Chains).
 #include "ncsim/cda/mesh.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -26,16 +26,20 @@ namespace ncsim::cda {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+struct Corner {
+    std::uint32_t vertex = kNone;
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Corner, Kernel>;
 using FaceInfoBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, FaceInfoBase>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Crossing = CGAL::Constrained_triangulation_plus_2<
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
 using Point2 = Kernel::Point_2;
 using Triangle = std::array<std::uint32_t, 3>;
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // Seen along the longest axis of the normal, so that counter-clockwise stays so.
 struct Projection {
@@ -64,12 +68,13 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop) {
             const auto handle = cdt.insert(view(boundary.vertices[v]));
-            handle->info() = v;
+            handle->info().vertex = v;
             handles[v] = handle;
             ++corners;
         }
     }
     if (handles.size() != corners || cdt.number_of_vertices() != corners) return std::nullopt;
+    if (cdt.dimension() < 2) return std::nullopt;
     try {
         for (const auto& loop : face.loops) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -106,69 +111,150 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     std::vector<Triangle> triangles;
     for (auto f : cdt.finite_face_handles()) {
         if (f->info() % 2 == 0) continue;
-        triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+        triangles.push_back({f->vertex(0)->info().vertex, f->vertex(1)->info().vertex,
+                             f->vertex(2)->info().vertex});
     }
     if (triangles.size() + 2 != corners + 2 * (face.loops.size() - 1)) return std::nullopt;
     return triangles;
 }
 
-double doubled_area(Point2 a, Point2 b, Point2 c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
+// As far as rounding lets it: where edges cross or a corner stands on an edge, the edge becomes a
+// chain of short ones. The face is what its chains wind around, as often as they do; between each
+// edge and its chain, which lie upon each other, are triangles without area. So the triangles
+// have the edges of the face as their outline whatever the coordinates are, and no triangle leaves
+// the face by more than rounding. Crossings become new vertices.
+class Chains {
+public:
+    Chains(TriangleMesh& mesh, const BoundaryFace& face)
+        : mesh_(mesh), face_(face), view_(face.normal) {}
 
-// Joins the holes to the outline by their nearest corners, then cuts ears: a corner without others
-// in its triangle where there is one, the best of all otherwise. Always n − 2 triangles.
-std::vector<Triangle> cut_ears(const Boundary& boundary, const BoundaryFace& face) {
-    const Projection view(face.normal);
-    const auto at = [&](std::uint32_t v) { return view(boundary.vertices[v]); };
-    std::vector<std::uint32_t> ring = face.loops[0];
-    for (std::size_t h = 1; h < face.loops.size(); ++h) {
-        const auto& hole = face.loops[h];
-        std::size_t best_i = 0;
-        std::size_t best_k = 0;
-        double best = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            for (std::size_t k = 0; k < hole.size(); ++k) {
-                const double d = CGAL::squared_distance(at(ring[i]), at(hole[k]));
-                if (d < best) best = d, best_i = i, best_k = k;
+    std::vector<Triangle> run() {
+        std::vector<std::vector<Crossing::Vertex_handle>> corners;
+        for (const auto& loop : face_.loops) {
+            auto& handles = corners.emplace_back();
+            for (const std::uint32_t v : loop) {
+                handles.push_back(cdt_.insert(view_(mesh_.vertices[v])));
+                if (handles.back()->info().vertex == kNone) handles.back()->info().vertex = v;
             }
         }
-        std::vector<std::uint32_t> bridge;
-        for (std::size_t k = 0; k <= hole.size(); ++k) {
-            bridge.push_back(hole[(best_k + k) % hole.size()]);
-        }
-        bridge.push_back(ring[best_i]);
-        ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(best_i) + 1, bridge.begin(),
-                    bridge.end());
-    }
-    std::vector<Triangle> triangles;
-    while (ring.size() > 3) {
-        const std::size_t n = ring.size();
-        std::size_t best = kNone;
-        double best_area = -std::numeric_limits<double>::infinity();
-        bool best_is_free = false;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Point2 a = at(ring[(i + n - 1) % n]);
-            const Point2 b = at(ring[i]);
-            const Point2 c = at(ring[(i + 1) % n]);
-            const double size = doubled_area(a, b, c);
-            const bool is_free = size > 0.0 && std::none_of(ring.begin(), ring.end(), [&](auto v) {
-                                     const Point2 p = at(v);
-                                     if (p == a || p == b || p == c) return false;
-                                     return doubled_area(a, b, p) >= 0.0 &&
-                                            doubled_area(b, c, p) >= 0.0 &&
-                                            doubled_area(c, a, p) >= 0.0;
-                                 });
-            if (std::pair{is_free, size} > std::pair{best_is_free, best_area} || best == kNone) {
-                best = i, best_area = size, best_is_free = is_free;
+        if (cdt_.dimension() < 2) return fans();
+        std::map<Ends, Crossing::Constraint_id> constraints;
+        for (const auto& loop : corners) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Ends ends = std::minmax(loop[i], loop[(i + 1) % loop.size()], by_vertex);
+                if (ends.first == ends.second || constraints.contains(ends)) continue;
+                constraints.emplace(ends, cdt_.insert_constraint(ends.first, ends.second));
             }
         }
-        triangles.push_back({ring[(best + n - 1) % n], ring[best], ring[(best + 1) % n]});
-        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
+        for (const auto v : cdt_.finite_vertex_handles()) {
+            if (v->info().vertex == kNone) v->info().vertex = lifted(v->point());
+        }
+        for (std::size_t l = 0; l < corners.size(); ++l) {
+            const auto& loop = corners[l];
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const std::size_t next = (i + 1) % loop.size();
+                std::vector<std::uint32_t> chain{loop[i]->info().vertex};
+                if (loop[i] != loop[next]) {
+                    const Ends ends = std::minmax(loop[i], loop[next], by_vertex);
+                    chain = chain_of(constraints.at(ends));
+                    if (chain.front() != loop[i]->info().vertex)
+                        std::reverse(chain.begin(), chain.end());
+                }
+                for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+                    ++passes_[{chain[k], chain[k + 1]}];
+                    --passes_[{chain[k + 1], chain[k]}];
+                }
+                fill(face_.loops[l][i], face_.loops[l][next], chain);
+            }
+        }
+        wind();
+        return std::move(triangles_);
     }
-    triangles.push_back({ring[0], ring[1], ring[2]});
-    return triangles;
-}
+
+private:
+    using Ends = std::pair<Crossing::Vertex_handle, Crossing::Vertex_handle>;
+    static bool by_vertex(Crossing::Vertex_handle a, Crossing::Vertex_handle b) {
+        return a->info().vertex < b->info().vertex;
+    }
+
+    // Of a face whose corners lie on one line.
+    std::vector<Triangle> fans() const {
+        std::vector<Triangle> triangles;
+        for (const auto& loop : face_.loops) {
+            for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+                triangles.push_back({loop[0], loop[i], loop[i + 1]});
+        }
+        return triangles;
+    }
+
+    // The point of the face that is seen there.
+    std::uint32_t lifted(Point2 seen) {
+        Vec3 p;
+        p[view_.first] = seen.x();
+        p[view_.second] = seen.y();
+        const int dropped = 3 - view_.first - view_.second;
+        p[dropped] = (face_.offset - dot(face_.normal, p)) / face_.normal[dropped];
+        mesh_.vertices.push_back(p);
+        return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
+    }
+
+    std::vector<std::uint32_t> chain_of(Crossing::Constraint_id id) const {
+        std::vector<std::uint32_t> chain;
+        for (auto v = cdt_.vertices_in_constraint_begin(id);
+             v != cdt_.vertices_in_constraint_end(id); ++v)
+            chain.push_back((*v)->info().vertex);
+        return chain;
+    }
+
+    // Between the edge and its chain.
+    void fill(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& chain) {
+        std::uint32_t last = to;
+        for (auto v = chain.rbegin(); v != chain.rend(); ++v) {
+            if (*v != last && *v != from && last != from) triangles_.push_back({from, last, *v});
+            last = *v;
+        }
+    }
+
+    void wind() {
+        for (auto f : cdt_.all_face_handles())
+            f->info() = kUnknown;
+        std::vector<Crossing::Face_handle> open{cdt_.infinite_face()};
+        open.front()->info() = 0;
+        while (!open.empty()) {
+            const auto f = open.back();
+            open.pop_back();
+            for (int i = 0; i < 3; ++i) {
+                const auto next = f->neighbor(i);
+                if (next->info() != kUnknown) continue;
+                next->info() = f->info();
+                if (f->is_constrained(i)) {
+                    const std::uint32_t from = f->vertex(Crossing::ccw(i))->info().vertex;
+                    const std::uint32_t to = f->vertex(Crossing::cw(i))->info().vertex;
+                    if (const auto it = passes_.find({from, to}); it != passes_.end())
+                        next->info() -= it->second;
+                }
+                open.push_back(next);
+            }
+        }
+        for (auto f : cdt_.finite_face_handles()) {
+            Triangle t{f->vertex(0)->info().vertex, f->vertex(1)->info().vertex,
+                       f->vertex(2)->info().vertex};
+            if (f->info() < 0) std::swap(t[1], t[2]);
+            for (int i = 0; i < std::abs(f->info()); ++i)
+                triangles_.push_back(t);
+        }
+    }
+
+    static constexpr int kUnknown = std::numeric_limits<int>::min();
+
+    TriangleMesh& mesh_;
+    const BoundaryFace& face_;
+    Projection view_;
+    Crossing cdt_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int>
+        passes_;  // of the chains, there minus back
+    std::vector<Triangle> triangles_;
+};
 
 // Two faces that share two corners may both have the diagonal between them, or one has as a
 // diagonal what is an edge of another: where corners lie on one line but for rounding. Such a
@@ -262,7 +348,7 @@ TriangleMesh triangulate(const Boundary& boundary) {
         } else if (auto round = delaunay(boundary, face)) {
             triangles = std::move(*round);
         } else {
-            triangles = cut_ears(boundary, face);
+            triangles = Chains(mesh, face).run();
         }
         mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
         mesh.face.insert(mesh.face.end(), triangles.size(), f);

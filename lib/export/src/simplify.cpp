@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Short edges are contracted, shortest first, where the surface stays a manifold (the link
-//     condition: Dey, Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999).
-//  2. Faces are joined to groups across edges while every vertex of a group stays near the
-//     plane of its largest face; thin faces may turn any way.
+//  1. Faces become triangles; those that are too thin vanish (remove_slivers).
+//  2. Triangles are joined to groups across edges while every vertex of a group stays near the
+//     plane of its largest one; thin ones may turn any way.
 //  3. Each group becomes a face (merge_groups).
 //  4. Chains of vertices between two faces become straight where they almost are (Douglas and
 //     Peucker, Algorithms for the reduction of the number of points, 1973).
@@ -18,6 +17,7 @@
 #include "deviation.h"
 #include "half_edges.h"
 #include "merge_faces.h"
+#include "slivers.h"
 
 #include <algorithm>
 #include <array>
@@ -53,175 +53,22 @@ Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& fac
     return 0.5 * sum;
 }
 
-// Step 1.
-class Contraction {
-public:
-    Contraction(cda::Boundary& boundary, double tolerance)
-        : boundary_(boundary),
-          tolerance_(tolerance),
-          faces_at_(boundary.vertices.size()),
-          radius_(boundary.vertices.size(), 0.0) {
-        for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-            for (const Loop& loop : boundary.faces[f].loops) {
-                for (const Vertex v : loop)
-                    faces_at_[v].push_back(f);
-            }
-        }
-        for (auto& faces : faces_at_)
-            make_set(faces);
+// Each triangle as a face with the plane of the face it comes from.
+cda::Boundary as_boundary(const cda::TriangleMesh& mesh, const cda::Boundary& from) {
+    cda::Boundary result;
+    result.vertices = mesh.vertices;
+    result.shells = from.shells;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const cda::BoundaryFace& face = from.faces[mesh.face[t]];
+        const auto& corners = mesh.triangles[t];
+        result.faces.push_back({face.normal,
+                                face.offset,
+                                face.origin,
+                                face.shell,
+                                {{corners.begin(), corners.end()}}});
     }
-
-    void run() {
-        while (pass()) {
-        }
-        drop_leaves();
-        std::erase_if(boundary_.faces, [](const auto& face) { return face.loops.empty(); });
-    }
-
-private:
-    static void make_set(std::vector<std::uint32_t>& numbers) {
-        std::sort(numbers.begin(), numbers.end());
-        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    }
-
-    bool pass() {
-        std::vector<std::pair<double, std::pair<Vertex, Vertex>>> edges;
-        for (const auto& face : boundary_.faces) {
-            for (const Loop& loop : face.loops) {
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    const Vertex a = loop[i];
-                    const Vertex b = loop[(i + 1) % loop.size()];
-                    const double length = distance(boundary_.vertices[a], boundary_.vertices[b]);
-                    if (a < b && length < tolerance_) edges.push_back({length, {a, b}});
-                }
-            }
-        }
-        std::sort(edges.begin(), edges.end());
-        bool changed = false;
-        for (const auto& [length, ends] : edges)
-            changed |= contract(ends.first, ends.second, length);
-        return changed;
-    }
-
-    struct Place {
-        std::uint32_t face;
-        std::size_t loop;
-    };
-
-    std::vector<Vertex> neighbours(Vertex v) const {
-        std::vector<Vertex> all;
-        for (const std::uint32_t f : faces_at_[v]) {
-            for (const Loop& loop : boundary_.faces[f].loops) {
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    if (loop[i] != v) continue;
-                    all.push_back(loop[(i + 1) % loop.size()]);
-                    all.push_back(loop[(i + loop.size() - 1) % loop.size()]);
-                }
-            }
-        }
-        make_set(all);
-        return all;
-    }
-
-    // `gone` becomes `kept`, if that changes nothing but lengths.
-    bool contract(Vertex gone, Vertex kept, double length) {
-        if (faces_at_[gone].empty() || faces_at_[kept].empty()) return false;
-        if (faces_at_[gone].size() > faces_at_[kept].size()) std::swap(gone, kept);
-        if (radius_[gone] + length > tolerance_) std::swap(gone, kept);
-        if (radius_[gone] + length > tolerance_) return false;
-
-        // Faces with both must have them as an edge, and these are two.
-        std::vector<std::uint32_t> both;
-        std::set_intersection(faces_at_[gone].begin(), faces_at_[gone].end(),
-                              faces_at_[kept].begin(), faces_at_[kept].end(),
-                              std::back_inserter(both));
-        if (both.size() != 2) return false;
-        std::vector<Vertex> tips;  // of the triangles that vanish
-        for (const std::uint32_t f : both) {
-            bool is_edge = false;
-            for (const Loop& loop : boundary_.faces[f].loops) {
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    const Vertex a = loop[i];
-                    const Vertex b = loop[(i + 1) % loop.size()];
-                    if (!(a == gone && b == kept) && !(a == kept && b == gone)) continue;
-                    is_edge = true;
-                    if (loop.size() == 3) tips.push_back(loop[(i + 2) % 3]);
-                }
-            }
-            if (!is_edge) return false;
-        }
-        make_set(tips);
-        const std::vector<Vertex> near_gone = neighbours(gone);
-        const std::vector<Vertex> near_kept = neighbours(kept);
-        std::vector<Vertex> common;
-        std::set_intersection(near_gone.begin(), near_gone.end(), near_kept.begin(),
-                              near_kept.end(), std::back_inserter(common));
-        if (common != tips) return false;
-
-        for (const std::uint32_t f : faces_at_[gone])
-            replace(boundary_.faces[f], f, gone, kept);
-        std::vector<std::uint32_t> merged = faces_at_[kept];
-        merged.insert(merged.end(), faces_at_[gone].begin(), faces_at_[gone].end());
-        make_set(merged);
-        std::erase_if(merged, [&](std::uint32_t f) { return boundary_.faces[f].loops.empty(); });
-        faces_at_[kept] = std::move(merged);
-        faces_at_[gone].clear();
-        radius_[kept] = std::max(radius_[kept], radius_[gone] + length);
-        return true;
-    }
-
-    void replace(cda::BoundaryFace& face, std::uint32_t f, Vertex gone, Vertex kept) {
-        for (Loop& loop : face.loops) {
-            std::replace(loop.begin(), loop.end(), gone, kept);
-            loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
-            if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
-            if (loop.size() > 2) continue;
-            // Its two edges are now one and lie upon each other.
-            for (const Vertex v : loop) {
-                if (v != kept) std::erase(faces_at_[v], f);
-            }
-            loop.clear();
-        }
-        const bool lost_outline = face.loops.front().empty();
-        std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
-        // A face without an outline has no holes.
-        if (lost_outline && !face.loops.empty()) outline_first(face);
-    }
-
-    void outline_first(cda::BoundaryFace& face) const {
-        std::stable_partition(face.loops.begin(), face.loops.end(), [&](const Loop& loop) {
-            cda::BoundaryFace alone;
-            alone.loops = {loop};
-            return cda::dot(area_vector(boundary_.vertices, alone), face.normal) > 0.0;
-        });
-    }
-
-    // What is left of a shell that was smaller than the tolerance: two triangles, back to back.
-    void drop_leaves() {
-        for (std::uint32_t f = 0; f < boundary_.faces.size(); ++f) {
-            auto& loops = boundary_.faces[f].loops;
-            if (loops.size() != 1 || loops[0].size() != 3) continue;
-            const Loop corners = sorted(loops[0]);
-            for (const std::uint32_t g : faces_at_[corners[0]]) {
-                auto& others = boundary_.faces[g].loops;
-                if (g == f || others.size() != 1 || sorted(others[0]) != corners) continue;
-                loops.clear();
-                others.clear();
-                break;
-            }
-        }
-    }
-
-    static Loop sorted(Loop loop) {
-        std::sort(loop.begin(), loop.end());
-        return loop;
-    }
-
-    cda::Boundary& boundary_;
-    double tolerance_;
-    std::vector<std::vector<std::uint32_t>> faces_at_;  // ascending
-    std::vector<double> radius_;                        // farthest vertex that became this one
-};
+    return result;
+}
 
 // Step 2.
 class Flats {
@@ -467,9 +314,10 @@ void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
     face.offset = 0.5 * (least + most);
 }
 
-Simplified simplify_steps(const cda::Boundary& boundary, double share, const Provenance* lines) {
-    cda::Boundary work = boundary;
-    Contraction(work, share).run();
+Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh, double share,
+                          const Provenance* lines) {
+    remove_slivers(mesh, share);
+    cda::Boundary work = as_boundary(mesh, boundary);
     if (work.faces.empty()) return {};
     Flats flats(work, share, lines);
     flats.run();
@@ -500,7 +348,7 @@ Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Pr
     for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
         // Far below the tolerance nothing but rounding is left to move.
         if (share < 1e-3 * tolerance_mm) share = 0.0;
-        result = simplify_steps(boundary, share, lines);
+        result = simplify_steps(boundary, before, share, lines);
         if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
         result.deviation_mm = deviation(before, cda::triangulate(result.boundary));
         if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;

@@ -20,8 +20,9 @@ struct TriangleMesh {
 };
 
 /// Cuts every face into triangles between its own vertices, so the mesh is closed if the boundary
-/// is. Vertices are those of the boundary, in order, none moved; a few may follow in the middle of
-/// diagonals that would otherwise stand twice. Expected O(n log n) per face.
+/// is. Vertices are those of the boundary, in order, none moved; a few may follow: where edges of
+/// one face cross by rounding, and in the middle of diagonals that would otherwise stand twice.
+/// Expected O(n log n) per face.
 TriangleMesh triangulate(const Boundary& boundary);
 
 }  // namespace ncsim::cda

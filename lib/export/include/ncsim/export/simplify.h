@@ -25,14 +25,15 @@ struct Simplified {
     double deviation_mm = 0.0;
 };
 
-/// Joins the ends of edges that are shorter than a quarter of `tolerance_mm`, makes one face of
-/// neighbours that lie in one plane within a quarter of it, and leaves out vertices that lie within
-/// a quarter of it on a straight edge between two faces; less than a quarter, if that adds up
-/// to more than the tolerance somewhere. Faces that turn away from each other by
-/// more than 15° stay apart, unless one of them is thinner than the tolerance.
+/// Takes out what is thinner than a quarter of `tolerance_mm` (edges become vertices, bands between
+/// two faces become edges), makes one face of neighbours that lie in one plane within a quarter of
+/// it, and leaves out vertices that lie within a quarter of it on a straight edge between two
+/// faces; less than a quarter, if that adds up to more than the tolerance somewhere. Faces that
+/// turn away from each other by more than 15° stay apart, unless one of them is thinner than the
+/// tolerance.
 ///
 /// A closed surface stays closed, with the same shells, save those smaller than the tolerance,
-/// which vanish: an edge whose ends cannot be joined without changing what hangs together stays.
+/// which vanish: what hangs together through a thin band or a short edge keeps it.
 /// Faces are flat within half the tolerance, no longer exactly. Where `lines` is given, faces
 /// that different program lines cut stay apart too, with the same exception. Requires a tolerance ≥
 /// 0; with 0, only what is exactly coplanar is joined. Expected O(n log n).

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A surface without the thin triangles that readers with a tolerance of their own stumble over.
+#pragma once
+
+#include "ncsim/cda/mesh.h"
+
+namespace ncsim::exporter {
+
+/// Takes edges shorter than `least_mm` and triangles lower than that out of a closed mesh, as far
+/// as what hangs together does not change: the ends of a short edge become one vertex; the longest
+/// edge of a low triangle is bent to the vertex opposite. Vertices are moved onto others by less
+/// than `least_mm` altogether; which are left unused. Shells smaller than that vanish. The mesh
+/// stays closed. Where `least_mm` is 0, nothing happens. Expected O(n log n).
+void remove_slivers(cda::TriangleMesh& mesh, double least_mm);
+
+}  // namespace ncsim::exporter
