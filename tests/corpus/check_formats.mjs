@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// node check_formats.mjs <build folder> <work folder> <program or folder>... [--most N] [-- <options of ncsim run>...]
+// node check_formats.mjs <build folder> <work folder> <program or folder>... [--most N]
+//     [--only vrml,ply] [-- <options of ncsim run>...]
 //
 // Runs ncsim on every program that simulates without faults, writes all formats, and has them read
 // by programs that nobody here wrote: OpenCASCADE (STEP), lib3mf, Coin (VRML), admesh (STL, and PLY
@@ -16,6 +17,8 @@ const split = args.indexOf("--");
 const options = split < 0 ? [] : args.splice(split).slice(1);
 const mostAt = args.indexOf("--most");
 const most = mostAt < 0 ? Infinity : Number(args.splice(mostAt, 2)[1]);
+const onlyAt = args.indexOf("--only");
+const only = onlyAt < 0 ? null : args.splice(onlyAt, 2)[1].split(",");
 const [build, work, ...sources] = args.map((path) => resolve(path));
 
 function programsOf(path) {
@@ -30,20 +33,35 @@ if (programs.length > most) {
 
 rmSync(work, { recursive: true, force: true });
 mkdirSync(work, { recursive: true });
-const formats = { gltf: "glb", vrml: "wrl", ply: "ply", "3mf": "3mf", stl: "stl", step: "step", report: "json" };
+const readable = { vrml: "wrl", ply: "ply", "3mf": "3mf", stl: "stl", step: "step" };
+const asked = Object.entries(readable).filter(([option]) => only === null || only.includes(option));
+// What the others are compared with is always written.
+const formats = { gltf: "glb", report: "json", ...Object.fromEntries(asked) };
 const tally = { programs: programs.length, written: 0, "not simulated": 0, "too long": 0, "nothing left": 0 };
 const complaints = [];
 
+// The program lines that a face is left of which no simplification takes away: one with a triangle
+// that is not thin.
+const thin = 2e-4; // mm
 function linesOf(glb) {
   const json = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString("utf8"));
   const bin = glb.subarray(28 + glb.readUInt32LE(12));
+  const offset = (accessor) => json.bufferViews[accessor.bufferView].byteOffset ?? 0;
   const lines = new Set();
-  for (const primitive of json.meshes?.[0].primitives ?? []) {
-    const accessor = json.accessors[primitive.attributes._NC_LINE];
-    const { byteOffset = 0 } = json.bufferViews[accessor.bufferView];
-    for (let i = 0; i < accessor.count; i += 1) lines.add(bin.readFloatLE(byteOffset + 4 * i));
+  for (const { attributes, indices } of json.meshes?.[0].primitives ?? []) {
+    const [line, position, index] = [attributes._NC_LINE, attributes.POSITION, indices].map((n) => json.accessors[n]);
+    const corner = (i) => bin.readUInt32LE(offset(index) + 4 * i);
+    const point = (i) => [0, 1, 2].map((k) => bin.readFloatLE(offset(position) + 12 * corner(i) + 4 * k));
+    for (let i = 0; i < index.count; i += 3) {
+      const [a, b, c] = [point(i), point(i + 1), point(i + 2)];
+      const [ab, ac, bc] = [[a, b], [a, c], [b, c]].map(([p, q]) => q.map((x, k) => x - p[k]));
+      const area = Math.hypot(
+        ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]);
+      const longest = Math.max(...[ab, ac, bc].map((edge) => Math.hypot(...edge)));
+      if (area > thin * longest) lines.add(bin.readFloatLE(offset(line) + 4 * corner(i)));
+    }
   }
-  return [...lines].sort((a, b) => a - b);
+  return [...lines].sort((p, q) => p - q);
 }
 
 for (const [i, program] of programs.entries()) {
@@ -83,15 +101,15 @@ function read(name, command, ...rest) {
   tally[`${name} complaints`] = told.length;
 }
 if (tally.written > 0) {
-  read("OpenCASCADE", join(build, "tests/ncsim_read_step"), work);
-  read("lib3mf", join(build, "tests/ncsim_read_3mf"), work);
-  read("Coin", join(build, "tests/ncsim_read_vrml"), work);
+  if (formats.step) read("OpenCASCADE", join(build, "tests/ncsim_read_step"), work);
+  if (formats["3mf"]) read("lib3mf", join(build, "tests/ncsim_read_3mf"), work);
+  if (formats.vrml) read("Coin", join(build, "tests/ncsim_read_vrml"), work);
   read("gltf-validator", "node", join(build, "tests/export/gltf/validate.mjs"), work);
 }
 
 // admesh may find nothing to repair.
 const nothing = ["Degenerate facets", "Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges"];
-for (const kind of ["stl", "ply"]) {
+for (const kind of ["stl", "ply"].filter((k) => formats[k])) {
   let found = 0;
   for (const name of readdirSync(work).filter((n) => n.endsWith(`.${kind}`))) {
     const path = join(work, name);

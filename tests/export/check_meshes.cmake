@@ -11,6 +11,8 @@ endforeach()
 
 file(GLOB files ${SAMPLES}/*.${EXTENSION})
 list(FILTER files EXCLUDE REGEX "/vanished.${EXTENSION}$")
+# On its way through STL as assimp writes it, surfaces that touch become one.
+list(FILTER files EXCLUDE REGEX "/notched.ply$")
 if(NOT files)
   message(FATAL_ERROR "no .${EXTENSION} files in ${SAMPLES}")
 endif()

@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace ncsim::exporter {
 namespace {
@@ -42,7 +44,7 @@ WorldInfo { title "pyramid.nc" info [ "made by ncsim" "unit: mm, z up" ] }
 DEF STOCK Group { children [
 Shape {
 appearance DEF STOCK_LOOK Appearance { material Material { diffuseColor 0.588 0.611 0.643 specularColor 0.2 0.2 0.2 } }
-geometry IndexedFaceSet { coord Coordinate { point [
+geometry IndexedFaceSet { convex FALSE coord Coordinate { point [
 0 2 0
 2 2 0
 2 0 0
@@ -55,7 +57,7 @@ coordIndex [
 DEF LINE_7 Group { children [
 Shape {
 appearance DEF TOOL_4 Appearance { material Material { diffuseColor 0.494 0.713 0.886 specularColor 0.2 0.2 0.2 } }
-geometry IndexedFaceSet { coord Coordinate { point [
+geometry IndexedFaceSet { convex FALSE coord Coordinate { point [
 2 0 0
 2 2 0
 1 1 1.5
@@ -70,7 +72,7 @@ coordIndex [
 DEF LINE_9 Group { children [
 Shape {
 appearance USE TOOL_4
-geometry IndexedFaceSet { coord Coordinate { point [
+geometry IndexedFaceSet { convex FALSE coord Coordinate { point [
 0 0 0
 2 0 0
 1 1 1.5
@@ -91,43 +93,53 @@ TEST(WriteVrml, AnEmptyPartIsAWorldWithoutShapes) {
               "WorldInfo { title \"\" info [ \"made by ncsim\" \"unit: mm, z up\" ] }\n");
 }
 
+std::size_t polygons(const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("-1\n"); at != std::string::npos;
+         at = text.find("-1\n", at + 1))
+        ++count;
+    return count;
+}
+
 TEST(WriteVrml, CutsFacesWithHolesIntoTriangles) {
     const std::string text = written(test::plate_with_hole(), {{{}, {20, 3}}, "plate.nc"});
     // 2 faces of 8 corners and 1 hole are 8 triangles each; 8 squares stay.
-    std::size_t polygons = 0;
-    for (std::size_t at = text.find("-1\n"); at != std::string::npos;
-         at = text.find("-1\n", at + 1)) {
-        ++polygons;
-    }
-    EXPECT_EQ(polygons, 16U + 8U);
+    EXPECT_EQ(polygons(text), 16U + 8U);
 }
 
-TEST(WriteVrml, CutsConcaveFacesIntoTriangles) {
-    // A prism over an L: two faces of six corners, six of four.
+// The bottom, the top, and a side for each corner.
+cda::Boundary prism(const std::vector<std::array<double, 2>>& outline) {
     cda::Boundary b;
-    const std::array<std::array<double, 2>, 6> outline{
-        {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}}};
+    const auto n = static_cast<std::uint32_t>(outline.size());
     for (const double z : {0.0, 1.0}) {
         for (const auto& [x, y] : outline)
             b.vertices.push_back({x, y, z});
     }
-    b.faces.push_back({{0, 0, 1}, 1.0, cda::kStockOrigin, 0, {{6, 7, 8, 9, 10, 11}}});
-    b.faces.push_back({{0, 0, -1}, 0.0, cda::kStockOrigin, 0, {{5, 4, 3, 2, 1, 0}}});
-    for (std::uint32_t i = 0; i < 6; ++i) {
-        const std::uint32_t j = (i + 1) % 6;
+    b.faces.push_back({{0, 0, -1}, 0.0, cda::kStockOrigin, 0, {{}}});
+    b.faces.push_back({{0, 0, 1}, 1.0, cda::kStockOrigin, 0, {{}}});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        b.faces[0].loops[0].push_back(n - 1 - i);
+        b.faces[1].loops[0].push_back(n + i);
+        const std::uint32_t j = (i + 1) % n;
         const cda::Vec3 along = b.vertices[j] - b.vertices[i];
         b.faces.push_back({cda::normalized({along.y, -along.x, 0}),
                            0.0,
                            cda::kStockOrigin,
                            0,
-                           {{i, j, j + 6, i + 6}}});
+                           {{i, j, j + n, i + n}}});
     }
-    const std::string text = written(b, {});
-    std::size_t polygons = 0;
-    for (std::size_t at = text.find("-1\n"); at != std::string::npos;
-         at = text.find("-1\n", at + 1))
-        ++polygons;
-    EXPECT_EQ(polygons, 4U + 4U + 6U);
+    return b;
+}
+
+TEST(WriteVrml, KeepsConcaveFaces) {
+    const auto ell = prism({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}});
+    EXPECT_EQ(polygons(written(ell, {})), 2U + 6U);
+}
+
+TEST(WriteVrml, CutsFacesThatTouchThemselvesIntoTriangles) {
+    // The notch reaches down to the lower edge.
+    const auto notched = prism({{0, 0}, {4, 0}, {4, 3}, {2, 1e-9}, {0, 3}});
+    EXPECT_EQ(polygons(written(notched, {})), 3U + 3U + 5U);
 }
 
 TEST(WriteVrml, QuotesTheNameOfTheProgram) {

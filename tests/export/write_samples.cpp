@@ -64,6 +64,29 @@ void write(const std::filesystem::path& stem, const cda::Boundary& boundary,
     expect << "\nfaces " << faces << "\nsolids " << solids << '\n';
 }
 
+// A prism with a notch down to the lower side, and beyond it by rounding. All of it was cut.
+cda::Boundary notched_prism() {
+    const std::vector<std::array<double, 2>> outline{{0, 0}, {4, 0}, {4, 3}, {2, -1e-15}, {0, 3}};
+    cda::Boundary b;
+    const auto n = static_cast<std::uint32_t>(outline.size());
+    const cda::Origin cut{1};
+    for (const double z : {0.0, 1.0}) {
+        for (const auto& [x, y] : outline)
+            b.vertices.push_back({x, y, z});
+    }
+    b.faces.push_back({{0, 0, -1}, 0.0, cut, 0, {{4, 3, 2, 1, 0}}});
+    b.faces.push_back({{0, 0, 1}, 1.0, cut, 0, {{5, 6, 7, 8, 9}}});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t j = (i + 1) % n;
+        const cda::Vec3 along = b.vertices[j] - b.vertices[i];
+        const cda::Vec3 normal = cda::normalized({along.y, -along.x, 0});
+        b.faces.push_back(
+            {normal, cda::dot(normal, b.vertices[i]), cut, 0, {{i, j, j + n, i + n}}});
+    }
+    b.shells = 1;
+    return b;
+}
+
 // The part as both renderers see it.
 void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
     const cda::Boundary boundary = boundary_of(part);
@@ -105,6 +128,8 @@ void write_all(const std::filesystem::path& folder) {
 
     // One piece of it hangs in the air.
     write(folder / "polytopes", polytope_part().boundary(), provenance_of_polytope_part(), 0, 2);
+
+    write(folder / "notched", notched_prism(), {{{}, {5, 2}}, "notched.nc"}, 0, 1);
 
     const BoxPart hollow = hollow_part();
     write(folder / "hollow", boundary_of(hollow), provenance_of(hollow), 12, 1);

@@ -82,7 +82,8 @@ public:
 
     cda::Vec3 at(std::uint32_t face, std::uint32_t vertex) const {
         const cda::Vec3 own = boundary_.faces[face].normal;
-        if (tool_[face] == 0) return own;
+        // Vertices inside a face, which triangulate() made, have no others.
+        if (tool_[face] == 0 || vertex + 1 >= first_.size()) return own;
         cda::Vec3 sum;
         for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
             const std::uint32_t other = faces_[i];

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pieces.h"
 
+#include "ncsim/cda/mesh.h"
+
+#include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 
 namespace ncsim::exporter {
 
@@ -27,39 +32,55 @@ bool is_convex(const cda::Boundary& boundary, const cda::BoundaryFace& face) {
     return true;
 }
 
+using Triangle = std::array<std::uint32_t, 3>;
+
+// mm: where an outline comes nearer to itself, Coin's tessellator takes the two places for one.
+constexpr double kTouching = 1e-3;
+
+bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
+    const Vec3 ab = vertices[t[1]] - vertices[t[0]];
+    const Vec3 ac = vertices[t[2]] - vertices[t[0]];
+    const Vec3 bc = vertices[t[2]] - vertices[t[1]];
+    const double longest = std::max({cda::norm(ab), cda::norm(ac), cda::norm(bc)});
+    return cda::norm(cda::cross(ab, ac)) < kTouching * longest;
+}
+
 }  // namespace
 
-Pieces::Pieces(const cda::Boundary& boundary)
+Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
     : boundary_(boundary), first_(boundary.faces.size() + 1, 0) {
-    for (const cda::BoundaryFace& face : boundary.faces)
-        is_cut_.push_back(!is_convex(boundary, face));
-    cda::Boundary concave;
-    std::vector<std::uint32_t> original;  // number of each face of `concave` in `boundary`
+    cda::Boundary cut;
+    std::vector<std::uint32_t> original;  // number of each face of `cut` in `boundary`
     for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-        if (!is_cut(f)) continue;
-        concave.faces.push_back(boundary.faces[f]);
+        if (is_convex(boundary, boundary.faces[f])) continue;
+        cut.faces.push_back(boundary.faces[f]);
         original.push_back(f);
     }
-    if (original.empty()) return;
-    concave.vertices = boundary.vertices;
-    mesh_ = cda::triangulate(concave);
-    for (const std::uint32_t face : mesh_.face)
-        ++first_[original[face] + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    sorted_.resize(mesh_.triangles.size());
-    std::vector<std::uint32_t> next(first_);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        sorted_[next[original[mesh_.face[t]]]++] = t;
+    cut.vertices = boundary.vertices;
+    cda::TriangleMesh mesh = cda::triangulate(cut);
+    vertices_ = std::move(mesh.vertices);
+    std::vector<std::vector<Triangle>> triangles(cut.faces.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        triangles[mesh.face[t]].push_back(mesh.triangles[t]);
+    for (std::size_t c = 0; c < original.size(); ++c) {
+        // An outline that comes near to itself has low triangles there.
+        const bool is_whole = polygons == Polygons::Simple && cut.faces[c].loops.size() == 1 &&
+                              std::none_of(triangles[c].begin(), triangles[c].end(),
+                                           [&](const Triangle& t) { return is_low(vertices_, t); });
+        if (is_whole) continue;
+        pieces_.insert(pieces_.end(), triangles[c].begin(), triangles[c].end());
+        first_[original[c] + 1] = static_cast<std::uint32_t>(triangles[c].size());
     }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }
 
 std::size_t Pieces::count(std::uint32_t face) const {
-    return is_cut(face) ? first_[face + 1] - first_[face] : 1;
+    return std::max(1U, first_[face + 1] - first_[face]);
 }
 
 std::span<const std::uint32_t> Pieces::corners(std::uint32_t face, std::size_t i) const {
-    if (!is_cut(face)) return boundary_.faces[face].loops.front();
-    return mesh_.triangles[sorted_[first_[face] + i]];
+    if (first_[face + 1] == first_[face]) return boundary_.faces[face].loops.front();
+    return pieces_[first_[face] + i];
 }
 
 }  // namespace ncsim::exporter

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces for formats whose polygons have no holes, and whose readers cut concave ones wrongly:
-// fans from a corner, or tessellators in floats, both of which lose volume.
+// Faces for formats whose polygons have no holes.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/mesh.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,25 +13,35 @@
 
 namespace ncsim::exporter {
 
-/// Each face of a boundary as convex polygons: itself if it is one (but for rounding), else
-/// triangles between its own vertices.
+/// What the readers of a format know to draw.
+enum class Polygons {
+    /// Readers cut others into fans from a corner: a face that is not convex (but for rounding) is
+    /// given as triangles.
+    Convex,
+    /// Readers draw concave ones too, but not where the outline touches itself. Such faces, and
+    /// those with holes, are given as triangles.
+    Simple
+};
+
+/// Each face of a boundary as polygons without holes.
 class Pieces {
 public:
     /// `boundary` must outlive the pieces.
-    explicit Pieces(const cda::Boundary& boundary);
+    Pieces(const cda::Boundary& boundary, Polygons polygons);
+
+    /// Those of the boundary, and a few more that triangulate() made.
+    const std::vector<cda::Vec3>& vertices() const { return vertices_; }
 
     std::size_t count(std::uint32_t face) const;
     /// Vertices of piece `i` of the face, counter-clockwise seen from outside.
     std::span<const std::uint32_t> corners(std::uint32_t face, std::size_t i) const;
 
 private:
-    bool is_cut(std::uint32_t face) const { return is_cut_[face]; }
-
     const cda::Boundary& boundary_;
-    std::vector<bool> is_cut_;           // by face
-    cda::TriangleMesh mesh_;             // of the faces that are cut
-    std::vector<std::uint32_t> first_;   // for each face, where in `sorted_` its triangles begin
-    std::vector<std::uint32_t> sorted_;  // triangles of mesh_, by face
+    std::vector<cda::Vec3> vertices_;
+    // For each face where in `pieces_` its own begin; none: the face is its outline.
+    std::vector<std::uint32_t> first_;
+    std::vector<std::array<std::uint32_t, 3>> pieces_;
 };
 
 }  // namespace ncsim::exporter

@@ -49,18 +49,18 @@ std::string header(const Provenance& provenance, std::size_t vertices, std::size
 
 void write_ply(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
     const Palette palette(provenance);
-    const Pieces pieces(boundary);
+    const Pieces pieces(boundary, Polygons::Convex);
     std::size_t polygons = 0;
     for (std::uint32_t f = 0; f < boundary.faces.size(); ++f)
         polygons += pieces.count(f);
 
-    std::string bytes = header(provenance, boundary.vertices.size(), polygons);
+    std::string bytes = header(provenance, pieces.vertices().size(), polygons);
     const auto flush = [&](std::size_t limit) {
         if (bytes.size() < limit) return;
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         bytes.clear();
     };
-    for (const cda::Vec3& p : boundary.vertices) {
+    for (const cda::Vec3& p : pieces.vertices()) {
         append(bytes, p.x);
         append(bytes, p.y);
         append(bytes, p.z);

@@ -35,7 +35,7 @@ public:
           boundary_(boundary),
           provenance_(provenance),
           palette_(provenance),
-          pieces_(boundary),
+          pieces_(boundary, Polygons::Simple),
           is_defined_(palette_.tools().size(), false) {}
 
     void write() {
@@ -109,7 +109,7 @@ private:
     void shape(std::span<const FaceIndex> faces) {
         text_ += "Shape {\nappearance ";
         appearance(entry(faces.front()));
-        text_ += "\ngeometry IndexedFaceSet { coord Coordinate { point [\n";
+        text_ += "\ngeometry IndexedFaceSet { convex FALSE coord Coordinate { point [\n";
         local_.clear();
         std::string polygons;
         for (const FaceIndex face : faces) {
@@ -125,7 +125,7 @@ private:
     void polygon(std::span<const std::uint32_t> corners, std::string& polygons) {
         for (const std::uint32_t vertex : corners) {
             const auto [found, is_new] = local_.try_emplace(vertex, local_.size());
-            if (is_new) point(boundary_.vertices[vertex]);
+            if (is_new) point(pieces_.vertices()[vertex]);
             polygons += std::to_string(found->second);
             polygons += ' ';
         }

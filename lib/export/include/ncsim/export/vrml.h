@@ -11,9 +11,10 @@
 namespace ncsim::exporter {
 
 /// Writes `boundary` as VRML97 text, in millimetres, z up: a Group for each program line named
-/// LINE_<n> (STOCK for uncut stock), within it a Shape coloured by its tool. Convex faces are
-/// n-gons, others are cut into triangles. All points are written with every digit, so the
-/// surface stays as closed as the boundary is.
+/// LINE_<n> (STOCK for uncut stock), within it a Shape coloured by its tool. Faces are
+/// n-gons; those with holes, or whose outline touches itself, are cut into triangles.
+/// All points are written with every
+/// digit, so the surface stays as closed as the boundary is.
 ///
 /// A part of which nothing is left gives a valid file. Equal input gives equal bytes. Throws
 /// std::runtime_error if the stream fails.
