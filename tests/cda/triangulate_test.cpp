@@ -84,6 +84,13 @@ TEST(Triangulate, AHoleThatLiesUponTheOutline) {
                 14.0);
 }
 
+TEST(Triangulate, AFaceThatWindsAroundAPlaceTwice) {
+    expect_area(
+        {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}},
+        20.0);
+    expect_area({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 1, 0}, {3, 1, 0}, {1, 2, 0}}}, 9.5);
+}
+
 // What cutters leave beside a path of short moves: a band narrower than the rounding of
 // its coordinates. Its edges cross many times, and no triangle may bridge its bends.
 TEST(Triangulate, NarrowBandsStayNarrow) {

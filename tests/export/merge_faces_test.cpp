@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "merge_faces.h"
-
+//
+// Without a tolerance simplify() merges faces, and does nothing else.
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/export/simplify.h"
 
 #include "box_part.h"
 #include "polytope_part.h"
@@ -15,10 +17,10 @@
 namespace ncsim::exporter {
 namespace {
 
-TEST(MergeCoplanar, ABoxOfManySquaresHasSixFacesAndEightCorners) {
+TEST(MergeFaces, ABoxOfManySquaresHasSixFacesAndEightCorners) {
     test::BoxPart box;
     box.stock = {{0, 0, 0}, {3, 4, 5}};
-    const MergedFaces merged = merge_coplanar(test::boundary_of(box));
+    const Simplified merged = simplify(test::boundary_of(box), 0.0);
     ASSERT_EQ(merged.boundary.faces.size(), 6U);
     for (const auto& face : merged.boundary.faces) {
         ASSERT_EQ(face.loops.size(), 1U);
@@ -27,19 +29,18 @@ TEST(MergeCoplanar, ABoxOfManySquaresHasSixFacesAndEightCorners) {
     EXPECT_DOUBLE_EQ(cda::volume(merged.boundary), 60.0);
 }
 
-TEST(MergeCoplanar, CountsFacesAsAPersonDoes) {
-    EXPECT_EQ(merge_coplanar(test::boundary_of(test::grooved_part())).boundary.faces.size(), 25U);
-    EXPECT_EQ(
-        merge_coplanar(test::boundary_of(test::grooved_part().tilted())).boundary.faces.size(),
-        25U);
-    EXPECT_EQ(merge_coplanar(test::plate_with_hole()).boundary.faces.size(), 10U);
+TEST(MergeFaces, CountsFacesAsAPersonDoes) {
+    EXPECT_EQ(simplify(test::boundary_of(test::grooved_part()), 0.0).boundary.faces.size(), 25U);
+    EXPECT_EQ(simplify(test::boundary_of(test::grooved_part().tilted()), 0.0).boundary.faces.size(),
+              25U);
+    EXPECT_EQ(simplify(test::plate_with_hole(), 0.0).boundary.faces.size(), 10U);
 }
 
-TEST(MergeCoplanar, APocketIsAHoleInTheFaceAroundIt) {
+TEST(MergeFaces, APocketIsAHoleInTheFaceAroundIt) {
     test::BoxPart part;
     part.stock = {{0, 0, 0}, {6, 6, 4}};
     part.cuts = {{{1, 1, 2}, {3, 3, 5}}, {{4, 1, 2}, {5, 5, 5}}};
-    const MergedFaces merged = merge_coplanar(test::boundary_of(part));
+    const Simplified merged = simplify(test::boundary_of(part), 0.0);
     std::size_t pierced = 0;
     for (const auto& face : merged.boundary.faces) {
         if (face.loops.size() == 1) continue;
@@ -89,10 +90,10 @@ cda::Boundary block_with_touching_pits() {
     return b;
 }
 
-TEST(MergeCoplanar, HolesThatTouchInAVertexStayHoles) {
+TEST(MergeFaces, HolesThatTouchInAVertexStayHoles) {
     const cda::Boundary boundary = block_with_touching_pits();
     ASSERT_TRUE(cda::check(boundary).is_closed());
-    const MergedFaces merged = merge_coplanar(boundary);
+    const Simplified merged = simplify(boundary, 0.0);
     EXPECT_TRUE(cda::check(merged.boundary).is_closed());
     EXPECT_NEAR(cda::volume(merged.boundary), 48.0 - 2.0 / 3.0, 1e-12);
     ASSERT_EQ(merged.boundary.faces.size(), 6U + 8U);
@@ -103,11 +104,11 @@ TEST(MergeCoplanar, HolesThatTouchInAVertexStayHoles) {
         EXPECT_EQ(loop.size(), 4U);
 }
 
-TEST(MergeCoplanar, KeepsTheSurfaceClosedAndTheVolume) {
+TEST(MergeFaces, KeepsTheSurfaceClosedAndTheVolume) {
     for (const cda::Boundary& boundary :
          {test::boundary_of(test::raster_part().tilted()), test::polytope_part().boundary(),
           test::plate_with_hole(), test::boundary_of(test::hollow_part())}) {
-        const MergedFaces merged = merge_coplanar(boundary);
+        const Simplified merged = simplify(boundary, 0.0);
         EXPECT_TRUE(cda::check(merged.boundary).is_closed());
         EXPECT_LE(merged.boundary.faces.size(), boundary.faces.size());
         EXPECT_NEAR(cda::volume(merged.boundary), cda::volume(boundary),
@@ -116,8 +117,8 @@ TEST(MergeCoplanar, KeepsTheSurfaceClosedAndTheVolume) {
     }
 }
 
-TEST(MergeCoplanar, RemembersWhoCutAFace) {
-    const MergedFaces merged = merge_coplanar(test::boundary_of(test::grooved_part()));
+TEST(MergeFaces, RemembersWhoCutAFace) {
+    const Simplified merged = simplify(test::boundary_of(test::grooved_part()), 0.0);
     ASSERT_EQ(merged.origins.size(), merged.boundary.faces.size());
     // The floor of the groove was cut by three passes.
     const bool found = std::any_of(merged.origins.begin(), merged.origins.end(), [](const auto& o) {
@@ -126,8 +127,8 @@ TEST(MergeCoplanar, RemembersWhoCutAFace) {
     EXPECT_TRUE(found);
 }
 
-TEST(MergeCoplanar, OfNothingIsNothing) {
-    EXPECT_TRUE(merge_coplanar({}).boundary.faces.empty());
+TEST(MergeFaces, OfNothingIsNothing) {
+    EXPECT_TRUE(simplify({}, 0.0).boundary.faces.empty());
 }
 
 }  // namespace

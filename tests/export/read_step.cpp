@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_step <folder>: every .step in the folder is read by OpenCASCADE as valid closed solids, in
+// read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid closed solids, in
 // millimetres, with the volume and the number of faces that the .expect file beside it names.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -95,9 +95,11 @@ bool check(const std::filesystem::path& path) {
 
 int main(int argc, char** argv) {
     if (argc != 2) return EXIT_FAILURE;
+    const std::filesystem::path path = argv[1];
+    if (!std::filesystem::is_directory(path)) return check(path) ? EXIT_SUCCESS : EXIT_FAILURE;
     int files = 0;
     bool good = true;
-    for (const auto& entry : std::filesystem::directory_iterator(argv[1])) {
+    for (const auto& entry : std::filesystem::directory_iterator(path)) {
         if (entry.path().extension() != ".step") continue;
         ++files;
         good = check(entry.path()) && good;

@@ -110,6 +110,21 @@ class SimplifyBy : public testing::TestWithParam<double> {};
 
 INSTANTIATE_TEST_SUITE_P(Tolerances, SimplifyBy, testing::Values(1e-5, 1e-3, 0.1, 0.5));
 
+// The triangles of the shells that are there in `after`, too.
+cda::TriangleMesh of_shells_in(const cda::Boundary& after, const cda::Boundary& before) {
+    cda::TriangleMesh mesh = cda::triangulate(before);
+    cda::TriangleMesh result;
+    result.vertices = mesh.vertices;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t shell = before.faces[mesh.face[t]].shell;
+        if (std::any_of(after.faces.begin(), after.faces.end(),
+                        [&](const auto& face) { return face.shell == shell; })) {
+            result.triangles.push_back(mesh.triangles[t]);
+        }
+    }
+    return result;
+}
+
 // Nothing about this part is where a person would have put it.
 TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     const double tolerance = GetParam();
@@ -118,7 +133,7 @@ TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     EXPECT_LE(result.boundary.faces.size(), boundary.faces.size());
     EXPECT_LE(result.deviation_mm, tolerance);
     EXPECT_TRUE(cda::check(result.boundary).is_closed());
-    const cda::TriangleMesh before = cda::triangulate(boundary);
+    const cda::TriangleMesh before = of_shells_in(result.boundary, boundary);
     const cda::TriangleMesh after = cda::triangulate(result.boundary);
     EXPECT_TRUE(cda::check(after).is_closed());
     const double rounding = 1e-9;
@@ -126,6 +141,27 @@ TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     EXPECT_LE(farthest(after, before), result.deviation_mm + rounding);
     EXPECT_NEAR(cda::volume(after), cda::volume(before),
                 cda::area(boundary) * result.deviation_mm + rounding);
+    // What vanished is thinner than the tolerance.
+    EXPECT_NEAR(cda::volume(before), cda::volume(boundary), cda::area(boundary) * tolerance);
+}
+
+TEST(Simplify, AFlakeThinnerThanTheToleranceVanishesAndNothingElse) {
+    test::BoxPart part;
+    part.stock = {{0, 0, 0}, {4, 4, 3}};
+    part.cuts = {{{-1, -1, 1}, {5, 5, 2}}};
+    cda::Boundary boundary = test::boundary_of(part);
+    for (Vec3& v : boundary.vertices) {
+        if (v.z == 3.0) v.z = 2.0001;
+    }
+    for (auto& face : boundary.faces)
+        face.offset = cda::dot(face.normal, boundary.vertices[face.loops[0][0]]);
+    ASSERT_EQ(boundary.shells, 2U);
+    EXPECT_EQ(simplify(boundary, 1e-4).boundary.faces.size(), 12U);
+    const Simplified result = simplify(boundary, 1e-3);
+    EXPECT_TRUE(cda::check(result.boundary).is_closed());
+    EXPECT_EQ(result.boundary.faces.size(), 6U);
+    EXPECT_DOUBLE_EQ(cda::volume(result.boundary), 16.0);
+    EXPECT_LE(result.deviation_mm, 1e-12);
 }
 
 TEST(Simplify, LeavesNoEdgeThatAReaderTakesForAPoint) {

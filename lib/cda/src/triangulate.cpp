@@ -14,11 +14,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
+#include <tuple>
 #include <utility>
 
 namespace ncsim::cda {
@@ -257,83 +259,88 @@ private:
 };
 
 // Two faces that share two corners may both have the diagonal between them, or one has as a
-// diagonal what is an edge of another: where corners lie on one line but for rounding. Such a
-// diagonal gets a corner of its own in the middle, so that no edge stands twice; edges of faces
-// stay.
-void split_repeated_diagonals(const Boundary& boundary, TriangleMesh& mesh) {
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    std::vector<std::pair<Edge, std::uint32_t>> edges;  // without direction, triangle
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            edges.emplace_back(std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]),
-                               t);
-        }
-    }
-    std::sort(edges.begin(), edges.end());
-    std::set<std::pair<std::uint32_t, Edge>> outlines;  // of the faces concerned
-    std::set<std::uint32_t> known;
-    const auto is_outline = [&](std::uint32_t face, Edge edge) {
-        if (known.insert(face).second) {
-            for (const auto& loop : boundary.faces[face].loops) {
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    outlines.emplace(face, std::minmax(loop[i], loop[(i + 1) % loop.size()]));
-                }
-            }
-        }
-        return outlines.contains({face, edge});
-    };
-    const auto halve = [&](std::uint32_t t, Edge edge, std::uint32_t middle) {
-        // (a, b, c) with the edge a → b: (a, m, c) and (m, b, c).
-        const Triangle old = mesh.triangles[t];
-        std::size_t i = 0;
-        while (std::minmax(old[i], old[(i + 1) % 3]) != std::minmax(edge.first, edge.second))
-            ++i;
-        mesh.triangles[t] = {old[i], middle, old[(i + 2) % 3]};
-        mesh.triangles.push_back({middle, old[(i + 1) % 3], old[(i + 2) % 3]});
-        mesh.face.push_back(mesh.face[t]);
-        return static_cast<std::uint32_t>(mesh.triangles.size() - 1);
-    };
-    // A triangle that was halved is found by what it was: its parts, by number.
-    std::map<std::uint32_t, std::vector<std::uint32_t>> parts;
-    const auto holder = [&](std::uint32_t t, Edge edge) {
-        std::vector<std::uint32_t> open{t};
-        while (!open.empty()) {
-            const std::uint32_t now = open.back();
-            open.pop_back();
-            const Triangle& corners = mesh.triangles[now];
+// diagonal what is an edge of another: where corners lie on one line but for rounding. A face that
+// winds around a place twice, by rounding too, has its diagonals there twice. Each such diagonal
+// gets a corner of its own in the middle, so that no edge stands twice; edges of faces stay.
+class RepeatedDiagonals {
+public:
+    explicit RepeatedDiagonals(TriangleMesh& mesh) : mesh_(mesh) {}
+
+    void split() {
+        struct Side {
+            Edge edge;  // the smaller vertex first
+            std::uint32_t face, triangle;
+            bool is_forward;
+        };
+        std::vector<Side> sides;
+        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
             for (std::size_t i = 0; i < 3; ++i) {
-                if (Edge(std::minmax(corners[i], corners[(i + 1) % 3])) == edge) return now;
-            }
-            if (const auto it = parts.find(now); it != parts.end()) {
-                open.insert(open.end(), it->second.begin(), it->second.end());
-            }
-        }
-        return t;
-    };
-    for (std::size_t begin = 0; begin < edges.size();) {
-        std::size_t end = begin;
-        while (end < edges.size() && edges[end].first == edges[begin].first)
-            ++end;
-        const Edge edge = edges[begin].first;
-        if (end - begin > 2) {
-            std::map<std::uint32_t, std::vector<std::uint32_t>> by_face;
-            for (std::size_t i = begin; i < end; ++i) {
-                by_face[mesh.face[edges[i].second]].push_back(edges[i].second);
-            }
-            for (const auto& [face, triangles] : by_face) {
-                if (triangles.size() < 2 || is_outline(face, edge)) continue;
-                const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
-                mesh.vertices.push_back(0.5 *
-                                        (mesh.vertices[edge.first] + mesh.vertices[edge.second]));
-                for (const std::uint32_t t : triangles) {
-                    const std::uint32_t now = holder(t, edge);
-                    parts[now].push_back(halve(now, edge, middle));
-                }
+                const std::uint32_t a = mesh_.triangles[t][i];
+                const std::uint32_t b = mesh_.triangles[t][(i + 1) % 3];
+                sides.push_back({std::minmax(a, b), mesh_.face[t], t, a < b});
             }
         }
-        begin = end;
+        std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+            return std::tie(a.edge, a.face, a.triangle) < std::tie(b.edge, b.face, b.triangle);
+        });
+        for (auto begin = sides.begin(); begin != sides.end();) {
+            const auto end = std::find_if(begin, sides.end(),
+                                          [&](const Side& s) { return s.edge != begin->edge; });
+            if (end - begin == 2) {
+                begin = end;
+                continue;
+            }
+            // Within one face what goes there and what comes back is a diagonal; one that is left
+            // over belongs to the edge of the face.
+            while (begin != end) {
+                const auto other =
+                    std::find_if(begin, end, [&](const Side& s) { return s.face != begin->face; });
+                std::vector<std::uint32_t> there, back;
+                for (; begin != other; ++begin)
+                    (begin->is_forward ? there : back).push_back(begin->triangle);
+                for (std::size_t i = 0; i < std::min(there.size(), back.size()); ++i)
+                    split(std::prev(other)->edge, there[i], back[i]);
+            }
+        }
     }
-}
+
+private:
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+    void split(Edge edge, std::uint32_t s, std::uint32_t t) {
+        const auto middle = static_cast<std::uint32_t>(mesh_.vertices.size());
+        mesh_.vertices.push_back(0.5 * (mesh_.vertices[edge.first] + mesh_.vertices[edge.second]));
+        halve(s, edge, middle);
+        halve(t, edge, middle);
+    }
+
+    static std::size_t side(const Triangle& corners, Edge edge) {
+        std::size_t i = 0;
+        while (i < 3 && Edge(std::minmax(corners[i], corners[(i + 1) % 3])) != edge)
+            ++i;
+        return i;
+    }
+
+    // (a, b, c) with the edge a → b: (a, m, c) and (m, b, c). Where the triangle was halved before,
+    // it is the part with the edge.
+    void halve(std::uint32_t t, Edge edge, std::uint32_t middle) {
+        std::vector<std::uint32_t> open{t};
+        while (side(mesh_.triangles[t = open.back()], edge) == 3) {
+            open.pop_back();
+            const auto& parts = parts_[t];
+            open.insert(open.end(), parts.begin(), parts.end());
+        }
+        const Triangle old = mesh_.triangles[t];
+        const std::size_t i = side(old, edge);
+        mesh_.triangles[t] = {old[i], middle, old[(i + 2) % 3]};
+        parts_[t].push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
+        mesh_.triangles.push_back({middle, old[(i + 1) % 3], old[(i + 2) % 3]});
+        mesh_.face.push_back(mesh_.face[t]);
+    }
+
+    TriangleMesh& mesh_;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;
+};
 
 }  // namespace
 
@@ -353,7 +360,7 @@ TriangleMesh triangulate(const Boundary& boundary) {
         mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
         mesh.face.insert(mesh.face.end(), triangles.size(), f);
     }
-    split_repeated_diagonals(boundary, mesh);
+    RepeatedDiagonals(mesh).split();
     return mesh;
 }
 

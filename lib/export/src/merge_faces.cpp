@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Faces that share an edge and a normal are joined into groups (union-find).
-//  2. Edges with the same group on both sides vanish; what is left of a group are its outlines.
-//  3. The outlines are walked anew, the interior on the left. Where they touch in a vertex, the
+//  1. Edges with the same group on both sides vanish; what is left of a group are its outlines.
+//  2. The outlines are walked anew, the interior on the left. Where they touch in a vertex, the
 //  walk
 //     goes on along the first edge counter-clockwise from where it came: between the two there is
 //     nothing but outside. So each loop goes around one connected piece of the outside and passes
 //     no vertex twice: if it did, the group would hang together at that vertex only.
-//  4. Vertices with two edges are left out of the loops.
 #include "merge_faces.h"
 
 #include "half_edges.h"
@@ -45,7 +43,7 @@ double signed_area(const std::vector<Vec3>& vertices, const std::vector<VertexIn
     return cda::dot(sum, normal);
 }
 
-// Step 3 for one group, whose remaining edges are `edges`, sorted by where they begin.
+// Step 2 for one group, whose remaining edges are `edges`, sorted by where they begin.
 std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
                                            const std::vector<HalfEdge>& edges, Vec3 normal) {
     std::vector<bool> is_used(edges.size(), false);
@@ -85,22 +83,6 @@ std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
     return loops;
 }
 
-// Step 4.
-void drop_straight_vertices(cda::Boundary& boundary) {
-    std::vector<std::uint32_t> edges_at(boundary.vertices.size(), 0);
-    for (const auto& face : boundary.faces) {
-        for (const auto& loop : face.loops) {
-            for (const VertexIndex vertex : loop)
-                ++edges_at[vertex];
-        }
-    }
-    for (auto& face : boundary.faces) {
-        for (auto& loop : face.loops) {
-            std::erase_if(loop, [&](VertexIndex vertex) { return edges_at[vertex] == 2; });
-        }
-    }
-}
-
 }  // namespace
 
 MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups) {
@@ -121,7 +103,8 @@ MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups) {
     result.boundary.vertices = boundary.vertices;
     result.boundary.shells = boundary.shells;
     for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-        if (groups.find(f) != f) continue;
+        // A group without an outline is a whole shell: both sides of a flake.
+        if (groups.find(f) != f || outlines[f].empty()) continue;
         std::stable_sort(outlines[f].begin(), outlines[f].end(),
                          [](const HalfEdge& a, const HalfEdge& b) { return a.from < b.from; });
         std::sort(origins[f].begin(), origins[f].end());
@@ -130,22 +113,9 @@ MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups) {
         face.origin = origins[f].front();
         face.loops = walk(boundary.vertices, outlines[f], face.normal);
         result.boundary.faces.push_back(std::move(face));
+        result.group.push_back(f);
         result.origins.push_back(std::move(origins[f]));
     }
-    return result;
-}
-
-MergedFaces merge_coplanar(const cda::Boundary& boundary) {
-    const std::vector<HalfEdge> edges = half_edges(boundary);
-    const std::vector<std::uint32_t> twins = twins_of(edges);
-    Groups groups(boundary.faces.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const std::uint32_t face = edges[e].face;
-        const std::uint32_t other = edges[twins[e]].face;
-        if (boundary.faces[face].normal == boundary.faces[other].normal) groups.join(face, other);
-    }
-    MergedFaces result = merge_groups(boundary, groups);
-    drop_straight_vertices(result.boundary);
     return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "half_edges.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace ncsim::exporter {
@@ -17,16 +18,12 @@ struct MergedFaces {
     cda::Boundary boundary;
     /// For each merged face the origins of the faces it is made of, ascending, each once.
     std::vector<std::vector<cda::Origin>> origins;
+    std::vector<std::uint32_t> group;  ///< The number that stands for it in Groups.
 };
 
 /// Makes one face of each of `groups`, which hold the numbers of faces that hang together and lie
-/// in the plane of the group's first one, more or less. All vertices stay. O(n log n).
+/// in the plane of the group's first one, more or less. A group that has no outline, since it is a
+/// whole shell, has no face either. All vertices stay. O(n log n).
 MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups);
-
-/// Joins faces that share an edge and lie in the same plane, and leaves out vertices at which only
-/// two faces remain: their edges go straight on. Nothing moves, so the surface stays closed and
-/// its volume the same. Planes are the same if their normals are equal to the last bit, as
-/// those computed from one exact plane are. O(n log n).
-MergedFaces merge_coplanar(const cda::Boundary& boundary);
 
 }  // namespace ncsim::exporter

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//  1. Faces become triangles; those that are too thin vanish (remove_slivers).
+//  1. Faces become triangles; those that are too thin vanish (remove_slivers), and whole shells.
 //  2. Triangles are joined to groups across edges while every vertex of a group stays near the
 //     plane of its largest one; thin ones may turn any way.
 //  3. Each group becomes a face (merge_groups).
@@ -68,6 +68,30 @@ cda::Boundary as_boundary(const cda::TriangleMesh& mesh, const cda::Boundary& fr
                                 {{corners.begin(), corners.end()}}});
     }
     return result;
+}
+
+// Shells of which every vertex lies near the plane of the largest face have nothing inside.
+void drop_flakes(cda::Boundary& boundary, double tolerance) {
+    struct Shell {
+        double area = -1.0;
+        const cda::BoundaryFace* largest = nullptr;
+        bool is_flake = true;
+    };
+    std::vector<Shell> shells(boundary.shells);
+    for (const auto& face : boundary.faces) {
+        Shell& shell = shells[face.shell];
+        const double area = cda::norm(area_vector(boundary.vertices, face));
+        if (area > shell.area) shell.area = area, shell.largest = &face;
+    }
+    for (const auto& face : boundary.faces) {
+        Shell& shell = shells[face.shell];
+        for (const Vertex v : face.loops.front()) {
+            const double off =
+                cda::dot(shell.largest->normal, boundary.vertices[v]) - shell.largest->offset;
+            shell.is_flake = shell.is_flake && std::abs(off) < tolerance;
+        }
+    }
+    std::erase_if(boundary.faces, [&](const auto& face) { return shells[face.shell].is_flake; });
 }
 
 // Step 2.
@@ -318,16 +342,14 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
                           const Provenance* lines) {
     remove_slivers(mesh, share);
     cda::Boundary work = as_boundary(mesh, boundary);
+    drop_flakes(work, share);
     if (work.faces.empty()) return {};
     Flats flats(work, share, lines);
     flats.run();
     MergedFaces merged = merge_groups(work, flats.groups());
     if (lines) {
-        // Merged faces stand in the order of the first face of each group.
-        auto face = merged.boundary.faces.begin();
-        for (std::uint32_t f = 0; f < work.faces.size(); ++f) {
-            if (flats.groups().find(f) == f) (face++)->origin = flats.origin(f);
-        }
+        for (std::size_t f = 0; f < merged.group.size(); ++f)
+            merged.boundary.faces[f].origin = flats.origin(merged.group[f]);
     }
     Straightening(merged.boundary, share).run();
     for (auto& face : merged.boundary.faces) {
@@ -337,6 +359,24 @@ Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh,
             fit_plane(merged.boundary.vertices, face);
     }
     return {std::move(merged.boundary), std::move(merged.origins), 0.0};
+}
+
+// Flakes thinner than the tolerance may vanish however wide they are: what they were is near to
+// where nothing was, though far from what is left.
+cda::TriangleMesh without_lost_shells(cda::TriangleMesh mesh, const cda::Boundary& before,
+                                      const cda::Boundary& after) {
+    std::vector<bool> is_left(before.shells, false);
+    for (const auto& face : after.faces)
+        is_left[face.shell] = true;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!is_left[before.faces[mesh.face[t]].shell]) continue;
+        mesh.triangles[kept] = mesh.triangles[t];
+        mesh.face[kept++] = mesh.face[t];
+    }
+    mesh.triangles.resize(kept);
+    mesh.face.resize(kept);
+    return mesh;
 }
 
 }  // namespace
@@ -350,7 +390,8 @@ Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Pr
         if (share < 1e-3 * tolerance_mm) share = 0.0;
         result = simplify_steps(boundary, before, share, lines);
         if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
-        result.deviation_mm = deviation(before, cda::triangulate(result.boundary));
+        result.deviation_mm = deviation(without_lost_shells(before, boundary, result.boundary),
+                                        cda::triangulate(result.boundary));
         if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;
     }
 }

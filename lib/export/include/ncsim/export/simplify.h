@@ -21,7 +21,7 @@ struct Simplified {
     /// For each face the origins of the faces it is made of, ascending, each once.
     std::vector<std::vector<cda::Origin>> origins;
     /// In mm, measured: the farthest that a corner or the middle of a triangle of one surface lies
-    /// from the other. Never more than the tolerance.
+    /// from the other, shells that vanished aside. Never more than the tolerance.
     double deviation_mm = 0.0;
 };
 
@@ -32,7 +32,7 @@ struct Simplified {
 /// turn away from each other by more than 15° stay apart, unless one of them is thinner than the
 /// tolerance.
 ///
-/// A closed surface stays closed, with the same shells, save those smaller than the tolerance,
+/// A closed surface stays closed, with the same shells, save those thinner than the tolerance,
 /// which vanish: what hangs together through a thin band or a short edge keeps it.
 /// Faces are flat within half the tolerance, no longer exactly. Where `lines` is given, faces
 /// that different program lines cut stay apart too, with the same exception. Requires a tolerance ≥
