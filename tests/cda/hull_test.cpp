@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ncsim::cda {
 namespace {
@@ -119,6 +120,40 @@ TEST(TranslationSweep, AgreesWithTheHullOfBothPoses) {
         const double b = ConvexPolytope::of(*hull, kLattice)->volume();
         EXPECT_NEAR(a, b, 1e-5 * b);
     }
+}
+
+// The sides of a tilted cylinder are four corners each that rounding has torn from their plane: two
+// facets, whose planes may be the same again once their normals are quantised.
+TEST(TranslationSweep, HasNoPlaneTwice) {
+    Random random(23);
+    std::size_t planes = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double tilt = 1e-6 * static_cast<double>(random.between(0, 3000000));
+        const double turn = 1e-6 * static_cast<double>(random.between(0, 6000000));
+        std::vector<LatticePoint> points;
+        for (int k = 0; k < 48; ++k) {
+            const double angle = 0.26179938779914943 * k;
+            const double x = 300000.0 * std::cos(angle);
+            const double y = 300000.0 * std::sin(angle);
+            const double z = k < 24 ? 0.0 : 5000000.0;
+            const double along = std::cos(tilt) * x + std::sin(tilt) * z;
+            points.push_back({std::llround(std::cos(turn) * along - std::sin(turn) * y),
+                              std::llround(std::sin(turn) * along + std::cos(turn) * y),
+                              std::llround(std::cos(tilt) * z - std::sin(tilt) * x)});
+        }
+        const auto sweep = TranslationSweep::of(points, kLattice);
+        ASSERT_TRUE(sweep);
+        const LatticePoint to = test::random_point(random, 100000);
+        for (Cell cell : {(*sweep)({}, to, Origin{1}), (*sweep)({}, {}, Origin{1}),
+                          *convex_hull(points, kLattice, Origin{1})}) {
+            EXPECT_EQ(cell.hints.size(), cell.planes.size());
+            planes += cell.planes.size();
+            std::sort(cell.planes.begin(), cell.planes.end());
+            EXPECT_EQ(std::adjacent_find(cell.planes.begin(), cell.planes.end()),
+                      cell.planes.end());
+        }
+    }
+    EXPECT_GT(planes, 900U * 26U);
 }
 
 }  // namespace

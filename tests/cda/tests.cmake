@@ -4,6 +4,7 @@ ncsim_add_test(cda
     gmpxx
     gmp
   SOURCES
+    check_test.cpp
     collision_test.cpp
     flat_test.cpp
     hull_test.cpp

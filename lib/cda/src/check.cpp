@@ -79,6 +79,28 @@ SurfaceCheck check(const TriangleMesh& mesh) {
     return surface.result();
 }
 
+bool is_closed(const Boundary& boundary) {
+    // Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014: mix64.
+    const auto hash = [](std::uint64_t a, std::uint64_t b) {
+        std::uint64_t z = (a << 32 | b) + 0x9e3779b97f4a7c15U;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+        return z ^ (z >> 31);
+    };
+    std::uint64_t sum = 0;
+    for (const BoundaryFace& face : boundary.faces) {
+        for (const auto& loop : face.loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const std::uint32_t a = loop[i];
+                const std::uint32_t b = loop[(i + 1) % loop.size()];
+                if (a < b) sum += hash(a, b);
+                if (a > b) sum -= hash(b, a);
+            }
+        }
+    }
+    return sum == 0;
+}
+
 double volume(const TriangleMesh& mesh) {
     Box box;
     for (const Vec3& v : mesh.vertices)

@@ -185,14 +185,15 @@ void move(FacetHint& hint, LatticePoint a, LatticePoint b) {
 }
 
 // None stands twice: facets in one plane share it. Its index.
-std::size_t add(Cell& cell, const Plane& plane, const FacetHint& hint) {
-    const auto same = std::find(cell.planes.begin(), cell.planes.end(), plane);
-    const auto index = static_cast<std::size_t>(same - cell.planes.begin());
-    if (same == cell.planes.end()) {
-        cell.planes.push_back(plane);
-        cell.hints.push_back(hint);
+std::size_t add(std::vector<Plane>& planes, std::vector<FacetHint>& hints, const Plane& plane,
+                const FacetHint& hint) {
+    const auto same = std::find(planes.begin(), planes.end(), plane);
+    const auto index = static_cast<std::size_t>(same - planes.begin());
+    if (same == planes.end()) {
+        planes.push_back(plane);
+        hints.push_back(hint);
     } else {
-        unite(cell.hints[index], hint);
+        unite(hints[index], hint);
     }
     return index;
 }
@@ -215,7 +216,7 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
         const auto& loop = hull->loops[i];
         const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
         const FacetHint hint = around(loop, points);
-        const std::size_t index = add(cell, plane, hint);
+        const std::size_t index = add(cell.planes, cell.hints, plane, hint);
         for (std::size_t k = 0; k < loop.size(); ++k) {
             const std::uint32_t tail = loop[k];
             const std::uint32_t head = loop[(k + 1) % loop.size()];
@@ -264,21 +265,21 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
         sweep.vertices_.push_back(points[corner]);
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> facet_at;  // directed edge
+    std::vector<std::uint32_t> facet_of;                                        // by loop
     for (std::size_t i = 0; i < hull->loops.size(); ++i) {
-        sweep.facets_.push_back(
-            plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding)));
         const auto& loop = hull->loops[i];
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            facet_at[{renumbered[loop[k]], renumbered[loop[(k + 1) % loop.size()]]}] =
-                static_cast<std::uint32_t>(i);
-        }
+        const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
+        const auto index = static_cast<std::uint32_t>(
+            add(sweep.facets_, sweep.hints_, plane, around(loop, points)));
+        facet_of.push_back(index);
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            facet_at[{renumbered[loop[k]], renumbered[loop[(k + 1) % loop.size()]]}] = index;
     }
-    for (std::size_t i = 0; i < hull->loops.size(); ++i)
-        sweep.hints_.push_back(around(hull->loops[i], points));
     for (const auto& [edge, left] : facet_at) {
         if (edge.first > edge.second) continue;
         const auto right = facet_at.find({edge.second, edge.first});
         if (right == facet_at.end()) continue;  // qhull merged across it
+        if (right->second == left) continue;    // quantised to one plane
         sweep.edges_.push_back({left, right->second, edge.first, edge.second});
         sweep.hints_[left].add_neighbour(right->second);
         sweep.hints_[right->second].add_neighbour(left);
@@ -298,7 +299,7 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
             };
             if (std::none_of(loop.begin(), loop.end(), touches)) continue;
             std::copy_if(loop.begin(), loop.end(), std::back_inserter(touched), touches);
-            hint.add_neighbour(i);
+            hint.add_neighbour(facet_of[i]);
         }
         const FacetHint where = around(touched, points);
         hint.min = where.min;
@@ -363,7 +364,7 @@ void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to)
         const Plane plane = plane_of(n, d);
         FacetHint hint = around(std::array{edge.tail, edge.head}, vertices_);
         move(hint, from, to);
-        const std::size_t index = add(cell, plane, hint);
+        const std::size_t index = add(cell.planes, cell.hints, plane, hint);
         for (const std::uint32_t facet : {edge.left, edge.right}) {
             cell.hints[index].add_neighbour(facet);
             cell.hints[facet].add_neighbour(index);

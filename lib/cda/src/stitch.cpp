@@ -15,6 +15,8 @@
 //  8. write_faces    in an order that depends on the geometry only
 #include "stitch.h"
 
+#include "ncsim/cda/check.h"
+
 #include "loops.h"
 #include "numbering.h"
 
@@ -718,7 +720,10 @@ Outlines outlines_of(const std::vector<Fragment>& fragments) {
 }
 
 Boundary stitch(std::vector<Outlines> parts, const Lattice& lattice) {
-    return Stitcher(std::move(parts), lattice).run();
+    Boundary boundary = Stitcher(std::move(parts), lattice).run();
+    // Nothing that follows, from volumes to meshes, would be right.
+    if (!is_closed(boundary)) throw std::logic_error("the surface of the part has a gap");
+    return boundary;
 }
 
 }  // namespace ncsim::cda

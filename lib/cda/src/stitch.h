@@ -34,7 +34,8 @@ Outlines outlines_of(const std::vector<Fragment>& fragments);
 /// T-junctions; where four or more faces meet in an edge they are paired around the material, and
 /// each surface gets vertices of its own. The result does not depend on the order of the pieces
 /// nor on how faces were cut into them. Expected O(n log n), most of it O(n); a hole is looked for
-/// in all outlines of its plane and origin.
+/// in all outlines of its plane and origin. Throws std::logic_error if they are not the whole
+/// surface: a fault of the caller's.
 Boundary stitch(std::vector<Outlines> parts, const Lattice& lattice);
 
 }  // namespace ncsim::cda

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -30,6 +31,13 @@ constexpr int kHalvings = 6;
 
 // Fewer cells than this are not worth waking a thread for.
 constexpr std::size_t kCellsWorthThreads = 16;
+
+#ifndef NDEBUG
+bool stands_once(std::vector<Plane> planes) {
+    std::sort(planes.begin(), planes.end());
+    return std::adjacent_find(planes.begin(), planes.end()) == planes.end();
+}
+#endif
 
 double cube(double x) {
     return x * x * x;
@@ -103,6 +111,7 @@ void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     std::vector<IncomingCell> kept;
     kept.reserve(cells.size());
     for (const Cell& cell : cells) {
+        assert(stands_once(cell.planes));
         IncomingCell here;
         const bool has_hints = cell.hints.size() == cell.planes.size();
         here.planes = cell.planes;

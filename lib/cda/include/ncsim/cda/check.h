@@ -23,6 +23,10 @@ struct SurfaceCheck {
 SurfaceCheck check(const Boundary& boundary);
 SurfaceCheck check(const TriangleMesh& mesh);
 
+/// Whether each directed edge stands as often as its opposite. By a sum of 64-bit hashes, so that
+/// it costs next to nothing: an open surface passes once in 2^64. O(n).
+bool is_closed(const Boundary& boundary);
+
 /// Volume enclosed by the triangles, mm³.
 double volume(const TriangleMesh& mesh);
 
