@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // node check_formats.mjs <build folder> <work folder> <program or folder>... [--most N]
-//     [--only vrml,ply] [-- <options of ncsim run>...]
+//     [--only vrml,ply] [--limit <seconds>] [-- <options of ncsim run>...]
 //
 // Runs ncsim on every program that simulates without faults, writes all formats, and has them read
 // by programs that nobody here wrote: OpenCASCADE (STEP), lib3mf, Coin (VRML), admesh (STL, and PLY
@@ -19,6 +19,8 @@ const mostAt = args.indexOf("--most");
 const most = mostAt < 0 ? Infinity : Number(args.splice(mostAt, 2)[1]);
 const onlyAt = args.indexOf("--only");
 const only = onlyAt < 0 ? null : args.splice(onlyAt, 2)[1].split(",");
+const limitAt = args.indexOf("--limit");
+const limit = limitAt < 0 ? 60 : Number(args.splice(limitAt, 2)[1]);
 const [build, work, ...sources] = args.map((path) => resolve(path));
 
 function programsOf(path) {
@@ -70,9 +72,13 @@ for (const [i, program] of programs.entries()) {
   const ran = spawnSync(
     join(build, "ncsim"),
     ["run", program, "-q", "--no-block-volumes", "--assume-tool", "flat:D6", ...outputs, ...options],
-    { timeout: 60000, encoding: "utf8" },
+    { timeout: 1000 * limit, encoding: "utf8" },
   );
-  if (ran.error) { tally["too long"] += 1; continue; }
+  if (ran.error) {
+    tally["too long"] += 1;
+    complaints.push(`${program}: takes more than ${limit} s`);
+    continue;
+  }
   if (ran.status === 3 || ran.status === null) complaints.push(`${program}: ncsim ended with ${ran.status ?? ran.signal}`);
   if (ran.status !== 0) {
     if (ran.status === 2) complaints.push(`${program}: ${ran.stderr.trim().split("\n").pop()}`);

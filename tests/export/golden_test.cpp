@@ -1,61 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whole pictures against those in golden/, which somebody has looked at. Other versions of Mesa may
-// round an edge differently, so a few pixels may differ. With NCSIM_UPDATE_GOLDENS set in the
-// environment the pictures are written anew: look at them before you commit them.
-#include "ncsim/export/png.h"
+// Whole pictures against those in golden/.
+#include "support/golden.h"
+
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
 
 #include "box_part.h"
 #include "polytope_part.h"
-#include "read_png.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 namespace ncsim::exporter {
 namespace {
-
-// Pixels that differ by more than this in a channel count; one in two hundred may.
-constexpr int kTolerance = 16;
-constexpr std::size_t kAllowedShare = 200;
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << in.rdbuf();
-    return bytes.str();
-}
-
-void expect_like_golden(const Image& image, const std::string& name) {
-    const std::string golden_path = NCSIM_SOURCE_DIR "/tests/export/golden/" + name + ".png";
-    if (std::getenv("NCSIM_UPDATE_GOLDENS") != nullptr) {
-        std::ofstream out(golden_path, std::ios::binary);
-        write_png(out, image);
-    }
-    const Image golden = test::read_png(bytes_of(golden_path));
-    ASSERT_EQ(image.width, golden.width);
-    ASSERT_EQ(image.height, golden.height);
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Rgba8 a = image.pixels[i];
-        const Rgba8 b = golden.pixels[i];
-        const int difference =
-            std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-        different += difference > kTolerance ? 1 : 0;
-    }
-    if (different <= image.pixels.size() / kAllowedShare) return;
-    const std::string actual_path = testing::TempDir() + name + ".actual.png";
-    std::ofstream out(actual_path, std::ios::binary);
-    write_png(out, image);
-    ADD_FAILURE() << different << " pixels of " << actual_path << " are not as in " << golden_path;
-}
 
 RenderOptions options_for(const cda::Box& box, View view, Projection projection) {
     RenderOptions options;
@@ -70,9 +29,9 @@ RenderOptions options_for(const cda::Box& box, View view, Projection projection)
 TEST(Golden, PolytopesFromTheStencilBuffer) {
     const cda::FlatCda part = test::polytope_part();
     const cda::Box box = cda::bounds(part.boundary());
-    expect_like_golden(render_model(part, test::provenance_of_polytope_part(),
-                                    options_for(box, View::Iso, Projection::Perspective)),
-                       "polytopes");
+    test::expect_like_golden(render_model(part, test::provenance_of_polytope_part(),
+                                          options_for(box, View::Iso, Projection::Perspective)),
+                             "export/golden/polytopes.png");
 }
 
 TEST(Golden, GroovesByDepthOnADarkGround) {
@@ -81,7 +40,8 @@ TEST(Golden, GroovesByDepthOnADarkGround) {
     RenderOptions options = options_for(cda::bounds(boundary), View::Iso, Projection::Perspective);
     options.background = Background::Dark;
     options.colouring = Colouring::Depth;
-    expect_like_golden(render_boundary(boundary, test::provenance_of(part), options), "grooves");
+    test::expect_like_golden(render_boundary(boundary, test::provenance_of(part), options),
+                             "export/golden/grooves.png");
 }
 
 TEST(Golden, ASheetOfViews) {
@@ -95,7 +55,7 @@ TEST(Golden, ASheetOfViews) {
                             render_boundary(boundary, test::provenance_of(part), options)});
     }
     const std::vector<std::string> caption{"grooves.nc   60 x 40 x 20 mm", "removed 7248 mm3"};
-    expect_like_golden(contact_sheet(pictures, caption), "sheet");
+    test::expect_like_golden(contact_sheet(pictures, caption), "export/golden/sheet.png");
 }
 
 TEST(Golden, ThePathAndABodyOverThePart) {
@@ -116,10 +76,10 @@ TEST(Golden, ThePathAndABodyOverThePart) {
     overlay.bodies.push_back({test::boundary_of(body), {226, 186, 92}});
     cda::Box seen = box;
     seen.add(body.to_W({26, 16, 14.0 + top}));
-    expect_like_golden(
+    test::expect_like_golden(
         render_boundary(boundary, test::provenance_of(part),
                         options_for(seen, View::Iso, Projection::Orthographic), overlay),
-        "path");
+        "export/golden/path.png");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/export/png.h"
 
-#include "read_png.h"
+#include "support/read_png.h"
 
 #include <gtest/gtest.h>
 #include <png.h>

@@ -10,7 +10,6 @@ ncsim_add_test(export
     ply_test.cpp
     png_test.cpp
     polytope_part.cpp
-    read_png.cpp
     render_test.cpp
     sheet_test.cpp
     simplify_test.cpp
@@ -19,11 +18,29 @@ ncsim_add_test(export
     stl_test.cpp
     text_test.cpp
     threemf_test.cpp
-    vrml_test.cpp)
+    vrml_test.cpp
+    ../support/golden.cpp
+    ../support/read_png.cpp)
 find_package(GIF 5 REQUIRED)
 find_package(PNG REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)
 target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
+
+# The same pictures where OpenGL comes from EGL, whatever the library was built with.
+find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+set(renderer camera lettering offscreen_egl overlay palette png provenance render resolve sheet
+  visibility)
+list(TRANSFORM renderer REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/lib/export/src/\\1.cpp")
+add_executable(ncsim_egl_tests ${renderer}
+  export/box_part.cpp export/golden_test.cpp export/polytope_part.cpp
+  support/golden.cpp support/read_png.cpp)
+target_compile_features(ncsim_egl_tests PRIVATE cxx_std_20)
+target_compile_definitions(ncsim_egl_tests PRIVATE NCSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+target_include_directories(ncsim_egl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
+  ${PROJECT_SOURCE_DIR}/lib/export/include ${PROJECT_SOURCE_DIR}/lib/export/src)
+target_link_libraries(ncsim_egl_tests PRIVATE ncsim::cda GTest::gtest_main PNG::PNG
+  OpenGL::OpenGL OpenGL::EGL ncsim_build_flags)
+add_test(NAME export.egl_draws_the_same COMMAND ncsim_egl_tests)
 
 # What ncsim writes is read by programs that nobody here wrote. `write_samples` writes a folder of
 # files in all formats, each reader checks the ones it knows. A reader that is not there is a failure.

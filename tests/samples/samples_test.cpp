@@ -9,11 +9,15 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/simplify.h"
+#include "ncsim/export/step.h"
+#include "ncsim/export/vrml.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
 
 #include "job.h"
+#include "picture.h"
 #include "pipeline.h"
+#include "support/golden.h"
 #include "support/random_shapes.h"
 #include "survey.h"
 
@@ -26,6 +30,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -309,6 +314,45 @@ TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
     EXPECT_EQ(faces[60] + faces[61], 12U);
     EXPECT_EQ(faces[74], 3U);
     EXPECT_TRUE(cda::check(by_line.boundary).is_closed());
+}
+
+std::size_t count(const std::string& text, const std::string& word) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++found;
+    return found;
+}
+
+// No seams in the files either: formats with polygons have one a face, none of simple.nc has holes.
+TEST(SampleFaces, OfSimpleStandInFilesOnce) {
+    const Sample& s = sample("simple");
+    const cda::Boundary part =
+        exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance).boundary;
+    std::ostringstream vrml;
+    exporter::write_vrml(vrml, part, s.tree.provenance);
+    EXPECT_EQ(count(vrml.str(), " -1\n"), kFacesOfSimple);
+    std::ostringstream step;
+    exporter::write_step(step, s.boundary, s.tree.provenance);
+    EXPECT_EQ(count(step.str(), "ADVANCED_FACE("), kFacesOfSimple);
+    std::size_t corners = 0;
+    for (const auto& face : part.faces) {
+        EXPECT_EQ(face.loops.size(), 1U);
+        corners += face.loops.front().size();
+    }
+    // 3MF has triangles only: as few as these polygons can be cut into.
+    EXPECT_EQ(cda::triangulate(part).triangles.size(), corners - 2 * kFacesOfSimple);
+}
+
+// What `ncsim run --png` shows of them, but smaller.
+TEST_P(Samples, LookAsTheyDid) {
+    const Sample& s = sample(GetParam());
+    app::Job job = s.job;
+    job.options.width = 480;
+    job.options.height = 360;
+    app::Outcome outcome{job, s.survey, &s.tree};
+    outcome.boundary = &s.boundary;
+    exporter::test::expect_like_golden(app::picture(outcome),
+                                       "samples/golden/" + GetParam() + ".png");
 }
 
 // The stencil buffer of the thesis against the computed surface: pixel for pixel, but for edges.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "read_png.h"
+#include "support/read_png.h"
 
 #include <png.h>
 
