@@ -91,6 +91,12 @@ TEST(Triangulate, AFaceThatWindsAroundAPlaceTwice) {
     expect_area({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 1, 0}, {3, 1, 0}, {1, 2, 0}}}, 9.5);
 }
 
+// As simplification may leave it, where it is allowed to move corners by as much as a hole is wide.
+TEST(Triangulate, AHoleThatTurnsTheWrongWay) {
+    expect_area({{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}},
+                16.5);
+}
+
 // What cutters leave beside a path of short moves: a band narrower than the rounding of
 // its coordinates. Its edges cross many times, and no triangle may bridge its bends.
 TEST(Triangulate, NarrowBandsStayNarrow) {

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <deque>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -61,7 +60,59 @@ struct Projection {
     Point2 operator()(Vec3 p) const { return {p[first], p[second]}; }
 };
 
-// Nothing where a corner stands twice, edges cross or a corner lies on an edge.
+// How often edges are passed on the way around a face, there minus back.
+class Passes {
+public:
+    void add(std::uint32_t from, std::uint32_t to) {
+        ++net_[{from, to}];
+        --net_[{to, from}];
+    }
+    int net(std::uint32_t from, std::uint32_t to) const {
+        const auto found = net_.find({from, to});
+        return found == net_.end() ? 0 : found->second;
+    }
+
+private:
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> net_;
+};
+
+// Writes into the triangles how often the way winds around them. All edges of it are constrained.
+template <class Triangulation>
+void wind(Triangulation& cdt, const Passes& passes) {
+    constexpr int kUnknown = std::numeric_limits<int>::min();
+    for (auto f : cdt.all_face_handles())
+        f->info() = kUnknown;
+    std::vector<typename Triangulation::Face_handle> open{cdt.infinite_face()};
+    open.front()->info() = 0;
+    while (!open.empty()) {
+        const auto f = open.back();
+        open.pop_back();
+        for (int i = 0; i < 3; ++i) {
+            const auto next = f->neighbor(i);
+            if (next->info() != kUnknown) continue;
+            next->info() = f->info();
+            if (f->is_constrained(i)) {
+                next->info() -= passes.net(f->vertex(Triangulation::ccw(i))->info().vertex,
+                                           f->vertex(Triangulation::cw(i))->info().vertex);
+            }
+            open.push_back(next);
+        }
+    }
+}
+
+// Each triangle as often as the way winds around it, turned over where it does so clockwise.
+template <class Triangulation>
+void append_wound(const Triangulation& cdt, std::vector<Triangle>& triangles) {
+    for (const auto f : cdt.finite_face_handles()) {
+        Triangle t{f->vertex(0)->info().vertex, f->vertex(1)->info().vertex,
+                   f->vertex(2)->info().vertex};
+        if (f->info() < 0) std::swap(t[1], t[2]);
+        triangles.insert(triangles.end(), static_cast<std::size_t>(std::abs(f->info())), t);
+    }
+}
+
+// Nothing where a corner stands twice, edges cross, a corner lies on an edge, or the face is not
+// on the left of its loops.
 std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const BoundaryFace& face) {
     const Projection view(face.normal);
     Delaunay cdt;
@@ -93,29 +144,18 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
             }
         }
     }
-    // Levels of nesting from outside: the face is where their number is odd.
-    for (auto f : cdt.all_face_handles())
-        f->info() = -1;
-    std::deque<Delaunay::Face_handle> queue{cdt.infinite_face()};
-    cdt.infinite_face()->info() = 0;
-    while (!queue.empty()) {
-        const auto f = queue.front();
-        queue.pop_front();
-        for (int i = 0; i < 3; ++i) {
-            const auto n = f->neighbor(i);
-            if (n->info() >= 0) continue;
-            const bool crosses = f->is_constrained(i);
-            n->info() = f->info() + (crosses ? 1 : 0);
-            // Faces of one level first.
-            crosses ? queue.push_back(n) : queue.push_front(n);
-        }
+    Passes passes;
+    for (const auto& loop : face.loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            passes.add(loop[i], loop[(i + 1) % loop.size()]);
     }
+    wind(cdt, passes);
+    const auto all = cdt.finite_face_handles();
+    if (std::any_of(all.begin(), all.end(),
+                    [](const auto f) { return f->info() != 0 && f->info() != 1; }))
+        return std::nullopt;
     std::vector<Triangle> triangles;
-    for (auto f : cdt.finite_face_handles()) {
-        if (f->info() % 2 == 0) continue;
-        triangles.push_back({f->vertex(0)->info().vertex, f->vertex(1)->info().vertex,
-                             f->vertex(2)->info().vertex});
-    }
+    append_wound(cdt, triangles);
     if (triangles.size() + 2 != corners + 2 * (face.loops.size() - 1)) return std::nullopt;
     return triangles;
 }
@@ -162,14 +202,13 @@ public:
                     if (chain.front() != loop[i]->info().vertex)
                         std::reverse(chain.begin(), chain.end());
                 }
-                for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
-                    ++passes_[{chain[k], chain[k + 1]}];
-                    --passes_[{chain[k + 1], chain[k]}];
-                }
+                for (std::size_t k = 0; k + 1 < chain.size(); ++k)
+                    passes_.add(chain[k], chain[k + 1]);
                 fill(face_.loops[l][i], face_.loops[l][next], chain);
             }
         }
-        wind();
+        wind(cdt_, passes_);
+        append_wound(cdt_, triangles_);
         return std::move(triangles_);
     }
 
@@ -217,44 +256,11 @@ private:
         }
     }
 
-    void wind() {
-        for (auto f : cdt_.all_face_handles())
-            f->info() = kUnknown;
-        std::vector<Crossing::Face_handle> open{cdt_.infinite_face()};
-        open.front()->info() = 0;
-        while (!open.empty()) {
-            const auto f = open.back();
-            open.pop_back();
-            for (int i = 0; i < 3; ++i) {
-                const auto next = f->neighbor(i);
-                if (next->info() != kUnknown) continue;
-                next->info() = f->info();
-                if (f->is_constrained(i)) {
-                    const std::uint32_t from = f->vertex(Crossing::ccw(i))->info().vertex;
-                    const std::uint32_t to = f->vertex(Crossing::cw(i))->info().vertex;
-                    if (const auto it = passes_.find({from, to}); it != passes_.end())
-                        next->info() -= it->second;
-                }
-                open.push_back(next);
-            }
-        }
-        for (auto f : cdt_.finite_face_handles()) {
-            Triangle t{f->vertex(0)->info().vertex, f->vertex(1)->info().vertex,
-                       f->vertex(2)->info().vertex};
-            if (f->info() < 0) std::swap(t[1], t[2]);
-            for (int i = 0; i < std::abs(f->info()); ++i)
-                triangles_.push_back(t);
-        }
-    }
-
-    static constexpr int kUnknown = std::numeric_limits<int>::min();
-
     TriangleMesh& mesh_;
     const BoundaryFace& face_;
     Projection view_;
     Crossing cdt_;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int>
-        passes_;  // of the chains, there minus back
+    Passes passes_;  // of the chains
     std::vector<Triangle> triangles_;
 };
 
