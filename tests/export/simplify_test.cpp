@@ -2,16 +2,23 @@
 #include "ncsim/export/simplify.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/hull.h"
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/tree.h"
 
 #include "box_part.h"
 #include "polytope_part.h"
+#include "support/random_shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace ncsim::exporter {
 namespace {
@@ -143,6 +150,45 @@ TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
                 cda::area(boundary) * result.deviation_mm + rounding);
     // What vanished is thinner than the tolerance.
     EXPECT_NEAR(cda::volume(before), cda::volume(boundary), cda::area(boundary) * tolerance);
+}
+
+// Parts of hulls of all sizes, needles and flakes among them.
+cda::Boundary random_part(std::uint64_t seed) {
+    ncsim::test::Random random(seed);
+    cda::TreeCda part(ncsim::test::mm_box(0, 0, 0, 20, 20, 10), ncsim::test::kLattice);
+    const std::int64_t cuts = random.between(5, 25);
+    for (std::int64_t i = 0; i < cuts; ++i) {
+        const cda::LatticePoint about = ncsim::test::random_point(random, 1000000);
+        const std::int64_t reach = std::array{20000, 200000, 800000}[random.next() % 3];
+        const bool is_flat = random.next() % 5 == 0;
+        const bool is_upright = random.next() % 7 == 0;
+        std::vector<cda::LatticePoint> points;
+        for (std::int64_t k = random.between(4, 15); k > 0; --k) {
+            cda::LatticePoint p = ncsim::test::random_point(random, reach);
+            if (is_flat) p.z /= 1000;
+            if (is_upright) p.x = random.between(0, 4);
+            points.push_back(
+                p + cda::LatticePoint{about.x + 1000000, about.y + 1000000, about.z / 2 + 500000});
+        }
+        const auto hull = cda::convex_hull(points, ncsim::test::kLattice,
+                                           cda::Origin{static_cast<std::uint32_t>(i + 1)});
+        if (hull) part.subtract(*hull);
+    }
+    return part.boundary();
+}
+
+TEST(Simplify, AnyPartStaysClosed) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        const cda::Boundary part = random_part(seed);
+        EXPECT_TRUE(cda::check(cda::triangulate(part)).is_closed()) << "seed " << seed;
+        for (const double tolerance : {1e-4, 1e-2, 1.0}) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", " + std::to_string(tolerance) + " mm");
+            const Simplified result = simplify(part, tolerance);
+            EXPECT_TRUE(cda::check(result.boundary).is_closed());
+            EXPECT_TRUE(cda::check(cda::triangulate(result.boundary)).is_closed());
+            EXPECT_LE(result.deviation_mm, tolerance);
+        }
+    }
 }
 
 TEST(Simplify, AFlakeThinnerThanTheToleranceVanishesAndNothingElse) {
