@@ -118,36 +118,60 @@ if (tally.written > 0) {
   read("gltf-validator", "node", join(build, "tests/export/gltf/validate.mjs"), work);
 }
 
-// admesh may find nothing to repair.
-const nothing = ["Degenerate facets", "Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges"];
-for (const kind of ["stl", "ply"].filter((k) => formats[k])) {
-  let found = 0;
-  for (const name of written(kind)) {
-    const path = join(work, name);
-    const expect = readFileSync(path.replace(/\.\w+$/, ".expect"), "utf8");
-    const volume = Number(/^volume (\S+)/.exec(expect)[1]);
-    if (/solids 0\n/.test(expect)) continue;
-    let told = "";
-    try {
-      const stl = kind === "stl" ? path : `${path}.stl_`;
-      if (kind === "ply") execFileSync("assimp", ["export", path, stl, "-fstlb"], { stdio: "ignore" });
-      told = execFileSync("admesh", [stl], { encoding: "utf8" });
-    } catch (e) {
-      told = `fails: ${e.message}`;
-    }
-    const measured = Number(/Volume\s*:\s*(\S+)/.exec(told)?.[1]);
-    // assimp hands on floats with their dead triangles: of PLY only closedness and volume count.
-    const bad = nothing
-      .filter((what) => kind === "stl" || what === "Facets added" || what === "Backwards edges")
-      .filter((what) => !new RegExp(`${what}\\s*:\\s*0\\s`).test(told));
-    if (kind === "stl" && !/Total disconnected facets\s*:\s*0\s+0/.test(told)) bad.push("disconnected facets");
-    if (!(Math.abs(measured - volume) <= 1e-3 * volume + 0.1)) bad.push(`volume ${measured}, not ${volume}`);
-    if (bad.length > 0) {
-      found += 1;
-      complaints.push(`admesh: ${name}: ${bad.join(", ")}`);
+// Volume of a binary STL file, summed up in doubles, and the number of edges that triangles do not
+// pass as often there as back. Surfaces that touch may share edges.
+function measureStl(bytes) {
+  const count = bytes.readUInt32LE(80);
+  const edges = new Map();
+  let sixfold = 0;
+  let apex = null;
+  for (let t = 0; t < count; t += 1) {
+    const at = 84 + 50 * t + 12;
+    const names = [0, 1, 2].map((i) => bytes.toString("latin1", at + 12 * i, at + 12 * i + 12));
+    const points = [0, 1, 2].map((i) => [0, 4, 8].map((k) => bytes.readFloatLE(at + 12 * i + k)));
+    apex ??= points[0];
+    const [a, b, c] = points.map((p) => p.map((x, k) => x - apex[k]));
+    sixfold +=
+      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    for (let i = 0; i < 3; i += 1) {
+      const [from, to] = [names[i], names[(i + 1) % 3]];
+      const [key, way] = from < to ? [from + to, 1] : [to + from, -1];
+      if (from !== to) edges.set(key, (edges.get(key) ?? 0) + way);
     }
   }
-  tally[`admesh ${kind} complaints`] = found;
+  return { volume: sixfold / 6, open: [...edges.values()].filter((net) => net !== 0).length };
+}
+
+// admesh may find nothing to repair. assimp hands PLY on in floats, with triangles that these leave no
+// area and touching surfaces as one: there only closedness and volume count.
+const nothing = ["Degenerate facets", "Edges fixed", "Facets removed", "Facets added", "Facets reversed", "Backwards edges"];
+for (const kind of ["stl", "ply"].filter((k) => formats[k])) {
+  const name = kind === "stl" ? "admesh" : "assimp";
+  tally[`${name} complaints`] = 0;
+  for (const file of written(kind)) {
+    const path = join(work, file);
+    const expect = readFileSync(path.replace(/\.\w+$/, ".expect"), "utf8");
+    if (/solids 0\n/.test(expect)) continue;
+    const expected = Number(/^volume (\S+)/.exec(expect)[1]);
+    const stl = kind === "stl" ? path : `${path}.stl_`;
+    const bad = [];
+    try {
+      if (kind === "ply") execFileSync("assimp", ["export", path, stl, "-fstlb"], { stdio: "ignore" });
+      const { volume, open } = measureStl(readFileSync(stl));
+      if (open > 0) bad.push(`${open} open edges`);
+      if (!(Math.abs(volume - expected) <= 1e-5 * expected + 0.01)) bad.push(`volume ${volume}, not ${expected}`);
+      if (kind === "stl") {
+        const told = execFileSync("admesh", [stl], { encoding: "utf8" });
+        bad.push(...nothing.filter((what) => !new RegExp(`${what}\\s*:\\s*0\\s`).test(told)));
+        if (!/Total disconnected facets\s*:\s*0\s+0/.test(told)) bad.push("disconnected facets");
+      }
+    } catch (e) {
+      bad.push(`fails: ${e.message}`);
+    }
+    if (bad.length === 0) continue;
+    tally[`${name} complaints`] += 1;
+    complaints.push(`${name}: ${file}: ${bad.join(", ")}`);
+  }
 }
 
 for (const complaint of complaints) console.error(complaint);

@@ -34,7 +34,8 @@ bool is_convex(const cda::Boundary& boundary, const cda::BoundaryFace& face) {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// mm: where an outline comes nearer to itself, Coin's tessellator takes the two places for one.
+// mm: where an outline comes nearer to itself, tessellators take the two places for one: Coin's for
+// VRML, assimp's for PLY.
 constexpr double kTouching = 1e-3;
 
 bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
@@ -49,27 +50,23 @@ bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
 
 Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
     : boundary_(boundary), first_(boundary.faces.size() + 1, 0) {
-    cda::Boundary cut;
-    std::vector<std::uint32_t> original;  // number of each face of `cut` in `boundary`
-    for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-        if (is_convex(boundary, boundary.faces[f])) continue;
-        cut.faces.push_back(boundary.faces[f]);
-        original.push_back(f);
-    }
-    cut.vertices = boundary.vertices;
-    cda::TriangleMesh mesh = cda::triangulate(cut);
+    // All faces, so that no diagonal of one is an edge of another.
+    cda::TriangleMesh mesh = cda::triangulate(boundary);
     vertices_ = std::move(mesh.vertices);
-    std::vector<std::vector<Triangle>> triangles(cut.faces.size());
+    std::vector<std::vector<Triangle>> triangles(boundary.faces.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         triangles[mesh.face[t]].push_back(mesh.triangles[t]);
-    for (std::size_t c = 0; c < original.size(); ++c) {
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+        const bool is_fan = is_convex(boundary, boundary.faces[f]);
         // An outline that comes near to itself has low triangles there.
-        const bool is_whole = polygons == Polygons::Simple && cut.faces[c].loops.size() == 1 &&
-                              std::none_of(triangles[c].begin(), triangles[c].end(),
-                                           [&](const Triangle& t) { return is_low(vertices_, t); });
+        const bool touches = std::any_of(triangles[f].begin(), triangles[f].end(),
+                                         [&](const Triangle& t) { return is_low(vertices_, t); });
+        const bool is_whole = polygons == Polygons::Convex
+                                  ? is_fan && !touches
+                                  : is_fan || (boundary.faces[f].loops.size() == 1 && !touches);
         if (is_whole) continue;
-        pieces_.insert(pieces_.end(), triangles[c].begin(), triangles[c].end());
-        first_[original[c] + 1] = static_cast<std::uint32_t>(triangles[c].size());
+        pieces_.insert(pieces_.end(), triangles[f].begin(), triangles[f].end());
+        first_[f + 1] = static_cast<std::uint32_t>(triangles[f].size());
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
 }

@@ -15,8 +15,8 @@ namespace ncsim::exporter {
 
 /// What the readers of a format know to draw.
 enum class Polygons {
-    /// Readers cut others into fans from a corner: a face that is not convex (but for rounding) is
-    /// given as triangles.
+    /// Readers cut others into fans from a corner: a face that is not convex (but for rounding), or
+    /// has a corner that is nearly none, is given as triangles.
     Convex,
     /// Readers draw concave ones too, but not where the outline touches itself. Such faces, and
     /// those with holes, are given as triangles.

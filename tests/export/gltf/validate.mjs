@@ -73,7 +73,10 @@ for (const file of files) {
   const { volume, lines } = measure(parseGlb(bytes));
   const [wanted] = expected.volume;
   expect(Math.abs(volume - wanted) <= 1e-5 * wanted, file, `volume ${volume}, not ${wanted}`);
-  expect(String(lines) === String(expected.lines), file, `lines ${lines}, not ${expected.lines}`);
+  const missing = expected.lines.filter((line) => !lines.includes(line));
+  expect(missing.length === 0, file, `lines ${missing} are missing`);
+  // Where other formats are simplified, lines of thin faces only are not told.
+  if (!expected.moved) expect(lines.length === expected.lines.length, file, `lines ${lines}, not ${expected.lines}`);
   console.log(`${file}: ${numErrors} errors, ${numWarnings} warnings, ${volume} mm³`);
 }
 process.exit(failures === 0 ? 0 : 1);
