@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid closed solids, in
-// millimetres, with the volume and the number of faces that the .expect file beside it names.
+// read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid
+// closed solids, in millimetres, with the volume and the number of faces that the .expect file
+// beside it names.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>

@@ -61,8 +61,10 @@ inline HalfBox enclosing(const HalfBox& a, const HalfBox& b) {
 struct BoxFrame {
     explicit BoxFrame(const HalfBox& box) {
         for (std::size_t i = 0; i < 3; ++i) {
-            centre[i] = static_cast<double>((box.min[i] + box.max[i]) / 2);
-            half[i] = static_cast<double>((box.max[i] - box.min[i]) / 2);
+            const std::int64_t middle = (box.min[i] + box.max[i]) / 2;
+            const std::int64_t extent = (box.max[i] - box.min[i]) / 2;
+            centre[i] = static_cast<double>(middle);
+            half[i] = static_cast<double>(extent);
         }
     }
     std::array<double, 3> centre{}, half{};

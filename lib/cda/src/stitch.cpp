@@ -706,6 +706,7 @@ Outlines outlines_of(const std::vector<Fragment>& fragments) {
         const std::uint32_t plane = outlines.add_plane(fragment.plane);
         for (const auto& loop : fragment.loops) {
             std::vector<std::uint32_t> edges;
+            edges.reserve(loop.size());
             for (const auto& corner : loop)
                 edges.push_back(outlines.add_plane(corner.edge));
             const std::size_t n = loop.size();

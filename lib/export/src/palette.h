@@ -26,6 +26,12 @@ struct LinearColour {
 LinearColour to_linear(Rgba8 colour);
 Rgba8 to_srgb(LinearColour colour);
 
+/// A channel from 0 to 1, in whole thousandths, which every format writes the same.
+inline double unit_share(std::uint8_t channel) {
+    const int thousandths = channel * 1000 / 255;
+    return static_cast<double>(thousandths) / 1000.0;
+}
+
 /// The colours of a scale from 0 to 1: yellow, green, blue, violet, ever darker, so that the order
 /// can be seen without telling hues apart. Numbers beyond are clamped.
 LinearColour scale_colour(double t);

@@ -357,7 +357,7 @@ private:
         std::string rgb;
         for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
             rgb += ',';
-            rgb += real(static_cast<double>(channel * 1000 / 255) / 1000.0);
+            rgb += real(unit_share(channel));
         }
         const Entity of = add("COLOUR_RGB(''" + rgb + ")");
         const Entity fill = add("FILL_AREA_STYLE_COLOUR(''," + ref(of) + ")");

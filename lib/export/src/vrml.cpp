@@ -155,7 +155,7 @@ private:
         text_ += "DEF " + name + " Appearance { material Material { diffuseColor";
         for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
             text_ += ' ';
-            append_number(text_, static_cast<double>(channel * 1000 / 255) / 1000.0);
+            append_number(text_, unit_share(channel));
         }
         text_ += " specularColor 0.2 0.2 0.2 } }";
     }
