@@ -39,8 +39,8 @@ struct Side {
 Side read_side(const DiffOptions& diff, const std::string& path,
                const std::optional<toolpath::Stock>& stock) {
     Options options;
-    static_cast<ProgramOptions&>(options) = diff;
-    static_cast<SimulationOptions&>(options) = diff;
+    static_cast<ProgramOptions&>(options) = static_cast<const ProgramOptions&>(diff);
+    static_cast<SimulationOptions&>(options) = static_cast<const SimulationOptions&>(diff);
     options.program = path;
     options.model = "cda";
     if (stock) options.stock = stock;
@@ -237,7 +237,7 @@ int run(const DiffOptions& options) {
     const Side a = read_side(options, options.program, {});
     if (!is_usable(a)) return kFindings;
     const Side b_alone = read_side(options, options.new_program, {});
-    const toolpath::Stock stock = *a.survey.stock;
+    const toolpath::Stock stock = static_cast<const toolpath::Stock&>(*a.survey.stock);
     const Side b = read_side(options, options.new_program, stock);
     if (!is_usable(b)) return kFindings;
 

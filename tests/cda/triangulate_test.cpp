@@ -97,6 +97,38 @@ TEST(Triangulate, AHoleThatTurnsTheWrongWay) {
                 16.5);
 }
 
+// From a five-axis program: the crossing of two edges comes to lie on a third one.
+TEST(Triangulate, ACrossingOnAThirdEdge) {
+    // Seen from the side: x is dropped, for the normal is longest there.
+    const Vec3 n{-0.89628945577962593, 0.43560303412979123, 0.083157730339289179};
+    const double offset = 22.620627775432126;
+    Boundary boundary;
+    boundary.vertices = {{-25.483576279202104, 0.42304812627077104, -4.8620132477056979},
+                         {-25.387071673008204, 0.72133552197277551, -5.3843800014328957},
+                         {-25.526986760191321, 0.28891055215299127, -4.6272500114363435},
+                         {-25.358237981469035, 0.80968895879328251, -5.536424692958593},
+                         {-25.357221780608892, 0.81632875796437265, -5.5602529833722114},
+                         {-25.125029927526711, 1.1159701631963252, -4.6272500737327338},
+                         {-25.12503002723038, 1.1159699386835098, -4.6272499722975491},
+                         {-25.125028776515126, 1.1159779683583975, -4.6272785535013679},
+                         {-25.409536605448722, 0.53057400735557081, -4.6272500000000001},
+                         {-25.125029999999999, 1.1159699999999999, -4.6272500000000001},
+                         {-25.419829523104429, 0.50939547378718852, -4.6272500010025501},
+                         {-25.387071678025723, 0.72133551332950596, -5.3843800102370976}};
+    Loop loop{2, 10, 9, 8, 6, 5, 7, 4, 3, 11, 1, 0};
+    boundary.faces.push_back({n, offset, kStockOrigin, 0, {loop}});
+    std::reverse(loop.begin(), loop.end());
+    boundary.faces.push_back({-n, -offset, kStockOrigin, 0, {loop}});
+    const TriangleMesh mesh = triangulate(boundary);
+    EXPECT_TRUE(check(mesh).is_closed());
+    Vec3 sum;
+    const Vec3 apex = boundary.vertices[0];
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        sum = sum + 0.5 * cross(boundary.vertices[loop[(i + 1) % loop.size()]] - apex,
+                                boundary.vertices[loop[i]] - apex);
+    EXPECT_NEAR(total_area(mesh), norm(sum), 1e-6);
+}
+
 // What cutters leave beside a path of short moves: a band narrower than the rounding of
 // its coordinates. Its edges cross many times, and no triangle may bridge its bends.
 TEST(Triangulate, NarrowBandsStayNarrow) {

@@ -71,6 +71,9 @@ public:
         const auto found = net_.find({from, to});
         return found == net_.end() ? 0 : found->second;
     }
+    bool cancel() const {
+        return std::all_of(net_.begin(), net_.end(), [](const auto& e) { return e.second == 0; });
+    }
 
 private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> net_;
@@ -209,7 +212,7 @@ public:
         }
         wind(cdt_, passes_);
         append_wound(cdt_, triangles_);
-        return std::move(triangles_);
+        return outline_is_right() ? std::move(triangles_) : fans();
     }
 
 private:
@@ -218,7 +221,21 @@ private:
         return a->info().vertex < b->info().vertex;
     }
 
-    // Of a face whose corners lie on one line.
+    // Whether the triangles pass the edges of the face, and no others for good.
+    bool outline_is_right() const {
+        Passes rest;
+        for (const Triangle& t : triangles_) {
+            for (std::size_t i = 0; i < 3; ++i)
+                rest.add(t[i], t[(i + 1) % 3]);
+        }
+        for (const auto& loop : face_.loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i)
+                rest.add(loop[(i + 1) % loop.size()], loop[i]);
+        }
+        return rest.cancel();
+    }
+
+    // Closed whatever the coordinates are, but within the face only if its corners lie on one line.
     std::vector<Triangle> fans() const {
         std::vector<Triangle> triangles;
         for (const auto& loop : face_.loops) {
@@ -239,11 +256,23 @@ private:
         return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
     }
 
+    // Where a crossing lies on a third edge, only the triangulation knows that this is cut, too.
     std::vector<std::uint32_t> chain_of(Crossing::Constraint_id id) const {
         std::vector<std::uint32_t> chain;
+        Crossing::Vertex_handle last;
         for (auto v = cdt_.vertices_in_constraint_begin(id);
-             v != cdt_.vertices_in_constraint_end(id); ++v)
+             v != cdt_.vertices_in_constraint_end(id); ++v) {
+            while (last != Crossing::Vertex_handle{} && last != *v) {
+                Crossing::Vertex_handle next;
+                Crossing::Face_handle face;
+                int i = 0;
+                if (!cdt_.includes_edge(last, *v, next, face, i)) break;
+                if (next != *v) chain.push_back(next->info().vertex);
+                last = next;
+            }
             chain.push_back((*v)->info().vertex);
+            last = *v;
+        }
         return chain;
     }
 

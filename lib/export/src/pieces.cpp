@@ -46,6 +46,16 @@ bool is_low(const std::vector<Vec3>& vertices, const Triangle& t) {
     return cda::norm(cda::cross(ab, ac)) < kTouching * longest;
 }
 
+// Where only other faces have a corner.
+bool has_straight_corner(const std::vector<Vec3>& vertices,
+                         const std::vector<std::uint32_t>& loop) {
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        if (n > 3 && is_low(vertices, {loop[i], loop[(i + 1) % n], loop[(i + 2) % n]})) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
@@ -61,9 +71,11 @@ Pieces::Pieces(const cda::Boundary& boundary, Polygons polygons)
         // An outline that comes near to itself has low triangles there.
         const bool touches = std::any_of(triangles[f].begin(), triangles[f].end(),
                                          [&](const Triangle& t) { return is_low(vertices_, t); });
-        const bool is_whole = polygons == Polygons::Convex
-                                  ? is_fan && !touches
-                                  : is_fan || (boundary.faces[f].loops.size() == 1 && !touches);
+        const auto& loops = boundary.faces[f].loops;
+        const bool is_whole =
+            polygons == Polygons::Convex
+                ? is_fan && !touches && !has_straight_corner(vertices_, loops.front())
+                : is_fan || (loops.size() == 1 && !touches);
         if (is_whole) continue;
         pieces_.insert(pieces_.end(), triangles[f].begin(), triangles[f].end());
         first_[f + 1] = static_cast<std::uint32_t>(triangles[f].size());
