@@ -27,8 +27,8 @@ namespace {
 
 Options options_for(const std::string& path, const CheckOptions& check, unsigned threads) {
     Options options;
-    static_cast<ProgramOptions&>(options) = check;
-    static_cast<SimulationOptions&>(options) = check;
+    static_cast<ProgramOptions&>(options) = static_cast<const ProgramOptions&>(check);
+    static_cast<SimulationOptions&>(options) = static_cast<const SimulationOptions&>(check);
     options.program = path;
     options.model = "cda";
     options.threads = threads;

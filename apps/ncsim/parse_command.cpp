@@ -266,7 +266,7 @@ CLI::App* add_parse(CLI::App& app, ParseOptions& options) {
 
 int run(const ParseOptions& options) {
     Options all;
-    static_cast<ProgramOptions&>(all) = options;
+    static_cast<ProgramOptions&>(all) = static_cast<const ProgramOptions&>(options);
     const Job job = read_job(std::move(all));
     const gcode::Diagnostics diagnostics =
         options.canonical ? show_motions(job, options.json) : show_blocks(job, options.json);

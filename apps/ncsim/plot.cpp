@@ -58,14 +58,16 @@ std::string frame(double x_max, double y_max, const std::string& x_name,
     auto out = std::back_inserter(svg);
     const double w = kWidth - kLeft - kRight;
     const double h = kHeight - kTop - kBottom;
-    for (double y = 0.0; y <= y_max * 1.0001; y += tick_for(y_max)) {
+    for (int i = 0; i * tick_for(y_max) <= y_max * 1.0001; ++i) {
+        const double y = i * tick_for(y_max);
         const double at = kTop + h * (1 - y / y_max);
         fmt::format_to(out,
                        "<path d=\"M{} {:.1f}h{:.1f}\" stroke=\"#e3e7eb\"/><text x=\"{}\" "
                        "y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>",
                        kLeft, at, w, kLeft - 5, at + 4, y);
     }
-    for (double x = 0.0; x <= x_max * 1.0001; x += tick_for(x_max)) {
+    for (int i = 0; i * tick_for(x_max) <= x_max * 1.0001; ++i) {
+        const double x = i * tick_for(x_max);
         fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.6g}</text>",
                        kLeft + w * x / x_max, kHeight - 14, x);
     }

@@ -220,6 +220,7 @@ private:
         const Vec3 size = part.bounds().size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         std::vector<double> middles;
+        middles.reserve(pieces.size());
         for (const Piece& piece : pieces)
             middles.push_back(middle(piece.corners)[axis]);
         std::nth_element(middles.begin(),

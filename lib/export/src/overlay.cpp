@@ -73,7 +73,9 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
         }
         if (length == 0.0) continue;
         // Dashes go on around corners.
-        for (double at = std::floor(walked / period) * period; at < walked + length; at += period) {
+        auto dashes = static_cast<std::int64_t>(std::floor(walked / period));
+        for (; static_cast<double>(dashes) * period < walked + length; ++dashes) {
+            const double at = static_cast<double>(dashes) * period;
             const double from = std::max(at, walked) - walked;
             const double to = std::min(at + dash, walked + length) - walked;
             if (from >= to) continue;

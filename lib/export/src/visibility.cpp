@@ -5,7 +5,7 @@
 // facet, and a mask that reaches over the facet's edge by a rounding cannot hit the next one.
 #include "visibility.h"
 
-#define GL_GLEXT_PROTOTYPES
+#define GL_GLEXT_PROTOTYPES  // NOLINT(readability-identifier-naming): of OpenGL
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -22,7 +22,7 @@ constexpr double kGrazing = 1e-6;
 
 constexpr std::int32_t kLastStencilValue = 255;
 // Vertices collected before they are handed to OpenGL: some megabytes.
-constexpr std::size_t kBatch = 3 * 65536;
+constexpr std::size_t kBatch = std::size_t{3} * 65536;
 
 [[noreturn]] void fail(std::uint32_t width, std::uint32_t height) {
     throw std::runtime_error("cannot render: OpenGL has no framebuffer of " +
@@ -56,12 +56,12 @@ ScreenPoint ScreenMap::operator()(cda::Vec3 p_W) const {
         return {0.5 * width_ + samples_per_mm * p_C.x, 0.5 * height_ - samples_per_mm * p_C.y,
                 -p_C.z / range, 1.0};
     }
-    // Seen from the eye at z = D: sizes shrink by D / (D - z). Depth is chosen linear in 1 / w, -1
+    // Seen from the eye at z = d: sizes shrink by d / (d - z). Depth is chosen linear in 1 / w, -1
     // at z = range and 1 at z = -range, as the hardware interpolates it.
-    const double D = camera_.distance;
-    const double w = (D - p_C.z) / D;
-    const double near = (D - range) / D;
-    const double far = (D + range) / D;
+    const double d = camera_.distance;
+    const double w = (d - p_C.z) / d;
+    const double near = (d - range) / d;
+    const double far = (d + range) / d;
     return {0.5 * width_ * w + samples_per_mm * p_C.x, 0.5 * height_ * w - samples_per_mm * p_C.y,
             ((far + near) * w - 2.0 * far * near) / (far - near), w};
 }

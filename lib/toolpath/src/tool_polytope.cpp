@@ -161,6 +161,7 @@ public:
 
     LatticeProfile operator()(const std::vector<ProfilePoint>& profile, double unit_mm) {
         std::vector<Vec2> points;
+        points.reserve(profile.size());
         for (const ProfilePoint& p : profile) {
             points.push_back({p.radius / unit_mm, p.height / unit_mm});
         }

@@ -63,9 +63,11 @@ std::optional<Vec3> Solids::point_in(std::size_t solid) const {
         const Corners c = corners_of(*mesh_, t);
         const Vec3 middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
         const Vec3 inward = -normalized(cross(c[1] - c[0], c[2] - c[0]));
-        for (double depth = 0.3 * norm(s.box.size()); depth > 1e-6; depth /= 2) {
+        double depth = 0.3 * norm(s.box.size());
+        while (depth > 1e-6) {
             const Vec3 p = middle + depth * inward;
             if (surfaces_[s.shell].contains(p) && at(p) == solid) return p;
+            depth *= 0.5;
         }
     }
     return std::nullopt;
