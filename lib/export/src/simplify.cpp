@@ -7,8 +7,8 @@
 //  4. Chains of vertices between two faces become straight where they almost are (Douglas and
 //     Peucker, Algorithms for the reduction of the number of points, 1973).
 //  5. Faces that lost their plane on the way get a new one.
-// Each step has a quarter of the tolerance. Where the steps add up to more than all of it, which
-// is seen by comparing the surfaces, everything is done again with half as much.
+// What is thin or near is so within a quarter of the tolerance. Where the steps add up to more than
+// all of it, which is seen by comparing the surfaces, everything is done again with half as much.
 #include "ncsim/export/simplify.h"
 
 #include "ncsim/cda/mesh.h"

@@ -23,7 +23,7 @@ using cda::Vec3;
 using Vertex = std::uint32_t;
 using Triangle = std::array<Vertex, 3>;
 
-// Flips and contractions make room for each other; few rounds are needed, usually three.
+// Flips and contractions make room for each other. Where they chase each other around, it ends.
 constexpr int kMostRounds = 20;
 
 class Slivers {

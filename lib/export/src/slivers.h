@@ -9,8 +9,8 @@ namespace ncsim::exporter {
 
 /// Takes edges shorter than `least_mm` and triangles lower than that out of a closed mesh, as far
 /// as what hangs together does not change: the ends of a short edge become one vertex; the longest
-/// edge of a low triangle is bent to the vertex opposite. Vertices are moved onto others by less
-/// than `least_mm` altogether; which are left unused. Shells smaller than that vanish. The mesh
+/// edge of a low triangle is bent to the vertex opposite. Vertices are moved onto others, by less
+/// than twice `least_mm` altogether, and left unused. Shells smaller than that vanish. The mesh
 /// stays closed. Where `least_mm` is 0, nothing happens. Expected O(n log n).
 void remove_slivers(cda::TriangleMesh& mesh, double least_mm);
 
