@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run_program.h"
+#include "support/count.h"
 
 #include <gtest/gtest.h>
 
@@ -285,13 +286,6 @@ TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
     }
 }
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++n;
-    return n;
-}
-
 TEST(Check, WritesJUnitWithACaseARule) {
     Folder folder;
     folder.write("slot.nc", rapid_slot());
@@ -299,9 +293,9 @@ TEST(Check, WritesJUnitWithACaseARule) {
     EXPECT_EQ(ran.exit_code, 2);
     const std::string xml = folder.read("a.xml");
     EXPECT_TRUE(contains(xml, "<testsuite name=\"slot.nc\"")) << xml;
-    EXPECT_EQ(count_of(xml, "<testcase "),
-              count_of(folder.run({"rules", "--json"}).out, "\"id\"") + 1);
-    EXPECT_EQ(count_of(xml, "<failure "), 1U);
+    EXPECT_EQ(ncsim::test::count(xml, "<testcase "),
+              ncsim::test::count(folder.run({"rules", "--json"}).out, "\"id\"") + 1);
+    EXPECT_EQ(ncsim::test::count(xml, "<failure "), 1U);
     EXPECT_TRUE(contains(xml, "type=\"rapid-in-material\">slot.nc:8:1: error: rapid move"));
     EXPECT_TRUE(contains(xml, "<skipped message=\"no fixtures are told\"/>"));
     EXPECT_TRUE(contains(xml, "<error message=\"cannot read 'missing.nc'"));

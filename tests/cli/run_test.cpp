@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run_program.h"
+#include "support/count.h"
 
 #include <gtest/gtest.h>
 
@@ -118,12 +119,7 @@ TEST(Run, TheSolidHasTheFacesThatAPersonCounts) {
         folder.write("slot.nc", text);
         const Ran ran = folder.run({"run", "slot.nc", "-q", "--step", "a.step"});
         EXPECT_EQ(ran.exit_code, 0) << ran.err;
-        const std::string step = folder.read("a.step");
-        std::size_t faces = 0;
-        for (std::size_t at = step.find("ADVANCED_FACE"); at != std::string::npos;
-             at = step.find("ADVANCED_FACE", at + 1))
-            ++faces;
-        EXPECT_EQ(faces, 10U);
+        EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE"), 10U);
     }
 }
 

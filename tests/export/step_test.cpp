@@ -4,6 +4,7 @@
 #include "ncsim/export/step.h"
 
 #include "box_part.h"
+#include "support/count.h"
 
 #include <gtest/gtest.h>
 
@@ -19,13 +20,6 @@ std::string written(const cda::Boundary& boundary, const Provenance& provenance)
     return out.str();
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        ++n;
-    return n;
-}
-
 std::string box_text() {
     test::BoxPart box;
     box.stock = {{0, 0, 0}, {2, 2, 2}};
@@ -34,31 +28,33 @@ std::string box_text() {
 
 TEST(WriteStep, ABoxHasSharedPointsEdgesAndDirections) {
     const std::string text = box_text();
-    EXPECT_EQ(count(text, "=VERTEX_POINT("), 8U);
-    EXPECT_EQ(count(text, "=EDGE_CURVE("), 12U);
-    EXPECT_EQ(count(text, "=ADVANCED_FACE('STOCK'"), 6U);
-    EXPECT_EQ(count(text, "=DIRECTION("), 6U);
-    EXPECT_EQ(count(text, "=CARTESIAN_POINT("), 9U);  // and the origin of the part
+    EXPECT_EQ(ncsim::test::count(text, "=VERTEX_POINT("), 8U);
+    EXPECT_EQ(ncsim::test::count(text, "=EDGE_CURVE("), 12U);
+    EXPECT_EQ(ncsim::test::count(text, "=ADVANCED_FACE('STOCK'"), 6U);
+    EXPECT_EQ(ncsim::test::count(text, "=DIRECTION("), 6U);
+    EXPECT_EQ(ncsim::test::count(text, "=CARTESIAN_POINT("), 9U);  // and the origin of the part
 }
 
 TEST(WriteStep, NamesFacesAfterTheirLines) {
     const auto part = test::grooved_part();
     const std::string text = written(test::boundary_of(part), test::provenance_of(part));
-    EXPECT_EQ(count(text, "ADVANCED_FACE('LINE_10_20_30'"), 1U);  // floor of the groove
-    EXPECT_GT(count(text, "ADVANCED_FACE('LINE_40'"), 0U);
+    EXPECT_EQ(ncsim::test::count(text, "ADVANCED_FACE('LINE_10_20_30'"),
+              1U);  // floor of the groove
+    EXPECT_GT(ncsim::test::count(text, "ADVANCED_FACE('LINE_40'"), 0U);
 }
 
 TEST(WriteStep, WritesOtherAlphabetsByNumber) {
     Provenance provenance;
     provenance.program = "M\xC3\xBC'ller\\\xF0\x9F\x94\xA7.nc";
-    EXPECT_EQ(
-        count(written({}, provenance), "'M\\X2\\00FC\\X0\\''ller\\\\\\X4\\0001F527\\X0\\.nc'"), 3U);
+    EXPECT_EQ(ncsim::test::count(written({}, provenance),
+                                 "'M\\X2\\00FC\\X0\\''ller\\\\\\X4\\0001F527\\X0\\.nc'"),
+              3U);
 }
 
 TEST(WriteStep, APartOfWhichNothingIsLeftHasNoSolid) {
     const std::string text = written({}, {});
-    EXPECT_EQ(count(text, "BREP"), 0U);
-    EXPECT_EQ(count(text, "END-ISO-10303-21;"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "BREP"), 0U);
+    EXPECT_EQ(ncsim::test::count(text, "END-ISO-10303-21;"), 1U);
 }
 
 TEST(WriteStep, RefusesMoreFacesThanAskedFor) {

@@ -2,6 +2,7 @@
 #include "ncsim/export/vrml.h"
 
 #include "box_part.h"
+#include "support/count.h"
 
 #include <gtest/gtest.h>
 
@@ -94,11 +95,7 @@ TEST(WriteVrml, AnEmptyPartIsAWorldWithoutShapes) {
 }
 
 std::size_t polygons(const std::string& text) {
-    std::size_t count = 0;
-    for (std::size_t at = text.find("-1\n"); at != std::string::npos;
-         at = text.find("-1\n", at + 1))
-        ++count;
-    return count;
+    return ncsim::test::count(text, "-1\n");
 }
 
 TEST(WriteVrml, CutsFacesWithHolesIntoTriangles) {

@@ -17,6 +17,7 @@
 #include "job.h"
 #include "picture.h"
 #include "pipeline.h"
+#include "support/count.h"
 #include "support/golden.h"
 #include "support/random_shapes.h"
 #include "survey.h"
@@ -316,13 +317,6 @@ TEST(SampleFaces, OfSimpleAreThoseThatAPersonCounts) {
     EXPECT_TRUE(cda::check(by_line.boundary).is_closed());
 }
 
-std::size_t count(const std::string& text, const std::string& word) {
-    std::size_t found = 0;
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
-        ++found;
-    return found;
-}
-
 // No seams in the files either: formats with polygons have one a face, none of simple.nc has holes.
 TEST(SampleFaces, OfSimpleStandInFilesOnce) {
     const Sample& s = sample("simple");
@@ -330,10 +324,10 @@ TEST(SampleFaces, OfSimpleStandInFilesOnce) {
         exporter::simplify(s.boundary, exporter::kFlatTolerance, &s.tree.provenance).boundary;
     std::ostringstream vrml;
     exporter::write_vrml(vrml, part, s.tree.provenance);
-    EXPECT_EQ(count(vrml.str(), " -1\n"), kFacesOfSimple);
+    EXPECT_EQ(test::count(vrml.str(), " -1\n"), kFacesOfSimple);
     std::ostringstream step;
     exporter::write_step(step, s.boundary, s.tree.provenance);
-    EXPECT_EQ(count(step.str(), "ADVANCED_FACE("), kFacesOfSimple);
+    EXPECT_EQ(test::count(step.str(), "ADVANCED_FACE("), kFacesOfSimple);
     std::size_t corners = 0;
     for (const auto& face : part.faces) {
         EXPECT_EQ(face.loops.size(), 1U);
