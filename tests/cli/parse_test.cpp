@@ -50,7 +50,7 @@ TEST(Parse, ReportsWhatCannotBeReadAndExitsWithOne) {
 
 TEST(Parse, WritesJsonWithFindings) {
     Folder folder;
-    folder.write("a.nc", "G21 G0 X1 Y2 Z3 (\xff)\nG3 X3 I1 Z2 F50 ,R9\nM2\n");
+    folder.write("a.nc", "G21 G0 X1 Y2 Z3 (\xff)\nG3 X3 I1 Z2 F50 E9\nM2\n");
     const Ran blocks = folder.run({"parse", "a.nc", "--json"});
     const json b = json::parse(blocks.out);
     EXPECT_EQ(b["program"], "a.nc");
@@ -66,11 +66,11 @@ TEST(Parse, WritesJsonWithFindings) {
     EXPECT_EQ(m["motions"][1]["centre"], json::array({2.0, 2.0}));
     EXPECT_EQ(m["motions"][1]["turns"], 1);
     EXPECT_EQ(m["motions"][1]["feed"], 50.0);
-    bool has_corner = false;
+    bool has_unknown_word = false;
     for (const json& finding : m["findings"]) {
-        if (finding["line"] == 2 && finding["column"] == 17) has_corner = true;
+        if (finding["line"] == 2 && finding["column"] == 17) has_unknown_word = true;
     }
-    EXPECT_TRUE(has_corner) << m["findings"];
+    EXPECT_TRUE(has_unknown_word) << m["findings"];
 }
 
 }  // namespace

@@ -247,6 +247,35 @@ Event to_event(const gcode::Motion& motion, const gcode::ProgramFrame& frame) {
     return event;
 }
 
+void put_into_machine(std::vector<Event>& events, const gcode::WorkOffset& workpiece) {
+    constexpr double kRadians = 3.14159265358979323846 / 180.0;
+    const double cosine = std::cos(workpiece.rotation * kRadians);
+    const double sine = std::sin(workpiece.rotation * kRadians);
+    const auto put = [&](gcode::Axes& p) {
+        const double x = p[gcode::kX] * cosine - p[gcode::kY] * sine;
+        const double y = p[gcode::kX] * sine + p[gcode::kY] * cosine;
+        p[gcode::kX] = x;
+        p[gcode::kY] = y;
+        for (std::size_t i = 0; i < p.size(); ++i)
+            p[i] += workpiece.origin[i];
+    };
+    constexpr std::size_t kAxes[][2] = {{gcode::kX, gcode::kY}, {gcode::kZ, gcode::kX},
+                                        {gcode::kY, gcode::kZ}, {gcode::kU, gcode::kV},
+                                        {gcode::kW, gcode::kU}, {gcode::kV, gcode::kW}};
+    for (Event& event : events) {
+        const auto& axes = kAxes[static_cast<std::size_t>(event.plane)];
+        gcode::Axes centre = event.end;
+        centre[axes[0]] = event.centre_1;
+        centre[axes[1]] = event.centre_2;
+        if (event.call == Call::Dwell || event.call == Call::ToolChange) continue;
+        put(event.end);
+        put(centre);
+        if (event.call != Call::Arc) continue;
+        event.centre_1 = centre[axes[0]];
+        event.centre_2 = centre[axes[1]];
+    }
+}
+
 namespace {
 
 /// 1e-5 in the units of the program, and what nine printed digits leave of large numbers.

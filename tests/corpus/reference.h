@@ -38,7 +38,9 @@ struct Event {
 
 std::optional<std::string> read_gzip(const std::string& path);
 std::vector<Event> read_reference(const std::string& text);
+/// Of ours, in W; put_into_machine() takes all of them where those of a reference are.
 Event to_event(const gcode::Motion& motion, const gcode::ProgramFrame& frame);
+void put_into_machine(std::vector<Event>& events, const gcode::WorkOffset& workpiece);
 
 struct Difference {
     std::size_t index = 0;

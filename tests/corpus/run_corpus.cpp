@@ -146,6 +146,7 @@ int main(int argc, char** argv) {
         const gcode::SourceFile file{entry.name, read_file(entry.path)};
         gcode::InterpreterOptions options;
         options.strict = entry.status == "ok";
+        options.work_offsets_told.fill(true);  // all of them in the machine's zero
         // What the reference machine was configured with.
         if (!entry.reference.empty()) {
             options.peck_clearance = 1.0;
@@ -164,6 +165,7 @@ int main(int argc, char** argv) {
         }
         const auto start = std::chrono::steady_clock::now();
         const gcode::Interpretation result = gcode::interpret(file, options, {});
+        corpus::put_into_machine(events, result.workpiece);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

@@ -51,6 +51,7 @@ std::string motions_of(const SourceFile& file, const fs::path& directory) {
         }
     }
     options.tools = {{.number = 1, .offset = {}, .diameter = Length::from_mm(10.0)}};
+    options.work_offsets_told.fill(head.find("offsets: told") != std::string::npos);
     options.read_file = [&](std::string_view name) -> std::optional<SourceFile> {
         const fs::path path = directory / (std::string(name) + ".sub");
         if (!fs::exists(path)) return std::nullopt;

@@ -96,8 +96,9 @@ bool Machine::arc(const Command& command, bool clockwise) {
         return feed_straight(out.end, MoveKind::Feed, mask);
     }
     if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
-    if (just_left_compensation_ && !tolerate(Message::CompensationExit, command.span)) return false;
-    just_left_compensation_ = false;
+    if (state_.just_left_compensation && !tolerate(Message::CompensationExit, command.span))
+        return false;
+    state_.just_left_compensation = false;
     path_.arc(state_, out, mask);
     return true;
 }

@@ -12,7 +12,7 @@ constexpr auto kCodes = std::to_array<GCode>({
 #undef NCSIM_G
 });
 
-constexpr int kMaxNumber = 1600;  // above G154 none is known
+constexpr int kMaxNumber = 2700;  // above G269 none is known
 
 constexpr auto kIndex = [] {
     std::array<std::uint8_t, kMaxNumber> index{};
@@ -68,6 +68,9 @@ MGroup m_group(int number) {
         case 71:
         case 72:
         case 73: return MGroup::Other;
+        case 428:
+        case 429:
+        case 430: return MGroup::Kinematics;
         default: return MGroup::Unknown;
     }
 }

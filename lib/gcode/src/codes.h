@@ -29,10 +29,11 @@ enum class Group : std::uint8_t {
     Mirror,
     Polar,
     Macro,
-    Unsupported,  ///< Known, and not simulated: after it every place would be wrong.
-    Ignored,      ///< Known, and without effect on where the tool goes.
+    Unsupported,   ///< Known, and not simulated: after it every place would be wrong.
+    NotSimulated,  ///< Known, and not simulated: a cut would be missing.
+    Ignored,       ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 21;
+constexpr std::size_t kGroups = 22;
 
 struct GCode {
     std::int16_t number;  ///< Times ten.
@@ -53,9 +54,10 @@ enum class MGroup : std::uint8_t {
     Io,
     Call,
     Other,
+    Kinematics,  ///< How a LinuxCNC machine turns, as its configuration has it.
     Unknown
 };
-constexpr std::size_t kMGroups = 8;
+constexpr std::size_t kMGroups = 9;
 
 /// The group of an M code.
 MGroup m_group(int number);

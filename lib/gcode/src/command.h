@@ -28,7 +28,7 @@ struct Command {
     std::array<std::int16_t, kMGroups> m;
     double next_tool = -1.0;  ///< The second T of "T1 T2 M6": it waits in the magazine.
     bool has_m = false;       ///< Any M word, known or not.
-    bool has_others = false;  ///< A G code that is not known or was declared harmless.
+    bool has_others = false;  ///< A G code without effect here, not known, or declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.
 
     bool has(char letter) const { return (present >> letter_index(letter) & 1U) != 0; }

@@ -21,11 +21,11 @@ double cross(double ax, double ay, double bx, double by) {
 }  // namespace
 
 void Compensation::begin(CutterSide side, double radius) {
-    side_ = side == CutterSide::Left ? 1.0 : -1.0;
-    radius_ = radius;
-    entering_ = true;
-    holds_ = false;
-    followers_.clear();
+    s_.side = side == CutterSide::Left ? 1.0 : -1.0;
+    s_.radius = radius;
+    s_.entering = true;
+    s_.holds = false;
+    s_.followers.clear();
 }
 
 double Compensation::radius_of(const Element& e) const {
@@ -34,7 +34,7 @@ double Compensation::radius_of(const Element& e) const {
 
 /// Left of a counter-clockwise arc lies its centre.
 double Compensation::offset_radius(const Element& e) const {
-    return radius_of(e) - side_ * (e.turns > 0 ? radius_ : -radius_);
+    return radius_of(e) - s_.side * (e.turns > 0 ? s_.radius : -s_.radius);
 }
 
 Compensation::Vec Compensation::start_tangent(const Element& e) const {
@@ -55,7 +55,7 @@ Compensation::Vec Compensation::end_tangent(const Element& e) const {
 }
 
 Compensation::Vec Compensation::beside(Vec point, Vec tangent) const {
-    return {point.x - side_ * radius_ * tangent.y, point.y + side_ * radius_ * tangent.x};
+    return {point.x - s_.side * s_.radius * tangent.y, point.y + s_.side * s_.radius * tangent.x};
 }
 
 bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
@@ -64,11 +64,11 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
     const Vec from{state.position[axes.first], state.position[axes.second]};
     const Vec to{end[axes.first], end[axes.second]};
     if (from.x == to.x && from.y == to.y) {
-        if (!holds_) {
+        if (!s_.holds) {
             path_.straight(state, end, kind, mask);
             return true;
         }
-        followers_.push_back({state, end, kind, mask, span, file, false, 0.0});
+        s_.followers.push_back({state, end, kind, mask, span, file, false, 0.0});
         state.position = end;
         return true;
     }
@@ -107,69 +107,69 @@ bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask
 
 void Compensation::dwell(const MachineState& state, double seconds, SourceSpan span,
                          std::uint32_t file) {
-    if (!holds_) return path_.dwell(state, seconds);
-    followers_.push_back({state, {}, MoveKind::Feed, 0, span, file, true, seconds});
+    if (!s_.holds) return path_.dwell(state, seconds);
+    s_.followers.push_back({state, {}, MoveKind::Feed, 0, span, file, true, seconds});
 }
 
 bool Compensation::take(MachineState& state, Element element) {
-    if (entering_) {
+    if (s_.entering) {
         const double length =
             std::hypot(element.to.x - element.from.x, element.to.y - element.from.y);
-        if (length <= radius_) {
+        if (length <= s_.radius) {
             log_.add(Message::CompensationEntry, element.span);
             return false;
         }
-        at_ = state.position;
-        entering_ = false;
-    } else if (holds_ && !join(element)) {
+        s_.at = state.position;
+        s_.entering = false;
+    } else if (s_.holds && !join(element)) {
         return false;
     }
     const Axes end = element.end;
-    held_ = std::move(element);
-    holds_ = true;
+    s_.held = std::move(element);
+    s_.holds = true;
     state.position = end;
-    state.known.x = state.known.x || (held_.mask & 1U << kX) != 0;
-    state.known.y = state.known.y || (held_.mask & 1U << kY) != 0;
-    state.known.z = state.known.z || (held_.mask & 1U << kZ) != 0;
+    state.known.x = state.known.x || (s_.held.mask & 1U << kX) != 0;
+    state.known.y = state.known.y || (s_.held.mask & 1U << kY) != 0;
+    state.known.z = state.known.z || (s_.held.mask & 1U << kZ) != 0;
     return true;
 }
 
 /// Ends the held element where `next` begins.
 bool Compensation::join(const Element& next) {
-    const Vec corner = held_.to;
-    const Vec in = end_tangent(held_);
+    const Vec corner = s_.held.to;
+    const Vec in = end_tangent(s_.held);
     const Vec out = start_tangent(next);
     const double turn = std::atan2(cross(in.x, in.y, out.x, out.y), in.x * out.x + in.y * out.y);
     if (std::abs(turn) < kFlat) {
-        emit(held_, beside(corner, out));
+        emit(s_.held, beside(corner, out));
         return true;
     }
-    const bool outside = turn * side_ < 0.0 || std::abs(turn) > std::numbers::pi - kReversal;
+    const bool outside = turn * s_.side < 0.0 || std::abs(turn) > std::numbers::pi - kReversal;
     if (!outside) {
         Vec point;
-        if (!meeting_point(held_, next, point)) {
+        if (!meeting_point(s_.held, next, point)) {
             log_.add(Message::CompensationGouge, next.span);
             return false;
         }
-        emit(held_, point);
+        emit(s_.held, point);
         return true;
     }
-    emit(held_, beside(corner, in));
+    emit(s_.held, beside(corner, in));
     // Round the corner, on behalf of the next move.
     MachineState state = next.state;
-    state.position = at_;
+    state.position = s_.at;
     const PlaneAxes axes = axes_of(state.plane);
     const Vec to = beside(corner, out);
     ProgramArc arc;
-    arc.end = at_;
+    arc.end = s_.at;
     arc.end[axes.first] = to.x;
     arc.end[axes.second] = to.y;
     arc.centre_1 = corner.x;
     arc.centre_2 = corner.y;
-    arc.turns = side_ > 0.0 ? -1 : 1;
+    arc.turns = s_.side > 0.0 ? -1 : 1;
     path_.set_origin(next.span, next.file);
     path_.arc(state, arc, 0);
-    at_ = state.position;
+    s_.at = state.position;
     return true;
 }
 
@@ -225,7 +225,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         candidates, {}, [&](Vec v) { return std::hypot(v.x - corner.x, v.y - corner.y); });
     // Trimmed to less than nothing: the cutter does not fit in.
     const PlaneAxes axes = axes_of(a.state.plane);
-    const Vec start{at_[axes.first], at_[axes.second]};
+    const Vec start{s_.at[axes.first], s_.at[axes.second]};
     const auto backwards = [&](const Element& e, Vec from, Vec to) {
         const Vec d = start_tangent(e);
         return (to.x - from.x) * d.x + (to.y - from.y) * d.y < -1e-9;
@@ -236,7 +236,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
 
 void Compensation::emit(Element& element, Vec end) {
     MachineState& state = element.state;
-    state.position = at_;
+    state.position = s_.at;
     const PlaneAxes axes = axes_of(state.plane);
     Axes target = element.end;
     target[axes.first] = end.x;
@@ -252,10 +252,10 @@ void Compensation::emit(Element& element, Vec end) {
     } else {
         path_.straight(state, target, element.kind, element.mask);
     }
-    at_ = state.position;
-    for (Follower& follower : followers_) {
+    s_.at = state.position;
+    for (Follower& follower : s_.followers) {
         path_.set_origin(follower.span, follower.file);
-        follower.state.position = at_;
+        follower.state.position = s_.at;
         if (follower.is_dwell) {
             path_.dwell(follower.state, follower.seconds);
             continue;
@@ -264,22 +264,22 @@ void Compensation::emit(Element& element, Vec end) {
         to[axes.first] = end.x;
         to[axes.second] = end.y;
         path_.straight(follower.state, to, follower.kind, follower.mask);
-        at_ = follower.state.position;
+        s_.at = follower.state.position;
     }
-    followers_.clear();
-    holds_ = false;
+    s_.followers.clear();
+    s_.holds = false;
 }
 
 void Compensation::flush(MachineState& state) {
-    if (!holds_) return;
-    emit(held_, beside(held_.to, end_tangent(held_)));
-    state.position = at_;
-    entering_ = true;
+    if (!s_.holds) return;
+    emit(s_.held, beside(s_.held.to, end_tangent(s_.held)));
+    state.position = s_.at;
+    s_.entering = true;
 }
 
 void Compensation::end(MachineState& state) {
     flush(state);
-    radius_ = 0.0;
+    s_.radius = 0.0;
 }
 
 }  // namespace ncsim::gcode

@@ -10,36 +10,14 @@
 #include "message.h"
 #include "path.h"
 
+#include <utility>
 #include <vector>
 
 namespace ncsim::gcode {
 
 class Compensation {
-public:
-    Compensation(Path& path, DiagnosticLog& log) : path_(path), log_(log) {}
-
-    /// From the next move on. `radius` in program units, positive.
-    void begin(CutterSide side, double radius);
-    bool is_on() const { return radius_ > 0.0; }
-
-    // Like those of Path, for programmed moves. False after reporting a move that cannot be made.
-    bool straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
-                  SourceSpan span, std::uint32_t file);
-    bool arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
-             std::uint32_t file);
-    void dwell(const MachineState& state, double seconds, SourceSpan span, std::uint32_t file);
-
-    /// Lets out the move held back, and puts `state.position` where the tool then is.
-    void flush(MachineState& state);
-    void end(MachineState& state);
-
-private:
     struct Vec {
         double x = 0.0, y = 0.0;
-    };
-    struct Circle {
-        Vec centre;
-        double radius = 0.0;
     };
     /// A programmed move in the plane.
     struct Element {
@@ -66,6 +44,43 @@ private:
         double seconds = 0.0;
     };
 
+public:
+    /// All it remembers between two moves: a value, to go back to.
+    struct State {
+        double side = 1.0;  // 1: left
+        double radius = 0.0;
+        bool entering = true;
+        bool holds = false;
+        Element held;
+        std::vector<Follower> followers;
+        Axes at{};  // where the tool is, program coordinates
+    };
+
+    Compensation(Path& path, DiagnosticLog& log) : path_(path), log_(log) {}
+
+    const State& state() const { return s_; }
+    void set_state(State state) { s_ = std::move(state); }
+
+    /// From the next move on. `radius` in program units, positive.
+    void begin(CutterSide side, double radius);
+    bool is_on() const { return s_.radius > 0.0; }
+
+    // Like those of Path, for programmed moves. False after reporting a move that cannot be made.
+    bool straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
+                  SourceSpan span, std::uint32_t file);
+    bool arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
+             std::uint32_t file);
+    void dwell(const MachineState& state, double seconds, SourceSpan span, std::uint32_t file);
+
+    /// Lets out the move held back, and puts `state.position` where the tool then is.
+    void flush(MachineState& state);
+    void end(MachineState& state);
+
+private:
+    struct Circle {
+        Vec centre;
+        double radius = 0.0;
+    };
     bool take(MachineState& state, Element element);
     bool join(const Element& next);
     bool meeting_point(const Element& a, const Element& b, Vec& point) const;
@@ -78,13 +93,7 @@ private:
 
     Path& path_;
     DiagnosticLog& log_;
-    double side_ = 1.0;  // 1: left
-    double radius_ = 0.0;
-    bool entering_ = true;
-    bool holds_ = false;
-    Element held_;
-    std::vector<Follower> followers_;
-    Axes at_{};  // where the tool is, program coordinates
+    State s_;
 };
 
 }  // namespace ncsim::gcode

@@ -27,7 +27,7 @@ bool Machine::cycle_words(const Command& command, int motion) {
     }
     if (command.has('R')) cycle.r = command['R'], cycle.has_r = true;
     if (command.has(depth)) cycle.z = command[depth], cycle.has_z = true;
-    if (command.has('P')) cycle.p = command['P'], cycle.has_p = true;
+    if (command.has('P')) cycle.p = seconds_of(command, 'P'), cycle.has_p = true;
     if (command.has('Q')) cycle.q = std::abs(command['Q']);
 
     const std::string_view name = motion_name(motion);
@@ -143,7 +143,7 @@ bool Machine::drill(int motion, const Axes& above, std::size_t depth_axis, doubl
     };
     const CycleState& cycle = state_.cycle;
     const SpindleTurning turning = state_.spindle;
-    const double seconds = rules_.dwell_milliseconds ? cycle.p / 1000.0 : cycle.p;
+    const double seconds = cycle.p;
 
     if (motion == 730 || motion == 830) {
         const double clearance = options_.peck_clearance.value_or(0.254 / state_.unit_mm());

@@ -420,8 +420,10 @@ private:
         for (std::size_t i = 1; i < 5; ++i) {
             if (!is_digit(code[i])) return;
         }
-        if (code.find("SUB") == std::string::npos)
-            add(dialects_[1], 60, 2, "a program number (O1234)", line);
+        if (code.find("SUB") != std::string::npos) return;
+        const std::size_t end = std::min(code.find_first_not_of("0123456789", 1), code.size());
+        const std::string number = code.substr(0, std::min<std::size_t>(end, 12));
+        add(dialects_[1], 60, 2, "the program number " + number, line);
     }
 
     SplitLine split_;

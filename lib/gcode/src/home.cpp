@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G28 and G30: over the intermediate point to a place of the machine.
+// G28 and G30: over the intermediate point to a place of the machine; G29: back over it.
 #include "machine.h"
 
 namespace ncsim::gcode {
@@ -15,15 +15,18 @@ bool Machine::home(const Command& command, bool second) {
     if (command.axis_words && !find_ends(command, via, mask)) return false;
     if (mask == 0) mask = kAllAxes;
     path_.straight(state_, via, MoveKind::Rapid, command.axis_words ? mask : 0);
+    store_.via = via;
+    store_.has_via = command.axis_words;
 
     Axes target = machine_position();
-    const Axes& home = homes_[second ? 1 : 0];
+    const Axes& home = store_.homes[second ? 1 : 0];
     for (std::size_t i = 0; i < target.size(); ++i) {
         if ((mask & 1U << i) != 0) target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
     }
     path_.set_machine_coordinates(true);
     path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
     path_.set_machine_coordinates(false);
+    if (rules_.home_cancels_length) state_.length_register = kNoLength;
     if (rules_.home_cancels_length && state_.tool_offset != Axes{}) {
         const Axes machine = machine_position();
         state_.tool_offset = {};
@@ -33,8 +36,18 @@ bool Machine::home(const Command& command, bool second) {
     return true;
 }
 
+bool Machine::return_from_home(const Command& command) {
+    if (!command.axis_words) return fail(Message::AxesMissing, command.span, {"G29"});
+    Axes end{};
+    AxisMask mask = 0;
+    if (!find_ends(command, end, mask)) return false;
+    if (store_.has_via) path_.straight(state_, store_.via, MoveKind::Rapid, mask);
+    path_.straight(state_, end, MoveKind::Rapid, mask);
+    return true;
+}
+
 void Machine::store_home(bool second) {
-    Axes& home = homes_[second ? 1 : 0];
+    Axes& home = store_.homes[second ? 1 : 0];
     home = machine_position();
     for (std::size_t i = 0; i < home.size(); ++i) {
         if (!is_rotary(i)) home[i] *= state_.unit_mm();

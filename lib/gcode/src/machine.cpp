@@ -8,6 +8,7 @@
 #include "trig.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace ncsim::gcode {
@@ -27,21 +28,42 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
       log_(log),
       path_(path),
       parameters_(parameters),
-      compensation_(path, log),
-      tools_(options.tools) {
-    for (std::size_t i = 0; i < work_offsets_.size(); ++i) {
-        work_offsets_[i].origin = to_axes(options.work_offsets[i]);
+      compensation_(path, log) {
+    store_.tools = options.tools;
+    for (std::size_t i = 0; i < store_.work_offsets.size(); ++i) {
+        store_.work_offsets[i].origin = to_axes(options.work_offsets[i]);
+        // LinuxCNC has its offsets in a file: they are known to it.
+        const bool known = options.work_offsets_told[i] || rules.strict;
+        store_.work_offsets[i].frame.fill(known ? 0 : static_cast<int>(i) + 1);
     }
+    for (const auto& [number, origin] : options.extended_offsets)
+        store_.extended[number].origin = to_axes(origin);
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
     select_system(1);
     parameters_.view.state = &state_;
-    parameters_.view.work_offsets = &work_offsets_;
-    for (std::size_t i = 0; i < homes_.size(); ++i)
-        homes_[i] = to_axes(options.homes[i]);
-    parameters_.view.homes = &homes_;
-    parameters_.view.stored_92 = &stored_92_;
-    parameters_.view.probed = &probed_;
+    parameters_.view.store = &store_;
+    for (std::size_t i = 0; i < store_.homes.size(); ++i)
+        store_.homes[i] = to_axes(options.homes[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!options.start[i]) continue;
+        state_.position[i] = options.start[i]->mm() / state_.unit_mm();
+        tell_place(i);
+    }
+}
+
+bool Machine::is_known(std::size_t axis) const {
+    return axis == kX   ? state_.known.x
+           : axis == kY ? state_.known.y
+           : axis == kZ ? state_.known.z
+                        : true;
+}
+
+/// From here on it is known where the axis stands.
+void Machine::tell_place(std::size_t axis) {
+    if (axis == kX) state_.known.x = true;
+    if (axis == kY) state_.known.y = true;
+    if (axis == kZ) state_.known.z = true;
 }
 
 void Machine::set_origin(SourceSpan span, std::uint32_t file) {
@@ -54,14 +76,40 @@ void Machine::set_origin(SourceSpan span, std::uint32_t file) {
 bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
     if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
     path_.straight(state_, end, kind, mask);
-    just_left_compensation_ = false;
+    state_.just_left_compensation = false;
     return true;
 }
 
 void Machine::execute(const Command& command) {
+    let_out(command);
     const MachineState before = state_;
+    const int one_shot = command.group(Group::OneShot);
+    const bool may_change_store = one_shot != kNone || command.group(Group::Units) != kNone ||
+                                  command.group(Group::WorkOffset) != kNone;
+    std::optional<Store> store;
+    if (may_change_store) store = store_;
+    std::optional<Compensation::State> compensation;
+    if (compensation_.is_on() || command.group(Group::CutterSide) != kNone)
+        compensation = compensation_.state();
     const std::uint64_t motions = path_.count();
-    if (!act(command) && path_.count() == motions) state_ = before;
+    if (act(command) || path_.count() != motions) return;
+    state_ = before;
+    if (store) store_ = std::move(*store);
+    if (compensation) compensation_.set_state(std::move(*compensation));
+}
+
+/// A move that is held back by cutter compensation is made before anything that has no part in it.
+void Machine::let_out(const Command& command) {
+    if (!compensation_.is_on()) return;
+    const int one_shot = command.group(Group::OneShot);
+    if (command.group(Group::Units) != kNone || (one_shot != kNone && one_shot != 40) ||
+        command.group(Group::WorkOffset) != kNone || command.group(Group::Plane) != kNone ||
+        command.group(Group::ToolLength) != kNone || command.group(Group::CutterSide) == 400 ||
+        command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Stop) == 2 ||
+        command.group(MGroup::Stop) == 30) {
+        compensation_.flush(state_);
+        path_.set_origin(span_, file_);
+    }
 }
 
 bool Machine::act(const Command& command) {
@@ -71,25 +119,23 @@ bool Machine::act(const Command& command) {
         return fail(lathe ? Message::LatheCycle : Message::TiltedPlane, command.span,
                     {motion_name(code)});
     }
+    if (const int code = command.group(Group::NotSimulated); code != kNone)
+        return fail(Message::NotSimulated, span_of_g(command, code), {motion_name(code)});
     motion_was_named_ = command.group(Group::Motion) != kNone;
     if (!check(command)) return false;
     // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
     const int units = command.group(Group::Units);
-    const int one_shot_code = command.group(Group::OneShot);
-    if (compensation_.is_on() &&
-        (units != kNone || (one_shot_code != kNone && one_shot_code != 40) ||
-         command.group(Group::WorkOffset) != kNone || command.group(Group::Plane) != kNone ||
-         command.group(Group::ToolLength) != kNone || command.group(MGroup::ToolChange) != kNone ||
-         command.group(MGroup::Stop) == 2 || command.group(MGroup::Stop) == 30)) {
-        compensation_.flush(state_);
-        path_.set_origin(span_, file_);
-    }
     const auto switch_units = [&] {
         if (units != kNone) set_units(units == 200 || units == 700);
     };
     if (!rules_.strict) switch_units();
     if (!set_feed(command)) return false;
     set_speeds_and_tools(command);
+    if (needs_kinematics(command)) {
+        stopped_ = true;
+        return fail(Message::KinematicsUntold, command.span,
+                    {std::string("M").append(std::to_string(state_.kinematics))});
+    }
     if (command.group(Group::OneShot) == 40 && !dwell(command)) return false;
     if (const int plane = command.group(Group::Plane); plane != kNone) {
         constexpr std::array<Plane, 6> kPlanes = {Plane::XY, Plane::ZX, Plane::YZ,
@@ -145,14 +191,11 @@ bool Machine::tolerate(Message message, SourceSpan span,
 std::string_view Machine::motion_name(int motion) {
     char* p = name_buffer_.data();
     *p++ = 'G';
-    const auto number = [&](int n) {
-        if (n >= 10) *p++ = static_cast<char>('0' + n / 10 % 10);
-        *p++ = static_cast<char>('0' + n % 10);
-    };
-    number(motion / 10);
+    char* const end = name_buffer_.data() + name_buffer_.size();
+    p = std::to_chars(p, end, motion / 10).ptr;
     if (motion % 10 != 0) {
         *p++ = '.';
-        number(motion % 10);
+        p = std::to_chars(p, end, motion % 10).ptr;
     }
     return {name_buffer_.data(), static_cast<std::size_t>(p - name_buffer_.data())};
 }
@@ -161,8 +204,9 @@ std::string_view Machine::motion_name(int motion) {
 bool Machine::check(const Command& command) {
     const int motion = command.group(Group::Motion);
     const int one_shot = command.group(Group::OneShot);
-    const bool takes_axes = one_shot == 100 || one_shot == 280 || one_shot == 300 ||
-                            one_shot == 520 || one_shot == 920 || one_shot == 924;
+    const bool takes_axes = one_shot == 100 || one_shot == 280 || one_shot == 290 ||
+                            one_shot == 300 || one_shot == 520 || one_shot == 920 ||
+                            one_shot == 924;
     if (takes_axes && motion != kNone && motion != 800 && rules_.strict) {
         return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot),
                     {motion_name(one_shot)});
@@ -193,13 +237,12 @@ bool Machine::check_unused_words(const Command& command) {
     // Other controls: registers stand where they like, codes without effect here have words of
     // their own, and cycles more of them.
     const bool lax = !rules_.strict;
-    const bool others =
-        lax && (command.has_others || command.group(Group::Ignored) != kNone ||
-                command.group(Group::Rotation) == 680 || command.group(Group::Scaling) == 510 ||
-                g64 != kNone || command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
-                command.group(MGroup::ToolChange) != kNone || motion == 310 ||
-                command.group(Group::Polar) != kNone || is_cycle || knots_open_ ||
-                command.group(Group::Diameter) != kNone);
+    const bool others = lax && (command.has_others || command.group(Group::Rotation) == 680 ||
+                                command.group(Group::Scaling) == 510 || g64 != kNone ||
+                                command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
+                                command.group(MGroup::ToolChange) != kNone || motion == 310 ||
+                                command.group(Group::Polar) != kNone || is_cycle || knots_open_ ||
+                                command.group(Group::Diameter) != kNone);
     const bool centre = is_arc || is_spline || g10 || motion == 760 || motion == 870;
     const Use uses[] = {
         {'D', lax || side == 410 || side == 420 || side == 411 || side == 421 ||
@@ -265,18 +308,30 @@ void Machine::set_speeds_and_tools(const Command& command) {
         state_.tool = static_cast<int>(std::clamp(command['Q'], 0.0, 1e9));
         path_.tool_change(state_);
     }
+    if (command.group(MGroup::Spindle) != kNone) state_.spindle_in_doubt = false;
     switch (command.group(MGroup::Spindle)) {
         case 3:
         case 13: state_.spindle = SpindleTurning::Clockwise; break;  // M13: and coolant
         case 4:
         case 14: state_.spindle = SpindleTurning::Counterclockwise; break;
-        case 5: state_.spindle = SpindleTurning::Stopped; break;
+        case 5:
+        case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
         default: break;
     }
+    if (const int code = command.group(MGroup::Kinematics); code != kNone) state_.kinematics = code;
+}
+
+/// After M428 and its kin, what a rotary axis does to the tip is told by the configuration of the
+/// machine alone. Where none has turned, nothing depends on it.
+bool Machine::needs_kinematics(const Command& command) {
+    if (state_.kinematics == 0) return false;
+    const Axes at = machine_position();
+    return command.has_any(letters('A', 'B', 'C')) || at[kA] != 0.0 || at[kB] != 0.0 ||
+           at[kC] != 0.0;
 }
 
 void Machine::set_units(bool inches) {
-    if (!first_length_seen_) units_stated_ = true;
+    if (!state_.first_length_seen) state_.units_stated = true;
     if (inches == state_.inches) return;
     const double factor = inches ? 1.0 / 25.4 : 25.4;
     const auto scale = [&](Axes& axes) {
@@ -288,7 +343,9 @@ void Machine::set_units(bool inches) {
     scale(state_.work_offset);
     scale(state_.offset_92);
     scale(state_.tool_offset);
-    scale(probed_);
+    scale(store_.probed);
+    scale(state_.zero_92);
+    scale(store_.via);
     state_.cutter_radius *= factor;
     if (state_.feed_mode != FeedMode::InverseTime) state_.feed *= factor;
     Programmed& programmed = state_.programmed;
@@ -306,6 +363,17 @@ void Machine::set_modes(const Command& command) {
     if (const int g = command.group(Group::Diameter); g != kNone) state_.lathe_diameter = g == 70;
 }
 
+/// Fanuc's kin: P counts milliseconds unless it has a point.
+double Machine::seconds_of(const Command& command, char letter) const {
+    const double value = command[letter];
+    if (!rules_.dwell_milliseconds || letter != 'P') return value;
+    const Word* word = find_word(*command.block, letter);
+    const bool has_point =
+        word && command.block->text.substr(word->span.column - 1, word->span.length).find('.') !=
+                    std::string_view::npos;
+    return has_point ? value : value / 1000.0;
+}
+
 bool Machine::dwell(const Command& command) {
     double seconds = 0.0;
     char letter = 'P';
@@ -315,17 +383,9 @@ bool Machine::dwell(const Command& command) {
             return tolerate(Message::DwellWithoutTime, span_of_g(command, 40));
         }
     }
-    seconds = command[letter];
-    if (seconds < 0.0) return fail(Message::NegativeValue, span_of(command, letter), {"P"});
-    if (rules_.dwell_milliseconds && letter == 'P') {
-        // Fanuc's kin: P counts milliseconds unless it has a point.
-        const Word* word = find_word(*command.block, 'P');
-        const bool has_point =
-            word &&
-            command.block->text.substr(word->span.column - 1, word->span.length).find('.') !=
-                std::string_view::npos;
-        if (!has_point) seconds /= 1000.0;
-    }
+    seconds = seconds_of(command, letter);
+    if (seconds < 0.0)
+        return fail(Message::NegativeValue, span_of(command, letter), {{&letter, 1}});
     compensation_.dwell(state_, seconds, span_, file_);
     return true;
 }
@@ -338,6 +398,7 @@ bool Machine::one_shot(const Command& command) {
         case 530: return true;
         case 100: return set_data(command);
         case 280: return home(command, false);
+        case 290: return return_from_home(command);
         case 300: return home(command, true);
         case 281: return store_home(false), true;
         case 301: return store_home(true), true;
@@ -347,7 +408,16 @@ bool Machine::one_shot(const Command& command) {
 
 void Machine::stop(const Command& command) {
     const int code = command.group(MGroup::Stop);
-    if (code == 2 || code == 30) finish();
+    if (code == 2 || code == 30) return finish();
+    // M0, M1, M60. LinuxCNC and grbl leave the spindle alone; others stop it, Haas and most Fanuc
+    // machines among them.
+    if (rules_.strict || rules_.dialect == Dialect::Grbl) return;
+    const bool stops_it = rules_.dialect == Dialect::Fanuc || rules_.dialect == Dialect::Haas;
+    if (stops_it && code != 1) {
+        state_.spindle = SpindleTurning::Stopped;
+    } else {
+        state_.spindle_in_doubt = state_.spindle != SpindleTurning::Stopped;  // M1: if it is on
+    }
 }
 
 void Machine::finish() {
@@ -360,6 +430,7 @@ void Machine::finish() {
     state_.feed = 0.0;
     state_.cutter_side = CutterSide::Off;
     state_.spindle = SpindleTurning::Stopped;
+    state_.spindle_in_doubt = false;
     state_.motion = 10;
     state_.programmed = {};
 }
@@ -369,11 +440,11 @@ void Machine::finish() {
 bool Machine::move(const Command& command, int motion) {
     const int one_shot = command.group(Group::OneShot);
     const bool words_taken =
-        one_shot == 100 || one_shot == 280 || one_shot == 300 || one_shot == 520 ||
-        one_shot == 920 || one_shot == 924 || (one_shot == 40 && !rules_.strict) ||
-        command.group(Group::ToolLength) == 431 || command.group(Group::Rotation) == 680 ||
-        command.group(Group::Scaling) == 510 || command.group(Group::Mirror) != kNone ||
-        (command.group(Group::Macro) != kNone);
+        one_shot == 100 || one_shot == 280 || one_shot == 290 || one_shot == 300 ||
+        one_shot == 520 || one_shot == 920 || one_shot == 924 ||
+        (one_shot == 40 && !rules_.strict) || command.group(Group::ToolLength) == 431 ||
+        command.group(Group::Rotation) == 680 || command.group(Group::Scaling) == 510 ||
+        command.group(Group::Mirror) != kNone || (command.group(Group::Macro) != kNone);
     if (is_speed_mode(command, motion)) return true;
     if (motion != kNone) {
         state_.motion = motion;
@@ -401,11 +472,11 @@ bool Machine::move(const Command& command, int motion) {
                  {motion_name(motion)});
         }
     }
-    if (!first_length_seen_ && command.axis_words) {
-        first_length_seen_ = true;
-        first_length_in_inches_ = state_.inches;
+    if (!state_.first_length_seen && command.axis_words) {
+        state_.first_length_seen = true;
+        state_.first_length_in_inches = state_.inches;
     }
-    previous_was_spline_ = previous_was_spline_ && motion == 50;
+    state_.previous_was_spline = state_.previous_was_spline && motion == 50;
     if (one_shot == 530 && motion != 0 && motion != 10) {
         if (rules_.strict) return fail(Message::G53Motion, span_of_g(command, 530));
         warn(Message::G53Motion, span_of_g(command, 530));
@@ -453,7 +524,7 @@ bool Machine::is_modal_arc(const Command& command) const {
 bool Machine::needs_feed(const Command& command, std::string_view what) {
     if (state_.feed_mode == FeedMode::InverseTime) {
         if (command.has('F')) return true;
-        return tolerate(Message::InverseTimeFeed, command.span, {what});
+        return fail(Message::InverseTimeFeed, command.span, {what});
     }
     if (state_.feed > 0.0) return true;
     return tolerate(Message::FeedMissing, command.span, {what});
@@ -567,7 +638,7 @@ bool Machine::probe(const Command& command, int motion) {
     if (!find_ends(command, end, mask)) return false;
     warn(Message::ProbeAssumed, command.span, {motion_name(motion)});
     path_.straight(state_, end, MoveKind::Probe, mask);
-    probed_ = state_.position;
+    store_.probed = state_.position;
     return true;
 }
 

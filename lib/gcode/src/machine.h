@@ -17,10 +17,10 @@
 #include "parameters.h"
 #include "path.h"
 #include "rules.h"
+#include "store.h"
 
 #include <array>
 #include <initializer_list>
-#include <map>
 #include <optional>
 #include <string_view>
 
@@ -49,11 +49,14 @@ public:
     void finish();
 
     // Which unit the first length was in, for the assumption sheet.
-    bool units_stated() const { return units_stated_; }
-    bool first_length_seen() const { return first_length_seen_; }
-    bool first_length_in_inches() const { return first_length_in_inches_; }
+    bool units_stated() const { return state_.units_stated; }
+    bool first_length_seen() const { return state_.first_length_seen; }
+    bool first_length_in_inches() const { return state_.first_length_in_inches; }
+    /// G43 or one of its kin came.
+    bool uses_length_offsets() const { return uses_length_offsets_; }
 
 private:
+    void let_out(const Command& command);
     bool act(const Command& command);
     bool check(const Command& command);
     bool check_unused_words(const Command& command);
@@ -73,6 +76,7 @@ private:
     void stop(const Command& command);
 
     bool home(const Command& command, bool second);
+    bool return_from_home(const Command& command);
     void store_home(bool second);
     bool offset_92(const Command& command, int code);
     bool set_data(const Command& command);  // G10
@@ -109,6 +113,10 @@ private:
     bool is_modal_arc(const Command& command) const;
     bool is_speed_mode(const Command& command, int motion) const;
     std::string_view motion_name(int motion);
+    double seconds_of(const Command& command, char letter) const;
+    bool needs_kinematics(const Command& command);
+    bool is_known(std::size_t axis) const;
+    void tell_place(std::size_t axis);
 
     SourceSpan span_of(const Command& command, char letter) const;
     SourceSpan span_of_g(const Command& command, int code) const;
@@ -129,27 +137,19 @@ private:
     Compensation compensation_;
     SourceSpan span_;
     std::uint32_t file_ = 0;
-    bool just_left_compensation_ = false;
     MachineState state_;
     static constexpr int kExtended = 9;
-    std::array<WorkOffset, 9> work_offsets_;
-    std::map<int, WorkOffset> extended_;  // G54.1 P1 …, by number
-    std::array<Axes, 2> homes_{};
-    Axes stored_92_{};
-    Axes probed_{};
-    std::vector<ToolTableEntry> tools_;
+    // With MachineState and compensation all there is to bring back when a block is refused, but
+    // for a curve under way (G5.2, G6.2): a fault closes it.
+    Store store_;
     bool spline_open_ = false;  // between G5.2 and G5.3
     bool knots_open_ = false;   // a curve of G6.2 under way
     Spline nurbs_;
-    bool previous_was_spline_ = false;  // G5 may leave out its first control point
-    std::array<double, 2> last_pq_{};
     bool motion_was_named_ = false;
-    bool units_stated_ = false;
-    bool first_length_seen_ = false;
-    bool first_length_in_inches_ = false;
+    bool uses_length_offsets_ = false;
     bool ended_ = false;
     bool stopped_ = false;
-    std::array<char, 8> name_buffer_{};
+    std::array<char, 12> name_buffer_{};
 };
 
 }  // namespace ncsim::gcode

@@ -5,6 +5,8 @@
 
 #include <charconv>
 #include <cstdint>
+#include <limits>
+#include <system_error>
 
 namespace ncsim::gcode {
 
@@ -13,7 +15,7 @@ struct PlainNumber {
     const char* end = nullptr;  ///< Behind the number; nullptr if there is none.
 };
 
-/// Reads the number at `p`, correctly rounded.
+/// Reads the number at `p`, correctly rounded; infinity where it is too large for a double.
 inline PlainNumber read_plain_number(const char* p, const char* end) {
     bool negative = false;
     if (p != end && (*p == '-' || *p == '+')) negative = *p++ == '-';
@@ -41,8 +43,15 @@ inline PlainNumber read_plain_number(const char* p, const char* end) {
                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
         value = static_cast<double>(digits) / kPowers[fraction];
     } else {
-        // Out of range leaves 0, which is as good as any value for 400 digits.
-        std::from_chars(first, p, value, std::chars_format::fixed);
+        const std::from_chars_result read =
+            std::from_chars(first, p, value, std::chars_format::fixed);
+        // 400 digits before the point are more than any number; as many zeros behind it are 0.
+        if (read.ec == std::errc::result_out_of_range) {
+            const char* digit = first;
+            while (*digit == '0')
+                ++digit;
+            value = *digit == '.' ? 0.0 : std::numeric_limits<double>::infinity();
+        }
     }
     return {negative ? -value : value, p};
 }

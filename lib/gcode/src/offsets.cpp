@@ -61,8 +61,13 @@ void Machine::recompute_position(const Axes& machine) {
 
 /// 1 … 9 are G54 … G59.3, and kExtended + n is G54.1 Pn.
 WorkOffset& Machine::offset_of(int system) {
-    if (system <= kExtended) return work_offsets_[static_cast<std::size_t>(system - 1)];
-    return extended_.try_emplace(system - kExtended, work_offsets_.front()).first->second;
+    if (system <= kExtended) return store_.work_offsets[static_cast<std::size_t>(system - 1)];
+    const auto [entry, is_new] = store_.extended.try_emplace(system - kExtended);
+    if (is_new) {
+        entry->second = store_.work_offsets.front();
+        entry->second.frame.fill(system);
+    }
+    return entry->second;
 }
 
 void Machine::select_system(int system) {
@@ -71,6 +76,7 @@ void Machine::select_system(int system) {
     state_.system = system;
     state_.work_offset = from_mm(offset.origin, state_.unit_mm());
     state_.rotation = offset.rotation;
+    state_.frame = offset.frame;
     recompute_position(machine);
 }
 
@@ -90,10 +96,6 @@ bool Machine::set_work_offset(const Command& command) {
         const std::optional<int> number = extended_number(command);
         if (!number)
             return fail(Message::ExtendedNumber, span_of_g(command, code), {motion_name(code)});
-        if (!extended_.contains(*number)) {
-            warn(Message::ExtendedOffset, span_of_g(command, code),
-                 {std::string("G54.1 P").append(std::to_string(*number))});
-        }
         system = kExtended + *number;
     }
     if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
@@ -123,18 +125,23 @@ bool Machine::offset_92(const Command& command, int code) {
                 if (!command.has(kAxisNames[i])) continue;
                 const double value = command[kAxisNames[i]];
                 offset[i] = code == 520 ? value : state_.position[i] + state_.offset_92[i] - value;
+                // Where nobody knew the axis to stand, this tells it, and where the zero is.
+                if (code == 520 || i > kZ || is_known(i)) continue;
+                state_.zero_92[i] = offset[i];
+                tell_place(i);
             }
             for (std::size_t i = 0; i < offset.size(); ++i)
-                stored_92_[i] = mm_of(offset[i], i, unit);
+                store_.stored_92[i] = mm_of(offset[i], i, unit);
             state_.offset_92_active = true;
             break;
-        case 921: stored_92_ = {}; [[fallthrough]];
+        case 921: store_.stored_92 = {}; [[fallthrough]];
         case 922:
             offset = {};
+            state_.zero_92 = {};
             state_.offset_92_active = false;
             break;
         case 923:
-            offset = from_mm(stored_92_, unit);
+            offset = from_mm(store_.stored_92, unit);
             state_.offset_92_active = true;
             break;
         default: return true;
@@ -191,6 +198,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         if (!from_position) {
             const double before = state_.incremental && !rules_.strict ? offset.origin[i] : 0.0;
             offset.origin[i] = before + mm_of(value, i, unit);
+            if (i <= kZ && (!state_.incremental || rules_.strict)) offset.frame[i] = 0;
         } else if (i == kX) {
             wanted_x = value + state_.offset_92[kX];
         } else if (i == kY) {
@@ -205,26 +213,37 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         offset.origin[kX] = unit * (machine[kX] - state_.tool_offset[kX] - wanted_x);
         offset.origin[kY] = unit * (machine[kY] - state_.tool_offset[kY] - wanted_y);
     }
+    for (std::size_t i = kX; from_position && i <= kZ; ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        if (is_known(i)) {
+            offset.frame[i] = state_.frame[i];
+        } else {
+            offset.frame[i] = index;  // wherever that is
+            if (index == state_.system) tell_place(i);
+        }
+    }
     if (index == state_.system) {
         state_.work_offset = from_mm(offset.origin, unit);
         state_.rotation = offset.rotation;
+        state_.frame = offset.frame;
         recompute_position(machine);
     }
     return true;
 }
 
 bool Machine::set_tool_data(const Command& command, int index) {
-    auto entry = std::ranges::find(tools_, index, &ToolTableEntry::number);
-    if (entry == tools_.end()) {
-        if (tools_.size() > 10'000) return fail(Message::G10Form, command.span);
-        tools_.push_back({.number = index, .offset = {}, .diameter = {}});
-        entry = tools_.end() - 1;
+    auto entry = std::ranges::find(store_.tools, index, &ToolTableEntry::number);
+    if (entry == store_.tools.end()) {
+        if (store_.tools.size() > 10'000) return fail(Message::G10Form, command.span);
+        store_.tools.push_back({.number = index, .offset = {}, .diameter = {}});
+        entry = store_.tools.end() - 1;
     }
     const long l = std::lround(command['L']);
     const double unit = state_.unit_mm();
     const Axes machine = machine_position();
     Axes zero = state_.work_offset;
-    if (l == 11 && work_offsets_[8].origin != Axes{}) zero = from_mm(work_offsets_[8].origin, unit);
+    if (l == 11 && store_.work_offsets[8].origin != Axes{})
+        zero = from_mm(store_.work_offsets[8].origin, unit);
     for (std::size_t i = 0; i < 3; ++i) {
         if (!command.has(kAxisNames[i])) continue;
         const double value = command[kAxisNames[i]];
@@ -247,6 +266,8 @@ bool Machine::set_tool_length(const Command& command) {
     const int code = command.group(Group::ToolLength);
     if (code == kNone) return true;
     const double unit = state_.unit_mm();
+    uses_length_offsets_ |= code != 490;
+    state_.length_register = code == 490 ? kNoLength : kStatedLength;
     Axes offset{};
     if (code == 431) {
         for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
@@ -254,9 +275,13 @@ bool Machine::set_tool_length(const Command& command) {
         }
     } else if (code != 490) {
         const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
-        if (code == 432) offset = state_.tool_offset;
-        const auto entry = std::ranges::find(tools_, h, &ToolTableEntry::number);
-        if (entry != tools_.end()) {
+        if (code == 432) {
+            offset = state_.tool_offset;
+        } else {
+            state_.length_register = h;
+        }
+        const auto entry = std::ranges::find(store_.tools, h, &ToolTableEntry::number);
+        if (entry != store_.tools.end()) {
             const double sign = code == 440 ? -1.0 : 1.0;
             for (std::size_t i = 0; i < 3; ++i)
                 offset[i] += sign * entry->offset[i].mm() / unit;
@@ -277,7 +302,7 @@ bool Machine::set_cutter_side(const Command& command) {
         if (compensation_.is_on()) {
             compensation_.end(state_);
             path_.set_origin(span_, file_);
-            just_left_compensation_ = true;
+            state_.just_left_compensation = true;
         }
         state_.cutter_side = CutterSide::Off;
         return true;
@@ -295,8 +320,8 @@ bool Machine::set_cutter_side(const Command& command) {
         radius = command.get('D', 0.0) / 2.0;
     } else {
         const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
-        const auto entry = std::ranges::find(tools_, d, &ToolTableEntry::number);
-        if (entry != tools_.end() && entry->diameter) {
+        const auto entry = std::ranges::find(store_.tools, d, &ToolTableEntry::number);
+        if (entry != store_.tools.end() && entry->diameter) {
             radius = entry->diameter->mm() / 2.0 / state_.unit_mm();
         } else if (!rules_.strict && d != 0) {
             warn(Message::CompensationRadiusUnknown, span,

@@ -7,6 +7,7 @@
 #include "ncsim/gcode/state.h"
 
 #include "expression.h"
+#include "store.h"
 
 #include <array>
 #include <cstdint>
@@ -20,10 +21,7 @@ namespace ncsim::gcode {
 /// What parameters can show besides what was assigned.
 struct MachineView {
     const MachineState* state = nullptr;
-    const std::array<WorkOffset, 9>* work_offsets = nullptr;
-    const std::array<Axes, 2>* homes = nullptr;  ///< G28 and G30, machine, mm.
-    const Axes* stored_92 = nullptr;             ///< mm
-    const Axes* probed = nullptr;                ///< Program coordinates.
+    const Store* store = nullptr;
     std::uint32_t line = 0;
     int call_level = 0;
     double return_value = 0.0;

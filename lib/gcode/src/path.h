@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where program coordinates become motions in W: offsets, units and rotation end here.
+//
+// Where W is, is known at the first cutting move only. What moves before it is held back, in
+// machine coordinates.
 #pragma once
 
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/state.h"
 
 #include "command.h"
+#include "message.h"
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -41,8 +47,9 @@ constexpr AxisMask kAllAxes = 0x1FF;
 
 class Path {
 public:
-    Path(const InterpreterOptions& options, const MotionSink& sink, Interpretation& result)
-        : options_(options), sink_(sink), result_(result) {}
+    Path(const InterpreterOptions& options, const MotionSink& sink, DiagnosticLog& log,
+         Interpretation& result)
+        : options_(options), sink_(sink), log_(log), result_(result) {}
 
     /// What the following motions are made by.
     void set_origin(SourceSpan span, std::uint32_t file) { span_ = span, file_ = file; }
@@ -60,24 +67,56 @@ public:
     void set_machine_coordinates(bool on) { machine_coordinates_ = on; }
     /// The tool length changed: the tip is elsewhere, though nothing moved.
     void refresh() { stale_ = true; }
+    /// The end of the program: lets out what is held back.
+    void finish();
 
     std::uint64_t count() const { return result_.motions; }
 
 private:
-    Position in_workpiece(const MachineState& state, const Axes& p) const;
-    Position start(const MachineState& state);
+    /// A place as the machine has it, and the coordinate system it was said in: the place of its
+    /// zero, mm, and its rotation.
+    struct Place {
+        Position machine;
+        std::array<double, 3> zero{};
+        double rotation = 0.0;
+        OriginFrame frame{};
+        AxisMask in_machine = 0;  ///< Axes that were said in machine coordinates.
+    };
+    struct Held {
+        Motion motion;  // machine coordinates
+        ProgramFrame frame;
+        Place from, to;
+        Position centre;  // of an arc
+        Axes zero_92{};
+        OriginFrame origin_frame{};
+    };
+
+    static Place place(const MachineState& state, const Axes& p, AxisMask in_machine = 0);
+    const Place& start(const MachineState& state);
+    bool is_related(const Place& place, std::size_t axis) const;
+    /// In W, once that is bound. Where no relation is known, as if the zeros were one.
+    Position in_workpiece(const Place& place) const;
     void fill(const MachineState& state, MoveKind kind);
-    void emit(const MachineState& state);
-    void arrive(MachineState& state, const Axes& end, const Position& target, AxisMask mask);
+    void emit(const MachineState& state, const Place& from, const Place& to,
+              const Position& centre = {});
+    void let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
+                 const Position& centre);
+    void bind(int system, const WorkOffset& workpiece);
+    void bind(const Held& held);
+    void arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask);
 
     const InterpreterOptions& options_;
     const MotionSink& sink_;
+    DiagnosticLog& log_;
     Interpretation& result_;
     SourceSpan span_;
     std::uint32_t file_ = 0;
     bool machine_coordinates_ = false;
     bool stale_ = true;
-    Position at_;    // where the last motion ended
+    Place at_;                                   // where the last motion ended
+    std::optional<Position> at_machine_, at_W_;  // the same of the last one that was let out
+    bool bound_ = false;
+    std::vector<Held> held_;
     Motion motion_;  // reused: a motion is large
 };
 

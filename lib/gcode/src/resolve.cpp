@@ -62,24 +62,47 @@ std::optional<double> Resolver::value_of(const Word& word) {
     return value_of(word.text, word.span, !rules_.strict);
 }
 
-bool Resolver::take_g(const Word& word, double value, Command& command) {
+namespace {
+
+/// G70, G71 and G72 are holes on a circle, an arc and a line where they have a radius, an angle or
+/// a number of holes.
+bool is_hole_pattern(const Block& block) {
+    return find_word(block, 'I') || find_word(block, 'J') || find_word(block, 'L');
+}
+
+}  // namespace
+
+bool Resolver::take_g(const Block& block, const Word& word, double value, Command& command) {
     const double tenths = std::round(value * 10.0);
     const GCode* code = nullptr;
     if (std::abs(value * 10.0 - tenths) < 1e-3 && tenths >= 0.0 && tenths < 1e5) {
         code = find_g(static_cast<int>(tenths));
     }
-    // G70 and G71 are units on some controls and cycles of a lathe on RS274/NGC.
-    if (code && rules_.strict && (code->number == 700 || code->number == 710)) code = find_g(722);
+    // G70 and G71 are units on some controls, cycles of a lathe on RS274/NGC, and holes in a row on
+    // Haas.
+    if (code && code->number >= 700 && code->number <= 720 && code->number % 10 == 0) {
+        if (rules_.strict) {
+            command.g[static_cast<std::size_t>(Group::Unsupported)] = code->number;
+            return true;
+        }
+        if (is_hole_pattern(block) || (code->number != 720 && !rules_.g70_is_units)) {
+            command.g[static_cast<std::size_t>(Group::NotSimulated)] = code->number;
+            return true;
+        }
+    }
     if (code && rules_.strict && !code->in_rs274) code = nullptr;
     if (!code) {
         command.has_others = true;
         if (is_allowed('G', value)) return true;
+        const std::string text = text_of(word, value);
+        log_.add(Message::UnknownG, word.span, {text, text});
         unknown_g_ = true;
-        unknown_span_ = word.span;
-        unknown_text_ = text_of(word, value);
-        return true;  // reported when the whole block is known
+        return true;  // the rest of the block may have faults of its own
     }
-    if (code->group == Group::Ignored) return true;
+    if (code->group == Group::Ignored) {
+        command.has_others = true;  // it may have words of its own
+        return true;
+    }
     std::int16_t& slot = command.g[static_cast<std::size_t>(code->group)];
     if (code->group == Group::Motion && (slot == 800 || code->number == 800) && slot != kNone) {
         if (slot == 800) slot = code->number;  // "G0 G80": ends the cycle and moves
@@ -101,7 +124,8 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
     const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
     const MGroup group = is_whole ? m_group(number) : MGroup::Unknown;
-    const bool foreign = rules_.strict && (number == 13 || number == 14);
+    const bool foreign =
+        rules_.strict && (number == 13 || number == 14 || group == MGroup::Kinematics);
     if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
         if (is_allowed('M', value)) return true;
@@ -141,7 +165,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
             return false;
         }
         if (word.letter == 'G') {
-            if (!take_g(word, value, command)) return false;
+            if (!take_g(block, word, value, command)) return false;
             continue;
         }
         if (word.letter == 'M') {
@@ -149,7 +173,11 @@ bool Resolver::resolve(const Block& block, Command& command) {
             if (!take_m(word, value, command)) return false;
             continue;
         }
-        if (word.comma || word.letter == 'O' || word.letter == 'N') {
+        if (word.comma) {
+            log_.add(Message::CornerWord, word.span, {text_of(word, value)});
+            return false;
+        }
+        if (word.letter == 'O' || word.letter == 'N') {
             if (is_allowed(word.letter, value)) continue;
             if (!tolerate(Message::UnknownWord, word.span, {text_of(word, value)})) return false;
             continue;
@@ -171,16 +199,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
         const Word* word = find_word(block, 'E');
         log_.add(Message::UnknownWord, word ? word->span : command.span, {"E"});
     }
-    if (unknown_g_) {
-        const bool moves = command.axis_words && command.group(Group::Motion) == kNone;
-        if (moves || rules_.strict) {
-            log_.add(Severity::Error, moves ? Message::UnknownGWithAxes : Message::UnknownG,
-                     unknown_span_, {unknown_text_});
-            return false;
-        }
-        log_.add(Message::UnknownG, unknown_span_, {unknown_text_});
-    }
-    return true;
+    return !unknown_g_;
 }
 
 }  // namespace ncsim::gcode

@@ -28,7 +28,7 @@ public:
     std::optional<double> value_of(std::string_view text, SourceSpan span, bool open);
 
 private:
-    bool take_g(const Word& word, double value, Command& command);
+    bool take_g(const Block& block, const Word& word, double value, Command& command);
     bool take_m(const Word& word, double value, Command& command);
     bool is_allowed(char letter, double value) const;
     std::string text_of(const Word& word, double value) const;
@@ -40,8 +40,6 @@ private:
     DiagnosticLog& log_;
     std::vector<std::pair<char, double>> allow_;
     bool unknown_g_ = false;
-    SourceSpan unknown_span_;
-    std::string unknown_text_;
 };
 
 }  // namespace ncsim::gcode

@@ -17,7 +17,7 @@ struct Rules {
     bool dwell_milliseconds = false;
     /// G28 and G30 cancel the tool length (Haas).
     bool home_cancels_length = false;
-    /// G70 and G71 select inch and millimetre (not known as finishing and roughing cycles).
+    /// G70 and G71 alone select inch and millimetre; else they are cycles.
     bool g70_is_units = true;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
@@ -37,7 +37,7 @@ struct Rules {
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;
         rules.macro_b = fanuc;
-        rules.g70_is_units = !strict;
+        rules.g70_is_units = !strict && !fanuc;
         return rules;
     }
 };

@@ -14,7 +14,7 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
       rules_(rules),
       log_(log),
       result_(result),
-      path_(options, sink, result),
+      path_(options, sink, log, result),
       machine_(options, rules, log, path_, parameters_),
       resolver_(rules, parameters_, log, options.allow) {
     parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
@@ -30,6 +30,8 @@ void Runner::run() {
     while (!ended_ && step()) {
     }
     machine_.flush();
+    path_.finish();
+    result_.uses_length_offsets = machine_.uses_length_offsets();
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,

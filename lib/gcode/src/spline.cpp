@@ -46,7 +46,7 @@ bool Machine::spline(const Command& command, int motion) {
         out.control_points = {point(x0, y0),
                               point(x0 + command.get('I', 0.0), y0 + command.get('J', 0.0)),
                               point(end[kX], end[kY])};
-        previous_was_spline_ = false;
+        state_.previous_was_spline = false;
     } else {
         if (!command.has('P') || !command.has('Q')) {
             return fail(Message::SplineWords, command.span, {name, "P and Q"});
@@ -54,16 +54,16 @@ bool Machine::spline(const Command& command, int motion) {
         double i = command.get('I', 0.0);
         double j = command.get('J', 0.0);
         if (!command.has('I') && !command.has('J')) {
-            if (!previous_was_spline_)
+            if (!state_.previous_was_spline)
                 return fail(Message::SplineWords, command.span, {name, "I and J"});
-            i = -last_pq_[0];  // goes on smoothly
-            j = -last_pq_[1];
+            i = -state_.last_pq[0];  // goes on smoothly
+            j = -state_.last_pq[1];
         }
-        last_pq_ = {command['P'], command['Q']};
+        state_.last_pq = {command['P'], command['Q']};
         out.control_points = {point(x0, y0), point(x0 + i, y0 + j),
-                              point(end[kX] + last_pq_[0], end[kY] + last_pq_[1]),
+                              point(end[kX] + state_.last_pq[0], end[kY] + state_.last_pq[1]),
                               point(end[kX], end[kY])};
-        previous_was_spline_ = true;
+        state_.previous_was_spline = true;
     }
     out.knots = clamped_knots(out.control_points.size(), out.order);
     path_.spline(state_, out, end, mask);

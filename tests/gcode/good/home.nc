@@ -1,4 +1,4 @@
-; G28 goes over the intermediate point; G28.1 stores the place
+; G28 goes over the intermediate point; G28.1 stores the place; offsets: told
 G21 G90 G0 X10 Y10 Z10
 G28.1
 G10 L2 P1 X100 Y0 Z0

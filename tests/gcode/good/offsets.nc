@@ -1,4 +1,4 @@
-; G54 to G59.3, G92, G52, G10, G53, units in mid-program
+; G54 to G59.3, G92, G52, G10, G53, units in mid-program; offsets: told
 G21 G90
 G10 L2 P2 X100 Y50 Z-10
 G0 X1 Y2 Z3

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,9 +46,14 @@ struct Limits {
 struct InterpreterOptions {
     /// For programs that say neither G20 nor G21.
     DefaultUnits default_units = DefaultUnits::Millimetres;
-    /// Origins of G54, G55 … G59.3 in machine coordinates at the start. Motions are relative to the
-    /// first.
+    /// Origins of G54, G55 … G59.3 in machine coordinates at the start. Where one is not told,
+    /// nobody knows how far it is from the others.
     std::array<Position, 9> work_offsets{};
+    std::array<bool, 9> work_offsets_told{};
+    std::map<int, Position> extended_offsets;  ///< Those of G54.1 Pn that are told.
+    /// Where the tool stands when the program starts, in the coordinates of G54; what is empty is
+    /// not known.
+    std::array<std::optional<Length>, 3> start{};
     /// Where G28 and G30 lead, in machine coordinates, until G28.1 and G30.1 say otherwise.
     std::array<Position, 2> homes{};
     bool block_delete = false;  ///< Skip blocks that start with '/'.
@@ -83,6 +89,11 @@ struct Interpretation {
     std::uint64_t motions = 0;
     std::vector<std::string> files;  ///< [0] is the program; O-files that were called follow.
     DialectFindings dialect;         ///< What the program was read as, and why.
+    /// The coordinate system that W is: 1: G54 … 9: G59.3; 9 + n: G54.1 Pn. See motion.h.
+    int workpiece_system = 1;
+    /// Its origin and rotation; in machine coordinates only where its frame is 0.
+    WorkOffset workpiece;
+    bool uses_length_offsets = false;  ///< G43 or one of its kin comes in it.
     /// Not a milling program we read, or stopped at a code that would misplace all that follows.
     bool refused = false;
     bool stopped = false;  ///< Stopped before its end, by a limit or a missing part.

@@ -2,11 +2,13 @@
 //
 // What an NC program makes the machine do: the values that leave lib/gcode.
 //
-// Frame W (workpiece): the coordinate system of G54 as it stands when the program
-// starts, without tool length offset and without G92/G52/G68. Every position below is
-// absolute and in W, whatever offsets, units, scales and rotations the program used on the way, and
-// belongs to the *controlled point* (the tool tip, if tool lengths are entered as
-// measured). Units have ended here: lengths are Length, angles Angle.
+// Frame W (workpiece): the coordinate system (G54, say) that is active at the first cutting move,
+// as it stands then: stock and fixtures are clamped where the program's zero is, so a G10 before it
+// moves them along, and one after it does not. Without tool length offset and without
+// G52/G68; with G92 only where it told an axis its place (a zero that was set by hand). Every
+// position below is absolute and in W, whatever offsets, units, scales and rotations the program
+// used on the way, and belongs to the *controlled point* (the tool tip, if tool lengths are entered
+// as measured). Units have ended here: lengths are Length, angles Angle.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -104,8 +106,13 @@ struct Motion {
     double spindle_rpm = 0.0;  ///< As programmed by S; 0: never set.
     int tool = 0;              ///< In the spindle, 0: none was called.
     KnownAxes known_start;
-    /// The target came from G53, G28, G30: W knows it by assumption only.
+    /// The target came from G53, G28, G30: W knows it only if the place of W in the machine is
+    /// told.
     bool machine_coordinates = false;
+    /// Programmed in a coordinate system of which nobody told how far it is from W; taken to be W.
+    bool offset_unknown = false;
+    /// M0 came since the spindle was started: on many machines it stands still.
+    bool spindle_in_doubt = false;
 };
 
 /// Start and end of a motion; both the machine's place for dwells and tool changes is unknown here,

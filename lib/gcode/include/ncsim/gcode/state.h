@@ -29,7 +29,8 @@ enum class CutterSide : std::uint8_t { Off, Left, Right };
 
 /// What a canned cycle keeps from block to block. Program coordinates.
 struct CycleState {
-    double r = 0.0, z = 0.0, p = 0.0, q = 0.0;  ///< z: the depth, along the axis that drills.
+    double r = 0.0, z = 0.0, q = 0.0;  ///< z: the depth, along the axis that drills.
+    double p = 0.0;                    ///< Seconds.
     bool has_r = false, has_z = false, has_p = false;
     int code = 0;          ///< Ten times the G number of the cycle.
     double initial = 0.0;  ///< Where the drilling axis stood before the first cycle of the series.
@@ -46,10 +47,22 @@ struct Programmed {
     std::array<double, 3> scale_centre{};
 };
 
+/// What the origin of a coordinate system is known from, an axis (X, Y, Z): 0 is the machine, any
+/// other number some place that nobody told. How far two systems are apart is known where they have
+/// the same.
+using OriginFrame = std::array<int, 3>;
+
 /// One coordinate system G54 … G59.3. Millimetres and degrees, machine coordinates.
 struct WorkOffset {
     Axes origin{};
     double rotation = 0.0;  ///< Degrees about Z.
+    OriginFrame frame{};
+};
+
+/// Registers of tool lengths that are no number of a tool table.
+enum LengthRegister : int {
+    kNoLength = 0,       ///< G49, H0, or never anything else.
+    kStatedLength = -1,  ///< G43.1: the program says the length itself.
 };
 
 struct MachineState {
@@ -63,6 +76,11 @@ struct MachineState {
     bool lathe_diameter = false;          ///< G7
     Plane plane = Plane::XY;
     FeedMode feed_mode = FeedMode::PerMinute;
+    bool spindle_in_doubt = false;  ///< M0 came after M3; on many machines that stops the spindle.
+    bool previous_was_spline = false;  ///< G5 may leave out its first control point.
+    bool units_stated = false;
+    bool first_length_seen = false, first_length_in_inches = false;
+    bool just_left_compensation = false;
     /// Ten times the G number of the motion mode (G38.2: 382); 800 after G80; -1: none yet.
     int motion = -1;
     int last_straight = 0;  ///< 0 or 10: what bare axis words after G80 mean where that is allowed.
@@ -74,7 +92,9 @@ struct MachineState {
     int selected_tool = -1;  ///< T; -1: none yet.
     int tool = 0;            ///< In the spindle.
     CutterSide cutter_side = CutterSide::Off;
-    double cutter_radius = 0.0;  ///< Active units; with `cutter_side`.
+    double cutter_radius = 0.0;       ///< Active units; with `cutter_side`.
+    int length_register = kNoLength;  ///< H of G43 or G44, or a LengthRegister.
+    int kinematics = 0;  ///< The M code that last chose how the machine turns (M428 …); 0: none.
 
     // Places
     Axes position{};        ///< Of the controlled point, program coordinates.
@@ -82,8 +102,13 @@ struct MachineState {
     Axes offset_92{};       ///< G92 and G52.
     Axes tool_offset{};     ///< G43
     double rotation = 0.0;  ///< Of the active system, degrees.
-    int system = 1;         ///< 1: G54 … 9: G59.3.
+    OriginFrame frame{};    ///< Of the active system.
+    int system = 1;         ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
     KnownAxes known{false, false, false};
+    /// The part of offset_92 that said where an axis stands of which nobody knew it: it is where
+    /// the program has its zero, and no shift from there.
+    Axes zero_92{};
+    std::array<double, 2> last_pq{};  ///< Of the last G5.
 
     Programmed programmed;
     CycleState cycle;
@@ -101,6 +126,7 @@ struct ProgramFrame {
     Axes tool_offset{};
     double rotation = 0.0;
     Plane plane = Plane::XY;
+    int length_register = kNoLength;
     bool operator==(const ProgramFrame&) const = default;
 };
 

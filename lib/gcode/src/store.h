@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a control keeps in its tables: a value like MachineState, but one that few blocks change, so
+// that it is copied only for those that may have to be undone.
+#pragma once
+
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/state.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace ncsim::gcode {
+
+struct Store {
+    std::array<WorkOffset, 9> work_offsets;
+    std::map<int, WorkOffset> extended;  ///< G54.1 P1 …, by number.
+    std::vector<ToolTableEntry> tools;
+    std::array<Axes, 2> homes{};  ///< Of G28 and G30, machine, mm.
+    Axes via{};                   ///< Over which the last G28 went, program coordinates.
+    bool has_via = false;
+    Axes stored_92{};  ///< What G92.3 brings back, mm.
+    Axes probed{};     ///< Where the last probe met something, program coordinates.
+};
+
+}  // namespace ncsim::gcode
