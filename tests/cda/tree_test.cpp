@@ -3,6 +3,7 @@
 
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/flat.h"
+#include "ncsim/cda/hull.h"
 #include "ncsim/cda/mesh.h"
 
 #include "support/oracle.h"
@@ -143,6 +144,86 @@ TEST(TreeCda, MeasuresWhatACutRemovesBeforeItIsMade) {
         EXPECT_EQ(part.common_volume(cut), 0.0);
     }
     EXPECT_NEAR(part.volume(), reference.volume(), 1e-9);
+}
+
+// A cone that goes to and fro over the same few ways, a lattice unit or two beside itself: what a
+// pass takes away is next to nothing, and now and then sums of volumes say less than nothing.
+std::vector<Cell> jittered_passes(std::uint64_t seed, int count) {
+    Random random(seed);
+    std::vector<LatticePoint> cone{{0, 0, 0}};
+    for (int i = 0; i < 12; ++i) {
+        constexpr std::int64_t kCircle[] = {100000, 86603, 50000, 0};
+        const auto at = [&](int k) {
+            const int j = (k % 12 + 12) % 12;
+            return j <= 3   ? kCircle[j]
+                   : j <= 6 ? -kCircle[6 - j]
+                   : j <= 9 ? -kCircle[j - 6]
+                            : kCircle[12 - j];
+        };
+        cone.push_back({at(i), at(i - 3), 37000});
+    }
+    const auto sweep = TranslationSweep::of(cone, kLattice).value();
+    std::vector<Cell> passes;
+    for (int i = 0; i < count; ++i) {
+        const auto jitter = [&] { return random.between(-2, 2); };
+        const auto lane = random.between(-2, 2) * 61003;
+        const LatticePoint from{-290000 + jitter(), lane + jitter(), 260000 + jitter()};
+        const LatticePoint to{290000 + jitter(), lane + 1000 * random.between(-3, 3),
+                              260000 + jitter()};
+        passes.push_back(sweep(from, to, Origin{static_cast<std::uint32_t>(i + 1)}));
+    }
+    return passes;
+}
+
+TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        const auto passes = jittered_passes(seed, 100);
+        TreeCda measured(kStock, kLattice);
+        for (const Cell& pass : passes)
+            EXPECT_GE(measured.subtract(pass), 0.0);
+        expect_same(measured.boundary(), milled(TreeCda(kStock, kLattice), passes));
+    }
+}
+
+TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const auto cuts = random_cuts(seed, 40, 90000);
+        const auto questions = random_cuts(seed + 1000, 40, 90000);
+        TreeCda patient(kStock, kLattice, {.batch = 1000});
+        TreeCda eager(kStock, kLattice, {.batch = 1});
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+            patient.subtract_unmeasured(cuts[i]);
+            eager.subtract_unmeasured(cuts[i]);
+            switch (random.between(0, 5)) {
+                case 0:
+                    EXPECT_EQ(patient.contact(questions[i]).has_value(),
+                              eager.contact(questions[i]).has_value());
+                    break;
+                case 1:
+                    // Trees of other shapes add up in another order.
+                    EXPECT_NEAR(patient.common_volume(questions[i]),
+                                eager.common_volume(questions[i]), 1e-9);
+                    break;
+                case 2: {
+                    const Vec3 p = kLattice.to_mm(test::random_point(random, 300000));
+                    EXPECT_EQ(patient.contains(p), eager.contains(p));
+                    break;
+                }
+                case 3:
+                    EXPECT_NEAR(patient.subtract(questions[i]), eager.subtract(questions[i]), 1e-9);
+                    break;
+                case 4:
+                    EXPECT_NEAR(patient.clone()->volume(), eager.clone()->volume(), 1e-9);
+                    break;
+                default: break;
+            }
+        }
+        EXPECT_NEAR(patient.volume(), eager.volume(), 1e-9);
+        expect_same(patient.boundary(), eager.boundary());
+    }
 }
 
 }  // namespace

@@ -24,7 +24,6 @@
 #include <array>
 #include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace ncsim::cda {
@@ -533,7 +532,25 @@ private:
         std::vector<const Loop*> holes;
     };
 
-    static bool before(Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+    // Points by their coordinates, exactly: two of them may be nearer to each other than what they
+    // are rounded to, and whoever was first must not decide.
+    int compare(std::uint32_t a, std::uint32_t b) const {
+        if (a == b) return 0;
+        const PointKey& p = points_.keys()[a];
+        const PointKey& q = points_.keys()[b];
+        if (p.fixed != q.fixed) return p.fixed.at < q.fixed.at ? -1 : 1;
+        const ExactPoint v = exact(p, planes_.keys());
+        const ExactPoint w = exact(q, planes_.keys());
+        for (int axis = 0; axis < 3; ++axis) {
+            if (const int order = compare_coordinate(v, w, axis)) return order;
+        }
+        return 0;
+    }
+    // Half-edges by their tails, then by their heads; no two of an owner have both.
+    bool comes_first(std::uint32_t h, std::uint32_t k) const {
+        const int tails = compare(half_edges_[h].tail, half_edges_[k].tail);
+        return tails != 0 ? tails < 0 : compare(half_edges_[h].head, half_edges_[k].head) < 0;
+    }
 
     std::vector<Loop> loops_of(std::size_t owner) {
         std::vector<Loop> loops;
@@ -546,10 +563,9 @@ private:
                 loop.edges.push_back(h);
             }
             std::rotate(loop.edges.begin(),
-                        std::min_element(loop.edges.begin(), loop.edges.end(),
-                                         [&](std::uint32_t a, std::uint32_t b) {
-                                             return before(position_of(a), position_of(b));
-                                         }),
+                        std::min_element(
+                            loop.edges.begin(), loop.edges.end(),
+                            [&](std::uint32_t a, std::uint32_t b) { return comes_first(a, b); }),
                         loop.edges.end());
             for (const std::uint32_t h : loop.edges)
                 loop.points.push_back(half_edges_[h].tail);
@@ -557,7 +573,7 @@ private:
             loops.push_back(std::move(loop));
         }
         std::sort(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) {
-            return before(position_of(a.edges[0]), position_of(b.edges[0]));
+            return comes_first(a.edges[0], b.edges[0]);
         });
         return loops;
     }

@@ -104,10 +104,35 @@ std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice
 }
 
 std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
+    settle();  // once for both
     return std::make_unique<TreeCda>(*this);
 }
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
+    if (waiting_.empty() && cells.size() >= parameters_.batch) return insert(cells);
+    for (const Cell& cell : cells) {
+        waiting_.push_back(cell);
+        if (waiting_.size() >= parameters_.batch) settle();
+    }
+}
+
+void TreeCda::settle() const {
+    if (waiting_.empty()) return;
+    insert(waiting_);
+    waiting_.clear();
+}
+
+// Might a cell that waits change what is asked here?
+bool TreeCda::is_waited_for(const Box& bounds) const {
+    // Bounds are rounded to millimetres.
+    const double margin = 2.0 * lattice_.unit_mm;
+    const Vec3 more{margin, margin, margin};
+    const Box near{bounds.min - more, bounds.max + more};
+    return std::ranges::any_of(waiting_,
+                               [&](const Cell& cell) { return cell.bounds.overlaps(near); });
+}
+
+void TreeCda::insert(std::span<const Cell> cells) const {
     std::vector<IncomingCell> kept;
     kept.reserve(cells.size());
     for (const Cell& cell : cells) {
@@ -152,9 +177,13 @@ void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
 }
 
 double TreeCda::subtract(const Cell& cell) {
-    const double removed = common_volume(cell);
-    if (removed > 0.0) subtract_unmeasured(cell);
-    return removed;
+    if (is_waited_for(cell.bounds)) settle();
+    const Evaluation result = evaluate_window(cell, false);
+    // Whether they have anything in common is decided by pieces of surface, exactly; the sum is
+    // rounded, and may come out as less than nothing.
+    if (result.outlines.pieces().empty()) return 0.0;
+    WorkpieceModel::subtract_unmeasured(cell);
+    return std::max(0.0, result.volume * cube(lattice_.unit_mm));
 }
 
 void TreeCda::for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const {
@@ -203,11 +232,21 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
 }
 
 double TreeCda::common_volume(const Cell& cell) const {
+    if (is_waited_for(cell.bounds)) settle();
     const Evaluation result = evaluate_window(cell, false);
-    return result.outlines.pieces().empty() ? 0.0 : result.volume * cube(lattice_.unit_mm);
+    return result.outlines.pieces().empty() ? 0.0
+                                            : std::max(0.0, result.volume * cube(lattice_.unit_mm));
 }
 
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
+    // What waits can only take away: where there is nothing without it, there is nothing.
+    const std::optional<Vec3> found = contact_as_it_is(cell);
+    if (!found || !is_waited_for(cell.bounds)) return found;
+    settle();
+    return contact_as_it_is(cell);
+}
+
+std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
     const Evaluation result = evaluate_window(cell, true);
     if (result.outlines.pieces().empty()) return std::nullopt;
     const Outlines::Piece& piece = result.outlines.pieces().front();
@@ -216,6 +255,7 @@ std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
 }
 
 void TreeCda::evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const {
+    settle();
     const EvaluationInput input{stock_planes_, nullptr, CellOrder(origins_), centre_, false};
     results.resize(blocks_.size());
     for_each(blocks_.size(), [&](std::size_t i) {
@@ -251,6 +291,7 @@ Boundary TreeCda::boundary() const {
 }
 
 TreeCounts TreeCda::counts() const {
+    settle();
     TreeCounts counts = counts_;
     counts.nodes = 0;
     counts.bytes = origins_.capacity() * sizeof(Origin);
@@ -275,6 +316,7 @@ void TreeCda::render(FacetCanvas& canvas) const {
 }
 
 bool TreeCda::contains(Vec3 point) const {
+    if (is_waited_for(Box{point, point})) settle();
     const QueryPoint query(point, lattice_);
     if (std::any_of(stock_planes_.begin(), stock_planes_.end(),
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {

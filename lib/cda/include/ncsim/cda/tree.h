@@ -35,8 +35,12 @@ struct TreeCounts {
 struct TreeParameters {
     std::uint32_t leaf = 80;    ///< Planes in a leaf before it is split.
     std::uint32_t threads = 0;  ///< 0: as many as the machine has.
+    std::uint32_t batch = 1024;  ///< Cells that may wait.
 };
 
+/// Cells that were taken away may wait until somebody asks about the part where they are: many at a
+/// time are cheaper, and what one of them covers is not looked at for the others. So asking changes
+/// the tree, though not the part: one thread at a time.
 class TreeCda final : public WorkpieceModel {
 public:
     explicit TreeCda(TreeParameters parameters = {});
@@ -56,6 +60,8 @@ public:
     using WorkpieceModel::subtract_unmeasured;
     /// The same without. Many cells at a time are shared between threads.
     void subtract_unmeasured(std::span<const Cell> cells) override;
+    /// Lets no cell wait any longer.
+    void settle() const;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     /// The evaluation of blocks that changed since it was last asked for.
@@ -67,7 +73,7 @@ public:
     double common_volume(const Cell& cell) const;
     /// Where the cell and the part have volume in common: a point (mm) with inner points of both as
     /// near to it as anybody likes; nothing if they touch at most. Exact, and cheaper than the
-    /// volume: stops at the first place.
+    /// volume: stops at the first place. Cells that wait are only taken in where it matters.
     std::optional<Vec3> contact(const Cell& cell) const;
 
     const Lattice& lattice() const { return lattice_; }
@@ -78,6 +84,9 @@ private:
     struct Block;
 
     void split_into_blocks();
+    void insert(std::span<const Cell> cells) const;
+    bool is_waited_for(const Box& bounds) const;
+    std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
     void evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const;
     void for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
@@ -88,8 +97,9 @@ private:
     Vec3 centre_;    // of the stock, in units
     Box stock_box_;  // in units
     std::vector<Plane> stock_planes_;
-    std::vector<Block> blocks_;
-    std::vector<Origin> origins_;  // of cells
+    mutable std::vector<Block> blocks_;
+    mutable std::vector<Origin> origins_;  // of cells
+    mutable std::vector<Cell> waiting_;    // in the order they came
     mutable TreeCounts counts_;
 };
 
