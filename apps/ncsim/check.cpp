@@ -50,6 +50,12 @@ void in_order(std::size_t count, unsigned jobs, const Work& work, const Done& do
     }
 }
 
+// Not proven stands between clean and faulty.
+bool is_better(int a, int b) {
+    const auto rank = [](int code) { return code == kNotProven ? 0.5 : code; };
+    return rank(a) < rank(b);
+}
+
 }  // namespace
 
 int run(CheckOptions options) {
@@ -89,8 +95,9 @@ int run(CheckOptions options) {
 
     int worst = kClean;
     for (const Checked& checked : all)
-        worst = std::max(worst, checked.exit_code);
-    return worst == kFindings && options.exit_zero ? int{kClean} : worst;
+        worst = std::max(worst, checked.exit_code, is_better);
+    const bool judged = worst == kFindings || worst == kNotProven;
+    return judged && options.exit_zero ? int{kClean} : worst;
 }
 
 int run(const RulesOptions& options) {

@@ -57,6 +57,18 @@ Json to_json(const Checked& checked, const Finding& f) {
     return json;
 }
 
+Json to_json(const Checked& checked, const verify::Doubt& d) {
+    Json json{{"reason", d.reason}, {"message", d.message}, {"file", file_of(checked, d.place)}};
+    if (d.place.span.line > 0) {
+        json["line"] = d.place.span.line;
+        json["column"] = d.place.span.column;
+    }
+    json["count"] = d.count;
+    json["accepted"] = d.accepted;
+    json["tell"] = verify::find_reason(d.reason)->tell;
+    return json;
+}
+
 Json to_json(const verify::Ledger& ledger) {
     const auto known = [](const std::optional<double>& value) {
         return value ? Json(tidy(*value)) : Json(nullptr);
@@ -96,7 +108,7 @@ Json to_json(const Checked& checked) {
         return json;
     }
     const verify::Verdict& v = checked.verdict;
-    json["verdict"] = checked.exit_code == kClean ? "clean" : "failed";
+    json["verdict"] = checked.word;
     json["simulated"] = checked.simulated;
     if (!checked.not_simulated.empty()) json["not_simulated"] = checked.not_simulated;
     if (!checked.stock.empty()) json["stock"] = checked.stock;
@@ -104,7 +116,11 @@ Json to_json(const Checked& checked) {
     json["counts"] = {{"error", v.count(Severity::Error)},
                       {"warning", v.count(Severity::Warning)},
                       {"note", v.count(Severity::Note)},
-                      {"suppressed", v.suppressed()}};
+                      {"suppressed", v.suppressed()},
+                      {"doubt", v.open_doubts()}};
+    json["doubts"] = Json::array();
+    for (const verify::Doubt& d : v.doubts)
+        json["doubts"].push_back(to_json(checked, d));
     json["findings"] = Json::array();
     for (const Finding& f : v.findings)
         json["findings"].push_back(to_json(checked, f));

@@ -46,6 +46,16 @@ std::string line_of(const Checked& checked, const Finding& f) {
     return text;
 }
 
+std::string line_of(const Checked& checked, const verify::Doubt& d) {
+    std::string text = file_of(checked, d.place);
+    if (d.place.span.line > 0)
+        text += fmt::format(":{}:{}", d.place.span.line, d.place.span.column);
+    return text + fmt::format(": {}: {}\n", d.reason, d.message);
+}
+
+// One more case, of all doubts.
+constexpr std::string_view kProven = "proven";
+
 std::vector<Case> cases_of(const Checked& checked, const CheckOptions& options) {
     std::vector<Case> cases;
     for (const verify::RuleInfo& rule : verify::rules()) {
@@ -64,6 +74,12 @@ std::vector<Case> cases_of(const Checked& checked, const CheckOptions& options) 
         }
         cases.push_back(std::move(one));
     }
+    Case proven{kProven, {}, {}, {}, 0};
+    for (const verify::Doubt& d : checked.verdict.doubts) {
+        (d.accepted ? proven.remarks : proven.failures) += line_of(checked, d);
+        if (!d.accepted) ++proven.failed;
+    }
+    cases.push_back(std::move(proven));
     return cases;
 }
 
@@ -77,8 +93,9 @@ void put_case(std::string& text, const Case& c, const std::string& program) {
     }
     text += ">\n";
     if (!c.failures.empty()) {
-        fmt::format_to(out, "   <failure message=\"{} finding{}\" type=\"{}\">{}</failure>\n",
-                       c.failed, c.failed == 1 ? "" : "s", c.rule, xml(c.failures));
+        fmt::format_to(out, "   <failure message=\"{} {}{}\" type=\"{}\">{}</failure>\n", c.failed,
+                       c.rule == kProven ? "doubt" : "finding", c.failed == 1 ? "" : "s", c.rule,
+                       xml(c.failures));
     } else if (!c.skipped.empty()) {
         fmt::format_to(out, "   <skipped message=\"{}\"/>\n", xml(c.skipped));
     }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_options.h"
 
+#include "ncsim/verify/doubt.h"
+#include "ncsim/verify/setup.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -54,6 +58,19 @@ void weigh(verify::Selection& selection, const std::vector<std::string>& texts) 
             }
         }
     }
+}
+
+std::string known_reason(const char* option, const std::string& name) {
+    if (name == "all" || verify::find_reason(name)) return name;
+    throw Refusal{
+        fmt::format("{} '{}': no reason for doubt of this name; see ncsim rules", option, name)};
+}
+
+std::string known_requirement(const char* option, const std::string& name) {
+    if (std::ranges::find(verify::kRequirements, name) != std::end(verify::kRequirements))
+        return name;
+    throw Refusal{
+        fmt::format("{} '{}': expected holder, fixtures, travels or offsets", option, name)};
 }
 
 // Lists may be given with commas and more than once.
@@ -108,8 +125,20 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    add_list(*check, "--accept", "REASONS", "Reasons for doubt that do not count: stock-guess,…",
+             [&o](const auto& names) {
+                 for (const std::string& name : names)
+                     o.accept.push_back(known_reason("--accept", name));
+             });
+    add_list(*check, "--require", "THINGS", "What has to be told: holder,fixtures,travels,offsets",
+             [&o](const auto& names) {
+                 for (const std::string& name : names)
+                     o.require.push_back(known_requirement("--require", name));
+             });
     check->add_flag("--cut-free", o.cut_free,
                     "Ask for pieces cut free, too: costs about half a simulation more");
+    check->add_flag("--air-cuts", o.air_cuts,
+                    "Ask for feed moves that remove nothing, too; slower");
     check->add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
     check->add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
         ->type_name("FILE");

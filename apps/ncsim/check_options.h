@@ -23,6 +23,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions {
     bool github = false;                        ///< Annotations for GitHub Actions instead of text.
     bool dog_leg = false;
     bool cut_free = false;  ///< Look for pieces that are cut free.
+    bool air_cuts = false;  ///< Look for feed moves that remove nothing.
     unsigned jobs = 0;      ///< Programs at a time; 0: as many as the machine has cores.
     bool exit_zero = false;
     bool warnings_as_errors = false;

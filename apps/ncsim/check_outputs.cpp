@@ -118,6 +118,15 @@ std::string github_annotations(const Checked& checked) {
         if (f.last_motion > 0) message += "\nhint: " + f.hint;
         fmt::format_to(out, ",title={}::{}\n", escaped(f.rule, true), escaped(message, false));
     }
+    for (const verify::Doubt& d : checked.verdict.doubts) {
+        if (d.accepted) continue;
+        fmt::format_to(out, "::warning file={}", escaped(file_of(checked, d.place), true));
+        if (d.place.span.line > 0)
+            fmt::format_to(out, ",line={},col={}", d.place.span.line, d.place.span.column);
+        const std::string message = fmt::format("not proven: {}\nto tell: {}", d.message,
+                                                verify::find_reason(d.reason)->tell);
+        fmt::format_to(out, ",title={}::{}\n", escaped(d.reason, true), escaped(message, false));
+    }
     return text;
 }
 

@@ -21,8 +21,9 @@ void write_check_json(std::ostream& out, std::span<const Checked> all);
 /// program, and no more results than are accepted, the heaviest first; what was left out is said.
 void write_sarif(std::ostream& out, std::span<const Checked> all);
 
-/// JUnit XML: a suite for each program, a case for each rule that was selected; skipped rules are
-/// skipped cases. Warnings fail a case only if they are to count as errors.
+/// JUnit XML: a suite for each program, a case for each rule that was selected and one for what
+/// keeps the program from being proven; skipped rules are skipped cases. Warnings fail a case only
+/// if they are to count as errors.
 void write_junit(std::ostream& out, std::span<const Checked> all, const CheckOptions& options);
 
 /// The ledger: one line for each execution of a block, after a line of names.

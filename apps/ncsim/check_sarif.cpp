@@ -76,23 +76,37 @@ Json rules_json() {
                           {{"category", verify::name_of(rule.category)},
                            {"tags", {verify::name_of(rule.category)}}}}});
     }
+    for (const verify::ReasonInfo& reason : verify::reasons()) {
+        rules.push_back({{"id", reason.id},
+                         {"shortDescription", {{"text", reason.why}}},
+                         {"fullDescription", {{"text", reason.why}}},
+                         {"help", {{"text", fmt::format("To tell: {}.", reason.tell)}}},
+                         {"defaultConfiguration", {{"level", "warning"}}},
+                         {"properties", {{"category", "doubt"}, {"tags", {"doubt"}}}}});
+    }
     return rules;
 }
 
+// Rules first, then reasons for doubt.
 std::size_t index_of(const std::string& id) {
     const auto rules = verify::rules();
-    return static_cast<std::size_t>(std::ranges::find(rules, id, &verify::RuleInfo::id) -
-                                    rules.begin());
+    const auto rule = std::ranges::find(rules, id, &verify::RuleInfo::id);
+    auto index = static_cast<std::size_t>(rule - rules.begin());
+    if (rule == rules.end())
+        index += static_cast<std::size_t>(verify::find_reason(id) - verify::reasons().data());
+    return index;
 }
 
-Json location(const std::string& path, const Finding* f) {
+// Of a file, or of what lies between two places in it.
+Json location(const std::string& path, const verify::Place& place = {},
+              const verify::Place& last = {}) {
     Json physical{{"artifactLocation", {{"uri", uri_of(path)}}}};
-    if (f && f->place.span.line > 0) {
-        const gcode::SourceSpan& first = f->place.span;
+    if (place.span.line > 0) {
+        const gcode::SourceSpan& first = place.span;
         Json region{{"startLine", first.line}, {"startColumn", first.column}};
-        if (f->last.file == f->place.file && f->last.span.line > first.line) {
-            region["endLine"] = f->last.span.line;
-            region["endColumn"] = f->last.span.column + std::max(1U, f->last.span.length);
+        if (last.file == place.file && last.span.line > first.line) {
+            region["endLine"] = last.span.line;
+            region["endColumn"] = last.span.column + std::max(1U, last.span.length);
         } else {
             region["endColumn"] = first.column + std::max(1U, first.length);
         }
@@ -123,7 +137,7 @@ Json result(const Checked& checked, const Finding& f, const std::string& line, S
               {"ruleIndex", index_of(f.rule)},
               {"level", level_of(f.severity)},
               {"message", {{"text", message_of(f)}}},
-              {"locations", {location(path, &f)}},
+              {"locations", {location(path, f.place, f.last)}},
               {"partialFingerprints",
                {{"ncsimFinding/v1", fingerprint(identity) + ":" + std::to_string(nth)}}}};
     if (f.suppressed) json["suppressions"] = {{{"kind", "inSource"}}};
@@ -134,6 +148,22 @@ Json result(const Checked& checked, const Finding& f, const std::string& line, S
         properties["unit"] = f.quantity->unit;
     }
     json["properties"] = std::move(properties);
+    return json;
+}
+
+Json result(const Checked& checked, const verify::Doubt& d, Seen& seen) {
+    const std::string path = file_of(checked, d.place);
+    const std::string identity = d.reason + '\n' + path + '\n' + d.message;
+    const int nth = seen[identity]++;
+    const std::string_view tell = verify::find_reason(d.reason)->tell;
+    Json json{{"ruleId", d.reason},
+              {"ruleIndex", index_of(d.reason)},
+              {"level", "warning"},
+              {"message", {{"text", fmt::format("Not proven: {}. To tell: {}.", d.message, tell)}}},
+              {"locations", {location(path, d.place)}},
+              {"partialFingerprints",
+               {{"ncsimFinding/v1", fingerprint(identity) + ":" + std::to_string(nth)}}}};
+    if (d.accepted) json["suppressions"] = {{{"kind", "external"}}};
     return json;
 }
 
@@ -150,7 +180,7 @@ void write_sarif(std::ostream& out, std::span<const Checked> all) {
             all_verified = false;
             notifications.push_back({{"level", "error"},
                                      {"message", {{"text", "not verified: " + checked.failure}}},
-                                     {"locations", {location(path, nullptr)}}});
+                                     {"locations", {location(path)}}});
             continue;
         }
         Seen seen;
@@ -159,17 +189,19 @@ void write_sarif(std::ostream& out, std::span<const Checked> all) {
             results.emplace_back(findings[i].severity,
                                  result(checked, findings[i], checked.lines[i], seen));
         }
+        for (const verify::Doubt& d : checked.verdict.doubts)
+            results.emplace_back(Severity::Warning, result(checked, d, seen));
         for (const auto& [rule, more] : checked.verdict.unlisted) {
             notifications.push_back(
                 {{"level", "warning"},
                  {"message", {{"text", fmt::format("{} more findings of {}", more, rule)}}},
-                 {"locations", {location(path, nullptr)}}});
+                 {"locations", {location(path)}}});
         }
         for (const verify::Skipped& s : checked.verdict.skipped) {
             configuration.push_back({{"level", "note"},
                                      {"associatedRule", {{"id", s.rule}}},
                                      {"message", {{"text", s.rule + " skipped: " + s.reason}}},
-                                     {"locations", {location(path, nullptr)}}});
+                                     {"locations", {location(path)}}});
         }
     }
     if (results.size() > kMaxResults) {

@@ -59,6 +59,34 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
     if (f.last_motion > 0) fmt::format_to(out, "  hint: {}\n", f.hint);
 }
 
+void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d) {
+    auto out = std::back_inserter(text);
+    text += d.place.file == 0 ? checked.path : file_of(checked, d.place);
+    if (d.place.span.line > 0)
+        fmt::format_to(out, ":{}:{}", d.place.span.line, d.place.span.column);
+    fmt::format_to(out, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", d.message);
+    if (d.count > 1) fmt::format_to(out, ", {} times", d.count);
+    fmt::format_to(out, " [{}]\n", d.reason);
+}
+
+// What to tell, so that a program can be proven: a line for each reason, and how to accept them
+// all.
+void put_remedy(std::string& text, const std::vector<verify::Doubt>& doubts) {
+    auto out = std::back_inserter(text);
+    std::string ids;
+    for (const verify::ReasonInfo& reason : verify::reasons()) {
+        const auto is_open = [&](const verify::Doubt& d) {
+            return d.reason == reason.id && !d.accepted;
+        };
+        if (std::ranges::none_of(doubts, is_open)) continue;
+        fmt::format_to(out, "  {:<8} {}: {}\n", ids.empty() ? "to tell" : "", reason.id,
+                       reason.tell);
+        if (!ids.empty()) ids += ',';
+        ids += reason.id;
+    }
+    if (!ids.empty()) fmt::format_to(out, "  or       --accept {}\n", ids);
+}
+
 // Rules that could not be asked for the same reason share a line.
 void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped) {
     std::vector<std::string_view> told;
@@ -71,6 +99,12 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
         }
         fmt::format_to(std::back_inserter(text), "  skipped  {}: {}\n", rules, s.reason);
     }
+}
+
+std::string name_of_verdict(const Checked& checked) {
+    std::string name(checked.word);
+    std::ranges::replace(name, '-', ' ');
+    return name;
 }
 
 std::string counted(std::uint64_t n, const char* what) {
@@ -96,13 +130,19 @@ std::string text_of(const Checked& checked, const CheckOptions& options) {
         fmt::format_to(out, "{}: {} more findings of {} are not listed\n", checked.path, more,
                        rule);
     }
+    for (const verify::Doubt& d : v.doubts) {
+        if (!d.accepted || options.notes) put_doubt(text, checked, d);
+    }
     if (options.quiet) return printable(text);
-    fmt::format_to(
-        out, "{}: {}: {}, {}, {}", checked.path, checked.exit_code == kClean ? "clean" : "failed",
-        counted(v.count(Severity::Error), "error"), counted(v.count(Severity::Warning), "warning"),
-        counted(v.count(Severity::Note), "note"));
+    fmt::format_to(out, "{}: {}: {}, {}, {}, {}", checked.path, name_of_verdict(checked),
+                   counted(v.count(Severity::Error), "error"),
+                   counted(v.count(Severity::Warning), "warning"),
+                   counted(v.count(Severity::Note), "note"), counted(v.open_doubts(), "doubt"));
+    const std::size_t accepted = v.doubts.size() - v.open_doubts();
+    if (accepted > 0) fmt::format_to(out, ", {} accepted", accepted);
     if (v.suppressed() > 0) fmt::format_to(out, ", {} suppressed", v.suppressed());
     text += '\n';
+    put_remedy(text, v.doubts);
     if (!checked.stock.empty()) fmt::format_to(out, "  stock    {}\n", checked.stock);
     if (checked.design) fmt::format_to(out, "  design   {}\n", text_of(*checked.design));
     put_skipped(text, v.skipped);
@@ -110,18 +150,12 @@ std::string text_of(const Checked& checked, const CheckOptions& options) {
 }
 
 std::string summary_of(std::span<const Checked> all) {
-    std::uint64_t clean = 0, failed = 0, broken = 0;
-    for (const Checked& checked : all) {
-        if (!checked.failure.empty()) {
-            ++broken;
-        } else if (checked.exit_code == kClean) {
-            ++clean;
-        } else {
-            ++failed;
-        }
-    }
-    return fmt::format("{}: {} clean, {} failed, {} not verified\n", counted(all.size(), "program"),
-                       clean, failed, broken);
+    const auto count = [all](std::string_view word) {
+        return std::ranges::count(all, word, &Checked::word);
+    };
+    return fmt::format("{}: {} clean, {} not proven, {} failed, {} not verified\n",
+                       counted(all.size(), "program"), count("clean"), count("not-proven"),
+                       count("failed"), count("not-verified"));
 }
 
 std::string rules_text() {
@@ -136,18 +170,26 @@ std::string rules_text() {
         fmt::format_to(out, "  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", rule.id,
                        verify::name_of(rule.severity), rule.why, "", "", rule.fix);
     }
+    text += "\nreasons for doubt, for --accept\n";
+    for (const verify::ReasonInfo& reason : verify::reasons())
+        fmt::format_to(out, "  {:<20} {}\n  {:<20} to tell: {}\n", reason.id, reason.why, "",
+                       reason.tell);
     return text;
 }
 
 std::string rules_json() {
-    auto json = nlohmann::ordered_json::array();
+    auto rules = nlohmann::ordered_json::array();
     for (const verify::RuleInfo& rule : verify::rules()) {
-        json.push_back({{"id", rule.id},
-                        {"category", verify::name_of(rule.category)},
-                        {"severity", verify::name_of(rule.severity)},
-                        {"why", rule.why},
-                        {"fix", rule.fix}});
+        rules.push_back({{"id", rule.id},
+                         {"category", verify::name_of(rule.category)},
+                         {"severity", verify::name_of(rule.severity)},
+                         {"why", rule.why},
+                         {"fix", rule.fix}});
     }
+    auto reasons = nlohmann::ordered_json::array();
+    for (const verify::ReasonInfo& reason : verify::reasons())
+        reasons.push_back({{"id", reason.id}, {"why", reason.why}, {"tell", reason.tell}});
+    nlohmann::ordered_json json{{"rules", std::move(rules)}, {"reasons", std::move(reasons)}};
     return json.dump(1) + "\n";
 }
 

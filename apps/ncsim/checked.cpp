@@ -12,12 +12,14 @@
 #include "pipeline.h"
 #include "sheet.h"
 #include "survey.h"
+#include "toml_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -35,12 +37,28 @@ Options options_for(const std::string& path, const CheckOptions& check, unsigned
     return options;
 }
 
+// What is right above flutes whose length is told, but nothing else: a shank as thick as they,
+// taller than any cut is deep.
+void add_shank(toolpath::Tool& tool) {
+    constexpr double kTall = 1000.0;  // mm
+    const toolpath::ProfilePoint top = tool.pieces.back().profile.back();
+    if (!tool.pieces.back().cutting || top.radius <= 0.0) return;
+    toolpath::add_holder_segment(tool, 2 * top.radius, 2 * top.radius, kTall);
+    tool.pieces.back().assumed = true;
+}
+
 verify::ToolFacts facts_of(const UsedTool& used, const verify::ToolFacts* told) {
     verify::ToolFacts facts;
     if (told) facts = *told;
     facts.tool = used.tool;
-    facts.is_guess = used.told_by == toolpath::ToldBy::Assumption;
-    if (facts.is_guess) {
+    facts.is_guess = used.is_guess;
+    facts.holder_told = toolpath::tells_holder(used.spec);
+    if (!used.length_told) {
+        facts.certain_flutes = toolpath::least_flute_length(used.tool);
+    } else if (!toolpath::tells_shank(used.spec) && !facts.holder_told) {
+        add_shank(facts.tool);
+    }
+    if (used.told_by == toolpath::ToldBy::Assumption) {
         facts.assumption = "nobody describes it; taken as " + used.text;
     } else {
         facts.assumption = used.filled_in;
@@ -60,22 +78,87 @@ std::string reason_of(const Survey& survey) {
     return "there is nothing to simulate";
 }
 
+// Where the program's zero, W, lies in the machine; nothing if nobody tells.
+std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
+    if (workpiece.rotation != 0.0 || workpiece.frame != gcode::OriginFrame{}) return std::nullopt;
+    return cda::Vec3{workpiece.origin[gcode::kX], workpiece.origin[gcode::kY],
+                     workpiece.origin[gcode::kZ]};
+}
+
+std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int system) {
+    const auto vector = [](const gcode::Position& p) {
+        return cda::Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
+    };
+    const int named = static_cast<int>(options.work_offsets.size());
+    if (system > named) {
+        const auto found = options.extended_offsets.find(system - named);
+        if (found == options.extended_offsets.end()) return std::nullopt;
+        return vector(found->second);
+    }
+    const auto index = static_cast<std::size_t>(system - 1);
+    if (!options.work_offsets_told[index]) return std::nullopt;
+    return vector(options.work_offsets[index]);
+}
+
+// Moves fixtures that were told in another system to W. Those of which nobody knows how far that is
+// are left out, and named.
+std::vector<std::string> place_fixtures(verify::MachineDescription& machine, const Job& job,
+                                        const Survey& survey) {
+    std::vector<std::string> lost;
+    std::erase_if(machine.fixtures, [&](verify::Fixture& fixture) {
+        const int here = survey.interpretation.workpiece_system;
+        if (fixture.system == 0 || fixture.system == here) return false;
+        const auto origin = origin_of(job.interpreter, fixture.system);
+        if (!origin || !machine.work_zero) {
+            lost.push_back(
+                fmt::format("where the fixture '{}' stands: it is told in {}, and how far "
+                            "that is from {} is not",
+                            fixture.name, name_of_system(fixture.system), name_of_system(here)));
+            return true;
+        }
+        const cda::Vec3 shift = *origin - *machine.work_zero;
+        fixture.box.min = fixture.box.min + shift;
+        fixture.box.max = fixture.box.max + shift;
+        for (cda::Vec3& p : fixture.mesh.vertices)
+            p = p + shift;
+        return false;
+    });
+    return lost;
+}
+
+std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::string>& names) {
+    std::set<std::string, std::less<>> accepted(names.begin(), names.end());
+    if (accepted.erase("all") > 0) {
+        for (const verify::ReasonInfo& reason : verify::reasons())
+            accepted.emplace(reason.id);
+    }
+    return accepted;
+}
+
 verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions& options,
                         const MachineFile& machine) {
     verify::Setup setup;
     setup.machine = machine.machine;
+    setup.machine.work_zero = work_zero(survey.interpretation.workpiece);
     setup.selection = options.selection;
     setup.suppressions = verify::Suppressions(job.program);
     setup.accuracy.tolerance_mm = options.tool_tolerance;
+    setup.path_tolerance_mm = options.tolerance;
     setup.pieces_counted = options.cut_free;
+    setup.air_cuts = options.air_cuts;
     setup.design = !options.design.empty();
     setup.ledger = !options.csv.empty() || !options.html.empty();
     setup.rapid = rapid_path(options, machine.machine);
+    setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
+    setup.cutting_tools = survey.cutting_tools;
+    setup.accepted = accepted_reasons(job.options.accept);
+    setup.required.insert(job.options.require.begin(), job.options.require.end());
     for (const auto& [number, used] : survey.tools) {
         const auto told = machine.tools.find(number);
         setup.tools.emplace(number,
                             facts_of(used, told == machine.tools.end() ? nullptr : &told->second));
     }
+    if (survey.stock) setup.stock = survey.stock->box;
     if (!survey.is_ready()) {
         setup.not_simulated = reason_of(survey);
     } else if (survey.stock->told_by == toolpath::ToldBy::Assumption) {
@@ -86,7 +169,10 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
             fmt::format("{}, since neither G20 nor G21 stands before the first length",
                         survey.interpretation.uses_inches ? "inches" : "millimetres");
     }
-    if (!machine.machine.work_zero) {
+    const auto& zero = setup.machine.work_zero;
+    const double home = setup.machine.home ? setup.machine.home->z : 0.0;
+    setup.home_z = zero ? home - zero->z : kHomeHeight + home;
+    if (!zero) {
         setup.home_assumption = fmt::format(
             "machine zero {:g} mm above the program zero, since no machine tells it", kHomeHeight);
     }
@@ -115,14 +201,11 @@ Look look_at(const Survey& survey, const Simulation& simulation) {
     return look;
 }
 
-void verify_program(Checked& checked, Job job, const CheckOptions& options,
-                    const MachineFile& machine, const Design* design) {
-    if (const auto& zero = machine.machine.work_zero) {
-        for (gcode::Position& origin : job.interpreter.work_offsets) {
-            origin.x = gcode::Length::from_mm(zero->x);
-            origin.y = gcode::Length::from_mm(zero->y);
-            origin.z = gcode::Length::from_mm(zero->z);
-        }
+// What the machine tells, where the job does not tell it. Returns what cannot be used.
+std::vector<std::string> take_machine(Job& job, const MachineFile& file) {
+    std::vector<std::string> lost;
+    for (const auto& [system, origin] : file.offsets) {
+        if (!origin_of(job.interpreter, system)) tell_offset(job.interpreter, system, origin);
     }
     const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
         if (!told) return;
@@ -130,12 +213,57 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         to.y = gcode::Length::from_mm(told->y);
         to.z = gcode::Length::from_mm(told->z);
     };
-    lead(job.interpreter.homes[0], machine.machine.home);
-    lead(job.interpreter.homes[1], machine.machine.tool_change);
-    const Survey survey = app::survey(job);
+    lead(job.interpreter.homes[0], file.machine.home);
+    lead(job.interpreter.homes[1], file.machine.tool_change);
+    if (!file.start || job.start) return lost;
+    constexpr int kG54 = 1;
+    const auto origin = origin_of(job.interpreter, kG54);
+    if (!origin) {
+        lost.emplace_back(
+            "where the tool starts: the machine tells it, but not where G54 is in it");
+        return lost;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        job.interpreter.start[static_cast<std::size_t>(axis)] =
+            gcode::Length::from_mm((*file.start - *origin)[axis]);
+    return lost;
+}
+
+// With a single program, all that the command line tells is meant for it.
+std::vector<std::string> unused_tools(const CheckOptions& options, const Survey& survey) {
+    std::vector<std::string> unused;
+    if (options.programs.size() != 1) return unused;
+    for (const toolpath::ToolSpec& spec : options.tools) {
+        if (!survey.tools.contains(spec.number) && !survey.tools.contains(0))
+            unused.push_back(fmt::format("--tool T{}: the program does not move it", spec.number));
+    }
+    return unused;
+}
+
+// Does anything that was asked for look at the part?
+bool needs_simulation(const verify::Setup& setup) {
+    return verify::needs_part(setup) || setup.ledger || setup.pieces_counted || setup.design ||
+           setup.air_cuts;
+}
+
+std::string_view verdict_word(verify::Outcome outcome) {
+    return outcome == verify::Outcome::Clean    ? "clean"
+           : outcome == verify::Outcome::Failed ? "failed"
+                                                : "not-proven";
+}
+
+void verify_program(Checked& checked, Job job, const CheckOptions& options,
+                    const MachineFile& machine, const Design* design) {
+    std::vector<std::string> not_used = take_machine(job, machine);
+    Survey survey = app::survey(job);
+    if (survey.only_rapid) cut_nothing(survey);
     checked.moves = survey.moves;
-    checked.simulated = survey.is_ready();
     verify::Setup setup = setup_for(job, survey, options, machine);
+    for (std::string& lost : place_fixtures(setup.machine, job, survey))
+        not_used.push_back(std::move(lost));
+    for (std::string& unused : unused_tools(options, survey))
+        not_used.push_back(std::move(unused));
+    checked.simulated = survey.is_ready() && needs_simulation(setup);
     if (setup.not_simulated) checked.not_simulated = *setup.not_simulated;
 
     const cda::Box stock = survey.is_ready() ? survey.stock->box : cda::Box{};
@@ -148,11 +276,13 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
     const toolpath::RapidPath rapid = setup.rapid;
     verify::Verifier verifier(std::move(setup), stock, lattice);
     verifier.add(survey.diagnostics);
+    for (std::string& what : not_used)
+        verifier.add_doubt("told-not-used", std::move(what));
     job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
                                                 const gcode::ProgramFrame& frame) {
         verifier.set_frame(frame);
     };
-    if (survey.is_ready()) {
+    if (checked.simulated) {
         Verification verification;
         verification.verifier = &verifier;
         verification.rapid = rapid;
@@ -189,10 +319,13 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         }
         checked.lines.push_back(std::move(line));
     }
-    const bool fails =
-        checked.verdict.count(verify::Severity::Error) > 0 ||
-        (options.warnings_as_errors && checked.verdict.count(verify::Severity::Warning) > 0);
-    if (fails) checked.exit_code = kFindings;
+    const bool by_warnings =
+        options.warnings_as_errors && checked.verdict.count(verify::Severity::Warning) > 0;
+    const auto outcome = by_warnings ? verify::Outcome::Failed : checked.verdict.outcome();
+    checked.word = verdict_word(outcome);
+    checked.exit_code = outcome == verify::Outcome::Clean    ? kClean
+                        : outcome == verify::Outcome::Failed ? kFindings
+                                                             : kNotProven;
 }
 
 }  // namespace

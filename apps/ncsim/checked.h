@@ -30,6 +30,7 @@ struct Look {
 struct Checked {
     std::string path;  ///< As given on the command line.
     int exit_code = kClean;
+    std::string_view word = "not-verified";  ///< "clean", "not-proven", "failed".
     /// Why there is no verdict: it could not be read, or something broke. Empty: there is one.
     std::string failure;
     verify::Verdict verdict;

@@ -4,6 +4,7 @@
 #include "ncsim/gcode/subprogram_file.h"
 #include "ncsim/toolpath/tool_file.h"
 
+#include "holder_file.h"
 #include "job_file.h"
 #include "stock_file.h"
 
@@ -76,7 +77,16 @@ JobFile take_job_file(Options& options) {
     options.strict |= file.strict;
     options.block_delete |= file.block_delete;
     options.increments |= file.increments;
-    options.allow.insert(options.allow.end(), file.allow.begin(), file.allow.end());
+    const auto append = [](auto& list, const auto& more) {
+        list.insert(list.end(), more.begin(), more.end());
+    };
+    append(options.allow, file.allow);
+    append(options.accept, file.accept);
+    append(options.require, file.require);
+    if (!options.start) options.start = file.start;
+    options.offsets = file.offsets;
+    if (options.holders.empty() && !file.holders.empty())
+        options.holders = (folder / file.holders).string();
     return file;
 }
 
@@ -121,6 +131,15 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
     job.diagnostics.push_back(std::move(d));
 }
 
+// What holds the tools, for those of which nobody says it.
+void add_holders(Job& job, const std::string& path) {
+    for (const toolpath::ToolSpec& told : read_holder_file(path)) {
+        for (toolpath::ToolEntry& entry : job.tools) {
+            if (entry.spec.number == told.number) complete_assembly(entry.spec, told);
+        }
+    }
+}
+
 std::optional<toolpath::StockEntry> choose_stock(const Options& options, const JobFile& file,
                                                  const std::vector<toolpath::ToolFile>& tables,
                                                  std::optional<toolpath::StockEntry> noted) {
@@ -151,6 +170,21 @@ std::optional<toolpath::StockEntry> choose_stock(const Options& options, const J
 
 }  // namespace
 
+void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin) {
+    gcode::Position at;
+    at.x = gcode::Length::from_mm(origin.x);
+    at.y = gcode::Length::from_mm(origin.y);
+    at.z = gcode::Length::from_mm(origin.z);
+    const auto named = options.work_offsets.size();
+    const auto index = static_cast<std::size_t>(system - 1);
+    if (index < named) {
+        options.work_offsets[index] = at;
+        options.work_offsets_told[index] = true;
+    } else {
+        options.extended_offsets[system - static_cast<int>(named)] = at;
+    }
+}
+
 std::string read_text_file(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) fail(path, errno);
@@ -175,6 +209,7 @@ std::string base_name(const std::string& path) {
 
 Job read_job(Options options) {
     Job job;
+    job.budget = Budget(options.max_memory_gb, options.max_seconds);
     JobFile from_file;
     if (!options.job.empty()) from_file = take_job_file(options);
     job.program = {options.program, read_text_file(options.program)};
@@ -200,6 +235,8 @@ Job read_job(Options options) {
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-kHomeHeight);
     }
+    for (const auto& [system, origin] : options.offsets)
+        tell_offset(job.interpreter, system, origin);
 
     for (const toolpath::ToolSpec& spec : options.tools) {
         job.tools.push_back({spec, toolpath::ToldBy::Option, {}, spec.description});
@@ -216,8 +253,14 @@ Job read_job(Options options) {
     }
     for (const toolpath::ToolEntry& entry : notes.tools)
         add_tool(job, entry);
+    if (!options.holders.empty()) add_holders(job, options.holders);
+    job.start = options.start ? options.start : notes.start;
+    for (int axis = 0; axis < 3 && job.start; ++axis)
+        job.interpreter.start[static_cast<std::size_t>(axis)] =
+            gcode::Length::from_mm((*job.start)[axis]);
     for (const toolpath::ToolEntry& entry : job.tools) {
         gcode::ToolTableEntry known;
+        known.length_told = entry.offset.z != 0.0;
         known.number = entry.spec.number;
         for (int axis = 0; axis < 3; ++axis) {
             known.offset[static_cast<std::size_t>(axis)] =

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job_file.h"
 
+#include "ncsim/verify/doubt.h"
+#include "ncsim/verify/setup.h"
+
 #include "findings.h"
 #include "job.h"
 #include "sheet.h"
 #include "stock_file.h"
 #include "survey.h"
+#include "toml_reader.h"
+#include "tool_keys.h"
 #include "version.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -30,7 +33,6 @@ using toolpath::ToolKind;
 using toolpath::ToolSpec;
 
 constexpr std::int64_t kVersion1 = 1;
-constexpr double kLargest = 1e6;  // mm: a kilometre
 
 constexpr std::pair<std::string_view, ToolKind> kKinds[] = {{"flat", ToolKind::FlatEndMill},
                                                             {"ball", ToolKind::BallEndMill},
@@ -39,6 +41,9 @@ constexpr std::pair<std::string_view, ToolKind> kKinds[] = {{"flat", ToolKind::F
                                                             {"v", ToolKind::VCutter},
                                                             {"drill", ToolKind::Drill},
                                                             {"taper", ToolKind::TaperedEndMill},
+                                                            {"slot", ToolKind::SlotMill},
+                                                            {"dovetail", ToolKind::DovetailMill},
+                                                            {"lollipop", ToolKind::LollipopMill},
                                                             {"form", ToolKind::Other}};
 
 // The lengths and angles of a tool, by the names they have in the file.
@@ -52,219 +57,229 @@ constexpr NamedValue kValues[] = {{"diameter", &ToolSpec::diameter},
                                   {"angle", &ToolSpec::angle},
                                   {"taper", &ToolSpec::taper},
                                   {"length", &ToolSpec::length},
-                                  {"shank_diameter", &ToolSpec::shank_diameter}};
+                                  {"neck_diameter", &ToolSpec::neck_diameter},
+                                  {"neck_length", &ToolSpec::neck_length},
+                                  {"shank_diameter", &ToolSpec::shank_diameter},
+                                  {"shank_length", &ToolSpec::shank_length},
+                                  {"stick_out", &ToolSpec::stick_out}};
+
+// What is above the flutes in steps.
+struct NamedSegments {
+    const char* name;
+    std::vector<toolpath::ToolSegment> ToolSpec::*value;
+};
+constexpr NamedSegments kSegments[] = {{"shaft", &ToolSpec::shaft}, {"holder", &ToolSpec::holder}};
 
 // --- Reading ---
 
 class Reader {
 public:
-    explicit Reader(const gcode::SourceFile& file) : name_(file.name) {
-        try {
-            root_ = toml::parse(std::string_view(file.text), std::string_view(name_));
-        } catch (const toml::parse_error& e) {
-            refuse(e.source(), std::string(e.description()));
-        }
-    }
+    explicit Reader(const gcode::SourceFile& file) : r_(file.name, file.text) {}
 
     JobFile read() {
-        const toml::table& t = root_;
-        only(t, {"version", "program", "units", "dialect", "strict", "block_delete", "increments",
-                 "allow", "stock", "tool"});
-        if (const auto* version = t.get("version")) {
-            if (version->value<std::int64_t>() != kVersion1) {
-                refuse(*version, "this version of job files is not known; expected 1");
-            }
-        }
         JobFile job;
-        if (const auto* program = t.get("program")) job.program = string(*program);
-        if (const auto* units = t.get("units")) {
-            const std::string name = string(*units);
-            if (name != "mm" && name != "inch") refuse(*units, "expected \"mm\" or \"inch\"");
-            job.inches = name == "inch";
-        }
-        if (const auto* dialect = t.get("dialect")) job.dialect = read_dialect(*dialect);
-        if (const auto* strict = t.get("strict")) job.strict = boolean(*strict);
-        if (const auto* skip = t.get("block_delete")) job.block_delete = boolean(*skip);
-        if (const auto* i = t.get("increments")) job.increments = boolean(*i);
-        if (const auto* allow = t.get("allow")) {
-            for (const toml::node& word : array(*allow))
-                job.allow.push_back(string(word));
-        }
-        if (const auto* stock = t.get("stock")) job.stock = read_stock(table(*stock));
-        if (const auto* tools = t.get("tool")) {
-            for (const toml::node& tool : array(*tools)) {
-                toolpath::ToolEntry entry = read_tool(table(tool));
-                if (toolpath::find_tool(job.tools, entry.spec.number)) {
-                    refuse(tool, fmt::format("tool {} is described twice", entry.spec.number));
-                }
-                job.tools.push_back(std::move(entry));
-            }
-        }
+        const auto flag = [this](bool& into) {
+            return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
+        };
+        // Each of them has to be one of those that are `known`.
+        const auto words = [this](std::vector<std::string>& into, auto known,
+                                  const char* expected) {
+            return [this, &into, known, expected](const auto& n, const auto& k) {
+                into = r_.texts(n, k);
+                if (!std::ranges::all_of(into, known))
+                    r_.fail(n, fmt::format("'{}': expected {}", k, expected));
+            };
+        };
+        const auto any = [](const std::string&) { return true; };
+        const auto is_reason = [](const std::string& name) {
+            return name == "all" || verify::find_reason(name);
+        };
+        const auto is_requirement = [](const std::string& name) {
+            return std::ranges::find(verify::kRequirements, name) !=
+                   std::end(verify::kRequirements);
+        };
+        r_.each(
+            r_.root(), "",
+            {{"version",
+              [&](const auto& n, const auto&) {
+                  if (n.template value<std::int64_t>() != kVersion1)
+                      r_.fail(n, "this version of job files is not known; expected 1");
+              }},
+             {"program", [&](const auto& n, const auto& k) { job.program = r_.text(n, k); }},
+             {"units",
+              [&](const auto& n, const auto& k) {
+                  const std::string name = r_.text(n, k);
+                  if (name != "mm" && name != "inch") r_.fail(n, "expected \"mm\" or \"inch\"");
+                  job.inches = name == "inch";
+              }},
+             {"dialect", [&](const auto& n, const auto& k) { job.dialect = read_dialect(n, k); }},
+             {"strict", flag(job.strict)},
+             {"block_delete", flag(job.block_delete)},
+             {"increments", flag(job.increments)},
+             {"allow", words(job.allow, any, "words")},
+             {"accept",
+              words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
+             {"require", words(job.require, is_requirement, "holder, fixtures, travels, offsets")},
+             {"start", [&](const auto& n, const auto& k) { job.start = r_.vector(n, k); }},
+             {"offsets",
+              [&](const auto& n, const auto& k) { job.offsets = read_offsets(r_, n, k); }},
+             {"holders", [&](const auto& n, const auto& k) { job.holders = r_.text(n, k); }},
+             {"stock",
+              [&](const auto& n, const auto& k) { job.stock = read_stock(r_.table(n, k), k); }},
+             {"tool", [&](const auto& n, const auto& k) {
+                  r_.each_of(n, k, [&](const toml::node& tool, const std::string& key) {
+                      toolpath::ToolEntry entry = read_tool(r_.table(tool, key), key);
+                      if (toolpath::find_tool(job.tools, entry.spec.number)) {
+                          r_.fail(tool,
+                                  fmt::format("tool {} is described twice", entry.spec.number));
+                      }
+                      job.tools.push_back(std::move(entry));
+                  });
+              }}});
         return job;
     }
 
 private:
-    [[noreturn]] void refuse(const toml::source_region& where, const std::string& why) const {
-        throw std::runtime_error(
-            fmt::format("{}:{}:{}: {}", name_, where.begin.line, where.begin.column, why));
-    }
-    [[noreturn]] void refuse(const toml::node& node, const std::string& why) const {
-        refuse(node.source(), why);
-    }
-
-    void only(const toml::table& table, std::initializer_list<std::string_view> keys) const {
-        for (const auto& [key, value] : table) {
-            if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
-                refuse(value, fmt::format("'{}' is not known here", key.str()));
-            }
-        }
-    }
-    std::string string(const toml::node& node) const {
-        const auto value = node.value_exact<std::string>();
-        if (!value) refuse(node, "expected a text in quotes");
-        return *value;
-    }
-    bool boolean(const toml::node& node) const {
-        const auto value = node.value_exact<bool>();
-        if (!value) refuse(node, "expected true or false");
-        return *value;
-    }
-    double number(const toml::node& node) const {
-        const auto value = node.value<double>();
-        if (!node.is_number() || !value || !(std::abs(*value) <= kLargest)) {
-            refuse(node, "expected a number, at most 1000000");
-        }
-        return *value;
-    }
-    const toml::array& array(const toml::node& node) const {
-        const toml::array* value = node.as_array();
-        if (!value) refuse(node, "expected a list in brackets");
-        return *value;
-    }
-    const toml::table& table(const toml::node& node) const {
-        const toml::table* value = node.as_table();
-        if (!value) refuse(node, "expected a table");
-        return *value;
-    }
-    cda::Vec3 triple(const toml::node& node) const {
-        const toml::array& values = array(node);
-        if (values.size() != 3) refuse(node, "expected three numbers, as in [0, 0, -10]");
-        return {number(values[0]), number(values[1]), number(values[2])};
-    }
-
-    gcode::Dialect read_dialect(const toml::node& node) const {
+    gcode::Dialect read_dialect(const toml::node& node, const std::string& key) const {
         using gcode::Dialect;
-        const std::string name = string(node);
+        const std::string name = r_.text(node, key);
         for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
                                       Dialect::Grbl, Dialect::Mach3}) {
             if (name == gcode::name_of(dialect)) return dialect;
         }
-        refuse(node, "expected auto, rs274, fanuc, haas, grbl or mach3");
+        r_.fail(node, "expected auto, rs274, fanuc, haas, grbl or mach3");
     }
 
-    toolpath::Stock read_stock_from_file(const toml::table& t) const {
-        only(t, {"file", "turn", "move"});
+    toolpath::Stock read_stock_from_file(const toml::table& t, const std::string& key) const {
         toolpath::StockFile from;
-        const toml::node& name = *t.get("file");
-        from.path = string(name);
-        if (!is_stock_file(from.path)) refuse(name, "expected a file .stl, .glb or .ncstock");
-        if (const auto* turn = t.get("turn")) {
-            from.turn = string(*turn);
-            try {
-                parse_turn(from.turn);
-            } catch (const std::invalid_argument& e) {
-                refuse(*turn, e.what());
-            }
-        }
-        if (const auto* move = t.get("move")) from.move = triple(*move);
+        r_.each(t, key,
+                {{"file",
+                  [&](const auto& n, const auto& k) {
+                      from.path = r_.text(n, k);
+                      if (!is_stock_file(from.path))
+                          r_.fail(n, "expected a file .stl, .glb or .ncstock");
+                  }},
+                 {"turn",
+                  [&](const auto& n, const auto& k) {
+                      from.turn = r_.text(n, k);
+                      try {
+                          parse_turn(from.turn);
+                      } catch (const std::invalid_argument& e) {
+                          r_.fail(n, e.what());
+                      }
+                  }},
+                 {"move", [&](const auto& n, const auto& k) { from.move = r_.vector(n, k); }}});
         toolpath::Stock stock;
         stock.from = std::move(from);
         return stock;
     }
 
-    toolpath::Stock read_stock(const toml::table& t) const {
-        if (t.contains("file")) return read_stock_from_file(t);
-        only(t, {"min", "max", "round"});
-        const auto* min = t.get("min");
-        const auto* max = t.get("max");
-        if (!min || !max) refuse(t, "a stock has two corners, min and max");
-        const cda::Vec3 a = triple(*min);
-        const cda::Vec3 b = triple(*max);
-        if (!(a.x < b.x && a.y < b.y && a.z < b.z)) {
-            refuse(*max, "each number of max must be larger than that of min");
+    toolpath::Stock read_stock(const toml::table& t, const std::string& key) const {
+        if (t.contains("file")) return read_stock_from_file(t, key);
+        std::optional<cda::Vec3> min, max;
+        toolpath::Stock stock;
+        r_.each(t, key,
+                {{"min", [&](const auto& n, const auto& k) { min = r_.vector(n, k); }},
+                 {"max", [&](const auto& n, const auto& k) { max = r_.vector(n, k); }},
+                 {"axis",
+                  [&](const auto& n, const auto& k) {
+                      const std::string name = r_.text(n, k);
+                      if (name != "X" && name != "Y" && name != "Z")
+                          r_.fail(n, "expected \"X\", \"Y\" or \"Z\"");
+                      stock.axis = name[0] - 'X';
+                  }},
+                 {"round",
+                  [&](const auto& n, const auto& k) { stock.is_round = r_.yes_or_no(n, k); }}});
+        if (!min || !max) r_.fail(t, "a stock has two corners, min and max");
+        if (!(min->x < max->x && min->y < max->y && min->z < max->z)) {
+            r_.fail(*t.get("max"), "each number of max must be larger than that of min");
         }
-        cda::Box box;
-        box.add(a), box.add(b);
-        toolpath::Stock stock{box};
-        if (const auto* round = t.get("round")) stock.is_round = boolean(*round);
-        if (stock.is_round && std::abs(box.size().x - box.size().y) > 1e-9 * box.size().x) {
-            refuse(*max, "a round stock is as wide in X as in Y");
+        stock.box.add(*min), stock.box.add(*max);
+        const cda::Vec3 size = stock.box.size();
+        const int across = (stock.axis + 1) % 3, up = (stock.axis + 2) % 3;
+        if (stock.is_round && std::abs(size[across] - size[up]) > 1e-9 * size[across]) {
+            r_.fail(*t.get("max"), fmt::format("a round stock along {} is as wide in {} as in {}",
+                                               "XYZ"[stock.axis], "XYZ"[std::min(across, up)],
+                                               "XYZ"[std::max(across, up)]));
         }
         return stock;
     }
 
-    toolpath::ToolPiece read_piece(const toml::table& t) const {
-        only(t, {"cutting", "profile"});
+    toolpath::ToolPiece read_piece(const toml::node& node, const std::string& key) const {
         toolpath::ToolPiece piece;
-        if (const auto* cutting = t.get("cutting")) piece.cutting = boolean(*cutting);
-        const auto* profile = t.get("profile");
-        if (!profile) refuse(t, "a piece of a tool has a profile");
-        double height = 0.0;
-        for (const toml::node& corner : array(*profile)) {
-            const cda::Vec3 v = triple(corner);
-            if (v.x < 0 || v.y < height || v.z < 0) {
-                refuse(corner, "expected [radius, height, fillet] from the lower end to the upper");
-            }
-            height = v.y;
-            piece.profile.push_back({v.x, v.y, v.z});
-        }
-        if (piece.profile.empty()) refuse(*profile, "a profile has corners");
+        r_.each(
+            r_.table(node, key), key,
+            {{"cutting", [&](const auto& n, const auto& k) { piece.cutting = r_.yes_or_no(n, k); }},
+             {"profile", [&](const toml::node& n, const std::string& k) {
+                  double height = 0.0;
+                  for (const toml::node& corner : r_.list(n, k)) {
+                      const cda::Vec3 v = r_.vector(corner, k);
+                      if (v.x < 0 || v.y < height || v.z < 0) {
+                          r_.fail(corner,
+                                  "expected [radius, height, fillet] from the lower end to the "
+                                  "upper");
+                      }
+                      height = v.y;
+                      piece.profile.push_back({v.x, v.y, v.z});
+                  }
+                  if (piece.profile.empty()) r_.fail(n, "a profile has corners");
+              }}});
+        if (piece.profile.empty()) r_.fail(node, "a piece of a tool has a profile");
         return piece;
     }
 
-    toolpath::ToolEntry read_tool(const toml::table& t) const {
-        only(t, {"number", "kind", "diameter", "corner_radius", "tip_diameter", "angle", "taper",
-                 "length", "shank_diameter", "offset", "description", "piece"});
+    toolpath::ToolEntry read_tool(const toml::table& t, const std::string& where) const {
         toolpath::ToolEntry entry;
         ToolSpec& spec = entry.spec;
-        const auto* n = t.get("number");
-        const auto value = n ? n->value_exact<std::int64_t>() : std::nullopt;
-        if (!value || *value < 0 || *value > 99999999) {
-            refuse(n ? *n : t, "a tool has a number, 0 for a program that calls none");
-        }
-        spec.number = static_cast<int>(*value);
-        if (const auto* kind = t.get("kind")) {
-            const std::string name = string(*kind);
-            const auto* found = std::find_if(std::begin(kKinds), std::end(kKinds),
-                                             [&name](const auto& k) { return k.first == name; });
-            if (found == std::end(kKinds)) {
-                refuse(*kind, "expected flat, ball, bull, face, v, drill, taper or form");
-            }
-            spec.kind = found->second;
-        }
+        TomlReader::Keys keys{
+            {"number",
+             [&](const auto& n, const auto& k) {
+                 spec.number = static_cast<int>(r_.integer(n, k, 0, kMostTools));
+             }},
+            {"kind",
+             [&](const auto& n, const auto& k) {
+                 const std::string name = r_.text(n, k);
+                 const auto* found =
+                     std::find_if(std::begin(kKinds), std::end(kKinds),
+                                  [&name](const auto& kind) { return kind.first == name; });
+                 if (found == std::end(kKinds)) {
+                     r_.fail(n,
+                             "expected flat, ball, bull, face, v, drill, taper, slot, dovetail, "
+                             "lollipop or form");
+                 }
+                 spec.kind = found->second;
+             }},
+            {"offset", [&](const auto& n, const auto& k) { entry.offset = r_.vector(n, k); }},
+            {"description",
+             [&](const auto& n, const auto& k) { spec.description = r_.text(n, k); }},
+            {"piece", [&](const auto& n, const auto& k) {
+                 r_.each_of(n, k, [&](const auto& piece, const auto& key) {
+                     spec.pieces.push_back(read_piece(piece, key));
+                 });
+             }}};
         for (const NamedValue& named : kValues) {
-            const auto* node = t.get(named.name);
-            if (!node) continue;
-            const double mm = number(*node);
-            if (mm < 0) refuse(*node, "must not be negative");
-            spec.*named.value = mm;
+            keys[named.name] = [&, value = named.value](const auto& n, const auto& k) {
+                spec.*value = r_.not_negative(n, k);
+            };
         }
-        if (const auto* pieces = t.get("piece")) {
-            for (const toml::node& piece : array(*pieces))
-                spec.pieces.push_back(read_piece(table(piece)));
+        for (const NamedSegments& named : kSegments) {
+            keys[named.name] = [&, value = named.value](const auto& n, const auto& k) {
+                spec.*value = read_segments(r_, n, k);
+            };
         }
-        if (const auto* offset = t.get("offset")) entry.offset = triple(*offset);
-        if (const auto* description = t.get("description")) spec.description = string(*description);
-        if (!toolpath::is_complete(spec)) refuse(t, "a tool needs a diameter above 0");
+        r_.each(t, where, keys);
+        if (!t.contains("number")) {
+            r_.fail(t, "a tool has a number, 0 for a program that calls none");
+        }
+        if (!toolpath::is_complete(spec)) r_.fail(t, "a tool needs a diameter above 0");
         entry.told_by = toolpath::ToldBy::Table;
         entry.span = {static_cast<std::uint32_t>(t.source().begin.line), 1, 0};
         entry.text = spec.description;
-        entry.file = base_name(name_);
+        entry.file = base_name(r_.name());
         return entry;
     }
 
-    std::string name_;
-    toml::table root_;
+    TomlReader r_;
 };
 
 // --- Writing ---
@@ -311,6 +326,17 @@ void write_tool(std::ostream& out, const ToolSpec& spec, cda::Vec3 offset) {
             out << named.name << " = " << number(*value) << '\n';
         }
     }
+    for (const NamedSegments& named : kSegments) {
+        const auto& segments = spec.*named.value;
+        if (segments.empty()) continue;
+        out << named.name << " = [";
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            const toolpath::ToolSegment& step = segments[i];
+            out << (i == 0 ? "" : ", ")
+                << triple({step.lower_diameter, step.upper_diameter, step.height});
+        }
+        out << "]\n";
+    }
     if (!(offset == cda::Vec3{})) out << "offset = " << triple(offset) << '\n';
     if (!spec.description.empty()) out << "description = " << quoted(spec.description) << '\n';
     for (const toolpath::ToolPiece& piece : spec.pieces) {
@@ -340,6 +366,9 @@ void write_stock(std::ostream& out, const toolpath::Stock& stock, const std::str
     if (!stock.from) {
         out << "min = " << triple(stock.box.min) << "\nmax = " << triple(stock.box.max) << '\n'
             << (stock.is_round ? "round = true\n" : "");
+        if (stock.axis != 2)
+            out << "axis = \""
+                << "XYZ"[stock.axis] << "\"\n";
         return;
     }
     out << "file = " << quoted(seen_from(job_file, stock.from->path)) << '\n';
@@ -364,11 +393,21 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
     if (job.options.strict) out << "strict = true\n";
     if (job.options.increments) out << "increments = true\n";
     if (job.options.block_delete) out << "block_delete = true\n";
-    if (!job.options.allow.empty()) {
-        out << "allow = [";
-        for (std::size_t i = 0; i < job.options.allow.size(); ++i)
-            out << (i == 0 ? "" : ", ") << quoted(job.options.allow[i]);
+    const auto list = [&out](const char* key, const std::vector<std::string>& words) {
+        if (words.empty()) return;
+        out << key << " = [";
+        for (std::size_t i = 0; i < words.size(); ++i)
+            out << (i == 0 ? "" : ", ") << quoted(words[i]);
         out << "]\n";
+    };
+    list("allow", job.options.allow);
+    list("accept", job.options.accept);
+    list("require", job.options.require);
+    if (job.start) out << "start = " << triple(*job.start) << "  # in G54\n";
+    if (!job.options.offsets.empty()) {
+        out << "\n[offsets]\n";
+        for (const auto& [system, origin] : job.options.offsets)
+            out << quoted(name_of_system(system)) << " = " << triple(origin) << '\n';
     }
     if (survey.stock) {
         out << "\n[stock]\n"

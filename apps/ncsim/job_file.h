@@ -10,6 +10,7 @@
 #include "ncsim/toolpath/tool_table.h"
 
 #include <iosfwd>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,10 @@ struct JobFile {
     bool strict = false;
     bool block_delete = false;
     bool increments = false;
-    std::vector<std::string> allow;
+    std::vector<std::string> allow, accept, require;
+    std::optional<cda::Vec3> start;    ///< Where the tool stands at the beginning, in G54.
+    std::map<int, cda::Vec3> offsets;  ///< Origins in the machine, by MachineState::system.
+    std::string holders;               ///< A file, as written.
     std::optional<toolpath::Stock> stock;
     std::vector<toolpath::ToolEntry> tools;
 };

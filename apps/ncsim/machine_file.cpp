@@ -3,9 +3,10 @@
 
 #include "job.h"
 #include "mesh_file.h"
+#include "toml_reader.h"
+#include "tool_keys.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <cmath>
 #include <filesystem>
@@ -21,91 +22,22 @@ namespace {
 using verify::AxisRange;
 using verify::MachineDescription;
 
-class Reader {
-public:
-    explicit Reader(std::string path) : path_(std::move(path)) {}
+constexpr int kG54 = 1;
 
-    [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
-        const auto& at = node.source().begin;
-        throw std::runtime_error(fmt::format("{}:{}:{}: {}", path_, at.line, at.column, what));
+// x, y and z, each read by `take`.
+template <class Value, class Read>
+void read_axes(const TomlReader& r, const toml::node& node, const std::string& key,
+               std::array<std::optional<Value>, 3>& into, const Read& read) {
+    TomlReader::Keys keys;
+    for (std::size_t i = 0; i < 3; ++i) {
+        keys[std::string(1, "xyz"[i])] = [&into, &read, i](const auto& n, const auto& k) {
+            into[i] = read(n, k);
+        };
     }
+    r.each(r.table(node, key), key, keys);
+}
 
-    double number(const toml::node& node, const std::string& key) const {
-        const auto value = node.value<double>();
-        if (!value || !std::isfinite(*value) || !node.is_number()) {
-            fail(node, fmt::format("'{}': expected a number", key));
-        }
-        return *value;
-    }
-    double positive(const toml::node& node, const std::string& key) const {
-        const double value = number(node, key);
-        if (value <= 0.0) fail(node, fmt::format("'{}': expected a number above 0", key));
-        return value;
-    }
-    double not_negative(const toml::node& node, const std::string& key) const {
-        const double value = number(node, key);
-        if (value < 0.0) fail(node, fmt::format("'{}': expected 0 or more", key));
-        return value;
-    }
-    const toml::table& table(const toml::node& node, const std::string& key) const {
-        if (!node.is_table()) fail(node, fmt::format("'{}': expected a table", key));
-        return *node.as_table();
-    }
-    const toml::array& array(const toml::node& node, const std::string& key,
-                             std::size_t size) const {
-        if (!node.is_array() || node.as_array()->size() != size) {
-            fail(node, fmt::format("'{}': expected {} values in brackets", key, size));
-        }
-        return *node.as_array();
-    }
-    cda::Vec3 vector(const toml::node& node, const std::string& key) const {
-        const toml::array& a = array(node, key, 3);
-        return {number(a[0], key), number(a[1], key), number(a[2], key)};
-    }
-    std::string text(const toml::node& node, const std::string& key) const {
-        if (!node.is_string()) fail(node, fmt::format("'{}': expected a text", key));
-        return node.as_string()->get();
-    }
-    bool yes_or_no(const toml::node& node, const std::string& key) const {
-        if (!node.is_boolean()) fail(node, fmt::format("'{}': expected true or false", key));
-        return node.as_boolean()->get();
-    }
-
-    using Take = std::function<void(const toml::node&, const std::string&)>;
-    using Keys = std::map<std::string, Take, std::less<>>;
-    // Every key must be one of those known.
-    void each(const toml::table& in, const std::string& where, const Keys& known) const {
-        for (const auto& [key, node] : in) {
-            const auto found = known.find(key.str());
-            if (found == known.end()) {
-                std::string names;
-                for (const auto& [name, take] : known)
-                    names += (names.empty() ? "" : ", ") + name;
-                fail(node, fmt::format("'{}' is not known{}{}; expected {}", key.str(),
-                                       where.empty() ? "" : " in ", where, names));
-            }
-            found->second(node, where.empty() ? found->first : where + "." + found->first);
-        }
-    }
-    // x, y and z, each read by `take`.
-    template <class Value, class Read>
-    void axes(const toml::node& node, const std::string& key,
-              std::array<std::optional<Value>, 3>& into, const Read& read) const {
-        Keys keys;
-        for (std::size_t i = 0; i < 3; ++i) {
-            keys[std::string(1, "xyz"[i])] = [&into, &read, i](const toml::node& n,
-                                                               const std::string& k) {
-                into[i] = read(n, k);
-            };
-        }
-        each(table(node, key), key, keys);
-    }
-
-private:
-    std::string path_;
-};
-
-verify::Fixture read_fixture(const Reader& r, const std::filesystem::path& folder,
+verify::Fixture read_fixture(const TomlReader& r, const std::filesystem::path& folder,
                              const toml::node& node, const std::string& key) {
     verify::Fixture fixture;
     r.each(r.table(node, key), key,
@@ -120,8 +52,14 @@ verify::Fixture read_fixture(const Reader& r, const std::filesystem::path& folde
              }},
             {"clearance",
              [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
+            {"offset",
+             [&](const auto& n, const auto& k) {
+                 const auto system = system_named(r.text(n, k));
+                 if (!system) r.fail(n, fmt::format("'{}': expected a system such as \"G55\"", k));
+                 fixture.system = *system;
+             }},
             {"box", [&](const toml::node& n, const std::string& k) {
-                 const toml::array& corners = r.array(n, k, 2);
+                 const toml::array& corners = r.list(n, k, 2);
                  fixture.box.add(r.vector(corners[0], k));
                  fixture.box.add(r.vector(corners[1], k));
                  const cda::Vec3 size = fixture.box.size();
@@ -137,7 +75,7 @@ verify::Fixture read_fixture(const Reader& r, const std::filesystem::path& folde
     return fixture;
 }
 
-void read_tool_limits(const Reader& r, const toml::node& node, const std::string& key,
+void read_tool_limits(const TomlReader& r, const toml::node& node, const std::string& key,
                       std::map<int, verify::ToolFacts>& tools) {
     verify::ToolFacts facts;
     std::optional<int> number;
@@ -147,14 +85,14 @@ void read_tool_limits(const Reader& r, const toml::node& node, const std::string
     r.each(r.table(node, key), key,
            {{"number",
              [&](const toml::node& n, const std::string& k) {
-                 if (!n.is_integer()) r.fail(n, fmt::format("'{}': expected a tool number", k));
-                 number = static_cast<int>(r.not_negative(n, k));
+                 number = static_cast<int>(r.integer(n, k, 0, kMostTools));
              }},
             {"max_feed", limit(facts.max_feed)},
             {"max_speed", limit(facts.max_rpm)},
             {"max_depth", limit(facts.max_depth)},
             {"max_engagement", limit(facts.max_engagement)},
             {"max_removal_rate", limit(facts.max_removal_rate)},
+            {"max_ramp", limit(facts.max_ramp)},
             {"blind_diameter",
              [&](const auto& n, const auto& k) { facts.blind_diameter = r.not_negative(n, k); }},
             {"left_handed",
@@ -170,31 +108,18 @@ void read_tool_limits(const Reader& r, const toml::node& node, const std::string
 MachineFile read_machine_file(const std::string& path) {
     MachineFile file;
     MachineDescription& m = file.machine;
-    const Reader r(path);
+    const TomlReader r(path, read_text_file(path));
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    const auto list = [&r](const toml::node& n, const std::string& k, const Reader::Take& take) {
-        if (!n.is_array_of_tables()) r.fail(n, fmt::format("write [[{}]]", k));
-        for (const toml::node& element : *n.as_array())
-            take(element, k);
-    };
     const auto positive = [&r](const auto& n, const auto& k) { return r.positive(n, k); };
-    toml::table root;
-    try {
-        root = toml::parse(read_text_file(path), path);
-    } catch (const toml::parse_error& e) {
-        const auto& at = e.source().begin;
-        throw std::runtime_error(
-            fmt::format("{}:{}:{}: {}", path, at.line, at.column, e.description()));
-    }
     const auto point = [&r](std::optional<cda::Vec3>& into) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
     };
-    r.each(root, "",
+    r.each(r.root(), "",
            {{"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
             {"travel",
              [&](const toml::node& n, const std::string& k) {
-                 r.axes(n, k, m.travel, [&](const toml::node& node, const std::string& key) {
-                     const toml::array& ends = r.array(node, key, 2);
+                 read_axes(r, n, k, m.travel, [&](const toml::node& node, const std::string& key) {
+                     const toml::array& ends = r.list(node, key, 2);
                      const AxisRange range{r.number(ends[0], key), r.number(ends[1], key)};
                      if (range.min >= range.max) {
                          r.fail(node,
@@ -203,9 +128,9 @@ MachineFile read_machine_file(const std::string& path) {
                      return range;
                  });
              }},
-            {"rapid", [&](const auto& n, const auto& k) { r.axes(n, k, m.rapid, positive); }},
+            {"rapid", [&](const auto& n, const auto& k) { read_axes(r, n, k, m.rapid, positive); }},
             {"acceleration",
-             [&](const auto& n, const auto& k) { r.axes(n, k, m.acceleration, positive); }},
+             [&](const auto& n, const auto& k) { read_axes(r, n, k, m.acceleration, positive); }},
             {"spindle",
              [&](const toml::node& n, const std::string& k) {
                  r.each(r.table(n, k), k,
@@ -226,8 +151,15 @@ MachineFile read_machine_file(const std::string& path) {
                  r.each(r.table(n, k), k,
                         {{"home", point(m.home)},
                          {"tool_change", point(m.tool_change)},
-                         {"work_zero", point(m.work_zero)}});
+                         {"start", point(file.start)},
+                         {"work_zero", [&](const auto& v, const auto& key) {
+                              file.offsets[kG54] = r.vector(v, key);
+                          }}});
              }},
+            {"offsets", [&](const toml::node& n,
+                            const std::string& k) { file.offsets.merge(read_offsets(r, n, k)); }},
+            {"below_stock",
+             [&](const auto& n, const auto& k) { m.below_stock = r.not_negative(n, k); }},
             {"time",
              [&](const toml::node& n, const std::string& k) {
                  r.each(r.table(n, k), k,
@@ -241,12 +173,13 @@ MachineFile read_machine_file(const std::string& path) {
              }},
             {"fixture",
              [&](const toml::node& n, const std::string& k) {
-                 list(n, k, [&](const toml::node& element, const std::string& key) {
+                 m.fixtures_told = true;
+                 r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
                      m.fixtures.push_back(read_fixture(r, folder, element, key));
                  });
              }},
             {"tool", [&](const toml::node& n, const std::string& k) {
-                 list(n, k, [&](const toml::node& element, const std::string& key) {
+                 r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
                      read_tool_limits(r, element, key, file.tools);
                  });
              }}});

@@ -23,12 +23,18 @@
 //     [position]                     # machine coordinates, mm
 //     home = [0, 0, 0]               # where G28 leads
 //     tool_change = [0, 0, 0]        # where G30 leads
-//     work_zero = [-250, -200, -300] # of G54
+//     start = [0, 0, 0]              # where the tool stands when a program starts
+//     [offsets]                      # origins of coordinate systems, machine coordinates, mm
+//     G54 = [-250, -200, -300]       # or work_zero = … under [position]
+//     G55 = [-100, -200, -300]
+//     "G54.1 P1" = [-50, -200, -300]
 //     [time]
 //     tool_change = 6.0              # s
 //     junction_deviation = 0.01      # mm
-//     [[fixture]]                    # in the frame of G54, mm
+//     below_stock = 5                # mm free below the stock; stands before the first [table]
+//     [[fixture]]                    # where the stock is, mm; fixture = []: there is none
 //     name = "vice"
+//     offset = "G55"                 # in this system, if it is not that of the first cut
 //     box = [[-60, -40, -20], [60, -30, 5]]
 //     clearance = 2                  # or stl = "vice.stl", a closed surface, beside this file
 //     [[tool]]                       # limits of a tool
@@ -38,6 +44,7 @@
 //     max_depth = 4                  # mm along the axis
 //     max_engagement = 20            # mm3 per mm of path
 //     max_removal_rate = 12000       # mm3/min
+//     max_ramp = 3                   # degrees, of one that does not cut at its centre
 //     blind_diameter = 6             # mm that do not cut about the axis
 //     left_handed = false
 #pragma once
@@ -46,12 +53,16 @@
 #include "ncsim/verify/setup.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace ncsim::app {
 
 struct MachineFile {
+    /// Where the workpiece is in the machine follows from the program, too.
     verify::MachineDescription machine;
+    std::map<int, cda::Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
+    std::optional<cda::Vec3> start;    ///< Machine coordinates.
     /// Limits by tool number; the shape is not told here.
     std::map<int, verify::ToolFacts> tools;
 };

@@ -12,14 +12,19 @@ namespace ncsim::app {
 namespace {
 
 constexpr const char* kNotation = R"(
-Tools:  T1=flat:D10:L40  kinds flat, ball, bull, face, v, chamfer, drill, taper; values D diameter,
-        L length, R corner radius, A angle, P tip diameter, S shank; mm, or inches: D1/4in
-Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest corner)
+Tools:  T1=flat:D10:L22:S12x30:H28x15,40x25  kinds flat, ball, bull, face, v, chamfer, drill,
+        taper, slot, dovetail, lollipop; values D diameter, L length of the flutes, R corner radius,
+        A angle, P tip diameter; above the flutes N neck and S shank (diameter, or diameter x
+        length), E from the tip to the holder, H holder from below (diameter x height, or
+        lower-upper x height); mm, or inches: D1/4in
+Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest corner); bars
+        DdxH (top at Z0) or DdxH@x,y,z (lower end), along X or Y: DXdxL, DYdxL
 )";
 
 constexpr const char* kExitCodes = R"(
 Exit codes: 0 clean, 1 the NC program has faults, 2 wrong usage, unreadable input or a failing
-world (disk full, no such folder), 3 a bug of ours.
+world (disk full, no such folder), 3 a bug of ours, 4 not proven: no fault was found, but something
+that nobody told stands before "clean" (check).
 
 )";
 

@@ -161,6 +161,26 @@ std::string findings_html(const Checked& checked) {
     return text + "</section>\n";
 }
 
+std::string doubts_html(const Checked& checked) {
+    if (checked.verdict.doubts.empty()) return {};
+    std::string text = "<section><h2>Doubts</h2>\n";
+    auto out = std::back_inserter(text);
+    for (const verify::Doubt& d : checked.verdict.doubts) {
+        std::string where = file_of(checked, d.place);
+        if (d.place.span.line > 0) where += fmt::format(":{}", d.place.span.line);
+        fmt::format_to(out,
+                       "<div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
+                       "<small>to tell: {}</small></div>\n",
+                       d.accepted ? "note suppressed" : "warning",
+                       d.place.file == 0 && d.place.span.line > 0
+                           ? fmt::format(" data-line=\"{}\"", d.place.span.line)
+                           : "",
+                       d.accepted ? "accepted" : "doubt", escaped(d.message), escaped(where),
+                       d.reason, escaped(std::string(verify::find_reason(d.reason)->tell)));
+    }
+    return text + "</section>\n";
+}
+
 std::string ledger_html(const Checked& checked) {
     const verify::Ledger& l = checked.verdict.ledger;
     std::string text = "<section><h2>Ledger</h2>\n";
@@ -210,13 +230,12 @@ std::string pictures_html(const Look& look) {
 
 std::string header_html(const Checked& checked) {
     const verify::Verdict& v = checked.verdict;
-    const bool clean = checked.exit_code == kClean;
     std::string text = fmt::format(
-        "<header class=\"{}\"><h1>{}: {}</h1><p>errors {}, warnings {}, notes {}, suppressed "
-        "{} · ncsim {}</p>",
-        clean ? "clean" : "failed", escaped(relative_path(checked.path)),
-        clean ? "clean" : "failed", v.count(Severity::Error), v.count(Severity::Warning),
-        v.count(Severity::Note), v.suppressed(), kVersion);
+        "<header class=\"{0}\"><h1>{1}: {0}</h1><p>errors {2}, warnings {3}, notes {4}, suppressed "
+        "{5}, doubts {6} · ncsim {7}</p>",
+        checked.word, escaped(relative_path(checked.path)), v.count(Severity::Error),
+        v.count(Severity::Warning), v.count(Severity::Note), v.suppressed(), v.open_doubts(),
+        kVersion);
     if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
     if (!checked.stock.empty()) text += "<p>stock " + escaped(checked.stock) + "</p>";
     if (!checked.not_simulated.empty()) {
@@ -244,7 +263,7 @@ void write_page(std::ostream& out, const Checked& checked) {
         body +=
             "<p id=\"picked\"></p></section>\n"
             "<section><h2>Program</h2><div id=\"source\"></div></section>\n";
-        body += findings_html(checked) + ledger_html(checked);
+        body += findings_html(checked) + doubts_html(checked) + ledger_html(checked);
         if (!checked.look->pictures.empty()) body += pictures_html(*checked.look);
         body += skipped_html(checked) + "</main>\n";
     }

@@ -202,6 +202,7 @@ Json to_json(const gcode::Motion& motion) {
     if (!motion.known_start.y) unknown += 'y';
     if (!motion.known_start.z) unknown += 'z';
     if (!unknown.empty()) json["unknown_start"] = unknown;
+    if (motion.start_assumed) json["start_assumed"] = true;
     return json;
 }
 

@@ -11,11 +11,9 @@
 #include "ncsim/toolpath/walk.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -27,15 +25,6 @@ namespace {
 double now_in_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
-}
-
-// Of this process, as far as the system tells (Linux); else 0.
-std::uint64_t resident_bytes() {
-    std::ifstream statm("/proc/self/statm");
-    std::uint64_t all = 0;
-    std::uint64_t resident = 0;
-    if (!(statm >> all >> resident)) return 0;
-    return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 // Models by name; the one place that knows them.
@@ -63,9 +52,6 @@ toolpath::Walk make_walk(const Job& job, const Survey& survey, const cda::Lattic
     return {lattice, survey.stock->box, accuracy, sampling, rapid};
 }
 
-// Cells taken away at a time: what one of them covers is not looked at for the others.
-constexpr std::size_t kBatch = 1024;
-
 class Mill {
 public:
     Mill(const Job& job, const Survey& survey, const Verification& verification, Simulation& result)
@@ -80,7 +66,8 @@ public:
                     (verifier_ && verifier_->measures_all())),
           keep_cuts_(verification.keep_cuts),
           keeps_cells_(!job.options.save_stock.empty()),
-          max_memory_gb_(job.options.max_memory_gb),
+          budget_(job.budget),
+          tolerance_mm_(job.options.tolerance),
           volume_(result.stock_volume) {
         if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
         for (const auto& [number, used] : survey.tools) {
@@ -110,29 +97,21 @@ public:
         const toolpath::SampleBounds bounds =
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
                 follow(motion, step);
-                if (verifier_) {
-                    met_stock |= !step.cells.empty();
-                    result_.hulls += step.cells.size();
-                    removed += verifier_->cut(step, *verified_);
-                    return;
-                }
-                for (const cda::Cell& cell : step.cells) {
-                    met_stock = true;
-                    ++result_.hulls;
-                    if (keeps_cells_) {
-                        result_.carved.push_back(cell);
-                        result_.carved.back().hints = {};  // not written
-                    }
-                    if (measured_) {
-                        // A difference of sums: rounding may leave less than nothing.
-                        removed += std::max(0.0, result_.part->subtract(cell));
-                    } else {
-                        batch_.push_back(cell);
-                    }
-                }
+                met_stock |= !step.cells.empty();
+                if (verifier_) verifier_->look(step, *verified_);
+                const double volume = cut(step);
+                if (verifier_) verifier_->look_back(step, *verified_, volume);
+                removed += volume;
+                budget_.check(result_.provenance.program, line_);
             });
-        if (batch_.size() >= kBatch) flush();
-        if (verifier_) verifier_->end();
+        if (verifier_) {
+            walk_.arrive(motion, origin, [this](const toolpath::Step& step) {
+                verifier_->arrive(step, *verified_);
+            });
+            verifier_->end();
+        } else if (bounds.missed_mm > 1.001 * tolerance_mm_) {
+            tell_missed(motion, bounds.missed_mm);
+        }
         if (!met_stock) return;
         cut_since_change_ = true;
         result_.last_cut = {motion.file, motion.span};
@@ -148,20 +127,18 @@ public:
 
     /// Makes the result say what is known by now.
     void pause(bool needs_surface) {
-        flush();
         if (needs_surface) result_.boundary = result_.part->boundary();
         result_.part_volume = result_.part->volume();
     }
 
     /// After the last motion.
     void finish(bool needs_surface) {
-        flush();
         // The surface first: on the way to it, the volume is found.
         if (needs_surface) result_.boundary = result_.part->boundary();
         const auto standing = result_.standing;
         change_tool(0);
         result_.standing = standing;
-        result_.part_volume = volume_;
+        result_.part_volume = verifier_ ? result_.part->volume() : volume_;
     }
 
 private:
@@ -177,10 +154,28 @@ private:
         paths.back().points.push_back(step.X_WB.translation);
     }
 
+    // Takes the cells of the step away. How much that was, mm³, if it is measured.
+    double cut(const toolpath::Step& step) {
+        double removed = 0.0;
+        for (const cda::Cell& cell : step.cells) {
+            ++result_.hulls;
+            if (keeps_cells_) {
+                result_.carved.push_back(cell);
+                result_.carved.back().hints = {};  // not written
+            }
+            if (measured_) {
+                // A difference of sums: rounding may leave less than nothing.
+                removed += std::max(0.0, result_.part->subtract(cell));
+            } else {
+                result_.part->subtract_unmeasured(cell);
+            }
+        }
+        return removed;
+    }
+
     // Where cells are not measured one by one, what a tool removed is the difference of volumes.
     void change_tool(int next) {
-        flush();
-        if (cut_since_change_) {
+        if (cut_since_change_ && !verifier_) {
             const double volume = result_.part->volume();
             if (!measured_) result_.removed_by_tool[tool_] += volume_ - volume;
             volume_ = volume;
@@ -190,18 +185,19 @@ private:
         result_.standing.reset();
     }
 
-    void flush() {
-        result_.part->subtract_unmeasured(batch_);
-        batch_.clear();
-        check_memory();
-    }
-
-    void check_memory() const {
-        const auto used = static_cast<double>(resident_bytes());
-        if (max_memory_gb_ <= 0.0 || used <= 1e9 * max_memory_gb_) return;
-        throw std::runtime_error(fmt::format(
-            "{}:{}: {:.2f} GB are in use after {} hulls, more than --max-memory {:g}: given up",
-            result_.provenance.program, line_, used * 1e-9, result_.hulls, max_memory_gb_));
+    void tell_missed(const gcode::Motion& motion, double missed_mm) {
+        if (!result_.diagnostics.empty()) {
+            ++result_.diagnostics.front().count;
+            return;
+        }
+        gcode::Diagnostic d;
+        d.code = "path-accuracy";
+        d.message = fmt::format(
+            "this move takes more steps than are made of one: its path is missed by up to {:.3g} "
+            "mm, more than --tolerance {:g}",
+            missed_mm, tolerance_mm_);
+        d.span = motion.span;
+        result_.diagnostics.push_back(std::move(d));
     }
 
     Simulation& result_;
@@ -215,12 +211,12 @@ private:
     bool measured_;
     bool keep_cuts_;
     bool keeps_cells_;
-    double max_memory_gb_;
+    const Budget& budget_;
+    double tolerance_mm_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
     double volume_;
     bool cut_since_change_ = false;
-    std::vector<cda::Cell> batch_;  // not yet subtracted
 };
 
 // Motions until `line` of the program has been run for the first time. If it makes none, the

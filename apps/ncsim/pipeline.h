@@ -53,7 +53,7 @@ struct Simulation {
     double stock_volume = 0.0;              ///< mm³
     double part_volume = 0.0;
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
-    std::map<int, double> removed_by_tool;  ///< mm³
+    std::map<int, double> removed_by_tool;  ///< mm³; not where a program is verified.
     /// mm³. Only where it was asked for (a report) or costs nothing
     /// (cda-flat).
     std::map<BlockPlace, double> removed_by_block;
@@ -71,6 +71,7 @@ struct Simulation {
     };
     std::optional<Standing> standing;
     std::vector<exporter::PathLine> paths;  ///< Of the tip, if pictures are to show them.
+    gcode::Diagnostics diagnostics;         ///< Motions that could not be followed.
 };
 
 /// How far it got: moves done.
@@ -84,7 +85,7 @@ struct Onlooker {
 
 /// How a program is verified while it is simulated.
 struct Verification {
-    /// Sees every motion and does the cutting; null: nothing is verified. Needs the model "cda".
+    /// Sees every motion; null: nothing is verified. Needs the model "cda".
     verify::Verifier* verifier = nullptr;
     toolpath::RapidPath rapid;
     /// What is cut; null: the whole block. On the lattice of the block.

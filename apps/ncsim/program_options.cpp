@@ -72,10 +72,10 @@ std::string read_turn(const std::string& text) {
     return text;
 }
 
-cda::Vec3 read_move(const std::string& text) {
-    const auto move = toolpath::parse_triple(text);
-    if (!move) throw Refusal{fmt::format("--stock-move '{}': expected x,y,z in mm", text)};
-    return *move;
+cda::Vec3 read_triple(const char* option, const std::string& text) {
+    const auto triple = toolpath::parse_triple(text);
+    if (!triple) throw Refusal{fmt::format("{} '{}': expected x,y,z in mm", option, text)};
+    return *triple;
 }
 
 gcode::Dialect read_dialect(const std::string& name) {
@@ -132,6 +132,12 @@ void add_language_options(CLI::App& command, ProgramOptions& options) {
         ->type_name("TOOL")
         ->expected(1)
         ->take_all();
+    command.add_option("--holders", o.holders, "What holds the tools, TOML")->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--start", [&o](Text text) { o.start = read_triple("--start", text); },
+            "Where the tool stands when the program starts, in G54, mm")
+        ->type_name("X,Y,Z");
     command
         .add_option_function<std::string>(
             "--units", [&o](Text unit) { o.inches = read_inches(unit); },
@@ -176,7 +182,7 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
         ->type_name("TURNS");
     command
         .add_option_function<std::string>(
-            "--stock-move", [&o](Text text) { o.stock_move = read_move(text); },
+            "--stock-move", [&o](Text text) { o.stock_move = read_triple("--stock-move", text); },
             "Stock from a file: then by so much, mm")
         ->type_name("X,Y,Z");
     command
@@ -215,6 +221,11 @@ void add_simulation_options(CLI::App& command, SimulationOptions& options) {
         .add_option("--max-memory", o.max_memory_gb,
                     "Give up, saying where, before more than this is used, GB")
         ->type_name("GB")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--max-time", o.max_seconds,
+                    "Give up, saying where, after so many seconds with one program")
+        ->type_name("S")
         ->check(CLI::PositiveNumber);
 }
 

@@ -9,6 +9,7 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ enum ExitCode : int {
     kFindings = 1,     ///< The NC program has faults.
     kEnvironment = 2,  ///< Wrong usage, unreadable input, a failing world.
     kBug = 3,
+    kNotProven = 4,  ///< No fault was found, but something nobody told stands before "clean".
 };
 
 /// A value that the parser of the command line cannot judge. Thrown and caught while it is read,
@@ -45,7 +47,11 @@ struct ProgramOptions {
     std::optional<toolpath::ToolSpec> assumed_tool;
     std::string job;                       ///< A job file, empty: none.
     std::vector<std::string> tool_tables;  ///< Files with tools.
+    std::string holders;                   ///< A file with what holds them, empty: none.
     std::string save_job;                  ///< Where to write a job file, empty: nowhere.
+    std::optional<cda::Vec3> start;        ///< Where the tool stands at the beginning, in G54.
+    /// Origins of coordinate systems in the machine, by gcode::MachineState::system.
+    std::map<int, cda::Vec3> offsets;
     std::optional<bool> inches;            ///< For programs that say neither G20 nor G21; mm.
     bool increments = false;               ///< Numbers without a point count least increments.
     std::vector<std::string> subprograms;  ///< Folders, besides that of the program.
@@ -53,6 +59,8 @@ struct ProgramOptions {
     gcode::Dialect dialect = gcode::Dialect::Auto;
     bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
     std::vector<std::string> allow;  ///< Words declared harmless: "G187".
+    /// For a verdict: reasons for doubt that do not count, and what has to be told.
+    std::vector<std::string> accept, require;
 };
 
 /// What commands that simulate are told as well. Lengths in mm.
@@ -62,6 +70,7 @@ struct SimulationOptions {
     double tool_tolerance = 0.05;  ///< Of round tools.
     unsigned threads = 0;          ///< 0: as many as the machine has.
     double max_memory_gb = 0.0;    ///< 10^9 bytes; 0: as much as there is.
+    double max_seconds = 0.0;      ///< 0: as long as it takes.
 };
 
 /// Lets `command` read them into `options`, which must outlive it. What makes no sense throws

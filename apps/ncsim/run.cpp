@@ -105,7 +105,7 @@ int run(Options options) {
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
 
-    const Survey survey = app::survey(job);
+    Survey survey = app::survey(job);
     if (!o.quiet) say(assumption_sheet(job, survey));
     print_findings(job.program, survey.diagnostics);
 
@@ -128,6 +128,9 @@ int run(Options options) {
         simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); },
                               {animation.every(), take_frame});
         if (animation.every() != 0) take_frame(*simulation);
+        print_findings(job.program, simulation->diagnostics);
+        survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),
+                                  simulation->diagnostics.end());
         outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
         simulation->provenance.text = text_of_lines(job, survey, simulation->provenance);
         outcome.simulation = &*simulation;
@@ -149,9 +152,7 @@ int run(Options options) {
         say("ncsim: the program was not simulated\n");
     } else {
         if (!o.quiet) put_out(summary(outcome));
-        if (faulty)
-            say("ncsim: blocks with errors were left out: the part is not what they would make of "
-                "it\n");
+        if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
     }
     return faulty ? kFindings : kClean;
 }

@@ -87,7 +87,9 @@ std::string describe(const cda::Box& box) {
 }
 
 std::string describe(const toolpath::Stock& stock) {
-    if (!stock.from) return (stock.is_round ? "a round bar in " : "") + describe(stock.box);
+    constexpr const char* kBars[] = {"a round bar along X in ", "a round bar along Y in ",
+                                     "a round bar in "};
+    if (!stock.from) return (stock.is_round ? kBars[stock.axis] : "") + describe(stock.box);
     std::string text = fmt::format("{} in {}", base_name(stock.from->path), describe(stock.box));
     if (!stock.from->turn.empty()) text += ", turned " + stock.from->turn;
     return printable(text);
@@ -111,7 +113,7 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
             "assumed: machine zero {:g} mm above the program zero, tool lengths 0 (G28, G30, G53)",
             kHomeHeight);
     }
-    if (survey.turns_tools) {
+    if (survey.turns_tools()) {
         sheet.line("rotation",
                    "assumed: A, B, C turn the tool about X, Y, Z through the program zero");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "survey.h"
 
+#include "ncsim/cda/cell.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/stock.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace ncsim::app {
 
@@ -81,6 +83,7 @@ public:
         gcode::SourceSpan first;
         cda::Box cutting_tips;  // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
+        cda::Vec3 farthest_tip;  // from the axes X, Y and Z
     };
 
     void take(const gcode::Motion& motion) {
@@ -91,9 +94,11 @@ public:
         const bool feed = motion.kind == gcode::MoveKind::Feed;
         if (feed) ++result_.feed_moves;
         result_.uses_machine_coordinates |= motion.machine_coordinates;
-        result_.turns_tools |=
-            to->a.degrees() != 0.0 || to->b.degrees() != 0.0 || to->c.degrees() != 0.0;
+        result_.turns[0] |= to->a.degrees() != 0.0;
+        result_.turns[1] |= to->b.degrees() != 0.0;
+        result_.turns[2] |= to->c.degrees() != 0.0;
         if (!toolpath::has_known_start(motion)) {
+            if (toolpath::has_known_end(motion)) track_of(motion);
             ++result_.moves_from_nowhere;
             if (feed && !result_.cuts_from_nowhere) {
                 result_.cuts_from_nowhere = true;
@@ -101,16 +106,21 @@ public:
             }
             return;
         }
-        const auto [track, is_new] = tracks_.try_emplace(motion.tool);
-        if (is_new) track->second.first = motion.span;
-
+        ToolTrack& track = track_of(motion);
+        if (feed) result_.cutting_tools.insert(motion.tool);
         const toolpath::Samples samples = coarse_samples(motion);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
             result_.tip_positions.add(p);
             if (!feed) continue;
-            track->second.cutting_tips.add(p);
-            if (i > 0) track->second.highest_tip = std::max(track->second.highest_tip, p.z);
+            track.cutting_tips.add(p);
+            if (i == 0) continue;
+            track.highest_tip = std::max(track.highest_tip, p.z);
+            for (int axis = 0; axis < 3; ++axis) {
+                cda::Vec3 out = p;
+                out[axis] = 0.0;
+                track.farthest_tip[axis] = std::max(track.farthest_tip[axis], norm(out));
+            }
         }
         add_length(result_.distances[motion.tool], motion, samples);
     }
@@ -119,6 +129,12 @@ public:
     gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
 
 private:
+    ToolTrack& track_of(const gcode::Motion& motion) {
+        const auto [track, is_new] = tracks_.try_emplace(motion.tool);
+        if (is_new) track->second.first = motion.span;
+        return track->second;
+    }
+
     Survey& result_;
     std::map<int, ToolTrack> tracks_;
     gcode::SourceSpan first_cut_from_nowhere_;
@@ -140,7 +156,7 @@ double assumed_length(const Survey& survey, const MotionSurvey& motions,
     const double low = lowest_tip(motions);
     const double top = stock ? stock->box.max.z : std::max(0.0, low);
     if (low < top) depth = top - low;
-    if (survey.turns_tools && stock) depth = norm(stock->box.size());
+    if (survey.turns_tools() && stock) depth = norm(stock->box.size());
     return 10.0 * std::ceil((std::clamp(depth, 20.0, kLargestStock) + 10.0) / 10.0);
 }
 
@@ -164,12 +180,12 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
             used.span = entry->span;
             used.text = entry->text;
             used.file = entry->file;
-        } else if (track.cutting_tips.is_empty()) {
-            continue;  // only positioned: what it looks like does not matter
         } else if (job.options.assumed_tool) {
             spec = *job.options.assumed_tool;
             used.told_by = ToldBy::Assumption;
             used.text = spec.description;
+        } else if (track.cutting_tips.is_empty()) {
+            continue;  // only positioned: for a picture, what it looks like does not matter
         } else {
             const std::string how =
                 number == 0
@@ -184,6 +200,8 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
             continue;
         }
         spec.number = number;
+        used.is_guess = used.told_by == ToldBy::Assumption || toolpath::guesses_shape(spec);
+        used.length_told = spec.length || !spec.pieces.empty();
         used.spec = toolpath::filled(spec, length);
         used.filled_in = toolpath::filled_in(spec, length);
         used.tool = toolpath::make_tool(spec, length);
@@ -191,11 +209,22 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
     }
 }
 
+toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
+                                    const MotionSurvey::ToolTrack& all) {
+    const auto& turns = survey.turns;
+    // A table that turns about Z leaves what is above it above.
+    if (!turns[0] && !turns[1]) return toolpath::derive_stock(swept, all.highest_tip);
+    if (turns[0] && turns[1]) return toolpath::derive_block(all.cutting_tips);
+    if (turns[2]) return toolpath::derive_block(all.cutting_tips);
+    const int axis = turns[0] ? 0 : 1;
+    return toolpath::derive_bar(swept, axis, all.farthest_tip[axis]);
+}
+
 void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
     result.stock = job.stock;
     if (result.stock) return;
     cda::Box swept;
-    double highest = -std::numeric_limits<double>::infinity();
+    MotionSurvey::ToolTrack all;
     for (const auto& [number, track] : motions.tracks()) {
         const auto used = result.tools.find(number);
         if (used == result.tools.end() || track.cutting_tips.is_empty()) continue;
@@ -203,11 +232,19 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
         const double height = toolpath::cutting_height_of(used->second.tool);
         swept.add(track.cutting_tips.min - cda::Vec3{r, r, 0});
         swept.add(track.cutting_tips.max + cda::Vec3{r, r, height});
-        highest = std::max(highest, track.highest_tip);
+        all.cutting_tips.add(track.cutting_tips);
+        all.highest_tip = std::max(all.highest_tip, track.highest_tip);
+        for (int axis = 0; axis < 3; ++axis)
+            all.farthest_tip[axis] = std::max(all.farthest_tip[axis], track.farthest_tip[axis]);
     }
-    const toolpath::DerivedStock derived = toolpath::derive_stock(swept, highest);
-    if (derived.box.is_empty()) return;
-    result.stock = toolpath::StockEntry{{derived.box}, ToldBy::Assumption, {}, derived.rule};
+    const toolpath::DerivedStock derived = derive_stock(result, swept, all);
+    if (derived.stock.box.is_empty()) return;
+    result.stock = toolpath::StockEntry{derived.stock, ToldBy::Assumption, {}, derived.rule};
+}
+
+bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
+    return std::ranges::any_of(diagnostics,
+                               [](const Diagnostic& d) { return d.code == "step-limit"; });
 }
 
 }  // namespace
@@ -237,12 +274,16 @@ Survey survey(const Job& job) {
                               job.diagnostics.end());
 
     if (result.interpretation.refused) return result;  // and the interpreter said why
+    // What did not end once does not have to be cut to be known not to end.
+    if (hits_step_limit(result.diagnostics)) return result;
     result.ready = true;
-    if (result.feed_moves == 0) {
+    if (result.moves == 0 || (result.feed_moves == 0 && !job.stock)) {
+        result.only_rapid = result.moves > 0;
         tell(result, Severity::Error, "no-motion",
              result.moves == 0 ? "the program makes no move"
                                : "the program makes no cutting move, only rapid ones",
              result.first_move);
+        if (result.only_rapid) choose_tools(job, motions, result);
         result.ready = false;
         return result;
     }
@@ -276,6 +317,20 @@ Survey survey(const Job& job) {
         }
     }
     return result;
+}
+
+void cut_nothing(Survey& survey) {
+    const auto is_it = [](const Diagnostic& d) { return d.code == "no-motion"; };
+    std::erase_if(survey.diagnostics, is_it);
+    cda::Box box;
+    box.add(cda::Vec3{0, 0, 0}), box.add(cda::Vec3{1, 1, 1});
+    toolpath::Stock nothing{box};
+    const cda::Lattice lattice = cda::Lattice::for_stock(box);
+    const cda::Cell all = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
+    nothing.shape = std::make_shared<const cda::Shape>(cda::Shape{lattice, all, {all}});
+    survey.stock = toolpath::StockEntry{
+        nothing, ToldBy::Assumption, {}, "nothing, since the program cuts nothing"};
+    survey.ready = true;
 }
 
 }  // namespace ncsim::app

@@ -11,9 +11,11 @@
 
 #include "job.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace ncsim::app {
@@ -22,12 +24,14 @@ namespace ncsim::app {
 struct UsedTool {
     toolpath::Tool tool;
     toolpath::ToldBy told_by = toolpath::ToldBy::Comment;
-    gcode::SourceSpan span;   ///< Of the comment.
-    std::string text;         ///< As told.
-    std::string file;         ///< Of a table; empty: the program.
-    toolpath::ToolSpec spec;  ///< With all that was filled in.
-    std::string filled_in;    ///< What was not told and had to be assumed.
-    gcode::SourceSpan first;  ///< The block that first moves it.
+    gcode::SourceSpan span;    ///< Of the comment.
+    std::string text;          ///< As told.
+    std::string file;          ///< Of a table; empty: the program.
+    toolpath::ToolSpec spec;   ///< With all that was filled in.
+    std::string filled_in;     ///< What was not told and had to be assumed.
+    bool is_guess = false;     ///< Not even its shape was told.
+    bool length_told = false;  ///< Of its flutes.
+    gcode::SourceSpan first;   ///< The block that first moves it.
 };
 
 struct Distances {
@@ -45,7 +49,9 @@ struct Survey {
     /// Moves whose start the program does not tell; they leave no trace.
     std::uint64_t moves_from_nowhere = 0;
     bool cuts_from_nowhere = false;  ///< One of them is a feed move.
-    bool turns_tools = false;
+    /// It has only rapid moves, and nobody says what stands there: then it is not ready.
+    bool only_rapid = false;
+    std::array<bool, 3> turns{};  ///< About X, Y, Z: A, B, C.
     bool uses_machine_coordinates = false;
     gcode::SourceSpan first_move;
     cda::Box tip_positions;              ///< Of all moves with a known start, mm, in W.
@@ -53,12 +59,15 @@ struct Survey {
     std::map<int, UsedTool> tools;       ///< Those that move.
     /// Tools that cut and are not described: the block that first moves them.
     std::map<int, gcode::SourceSpan> unknown_tools;
+    std::set<int> cutting_tools;
     std::optional<toolpath::StockEntry> stock;
     gcode::Diagnostics diagnostics;  ///< Of the interpreter, of comments, and of this.
 
     /// Can it be simulated? Else `diagnostics` says why not.
     bool is_ready() const { return ready; }
     bool ready = false;
+
+    bool turns_tools() const { return turns[0] || turns[1] || turns[2]; }
 };
 
 /// Adds those of a motion with a known start.
@@ -68,5 +77,9 @@ void add(Distances& distances, const gcode::Motion& motion);
 Distances total_distances(const Survey& survey);
 
 Survey survey(const Job& job);
+
+/// Makes one that is `only_rapid` ready, with a stock that is empty: for those who ask what else
+/// the tools meet.
+void cut_nothing(Survey& survey);
 
 }  // namespace ncsim::app

@@ -47,7 +47,10 @@ std::string shape_of(const Job& job, const Survey& survey, int number) {
     constexpr double kLengthLeftOpen = 50.0;
     const toolpath::Tool tool = toolpath::make_tool(entry->spec, kLengthLeftOpen);
     std::string text = toolpath::describe(tool);
-    if (!entry->spec.length && entry->spec.pieces.empty()) text.resize(text.rfind(" L"));
+    if (!entry->spec.length && entry->spec.pieces.empty()) {
+        const std::size_t length = text.find(" L");
+        text.erase(length, text.find(',', length) - length);
+    }
     return text;
 }
 

@@ -27,7 +27,8 @@ TEST(Check, FindsNothingInAGoodProgramAndSaysWhatItCouldNotAsk) {
     folder.write("slot.nc", kSlot);
     const Ran ran = folder.run({"check", "slot.nc"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out;
-    EXPECT_TRUE(contains(ran.out, "slot.nc: clean: 0 errors, 0 warnings, 1 note\n")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "slot.nc: clean: 0 errors, 0 warnings, 0 notes, 0 doubts\n"))
+        << ran.out;
     EXPECT_TRUE(contains(ran.out, "skipped  over-travel: no travels are told")) << ran.out;
     EXPECT_EQ(folder.files(), std::vector<std::string>{"slot.nc"});
 }
@@ -91,7 +92,7 @@ TEST(Check, ABrokenProgramHidesNoOther) {
     EXPECT_TRUE(contains(ran.out, "missing.nc: not verified: cannot read 'missing.nc'"));
     EXPECT_TRUE(contains(ran.out, "binary.nc: not verified: 'binary.nc' is not an NC program"));
     EXPECT_TRUE(contains(ran.out, "good.nc: clean"));
-    EXPECT_TRUE(contains(ran.out, "4 programs: 1 clean, 1 failed, 2 not verified\n"));
+    EXPECT_TRUE(contains(ran.out, "4 programs: 1 clean, 0 not proven, 1 failed, 2 not verified\n"));
 }
 
 TEST(Check, SaysTheSameForAnyNumberOfJobs) {
@@ -142,7 +143,7 @@ TEST(Check, LeadsG28AndG30WhereTheMachineSays) {
     // By way of home over the jaw, and to the place of tool change beyond the travel.
     Folder folder;
     const std::string head =
-        "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
+        "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,20.,15.,10.) (FROM/0,0,100)\n"
         "G21 G90 G17 T1 M6 S1000 M3 G0 X0 Y0 Z5\nG1 Z-1 F100\nG0 Z5\n";
     folder.write("home.nc", head + "G91 G28 Y0 Z0\nG90\nM30\n");
     folder.write("change.nc", head + "G91 G30 X0 Y0\nG90\nM30\n");
@@ -218,7 +219,10 @@ TEST(Check, ComparesThePartWithItsDesign) {
         // What the circle may be off its polygon may be what is missing.
         const Ran near =
             folder.run({"check", "deeper.nc", "--design", design, "--design-tol", "0.06", "-q"});
-        EXPECT_EQ(near.exit_code, 0) << near.out;
+        EXPECT_EQ(near.exit_code, 4) << near.out;
+        EXPECT_TRUE(
+            contains(near.out, "doubt: the part is cut into the design [uncertain-contact]"))
+            << near.out;
         EXPECT_TRUE(contains(near.out,
                              "warning: the part is cut into the design: depth 0.1 mm, "
                              "not certain: within the accuracy of the tool [gouge]"))
@@ -294,7 +298,8 @@ TEST(Check, WritesJUnitWithACaseARule) {
     const std::string xml = folder.read("a.xml");
     EXPECT_TRUE(contains(xml, "<testsuite name=\"slot.nc\"")) << xml;
     EXPECT_EQ(ncsim::test::count(xml, "<testcase "),
-              ncsim::test::count(folder.run({"rules", "--json"}).out, "\"id\"") + 1);
+              ncsim::test::count(folder.run({"rules", "--json"}).out, "\"category\"") + 2)
+        << "a case a rule, one for all doubts, one for the program that is missing";
     EXPECT_EQ(ncsim::test::count(xml, "<failure "), 1U);
     EXPECT_TRUE(contains(xml, "type=\"rapid-in-material\">slot.nc:8:1: error: rapid move"));
     EXPECT_TRUE(contains(xml, "<skipped message=\"no fixtures are told\"/>"));
@@ -357,7 +362,7 @@ TEST(Check, FindsTheBlockThatCutsAPieceFree) {
     // A ring of slots through the block around a square of 10 mm; the last side, line 10, frees it.
     Folder folder;
     const std::string ring =
-        "(T1 D=4. - flat end mill)\n(STOCK/BLOCK,40.,40.,5.,20.,20.,5.)\n"
+        "(T1 D=4. - flat end mill)\n(STOCK/BLOCK,40.,40.,5.,20.,20.,5.) (FROM/0,0,100)\n"
         "G21 G90 G17 T1 M6 S1000 M3 F500\nG0 X-7. Y-7. Z5.\nG1 Z-5.\nG1 X7.\nG1 Y7.\nG1 X-7.\n"
         "G1 Y0.\nG1 Y-6.\nG1 Y-7.\nG0 Z5.\nM30\n";
     folder.write("ring.nc", ring);

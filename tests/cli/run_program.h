@@ -39,7 +39,7 @@ private:
 inline constexpr const char* kSlot =
     "(T1 D=10. CR=0. - ZMIN=-2. - flat end mill)\n"
     "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n"
-    "G21 G90 G17\n"
+    "G21 G90 G17 (FROM/0.,0.,100.)\n"
     "T1 M6\n"
     "S1000 M3\n"
     "G0 X-30. Y0. Z5.\n"

@@ -50,7 +50,8 @@ std::string motions_of(const SourceFile& file, const fs::path& directory) {
             options.dialect = dialect;
         }
     }
-    options.tools = {{.number = 1, .offset = {}, .diameter = Length::from_mm(10.0)}};
+    options.tools = {
+        {.number = 1, .offset = {}, .length_told = false, .diameter = Length::from_mm(10.0)}};
     options.work_offsets_told.fill(head.find("offsets: told") != std::string::npos);
     options.read_file = [&](std::string_view name) -> std::optional<SourceFile> {
         const fs::path path = directory / (std::string(name) + ".sub");

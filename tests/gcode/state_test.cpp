@@ -22,6 +22,7 @@ Made run(const std::string& program, InterpreterOptions options = {}) {
     Made made;
     options.tools.push_back({.number = 1,
                              .offset = {Length(), Length(), Length::from_mm(7)},
+                             .length_told = true,
                              .diameter = Length::from_mm(10.0)});
     made.result = interpret({"t.nc", program}, options, [&](const Motion& motion) {
         print(made.motions, motion);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace ncsim::toolpath {
 namespace {
@@ -37,6 +38,53 @@ Motion arc(Position from, Position to, gcode::Plane plane, double c1, double c2,
 }
 
 const ToolExtent kTool{30.0, 31.0};
+
+// Against the path itself, at 20,000 places.
+TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
+    std::mt19937 random(7);
+    const auto number = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random() >> 5) / 134217728.0;
+    };
+    for (int i = 0; i < 200; ++i) {
+        const double c1 = number(-50, 50), c2 = number(-50, 50);
+        const double r0 = number(0.1, 80), r1 = i % 2 ? r0 : r0 * number(0.9, 1.1);
+        const double a0 = number(0, 6.28), a1 = number(0, 6.28);
+        const int turns = static_cast<int>(random() % 7) - 3;
+        constexpr gcode::Plane kPlanes[] = {gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ};
+        const gcode::Plane plane = kPlanes[i % 3];
+        const auto place = [&](double first, double second, double third) {
+            return plane == gcode::Plane::XY   ? at(first, second, third)
+                   : plane == gcode::Plane::ZX ? at(second, third, first)
+                                               : at(third, first, second);
+        };
+        const Motion m = arc(place(c1 + r0 * std::cos(a0), c2 + r0 * std::sin(a0), number(-9, 9)),
+                             place(c1 + r1 * std::cos(a1), c2 + r1 * std::sin(a1), number(-9, 9)),
+                             plane, c1, c2, turns == 0 ? 1 : turns);
+        const cda::Box exact = extent_of_path(m);
+        SamplingOptions fine;
+        fine.chord_tolerance_mm = 1e-9;
+        fine.max_steps = 20000;
+        cda::Box seen;
+        for (const Pose& p : sample(m, {}, fine).poses)
+            seen.add(p.translation);
+        for (int axis = 0; axis < 3; ++axis) {
+            SCOPED_TRACE(i);
+            EXPECT_LE(exact.min[axis], seen.min[axis] + 1e-11);
+            EXPECT_GE(exact.max[axis], seen.max[axis] - 1e-11);
+            EXPECT_NEAR(exact.min[axis], seen.min[axis], 2e-5);
+            EXPECT_NEAR(exact.max[axis], seen.max[axis], 2e-5);
+        }
+    }
+}
+
+TEST(ExtentOfPath, OfAQuarterAndAHundredThousandTurns) {
+    const cda::Box quarter =
+        extent_of_path(arc(at(10, 0, 0), at(0, 10, 0), gcode::Plane::XY, 0, 0, 1));
+    EXPECT_EQ(quarter, (cda::Box{{0, 0, 0}, {10, 10, 0}}));
+    const cda::Box many =
+        extent_of_path(arc(at(10, 0, 0), at(10, 0, -5), gcode::Plane::XY, 0, 0, -100000));
+    EXPECT_EQ(many, (cda::Box{{-10, -10, -5}, {10, 10, 0}}));
+}
 
 TEST(Sample, OfADwellIsEmpty) {
     Motion m;

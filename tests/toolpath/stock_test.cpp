@@ -41,6 +41,12 @@ TEST(StockOption, TakesSizes) {
 TEST(StockOption, TakesBars) {
     EXPECT_EQ(parsed("D60x30"), (Stock{{{-30, -30, -30}, {30, 30, 0}}, true}));
     EXPECT_EQ(parsed("d60x30@100,50,-5"), (Stock{{{70, 20, -5}, {130, 80, 25}}, true}));
+    Stock lying{{{-50, -15, -15}, {50, 15, 15}}, true};
+    lying.axis = 0;
+    EXPECT_EQ(parsed("DX30x100"), lying);
+    Stock across{{{-10, 5, -10}, {10, 25, 10}}, true};
+    across.axis = 1;
+    EXPECT_EQ(parsed("dy20x20@0,5,0"), across);
     EXPECT_EQ(parsed("D1x2in"), (Stock{{{-12.7, -12.7, -50.8}, {12.7, 12.7, 0}}, true}));
 }
 
@@ -73,28 +79,48 @@ TEST(StockOption, RefusesWhatIsNoBlock) {
     }
 }
 
+TEST(RoundStock, StandsAboutItsAxis) {
+    Stock bar{{{-50, -15, -15}, {50, 15, 15}}, true};
+    bar.axis = 0;
+    const cda::Shape lying = stock_shape(bar, 0.01);
+    std::string message;
+    const cda::Shape upright = stock_shape(*parse_stock_option("D30x100@0,0,-50", message), 0.01);
+    EXPECT_EQ(lying.outer.planes.size(), upright.outer.planes.size());
+    EXPECT_NEAR(lying.outer.bounds.size().x, 100, 1e-6);
+    EXPECT_NEAR(lying.outer.bounds.size().y, 30, 0.05);
+}
+
 TEST(DerivedStock, HasItsTopAtZeroWhereCutsGoBelow) {
     const DerivedStock s = derive_stock({{-5, -5, -8}, {105, 55, 30}}, 0.0);
-    EXPECT_EQ(s.box.max.z, 0);
-    EXPECT_LE(s.box.min.z, -10);
-    EXPECT_LE(s.box.min.x, -7);
-    EXPECT_GE(s.box.max.y, 57);
+    EXPECT_EQ(s.stock.box.max.z, 0);
+    EXPECT_LE(s.stock.box.min.z, -10);
+    EXPECT_LE(s.stock.box.min.x, -7);
+    EXPECT_GE(s.stock.box.max.y, 57);
     EXPECT_FALSE(s.rule.empty());
 }
 
 TEST(DerivedStock, OfCutsAboveZeroEndsAtTheHighestTip) {
     const DerivedStock s = derive_stock({{0, 0, 2}, {10, 10, 40}}, 12.0);
-    EXPECT_EQ(s.box.max.z, 12);
-    EXPECT_LT(s.box.min.z, 2);
+    EXPECT_EQ(s.stock.box.max.z, 12);
+    EXPECT_LT(s.stock.box.min.z, 2);
 }
 
 TEST(DerivedStock, IsNeverFlat) {
     const DerivedStock s = derive_stock({{0, 0, 0}, {10, 10, 40}}, 0.0);
-    EXPECT_GE(s.box.size().z, 1);
+    EXPECT_GE(s.stock.box.size().z, 1);
 }
 
 TEST(DerivedStock, OfNothingIsEmpty) {
-    EXPECT_TRUE(derive_stock({}, 0).box.is_empty());
+    EXPECT_TRUE(derive_stock({}, 0).stock.box.is_empty());
+}
+
+TEST(DerivedStock, OfAPartThatTurnsIsABarAboutTheAxis) {
+    const DerivedStock s = derive_bar({{10, -3, -3}, {90, 3, 40}}, 0, 18.5);
+    EXPECT_TRUE(s.stock.is_round);
+    EXPECT_EQ(s.stock.axis, 0);
+    EXPECT_EQ(s.stock.box, (cda::Box{{6, -18.5, -18.5}, {94, 18.5, 18.5}}));
+    const cda::Box block = derive_block({{-10, -20, -30}, {10, 20, 30}}).stock.box;
+    EXPECT_EQ(block, (cda::Box{{-12, -22, -33}, {12, 22, 33}}));
 }
 
 }  // namespace

@@ -76,6 +76,34 @@ TEST(ToolFile, OfCamoticsIsAProjectWithItsWorkpiece) {
                      .stock);
 }
 
+TEST(ToolFile, OfFusionHasWholeAssemblies) {
+    // Shoulder, shaft and holder; a shaft of its own; mills that cut under themselves.
+    EXPECT_EQ(tools_of(R"({"data":[
+          {"type":"flat end mill","unit":"millimeters",
+           "geometry":{"DC":6,"SFDM":8,"LCF":10,"shoulder-length":16,"shoulder-diameter":5.5,"LB":30},
+           "holder":{"segments":[{"height":15,"lower-diameter":20,"upper-diameter":28},
+                                 {"height":25,"lower-diameter":40,"upper-diameter":40}]},
+           "post-process":{"number":1}},
+          {"type":"ball end mill","unit":"inches","geometry":{"DC":0.25,"LCF":0.5,"SFDM":0.25,"LB":1},
+           "shaft":{"segments":[{"height":0.5,"lower-diameter":0.2,"upper-diameter":0.25}]},
+           "holder":{"segments":[{"height":1,"lower-diameter":1}]},"post-process":{"number":2}},
+          {"type":"slot mill","unit":"millimeters",
+           "geometry":{"DC":20,"LCF":4,"SFDM":10,"LB":40},"post-process":{"number":3}},
+          {"type":"dovetail mill","unit":"millimeters",
+           "geometry":{"DC":20,"LCF":6,"TA":30,"SFDM":10,"LB":40},"post-process":{"number":4}},
+          {"type":"thread mill","unit":"millimeters","geometry":{"DC":8,"LCF":15,"SFDM":8},
+           "post-process":{"number":5}},
+          {"type":"form mill","unit":"millimeters","geometry":{"DC":8,"LCF":15},
+           "post-process":{"number":6}}]})"),
+              "Fusion tool library\n"
+              "T1 flat end mill D6 L10, D5.5 to 16, D8 to 30, D20-28 to 45, D40 to 70\n"
+              "T2 ball end mill D6.35 L12.7, D5.08-6.35 to 25.4, D25.4 to 50.8\n"
+              "T3 slot mill D20 L4, D10 to 40\n"
+              "T4 dovetail mill D20 L6, D10 to 40\n"
+              "T5 flat end mill D8 L15\n"
+              "0:1 tool-unknown\n");
+}
+
 TEST(ToolFile, OfFusionHasTheToolsThatHaveANumber) {
     const std::string library =
         R"({"data":[
@@ -100,7 +128,7 @@ TEST(ToolFile, OfFusionHasTheToolsThatHaveANumber) {
               "T3 drill D5 L30\n"
               "T4 v-cutter D8 L4\n"
               "T5 tapered end mill D3.540991 R0.5 L15\n"
-              "0:1 tool-unknown\n");
+              "T6 lollipop mill D1 L1, D0.6 to 2.8\n");
     const ToolFile file = read_tool_file({"", library});
     EXPECT_EQ(file.tools.at(2).spec.angle, 140.0);
     EXPECT_EQ(file.tools.at(3).spec.angle, 90.0);

@@ -151,5 +151,17 @@ TEST(ToolPolytope, IsTheSameForCoarserLattices) {
     EXPECT_EQ(largest_x(p), 6000);
 }
 
+TEST(Polytope, HasABoundedNumberOfCornersAndTellsItsError) {
+    const cda::Lattice lattice;
+    const PiecePolytope huge =
+        approximate(ball_end_mill(600, 400).pieces[0], lattice, {1e-4, Side::Circumscribed});
+    EXPECT_LE(huge.points_T.size(), 8192U);
+    EXPECT_GT(huge.error_mm, 1e-4);
+    EXPECT_LT(huge.error_mm, 0.2);
+    const PiecePolytope small =
+        approximate(ball_end_mill(6, 20).pieces[0], lattice, {0.05, Side::Circumscribed});
+    EXPECT_LE(small.error_mm, 0.05);
+}
+
 }  // namespace
 }  // namespace ncsim::toolpath

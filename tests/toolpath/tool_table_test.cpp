@@ -34,7 +34,8 @@ TEST(ToolComments, AreReadInAllTheirForms) {
         {"T3 D=6.35 CR=0. TAPER=45deg - ZMIN=-1.054 - chamfer mill", "T3 v-cutter D6.35 L50"},
         {"T1 D=6 CR=0 - ZMIN=-35 - Schaftfr\xe4ser", "T1 flat end mill D6 L50"},
         {"T5 D=3. CR=0. - ZMIN=-2.5 - FRESA CON PUNTA PLANA", "T5 flat end mill D3 L50"},
-        {"T7  End mill  D=0.25 SD=0.25 FL=1 BL=3 - flat end mill", "T7 flat end mill D0.25 L1"},
+        {"T7  End mill  D=0.25 SD=0.25 FL=1 BL=3 - flat end mill",
+         "T7 flat end mill D0.25 L1, D0.25 to 3"},
         {"TOOL/MILL,3.17, 0.00, 0.00, 0.00", "T1 flat end mill D3.17 L50"},
         {"TOOL/MILL,6, 3, 20, 0", "T1 ball end mill D6 L20"},
         {"TOOL/DRILL,8,118,60", "T1 drill D8 L60"},
@@ -246,10 +247,81 @@ TEST(ToolOption, NamesKindAndValues) {
     EXPECT_EQ(parse_tool_option("T3=taper:D3:R1.5:A5", message)->taper, 5);
 }
 
+TEST(ToolOption, TellsTheWholeAssembly) {
+    const auto described = [](const char* text) {
+        std::string message;
+        const auto spec = parse_tool_option(text, message);
+        return spec ? describe(make_tool(*spec, 50)) : message;
+    };
+    EXPECT_EQ(described("T1=flat:D10:L22:S12x30:H28x15,40x25"),
+              "flat end mill D10 L22, D12 to 52, D28 to 67, D40 to 92");
+    EXPECT_EQ(described("T1=flat:D10:L22:S12:E60:H20-32x10"),
+              "flat end mill D10 L22, D12 to 60, D20-32 to 70");
+    EXPECT_EQ(described("T1=flat:D10:L22:N9x10:S12:E60"),
+              "flat end mill D10 L22, D9 to 32, D12 to 60");
+    // Nobody says how long the shank is: the holder begins as low as it can be.
+    EXPECT_EQ(described("T1=flat:D10:L22:S12:H28x15,40x25"),
+              "flat end mill D10 L22, D28 to 37, D40 to 62");
+    // Nor what is between: as thick as the cutter.
+    EXPECT_EQ(described("T1=flat:D10:L22:E40:H28x15"),
+              "flat end mill D10 L22, D10 to 40, D28 to 55");
+    EXPECT_EQ(described("T1=flat:D10:E40:H28x15"), "flat end mill D10 L40, D28 to 55");
+    EXPECT_EQ(described("T1=slot:D20:L4:N8:S10:E50"), "slot mill D20 L4, D8 to 12, D10 to 50");
+    EXPECT_EQ(described("T1=dovetail:D20:A30:L6:N8x10:S10:E50"),
+              "dovetail mill D20 L6, D8 to 16, D10 to 50");
+    EXPECT_EQ(described("T1=lollipop:D6:N3x20"), "lollipop mill D6 L6, D3 to 26");
+}
+
+TEST(ToolSpec, KnowsWhatIsAGuess) {
+    const auto guessed = [](const char* text) {
+        std::string message;
+        return guesses_shape(parse_tool_option(text, message).value());
+    };
+    EXPECT_TRUE(guessed("T1=D6"));
+    EXPECT_TRUE(guessed("T1=v:D6"));
+    EXPECT_TRUE(guessed("T1=slot:D6"));
+    EXPECT_FALSE(guessed("T1=D6:R1"));
+    EXPECT_FALSE(guessed("T1=flat:D6"));
+    EXPECT_FALSE(guessed("T1=D6:A60"));
+    EXPECT_FALSE(guessed("T1=slot:D6:L2"));
+    const auto least = [](const char* text) {
+        std::string message;
+        return least_flute_length(make_tool(parse_tool_option(text, message).value(), 100));
+    };
+    EXPECT_EQ(least("T1=flat:D10"), 12.5);
+    EXPECT_EQ(least("T1=ball:D10"), 12.5);
+    EXPECT_NEAR(least("T1=drill:D10:A90"), 35.0, 1e-9);
+    EXPECT_NEAR(least("T1=v:D10:A90"), 5.0, 1e-9);
+    EXPECT_EQ(least("T1=face:D50"), 5.0);
+    EXPECT_EQ(least("T1=slot:D20:L4:N8x10"), 4.0);
+}
+
 TEST(ToolOption, SaysWhatIsWrong) {
-    for (const char* bad : {"", "T1", "T0=D5", "flat:D5", "T1=flat", "T1=flat:D0", "T1=flat:Dx",
-                            "T1=flat:Q5", "T1=round:D5", "T1=flat:D1e9", "T1=flat:D10:L99999999",
-                            "T1.5=D5", "T1=flat:D-5", "T1=:"}) {
+    for (const char* bad : {"",
+                            "T1",
+                            "T0=D5",
+                            "flat:D5",
+                            "T1=flat",
+                            "T1=flat:D0",
+                            "T1=flat:Dx",
+                            "T1=flat:Q5",
+                            "T1=round:D5",
+                            "T1=flat:D1e9",
+                            "T1=flat:D10:L99999999",
+                            "T1.5=D5",
+                            "T1=flat:D-5",
+                            "T1=:",
+                            "T1=taper:D10:A180",
+                            "T1=taper:D10:A85",
+                            "T1=v:D10:A0",
+                            "T1=v:D10:A180",
+                            "T1=flat:D6:S12y3",
+                            "T1=flat:D6:S12x",
+                            "T1=flat:D6:H28",
+                            "T1=flat:D6:H28x",
+                            "T1=flat:D6:H-5x3",
+                            "T1=flat:D6:H28x15,",
+                            "T1=flat:D6:L5x3"}) {
         SCOPED_TRACE(bad);
         std::string message;
         EXPECT_FALSE(parse_tool_option(bad, message));

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 namespace ncsim::toolpath {
 namespace {
 
@@ -58,6 +61,44 @@ TEST(Tool, HolderSegmentsStandOnTheToolAndDoNotCut) {
     EXPECT_EQ(height_of(tool), 75);
     EXPECT_EQ(cutting_height_of(tool), 30);
     EXPECT_EQ(cutting_diameter_of(tool), 10);
+}
+
+TEST(Tool, MillsThatCutUnderThemselvesAreWidestBelow) {
+    EXPECT_EQ(slot_mill(20, 0, 4).pieces[0].profile, (Profile{{10, 0, 0}, {10, 4, 0}}));
+    const Tool dovetail = dovetail_mill(20, 45, 6);
+    EXPECT_EQ(dovetail.pieces[0].profile[0], (ProfilePoint{10, 0, 0}));
+    EXPECT_NEAR(dovetail.pieces[0].profile[1].radius, 4, 1e-12);
+    // It would close before its height.
+    EXPECT_GT(dovetail_mill(4, 60, 30).pieces[0].profile[1].radius, 0.0);
+    EXPECT_EQ(lollipop_mill(6).pieces[0].profile, (Profile{{3, 0, 3}, {3, 6, 3}}));
+}
+
+TEST(Slice, IsWhatLiesBetweenTwoHeights) {
+    const ToolPiece flat = flat_end_mill(10, 30).pieces[0];
+    EXPECT_EQ(slice(flat, 5, 12).profile, (Profile{{5, 5, 0}, {5, 12, 0}}));
+    EXPECT_EQ(slice(flat, 0, 30).profile, flat.profile);
+    EXPECT_EQ(slice(flat, 20, 99).profile, (Profile{{5, 20, 0}, {5, 30, 0}}));
+    EXPECT_TRUE(slice(flat, 30, 40).profile.empty());
+    EXPECT_TRUE(slice(flat, 12, 12).profile.empty());
+    const ToolPiece point = drill(10, 90, 40).pieces[0];
+    EXPECT_EQ(slice(point, 2, 5).profile.size(), 2U);
+    EXPECT_NEAR(slice(point, 2, 5).profile[0].radius, 2, 1e-9);
+}
+
+TEST(Slice, OfABallFollowsItsArc) {
+    const ToolPiece ball = ball_end_mill(10, 30).pieces[0];
+    const ToolPiece low = slice(ball, 0, 3);
+    ASSERT_GT(low.profile.size(), 10U);
+    EXPECT_EQ(low.profile.front().height, 0.0);
+    EXPECT_EQ(low.profile.back().height, 3.0);
+    for (const ProfilePoint& p : low.profile) {
+        const double h = p.height - 5.0;
+        const double distance = std::sqrt(p.radius * p.radius + h * h);
+        EXPECT_NEAR(distance, 5.0, 1.1e-3);
+        EXPECT_LT(distance, 5.0 + 1e-9);
+    }
+    const ToolPiece whole = slice(lollipop_mill(6).pieces[0], 0, 6);
+    EXPECT_NEAR(whole.profile.back().radius, 0.0, 1e-9);
 }
 
 }  // namespace

@@ -131,11 +131,8 @@ TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     verify::Verifier verifier(setup, block, lattice);
     const gcode::SourceFile program{
         "slot.nc", "G21 G90 T1 M6 S1 M3 F100\nG0 X7.5 Y20 Z5\nG1 Z-5\nG1 X32.5\nG0 Z5\n"};
-    const auto result = gcode::interpret(program, {}, [&](const gcode::Motion& m) {
-        verifier.begin(m);
-        walk.take(m, cda::Origin{1}, [&](const toolpath::Step& s) { verifier.cut(s, part); });
-        verifier.end();
-    });
+    const auto result = gcode::interpret(
+        program, {}, [&](const gcode::Motion& m) { take(m, verifier, walk, &part); });
     const verify::Ledger ledger = verifier.finish(result, &part, 40.0 * 40.0 * 10.0).ledger;
     const double exact = 40 * 40 * 10 - 5 * (25 * 6 + 3.14159265358979324 * 9);
     EXPECT_NEAR(exact, 15108.63, 0.005);

@@ -80,6 +80,7 @@ verify::Verdict of_cone_going_back_up(const std::string& before_up, bool ledger)
     verify::Setup setup = plain_setup();
     setup.tools.at(1).tool = toolpath::v_cutter(6.0, 0.0, 30.0, 20.0);
     setup.ledger = ledger;
+    setup.air_cuts = true;
     std::string program = "G21 G90 G17 T1 M6 F100 G0 X0 Y0 Z5\n";
     std::mt19937 random(5);
     const auto word = [&random](const char* letter, int from, int to) {
@@ -313,7 +314,7 @@ TEST(NonCuttingContact, SeesTheShankOfAToolThatRisesBeforeItsCutter) {
 
 TEST(NonCuttingContact, IsSkippedWhereNobodyTellsAShank) {
     EXPECT_EQ(skipped_because(verdict_of(kStart), "non-cutting-contact"),
-              "T1 tells neither shank nor holder");
+              "neither flute length, shank nor holder is told of T1");
 }
 
 TEST(Plunge, IsFoundForToolsThatDoNotCutAtTheirCentre) {
@@ -321,10 +322,27 @@ TEST(Plunge, IsFoundForToolsThatDoNotCutAtTheirCentre) {
     setup.tools.at(1).blind_diameter = 4.0;
     const auto verdict = verdict_of(kStart + "G0 X0\nG1 Z-2\n", setup);
     const Finding f = only(verdict, "plunge");
-    EXPECT_EQ(f.place.span.line, 3U);
-    // Between the round core and the square around it.
-    EXPECT_GE(f.quantity->value, 3.14159 * 4 * 2);
-    EXPECT_LT(f.quantity->value, 4 * 4 * 2);
+    expect_at(f, 3, 2.0, 0.0101);
+}
+
+TEST(Plunge, IsFoundHoweverLittleItGoesAside) {
+    // A micrometre; a helix of 1 mm; a ramp of 30 degrees; to and fro by less than the core.
+    verify::Setup setup = plain_setup();
+    setup.tools.at(1).blind_diameter = 6.0;
+    for (const char* program :
+         {"G0 X0 Z1\nG1 X0.001 Z-2\n", "G0 X0 Z0\nG3 X0 Y0 Z-2 I0.5 J0 P10\n",
+          "G0 X0 Z1\nG1 X7 Z-3\n",
+          "G0 X0 Z0\nG1 X2 Z-0.1\nX0 Z-0.2\nX2 Z-0.3\nX0 Z-0.4\nX2 Z-0.5\nX0 Z-0.6\n"
+          "X2 Z-0.7\nX0 Z-0.8\nX2 Z-0.9\nX0 Z-1\nX2 Z-1.1\nX0 Z-1.2\n"}) {
+        SCOPED_TRACE(program);
+        EXPECT_FALSE(findings_of(verdict_of(kStart + program, setup), "plunge").empty());
+    }
+    // A helix that is wide enough, and a ramp that turns back.
+    for (const char* program :
+         {"G0 X0 Z0\nG3 X0 Y0 Z-2 I4 J0 P2\n", "G0 X-8 Z0\nG1 X8 Z-1\nX-8 Z-2\nX8 Z-3\n"}) {
+        SCOPED_TRACE(program);
+        EXPECT_TRUE(findings_of(verdict_of(kStart + program, setup), "plunge").empty());
+    }
 }
 
 TEST(Plunge, IsNotFoundOnARampBesideTheBlockOrForOtherTools) {
@@ -370,12 +388,14 @@ TEST(EngagementAndRemovalRate, AreFoundWithTheirNumbers) {
 }
 
 TEST(AirCut, TellsTheShareAndTheLines) {
-    const auto verdict = verdict_of(kStart + "G1 Z-2\nG1 X30\nG1 Y20\nG1 Y30\n");
+    verify::Setup setup = plain_setup();
+    setup.air_cuts = true;
+    const auto verdict = verdict_of(kStart + "G1 Z-2\nG1 X30\nG1 Y20\nG1 Y30\n", setup);
     const Finding f = only(verdict, "air-cut");
     EXPECT_EQ(f.severity, Severity::Note);
     EXPECT_EQ(f.message, "3 of 4 feed moves remove nothing, at lines 2, 4-5");
     expect_at(f, 2, 100.0 * 37 / 97);
-    const auto busy = verdict_of(kStart + "G0 Z-2\nG1 X30\n");
+    const auto busy = verdict_of(kStart + "G0 Z-2\nG1 X30\n", setup);
     EXPECT_TRUE(findings_of(busy, "air-cut").empty());
     EXPECT_NE(skipped_because(verdict_of(kStart, not_simulated()), "air-cut"), "");
 }

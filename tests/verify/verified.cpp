@@ -23,6 +23,28 @@ verify::Setup setup_with_holder() {
     return setup;
 }
 
+void take(const gcode::Motion& motion, verify::Verifier& verifier, toolpath::Walk& walk,
+          cda::TreeCda* part) {
+    verifier.begin(motion);
+    if (part) {
+        walk.take(motion, cda::Origin{1}, [&](const toolpath::Step& step) {
+            verifier.look(step, *part);
+            double removed = 0.0;
+            for (const cda::Cell& cell : step.cells) {
+                if (verifier.measures_all()) {
+                    removed += part->subtract(cell);
+                } else {
+                    part->subtract_unmeasured(cell);
+                }
+            }
+            verifier.look_back(step, *part, removed);
+        });
+        walk.arrive(motion, cda::Origin{1},
+                    [&](const toolpath::Step& step) { verifier.arrive(step, *part); });
+    }
+    verifier.end();
+}
+
 verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     const gcode::SourceFile source{"part.nc", program};
     const cda::Lattice lattice = cda::Lattice::for_stock(kBlock);
@@ -34,18 +56,14 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     for (const auto& [number, facts] : setup.tools)
         walk.add_tool(number, facts.tool);
     const double stock_mm3 = part.volume();
+    setup.stock = kBlock;
     verify::Verifier verifier(std::move(setup), simulated ? kBlock : cda::Box{}, lattice);
     gcode::InterpreterOptions options;
     options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
         verifier.set_frame(frame);
     };
     const auto result = gcode::interpret(source, options, [&](const gcode::Motion& motion) {
-        verifier.begin(motion);
-        if (simulated) {
-            walk.take(motion, cda::Origin{1},
-                      [&](const toolpath::Step& step) { verifier.cut(step, part); });
-        }
-        verifier.end();
+        take(motion, verifier, walk, simulated ? &part : nullptr);
     });
     verifier.add(result.diagnostics);
     return verifier.finish(result, simulated ? &part : nullptr, stock_mm3);
@@ -64,6 +82,13 @@ std::string skipped_because(const verify::Verdict& verdict, const std::string& r
         if (s.rule == rule) return s.reason;
     }
     return {};
+}
+
+std::set<std::string> doubts_of(const verify::Verdict& verdict) {
+    std::set<std::string> ids;
+    for (const verify::Doubt& d : verdict.doubts)
+        ids.insert(d.reason);
+    return ids;
 }
 
 }  // namespace ncsim::verify_test

@@ -7,7 +7,9 @@
 #include "ncsim/verify/verdict.h"
 #include "ncsim/verify/verifier.h"
 
+#include <set>
 #include <string>
+#include <vector>
 
 namespace ncsim::verify_test {
 
@@ -22,9 +24,16 @@ verify::Setup setup_with_holder();
 /// Verifies `program` on kBlock, or only its motions if the setup says it is not simulated.
 verify::Verdict verdict_of(const std::string& program, verify::Setup setup = plain_setup());
 
+/// One motion: what is there is looked at, taken away, and looked at again. `part` is null where
+/// nothing is simulated.
+void take(const gcode::Motion& motion, verify::Verifier& verifier, toolpath::Walk& walk,
+          cda::TreeCda* part);
+
 /// The findings of a rule, in order.
 std::vector<verify::Finding> findings_of(const verify::Verdict& verdict, const std::string& rule);
 /// The reason why a rule was skipped; empty if it was not.
 std::string skipped_because(const verify::Verdict& verdict, const std::string& rule);
+/// The ids of the reasons why it is not proven, each once.
+std::set<std::string> doubts_of(const verify::Verdict& verdict);
 
 }  // namespace ncsim::verify_test

@@ -128,9 +128,7 @@ bool Compensation::take(MachineState& state, Element element) {
     s_.held = std::move(element);
     s_.holds = true;
     state.position = end;
-    state.known.x = state.known.x || (s_.held.mask & 1U << kX) != 0;
-    state.known.y = state.known.y || (s_.held.mask & 1U << kY) != 0;
-    state.known.z = state.known.z || (s_.held.mask & 1U << kZ) != 0;
+    set_knowledge(state, after_move(state, s_.held.mask, false));
     return true;
 }
 

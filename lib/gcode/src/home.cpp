@@ -14,7 +14,12 @@ bool Machine::home(const Command& command, bool second) {
     AxisMask mask = 0;
     if (command.axis_words && !find_ends(command, via, mask)) return false;
     if (mask == 0) mask = kAllAxes;
-    path_.straight(state_, via, MoveKind::Rapid, command.axis_words ? mask : 0);
+    // G91 G28 Z0, the usual way home: no intermediate point, so nothing is known there yet.
+    AxisMask moved = command.axis_words ? mask : 0;
+    for (std::size_t i = 0; i < via.size(); ++i) {
+        if (state_.incremental && via[i] == state_.position[i]) moved &= ~(1U << i);
+    }
+    path_.straight(state_, via, MoveKind::Rapid, moved);
     store_.via = via;
     store_.has_via = command.axis_words;
 

@@ -84,6 +84,7 @@ private:
     static std::optional<int> extended_number(const Command& command);
     WorkOffset& offset_of(int system);
     bool set_tool_data(const Command& command, int index);
+    std::optional<double> told_length(int tool) const;
     void select_system(int system);
     void recompute_position(const Axes& machine);
 

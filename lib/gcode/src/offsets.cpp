@@ -235,7 +235,8 @@ bool Machine::set_tool_data(const Command& command, int index) {
     auto entry = std::ranges::find(store_.tools, index, &ToolTableEntry::number);
     if (entry == store_.tools.end()) {
         if (store_.tools.size() > 10'000) return fail(Message::G10Form, command.span);
-        store_.tools.push_back({.number = index, .offset = {}, .diameter = {}});
+        store_.tools.push_back(
+            {.number = index, .offset = {}, .length_told = false, .diameter = {}});
         entry = store_.tools.end() - 1;
     }
     const long l = std::lround(command['L']);
@@ -252,15 +253,28 @@ bool Machine::set_tool_data(const Command& command, int index) {
             l == 1 ? value : machine[i] - zero[i] - value - (l == 10 ? state_.offset_92[i] : 0.0);
         entry->offset[i] = Length::from_mm(unit * offset);
     }
-    if (command.has('R')) entry->diameter = Length::from_mm(2.0 * unit * command['R']);
-    if (!rules_.strict && l != 1 && !command.has_any(letters('X', 'Y', 'Z'))) {
-        // Fanuc: "G10 L10 P1 R120." sets the length, L12 the radius.
-        entry->offset[2] = Length::from_mm(unit * command.get('R', 0.0));
+    entry->length_told |= command.has('Z');
+    // Fanuc: "G10 L10 P1 R120." sets the length, L12 the radius.
+    const bool is_length =
+        !rules_.strict && l != 1 && command.has('R') && !command.has_any(letters('X', 'Y', 'Z'));
+    if (is_length) {
+        entry->offset[2] = Length::from_mm(unit * command['R']);
+        entry->length_told = true;
+    } else if (command.has('R')) {
+        entry->diameter = Length::from_mm(2.0 * unit * command['R']);
     }
+    if (index == state_.tool) state_.tool_length = told_length(index);
     return true;
 }
 
 // --- Tools ---
+
+/// mm; nothing where nobody told it.
+std::optional<double> Machine::told_length(int tool) const {
+    const auto entry = std::ranges::find(store_.tools, tool, &ToolTableEntry::number);
+    if (entry == store_.tools.end() || !entry->length_told) return std::nullopt;
+    return entry->offset[2].mm();
+}
 
 bool Machine::set_tool_length(const Command& command) {
     const int code = command.group(Group::ToolLength);
@@ -268,6 +282,7 @@ bool Machine::set_tool_length(const Command& command) {
     const double unit = state_.unit_mm();
     uses_length_offsets_ |= code != 490;
     state_.length_register = code == 490 ? kNoLength : kStatedLength;
+    state_.length_told = code == 431;
     Axes offset{};
     if (code == 431) {
         for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
@@ -278,7 +293,8 @@ bool Machine::set_tool_length(const Command& command) {
         if (code == 432) {
             offset = state_.tool_offset;
         } else {
-            state_.length_register = h;
+            state_.length_register = code == 440 && h != 0 ? kNegatedLength : h;
+            state_.length_told = told_length(h).has_value();
         }
         const auto entry = std::ranges::find(store_.tools, h, &ToolTableEntry::number);
         if (entry != store_.tools.end()) {

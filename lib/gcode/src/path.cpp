@@ -26,8 +26,18 @@ void rotate(double& x, double& y, double degrees) {
 }
 
 ProgramFrame frame_of(const MachineState& state) {
-    return {state.inches,      state.system,   state.work_offset, state.offset_92,
-            state.tool_offset, state.rotation, state.plane,       state.length_register};
+    ProgramFrame frame;
+    frame.inches = state.inches;
+    frame.system = state.system;
+    frame.work_offset = state.work_offset;
+    frame.offset_92 = state.offset_92;
+    frame.tool_offset = state.tool_offset;
+    frame.rotation = state.rotation;
+    frame.plane = state.plane;
+    frame.length_register = state.length_register;
+    frame.length_told = state.length_told;
+    frame.tool_length = state.tool_length;
+    return frame;
 }
 
 /// The origin of a system with what G92 said of its zero, mm and degrees.
@@ -112,6 +122,26 @@ Position Path::in_workpiece(const Place& place) const {
     return at;
 }
 
+Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine) {
+    Knowledge knows{state.known, state.relative, state.of_machine};
+    const auto reach = [&](std::size_t axis, bool& known, bool& relative, bool& of_machine) {
+        if ((mask & 1U << axis) == 0) return;
+        relative = state.incremental && !to_machine && (relative || of_machine || !known);
+        of_machine = to_machine && state.frame[axis] != 0;
+        known = true;
+    };
+    reach(kX, knows.known.x, knows.relative.x, knows.of_machine.x);
+    reach(kY, knows.known.y, knows.relative.y, knows.of_machine.y);
+    reach(kZ, knows.known.z, knows.relative.z, knows.of_machine.z);
+    return knows;
+}
+
+void set_knowledge(MachineState& state, const Knowledge& knows) {
+    state.known = knows.known;
+    state.relative = knows.relative;
+    state.of_machine = knows.of_machine;
+}
+
 const Path::Place& Path::start(const MachineState& state) {
     if (stale_) {
         at_ = place(state, state.position);
@@ -120,7 +150,7 @@ const Path::Place& Path::start(const MachineState& state) {
     return at_;
 }
 
-void Path::fill(const MachineState& state, MoveKind kind) {
+void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.span = span_;
     motion_.file = file_;
     motion_.kind = kind;
@@ -130,6 +160,10 @@ void Path::fill(const MachineState& state, MoveKind kind) {
     motion_.spindle_rpm = state.spindle_rpm;
     motion_.tool = state.tool;
     motion_.known_start = state.known;
+    const Knowledge end = after_move(state, mask, machine_coordinates_);
+    motion_.known_end = end.known;
+    const auto any = [](const KnownAxes& axes) { return axes.x || axes.y || axes.z; };
+    motion_.start_assumed = any(state.relative) || any(end.relative);
     motion_.machine_coordinates = machine_coordinates_;
     motion_.spindle_in_doubt = state.spindle_in_doubt;
 }
@@ -235,9 +269,7 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
 void Path::arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask) {
     at_ = target;
     state.position = end;
-    state.known.x = state.known.x || (mask & 1U << kX) != 0;
-    state.known.y = state.known.y || (mask & 1U << kY) != 0;
-    state.known.z = state.known.z || (mask & 1U << kZ) != 0;
+    set_knowledge(state, after_move(state, mask, machine_coordinates_));
 }
 
 // --- Motions ---
@@ -247,7 +279,7 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
     const Place target = place(state, end, machine_coordinates_ ? mask : 0);
     const Position& a = from.machine;
     const Position& b = target.machine;
-    fill(state, kind);
+    fill(state, kind, mask);
     const bool lengths =
         a.x != b.x || a.y != b.y || a.z != b.z || a.u != b.u || a.v != b.v || a.w != b.w;
     const bool turns = a.a != b.a || a.b != b.b || a.c != b.c;
@@ -287,7 +319,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
             if (axis == kW) to.machine.w = from.machine.w;
         }
     }
-    fill(state, MoveKind::Feed);
+    fill(state, MoveKind::Feed, mask);
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
     motion_.what = Arc{{}, {}, state.plane, {}, {}, arc.turns};
     emit(state, from, to, arc_centre.machine);
@@ -306,7 +338,7 @@ void Path::spline(MachineState& state, const Spline& spline, const Axes& end, Ax
         point.x = at.machine.x;
         point.y = at.machine.y;
     }
-    fill(state, MoveKind::Feed);
+    fill(state, MoveKind::Feed, mask);
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
     motion_.what = std::move(out);
     emit(state, from, to);

@@ -45,6 +45,14 @@ struct ProgramArc {
 using AxisMask = std::uint32_t;
 constexpr AxisMask kAllAxes = 0x1FF;
 
+/// What is known of the place of the axes; see MachineState.
+struct Knowledge {
+    KnownAxes known, relative, of_machine;
+};
+/// After a move of the axes of `mask`, to a place of the machine or of the program.
+Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine);
+void set_knowledge(MachineState& state, const Knowledge& knows);
+
 class Path {
 public:
     Path(const InterpreterOptions& options, const MotionSink& sink, DiagnosticLog& log,
@@ -96,7 +104,7 @@ private:
     bool is_related(const Place& place, std::size_t axis) const;
     /// In W, once that is bound. Where no relation is known, as if the zeros were one.
     Position in_workpiece(const Place& place) const;
-    void fill(const MachineState& state, MoveKind kind);
+    void fill(const MachineState& state, MoveKind kind, AxisMask mask = 0);
     void emit(const MachineState& state, const Place& from, const Place& to,
               const Position& centre = {});
     void let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,

@@ -95,6 +95,8 @@ void print_manner(std::string& out, const Motion& motion) {
         if (!known.x) out += 'x';
         if (!known.y) out += 'y';
         if (!known.z) out += 'z';
+    } else if (motion.start_assumed) {
+        out += " start-assumed";
     }
 }
 

@@ -323,6 +323,62 @@ Samples sample_spline(const gcode::Spline& m, const ToolExtent& tool,
 
 }  // namespace
 
+namespace {
+
+// Where a coordinate of an arc is farthest out: at right angles to its axis, on a spiral near by.
+void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
+    const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
+    const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
+    const auto time_of = [&](double degrees) {
+        return std::clamp((degrees - p.start_degrees) / p.sweep_degrees, 0.0, 1.0);
+    };
+    const auto at = [&](double t) { return linear_axes(on_arc(arc, p, t)); };
+    const bool is_spiral = p.start_radius != p.end_radius;
+    for (double q = std::ceil(low / 90.0) * 90.0; q <= high; q += 90.0) {
+        // Radii grow or shrink all the way: the first and the last turn are farthest out.
+        if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
+        box.add(at(time_of(q)));
+        if (!is_spiral) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double sign : {-1.0, 1.0}) {
+                double t0 = time_of(q - 45.0), t1 = time_of(q + 45.0);
+                if (t0 > t1) std::swap(t0, t1);
+                const auto value = [&](double t) { return sign * at(t)[axis]; };
+                for (int k = 0; k < 64; ++k) {  // one extreme between, or none
+                    const double third = (t1 - t0) / 3.0;
+                    if (value(t0 + third) < value(t1 - third)) {
+                        t0 += third;
+                    } else {
+                        t1 -= third;
+                    }
+                }
+                box.add(at(0.5 * (t0 + t1)));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+cda::Box extent_of_path(const gcode::Motion& motion) {
+    cda::Box box;
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    if (!from || !to) return box;
+    box.add(linear_axes(*from));
+    box.add(linear_axes(*to));
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        add_extremes(box, *arc, polar(*arc));
+    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+        for (const auto& point : spline->control_points) {
+            Position p = *from;
+            p.x = point.x, p.y = point.y;
+            box.add(linear_axes(p));
+        }
+    }
+    return box;
+}
+
 ToolExtent extent_of(const Tool& tool) {
     ToolExtent extent;
     for (const ToolPiece& piece : tool.pieces) {

@@ -52,6 +52,11 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
     }
     cda::Box box;
     const bool is_round = s.substr(0, 1) == "D";
+    int axis = 2;
+    if (is_round && (s.substr(1, 1) == "X" || s.substr(1, 1) == "Y")) {
+        axis = s[1] - 'X';
+        s.remove_prefix(1);
+    }
     const std::size_t colon = s.find(':');
     const std::size_t at = s.find('@');
     if (is_round) {
@@ -60,12 +65,15 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
         if (at != std::string_view::npos) {
             foot = three_numbers(s.substr(at + 1), ',');
         } else if (size) {
-            foot = cda::Vec3{0, 0, -size->y};
+            foot.emplace();
+            (*foot)[axis] = axis == 2 ? -size->y : -size->y / 2;
         }
         if (foot && size && size->x > 0 && size->y > 0) {
             const double r = size->x / 2;
-            box.add(scale * (*foot - cda::Vec3{r, r, 0}));
-            box.add(scale * (*foot + cda::Vec3{r, r, size->y}));
+            cda::Vec3 below{-r, -r, -r}, above{r, r, r};
+            below[axis] = 0.0, above[axis] = size->y;
+            box.add(scale * (*foot + below));
+            box.add(scale * (*foot + above));
         }
     } else if (colon != std::string_view::npos) {
         const auto a = three_numbers(s.substr(0, colon), ',');
@@ -90,15 +98,15 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
     if (box.is_empty()) {
         return refuse(
             "expected x0,y0,z0:x1,y1,z1 or LxWxH or LxWxH@x,y,z, "
-            "for a bar DdxH or DdxH@x,y,z");
+            "for a bar DdxH or DdxH@x,y,z (DXdxL, DYdxL: along X, Y)");
     }
     const cda::Vec3 size = box.size();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!text::is_sane_length(size[axis]) || std::abs(box.min[axis]) > 1e6) {
+    for (int i = 0; i < 3; ++i) {
+        if (!text::is_sane_length(size[i]) || std::abs(box.min[i]) > 1e6) {
             return refuse("a block must be between 1 nm and 1 km in each direction, near zero");
         }
     }
-    return Stock{box, is_round, {}, {}};
+    return Stock{box, is_round, axis, {}, {}};
 }
 
 cda::Lattice stock_lattice(const Stock& stock) {
@@ -112,7 +120,9 @@ cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
     const cda::LatticePoint max = lattice.round(stock.box.max);
     if (!stock.is_round) return {lattice, cda::box_cell(min, max, lattice), {}};
     // A multiple of four sides, four of them in the sides of the box.
-    const double radius = 0.5 * (stock.box.max.x - stock.box.min.x);
+    const int along = stock.axis;
+    const int across = (along + 1) % 3, up = (along + 2) % 3;
+    const double radius = 0.5 * stock.box.size()[across];
     int sides = 16;
     const auto beyond = [&] { return radius * (1.0 / std::cos(std::numbers::pi / sides) - 1.0); };
     while (beyond() > tolerance_mm && sides < 4096)
@@ -122,42 +132,86 @@ cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
     std::vector<cda::LatticePoint> points;
     for (int i = 0; i < sides; ++i) {
         const double angle = std::numbers::pi * (2 * i + 1) / sides;
-        const cda::Vec3 p{centre.x + corner * std::cos(angle), centre.y + corner * std::sin(angle),
-                          0.0};
-        cda::LatticePoint at = lattice.round(p);
-        for (const std::int64_t z : {min.z, max.z}) {
-            at.z = z;
-            points.push_back(at);
+        for (const cda::Vec3& end : {stock.box.min, stock.box.max}) {
+            cda::Vec3 p;
+            p[across] = centre[across] + corner * std::cos(angle);
+            p[up] = centre[up] + corner * std::sin(angle);
+            p[along] = end[along];
+            points.push_back(lattice.round(p));
         }
     }
     return {lattice, *cda::convex_hull(points, lattice, cda::kStockOrigin), {}};
 }
 
+namespace {
+
+constexpr double kMargin = 0.05;
+constexpr double kLeastMargin = 2.0;
+constexpr double kLeastHeight = 1.0;
+
+double margin(double size) {
+    return std::max(kLeastMargin, kMargin * size);
+}
+
+// Whole millimetres.
+void widen(cda::Box& box, int axis) {
+    const double m = margin(box.size()[axis]);
+    box.min[axis] = std::floor(box.min[axis] - m);
+    box.max[axis] = std::ceil(box.max[axis] + m);
+}
+
+}  // namespace
+
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip) {
-    constexpr double kMargin = 0.05;
-    constexpr double kLeastMargin = 2.0;
-    constexpr double kLeastHeight = 1.0;
-    DerivedStock stock;
-    if (swept.is_empty()) return stock;
+    DerivedStock derived;
+    if (swept.is_empty()) return derived;
     cda::Box box = swept;
-    const auto margin = [&](double size) { return std::max(kLeastMargin, kMargin * size); };
-    for (int axis = 0; axis < 2; ++axis) {
-        const double m = margin(swept.size()[axis]);
-        box.min[axis] = std::floor(swept.min[axis] - m);
-        box.max[axis] = std::ceil(swept.max[axis] + m);
-    }
+    widen(box, 0);
+    widen(box, 1);
     const bool from_zero = swept.min.z < 0;
     box.max.z = from_zero ? 0.0 : std::max(highest_tip, swept.min.z + kLeastHeight);
     box.min.z = std::floor(swept.min.z - margin(box.max.z - swept.min.z));
-    stock.box = box;
-    stock.rule =
+    derived.stock.box = box;
+    derived.rule =
         "derived: what the tools sweep in cutting moves, with 5 % (at least 2 mm) more on all "
         "sides "
         "and below; top at ";
-    stock.rule += from_zero
-                      ? "Z0, since cuts go below it"
-                      : "the highest cutting position of a tool tip, since no cut goes below Z0";
-    return stock;
+    derived.rule += from_zero
+                        ? "Z0, since cuts go below it"
+                        : "the highest cutting position of a tool tip, since no cut goes below Z0";
+    return derived;
+}
+
+DerivedStock derive_bar(const cda::Box& swept, int axis, double radius) {
+    DerivedStock derived;
+    if (swept.is_empty()) return derived;
+    cda::Box box = swept;
+    widen(box, axis);
+    const double r = std::max(radius, kLeastHeight);
+    for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
+        box.min[across] = -r;
+        box.max[across] = r;
+    }
+    derived.stock.box = box;
+    derived.stock.is_round = true;
+    derived.stock.axis = axis;
+    derived.rule =
+        "derived: a bar about the axis that turns, as thick as a tool tip is far from it "
+        "where it cuts; at both ends 5 % (at least 2 mm) more than the tools sweep";
+    return derived;
+}
+
+DerivedStock derive_block(const cda::Box& tips) {
+    DerivedStock derived;
+    if (tips.is_empty()) return derived;
+    cda::Box box = tips;
+    for (int axis = 0; axis < 3; ++axis)
+        widen(box, axis);
+    derived.stock.box = box;
+    derived.rule =
+        "derived: a block around all cutting positions of tool tips, with 5 % (at least 2 "
+        "mm) more on all sides";
+    return derived;
 }
 
 }  // namespace ncsim::toolpath

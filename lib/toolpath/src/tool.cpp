@@ -4,6 +4,7 @@
 #include "ncsim/toolpath/angles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ncsim::toolpath {
 
@@ -46,9 +47,17 @@ std::string_view name_of(ToolKind kind) {
         case ToolKind::VCutter: return "v-cutter";
         case ToolKind::Drill: return "drill";
         case ToolKind::TaperedEndMill: return "tapered end mill";
+        case ToolKind::SlotMill: return "slot mill";
+        case ToolKind::DovetailMill: return "dovetail mill";
+        case ToolKind::LollipopMill: return "lollipop mill";
         case ToolKind::Other: break;
     }
     return "form tool";
+}
+
+bool is_undercutting(ToolKind kind) {
+    return kind == ToolKind::SlotMill || kind == ToolKind::DovetailMill ||
+           kind == ToolKind::LollipopMill;
 }
 
 Tool flat_end_mill(double diameter, double length) {
@@ -87,10 +96,113 @@ Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, d
                         {{corner, 0, fillet}, {corner + height * a.sin / a.cos, height, 0}});
 }
 
+Tool slot_mill(double diameter, double corner_radius, double length) {
+    return cylinder(ToolKind::SlotMill, diameter, std::min(corner_radius, length), length);
+}
+
+Tool dovetail_mill(double diameter, double taper, double length) {
+    const double r = diameter / 2;
+    const double slope = tangent(std::clamp(taper, 0.0, 80.0));
+    // Never thinner than nothing.
+    const double height = slope > 0 ? std::min(length, 0.95 * r / slope) : length;
+    return of_one_piece(ToolKind::DovetailMill, {{r, 0, 0}, {r - slope * height, height, 0}});
+}
+
+Tool lollipop_mill(double diameter) {
+    const double r = diameter / 2;
+    return of_one_piece(ToolKind::LollipopMill, {{r, 0, r}, {r, diameter, r}});
+}
+
 void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height) {
     const double base = height_of(tool);
     tool.pieces.push_back(
         {{{lower_diameter / 2, base, 0}, {upper_diameter / 2, base + height, 0}}, false});
+}
+
+namespace {
+
+struct Corner {
+    double radius, height;
+};
+
+Corner operator+(Corner a, Corner b) {
+    return {a.radius + b.radius, a.height + b.height};
+}
+Corner operator-(Corner a, Corner b) {
+    return {a.radius - b.radius, a.height - b.height};
+}
+Corner operator*(double s, Corner a) {
+    return {s * a.radius, s * a.height};
+}
+Corner unit(Corner a) {
+    const double length = std::sqrt(a.radius * a.radius + a.height * a.height);
+    return length > 0 ? (1 / length) * a : a;
+}
+
+// The profile with chords for its arcs.
+std::vector<Corner> polyline_of(const ToolPiece& piece) {
+    constexpr double kChord = 1e-3;  // mm
+    std::vector<Corner> line;
+    const auto& profile = piece.profile;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Corner at{profile[i].radius, profile[i].height};
+        const double rho = profile[i].fillet;
+        if (rho <= 0) {
+            line.push_back(at);
+            continue;
+        }
+        const Corner before =
+            i > 0 ? Corner{profile[i - 1].radius, profile[i - 1].height} : Corner{0, at.height};
+        const Corner after = i + 1 < profile.size()
+                                 ? Corner{profile[i + 1].radius, profile[i + 1].height}
+                                 : Corner{0, at.height};
+        const Corner d1 = unit(at - before);
+        const Corner d2 = unit(after - at);
+        const double cosine = d1.radius * d2.radius + d1.height * d2.height;
+        const double sine = d1.radius * d2.height - d1.height * d2.radius;
+        const double turn = angle_of(cosine, sine);
+        const Corner start = at - (rho * sine / (1 + cosine)) * d1;
+        const Corner out{d1.height, -d1.radius};  // from the centre to the start
+        const Corner centre = start - rho * out;
+        // A chord over the angle 2x is rho (1 - cos x) below its arc, about rho x²/2.
+        const double step = 2 * std::sqrt(2 * kChord / rho) * 57.29;  // degrees
+        const int steps = std::clamp(static_cast<int>(std::ceil(turn / step)), 2, 1000);
+        for (int k = 0; k <= steps; ++k) {
+            const SinCos a = sin_cos(turn * k / steps);
+            const Corner away = a.cos * out + a.sin * d1;
+            line.push_back(centre + rho * away);
+        }
+    }
+    return line;
+}
+
+}  // namespace
+
+ToolPiece slice(const ToolPiece& piece, double low, double high) {
+    ToolPiece part;
+    part.cutting = piece.cutting;
+    part.assumed = piece.assumed;
+    const std::vector<Corner> line = polyline_of(piece);
+    const auto add = [&part](Corner c) {
+        if (!part.profile.empty() && part.profile.back() == ProfilePoint{c.radius, c.height, 0.0})
+            return;
+        part.profile.push_back({std::max(0.0, c.radius), c.height, 0.0});
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (i > 0 && line[i - 1].height < line[i].height) {
+            const Corner a = line[i - 1];
+            const Corner way = line[i] - a;
+            for (const double cut : {low, high}) {
+                if (a.height < cut && cut < line[i].height)
+                    add({a.radius + (cut - a.height) / way.height * way.radius, cut});
+            }
+        }
+        if (line[i].height >= low && line[i].height <= high) add(line[i]);
+    }
+    const bool is_body =
+        !part.profile.empty() && part.profile.front().height < part.profile.back().height;
+    if (!is_body) part.profile.clear();
+    return part;
 }
 
 double height_of(const Tool& tool) {

@@ -77,6 +77,9 @@ std::optional<ToolKind> kind_named(std::string_view s) {
              "CENTER DRILL", "CENTRE DRILL", "COUNTERSINK", "COUNTER SINK", "DOVETAIL V"})) {
         return ToolKind::VCutter;
     }
+    if (any({"LOLLIPOP"})) return ToolKind::LollipopMill;
+    if (any({"DOVETAIL"})) return ToolKind::DovetailMill;
+    if (any({"T-SLOT", "T SLOT", "TSLOT", "KEYSEAT", "WOODRUFF"})) return ToolKind::SlotMill;
     if (any({"BALL"})) return ToolKind::BallEndMill;
     if (any({"BULL", "RADIUS MILL", "RADIUSED", "CORNER RADIUS"})) return ToolKind::BullNoseEndMill;
     if (any({"FACE MILL", "FACEMILL", "SHELL MILL", "SHELLMILL"})) return ToolKind::FaceMill;
@@ -87,6 +90,15 @@ std::optional<ToolKind> kind_named(std::string_view s) {
         return ToolKind::FlatEndMill;
     }
     return std::nullopt;
+}
+
+// The types of Fusion 360, which are names and no prose: its slot mill is a disc on a neck.
+std::optional<ToolKind> fusion_kind_named(std::string_view s) {
+    if (s.find("SLOT MILL") != kNone) return ToolKind::SlotMill;
+    if (s.find("DOVETAIL") != kNone) return ToolKind::DovetailMill;
+    if (s.find("LOLLIPOP") != kNone) return ToolKind::LollipopMill;
+    if (s.find("FORM MILL") != kNone) return ToolKind::Other;
+    return kind_named(s);
 }
 
 bool names_something_else(std::string_view s) {
@@ -106,7 +118,8 @@ void take_taper(ToolSpec& spec, double degrees) {
     switch (*spec.kind) {
         case ToolKind::Drill: spec.angle = degrees; break;
         case ToolKind::VCutter: spec.angle = degrees < 60 ? 2 * degrees : degrees; break;
-        case ToolKind::TaperedEndMill: spec.taper = std::min(degrees, 80.0); break;
+        case ToolKind::TaperedEndMill:
+        case ToolKind::DovetailMill: spec.taper = std::min(degrees, 80.0); break;
         default: break;  // printed for tools that have none
     }
 }
@@ -125,7 +138,7 @@ std::optional<ToolRemark> read_fusion(std::string_view s) {
     if (numbered) remark.spec.number = tool_number_at(s, 1);
     remark.spec.diameter = diameter->value;
     const std::size_t type = s.rfind(" - ");
-    if (type != kNone && type > d) remark.spec.kind = kind_named(s.substr(type));
+    if (type != kNone && type > d) remark.spec.kind = fusion_kind_named(s.substr(type));
     if (const auto cr = value_after(s, "CR", "= ")) {
         if (cr->value > 0) remark.spec.corner_radius = cr->value;
     }
@@ -134,8 +147,13 @@ std::optional<ToolRemark> read_fusion(std::string_view s) {
     if (remark.spec.kind == ToolKind::FlatEndMill && remark.spec.corner_radius) {
         remark.spec.kind.reset();
     }
-    // Vendors put a flute length between: FL=1.
-    if (const auto length = value_after(s, "FL", "=")) remark.spec.length = length->value;
+    // Vendors put more between: FL=1 the flutes, SD=6 the shank, BL=30 what stands out.
+    for (const auto& [key, into] : {std::pair{"FL", &ToolSpec::length},
+                                    {"SD", &ToolSpec::shank_diameter},
+                                    {"BL", &ToolSpec::stick_out}}) {
+        const auto value = value_after(s, key, "=");
+        if (value && value->value > 0) remark.spec.*into = value->value;
+    }
     return remark;
 }
 
@@ -214,6 +232,8 @@ std::optional<ToolRemark> read_piped(std::string_view s) {
         if (key == "DIAMETER") spec.diameter = q->value;
         if (key == "TIPDIAMETER") spec.tip_diameter = q->value;
         if (key == "FLUTELENGTH") spec.length = q->value;
+        if (key == "SHANKDIAMETER" || key == "HANDLEDIAMETER") spec.shank_diameter = q->value;
+        if (key == "STICKLENGTH") spec.stick_out = q->value;
         if (key == "CORNERRADIUS") spec.corner_radius = q->value;
         if (key == "CUTTINGEDGEANGLE") spec.angle = q->value;
     }
@@ -299,6 +319,16 @@ std::optional<ToolRemark> read_free_text(std::string_view s) {
     if (const auto angle = angle_in_name(s)) {
         if (spec.kind == ToolKind::VCutter || spec.kind == ToolKind::Drill) spec.angle = *angle;
         if (spec.kind == ToolKind::TaperedEndMill) spec.taper = *angle;
+    }
+    // (12 MM END MILL LOC 22 SHANK 12 STICKOUT 40)
+    for (const auto& [key, into] : {std::pair{"LOC", &ToolSpec::length},
+                                    {"FLUTE LENGTH", &ToolSpec::length},
+                                    {"SHANK", &ToolSpec::shank_diameter},
+                                    {"STICKOUT", &ToolSpec::stick_out},
+                                    {"STICK OUT", &ToolSpec::stick_out},
+                                    {"STICK-OUT", &ToolSpec::stick_out}}) {
+        const auto value = value_after(s, key, " .:=-");
+        if (value && value->value > 0 && value->unit == diameter->unit) spec.*into = value->value;
     }
     return remark;
 }

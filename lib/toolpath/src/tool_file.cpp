@@ -278,6 +278,9 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
         {"BORING BAR", ToolKind::FlatEndMill},
         {"BORING HEAD", ToolKind::FlatEndMill},
         {"THREAD MILL", ToolKind::FlatEndMill},
+        {"SLOT MILL", ToolKind::SlotMill},
+        {"DOVETAIL MILL", ToolKind::DovetailMill},
+        {"LOLLIPOP MILL", ToolKind::LollipopMill},
         {"TAP RIGHT HAND", ToolKind::FlatEndMill},
         {"TAP LEFT HAND", ToolKind::FlatEndMill},
         {"RADIUS MILL", ToolKind::BullNoseEndMill},
@@ -288,6 +291,43 @@ std::optional<ToolKind> fusion_kind(const std::string& type) {
         if (name == upper) return kind;
     }
     return std::nullopt;
+}
+
+// {"segments": [{"height": 5, "lower-diameter": 6, "upper-diameter": 10}, …]}
+std::vector<ToolSegment> segments_of(const Json& json, double unit) {
+    std::vector<ToolSegment> segments;
+    const auto list = json.find("segments");
+    if (list == json.end() || !list->is_array()) return segments;
+    constexpr std::size_t kMost = 100;
+    for (const Json& step : *list) {
+        if (!step.is_object() || segments.size() == kMost) break;
+        const auto height = positive_of(step, "height");
+        const auto lower = positive_of(step, "lower-diameter");
+        const auto upper = positive_of(step, "upper-diameter");
+        if (!height || (!lower && !upper)) continue;
+        segments.push_back({unit * lower.value_or(upper.value_or(0.0)),
+                            unit * upper.value_or(lower.value_or(0.0)), unit * *height});
+        const ToolSegment& s = segments.back();
+        if (!text::is_sane_length(s.height) || !text::is_sane_length(s.lower_diameter) ||
+            !text::is_sane_length(s.upper_diameter)) {
+            segments.pop_back();
+        }
+    }
+    return segments;
+}
+
+// What is above the flutes: a shoulder as thick as the cutter or thinner, a shaft up to the holder.
+void read_fusion_assembly(const Json& json, const Json& g, double unit, ToolSpec& spec) {
+    spec.shank_diameter = scaled(positive_of(g, "SFDM"), unit);
+    spec.stick_out = scaled(positive_of(g, "LB"), unit);
+    const auto shoulder = scaled(positive_of(g, "shoulder-length"), unit);
+    if (shoulder && spec.length && *shoulder > *spec.length && spec.shank_diameter) {
+        spec.neck_diameter = scaled(positive_of(g, "shoulder-diameter"), unit);
+        if (!spec.neck_diameter && !is_undercutting(*spec.kind)) spec.neck_diameter = spec.diameter;
+        if (spec.neck_diameter) spec.neck_length = *shoulder - *spec.length;
+    }
+    spec.shaft = segments_of(member(json, "shaft"), unit);
+    spec.holder = segments_of(member(json, "holder"), unit);
 }
 
 void read_fusion_tool(const Json& json, Collector& out) {
@@ -303,13 +343,13 @@ void read_fusion_tool(const Json& json, Collector& out) {
     if (!spec.kind) {
         return out.tell(Severity::Warning, "tool-unknown",
                         "tool " + std::to_string(number) + " is of the type " + text::quoted(type) +
-                            ", which is not known; it is left out",
+                            ", which is not known; it is left out. A job file can describe it by "
+                            "its profile ([[tool.piece]])",
                         {});
     }
     spec.diameter = scaled(positive_of(g, "DC"), unit);
     spec.corner_radius = scaled(positive_of(g, "RE"), unit);
     spec.length = scaled(positive_of(g, "LCF"), unit);
-    spec.shank_diameter = scaled(positive_of(g, "SFDM"), unit);
     spec.tip_diameter = scaled(positive_of(g, "tip-diameter"), unit);
     if (spec.kind == ToolKind::Drill) spec.angle = positive_of(g, "SIG");
     if (spec.kind == ToolKind::VCutter) {
@@ -321,7 +361,9 @@ void read_fusion_tool(const Json& json, Collector& out) {
         spec.taper = positive_of(g, "TA");
         spec.tip_diameter.reset();
     }
+    if (spec.kind == ToolKind::DovetailMill) spec.taper = positive_of(g, "TA");
     if (spec.kind == ToolKind::FlatEndMill) spec.corner_radius.reset();
+    read_fusion_assembly(json, g, unit, spec);
     out.keep(
         std::move(spec), {}, {},
         type + (text_of(json, "description").empty() ? "" : ", ") + text_of(json, "description"));
@@ -338,6 +380,7 @@ void read_kiri_tool(const Json& json, Collector& out) {
     spec.diameter = scaled(positive_of(json, "flute_diam"), unit);
     spec.length = scaled(positive_of(json, "flute_len"), unit);
     spec.shank_diameter = scaled(positive_of(json, "shaft_diam"), unit);
+    spec.shank_length = scaled(positive_of(json, "shaft_len"), unit);
     if (type == "BALLMILL") {
         spec.kind = ToolKind::BallEndMill;
     } else if (type == "ENDMILL") {

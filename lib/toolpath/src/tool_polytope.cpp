@@ -28,6 +28,9 @@ using cda::LatticePoint;
 
 constexpr int kMinSides = 16;
 constexpr int kMaxSides = 1024;
+// A tool of more corners would take hours to move, and nobody needs it: a ball of 100 mm within 10
+// µm.
+constexpr std::size_t kMaxCorners = 8192;
 
 // Numbers that are integers but for the rounding of a division or a sine stay what they are.
 constexpr double kGuard = 1e-7;
@@ -369,6 +372,7 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
     const auto consider = [&](const BasePolygon& base, const LatticeProfile& profile) {
         const double error = base.error * static_cast<double>(radius) + profile.error + 1;
         const std::size_t corners = base.corners.size() * profile.corners.size();
+        if (corners > kMaxCorners) return false;
         const bool better = error <= tolerance ? best_error > tolerance || corners < best_corners
                                                : error < best_error;
         if (better) {
@@ -395,6 +399,17 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
                     ProfileBuilder(b, accuracy.side, steps)(piece.profile, u);
                 if (consider(base, profile)) break;
             }
+        }
+    }
+    if (!best.points_T.empty()) return best;
+    // More corners than there may be: as near as that allows.
+    for (int sides = kMinSides; sides <= kMaxSides; sides += 4) {
+        const int steps = std::min(256, static_cast<int>(kMaxCorners) / sides - 4);
+        if (steps < 2) break;
+        const std::vector<double> cosines = corner_cosines(sides);
+        for (const std::int64_t b : candidates) {
+            consider(base_polygon(b, cosines, accuracy.side),
+                     ProfileBuilder(b, accuracy.side, steps)(piece.profile, u));
         }
     }
     return best;

@@ -40,7 +40,8 @@ bool is_move(const Block& block) {
 
 void scale(ToolSpec& spec, double factor) {
     for (auto* length : {&spec.diameter, &spec.corner_radius, &spec.tip_diameter, &spec.length,
-                         &spec.shank_diameter}) {
+                         &spec.neck_diameter, &spec.neck_length, &spec.shank_diameter,
+                         &spec.shank_length, &spec.stick_out}) {
         if (*length) **length *= factor;
     }
     for (ToolPiece& piece : spec.pieces) {

@@ -112,4 +112,8 @@ bool has_known_start(const gcode::Motion& motion) {
     return motion.known_start.x && motion.known_start.y && motion.known_start.z;
 }
 
+bool has_known_end(const gcode::Motion& motion) {
+    return motion.known_end.x && motion.known_end.y && motion.known_end.z && !motion.start_assumed;
+}
+
 }  // namespace ncsim::toolpath

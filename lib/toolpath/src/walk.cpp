@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/walk.h"
 
+#include "ncsim/toolpath/machine.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +75,25 @@ const Cutter* Walk::cutter(int number) const {
     return found == cutters_.end() ? nullptr : &found->second;
 }
 
+// Into cells_: what may meet the stock.
+void Walk::trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
+    cells_.clear();
+    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB))) return;
+    cutter.trace(X_WA, X_WB, origin, cells_);
+    std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+}
+
+void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
+                  const std::function<void(const Step&)>& step) {
+    const auto found = cutters_.find(motion.tool);
+    const gcode::Position* end = end_of(motion);
+    if (found == cutters_.end() || !end || has_known_start(motion) || !has_known_end(motion))
+        return;
+    const Pose X_WT = pose_at(*end);
+    trace(found->second, X_WT, X_WT, origin);
+    step({X_WT, X_WT, cells_, {}});
+}
+
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
     const auto found = cutters_.find(motion.tool);
@@ -85,12 +106,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             const Pose& X_WB = samples.poses[i];
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
-            cells_.clear();
-            if (stock_.overlaps(cutter.bounds(X_WA, X_WB))) {
-                cutter.trace(X_WA, X_WB, origin, cells_);
-                std::erase_if(cells_,
-                              [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
-            }
+            trace(cutter, X_WA, X_WB, origin);
             step({X_WA, X_WB, cells_, samples.bounds});
         }
     };

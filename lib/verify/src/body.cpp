@@ -131,11 +131,12 @@ Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, con
     return meeting;
 }
 
-double Body::common_volume(const Step& step, const cda::TreeCda& part, const Box& stock) {
+double Body::common_volume(const Step& step, double raise, const cda::TreeCda& part,
+                           const Box& stock) {
     double volume = 0.0;
-    if (!stock.overlaps(bounds(step, 0.0))) return volume;
-    for (const Cell& cell : cells(step, 0.0, Side::Circumscribed))
-        volume += std::max(0.0, part.common_volume(cell));
+    if (!stock.overlaps(bounds(step, raise))) return volume;
+    for (const Cell& cell : cells(step, raise, Side::Circumscribed))
+        volume += part.common_volume(cell);
     return volume;
 }
 

@@ -50,8 +50,8 @@ public:
     Meeting meet(const toolpath::Step& step, double raise, const cda::TreeCda& part,
                  const cda::Box& stock);
 
-    /// Volume (mm³) that the circumscribed sweep has in common with the part; never negative.
-    double common_volume(const toolpath::Step& step, const cda::TreeCda& part,
+    /// Volume (mm³) that the circumscribed sweep, `raise` mm higher, has in common with the part.
+    double common_volume(const toolpath::Step& step, double raise, const cda::TreeCda& part,
                          const cda::Box& stock);
 
     /// The cells of the sweep, circumscribed or inscribed.

@@ -47,6 +47,25 @@ std::uint64_t Verdict::count(Severity severity) const {
     return n;
 }
 
+std::uint64_t Verdict::open_doubts() const {
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(doubts, [](const Doubt& d) { return !d.accepted; }));
+}
+
+Outcome Verdict::outcome() const {
+    if (count(Severity::Error) > 0) return Outcome::Failed;
+    return open_doubts() > 0 ? Outcome::NotProven : Outcome::Clean;
+}
+
+std::string_view name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::Clean: return "clean";
+        case Outcome::NotProven: return "not proven";
+        case Outcome::Failed: break;
+    }
+    return "failed";
+}
+
 std::uint64_t Verdict::suppressed() const {
     return static_cast<std::uint64_t>(
         std::ranges::count_if(findings, [](const Finding& f) { return f.suppressed; }));

@@ -27,20 +27,34 @@ void merge(Finding& row, const Move& move, const Sighting& s) {
 
 }  // namespace
 
-FindingLog::FindingLog(const Selection& selection, const Suppressions& suppressions)
-    : selection_(&selection), suppressions_(&suppressions) {}
+FindingLog::FindingLog(const Setup& setup) : setup_(&setup) {}
 
-void FindingLog::settle(Finding& f, bool weakened) {
+void FindingLog::doubt(std::string_view reason, std::string message, const Place& place) {
+    const auto [known, is_new] =
+        doubt_index_.try_emplace({std::string(reason), message}, doubts_.size());
+    if (!is_new) {
+        ++doubts_[known->second].count;
+        return;
+    }
+    Doubt doubt;
+    doubt.reason = reason;
+    doubt.message = std::move(message);
+    doubt.place = place;
+    doubt.accepted = setup_->accepted.contains(reason);
+    doubts_.push_back(std::move(doubt));
+}
+
+void FindingLog::settle(Finding& f, bool weakened) const {
     const RuleInfo& rule = *find_rule(f.rule);
     f.category = rule.category;
     if (f.hint.empty()) f.hint = rule.fix;
-    if (const auto told = selection_->severities.find(f.rule);
-        told != selection_->severities.end()) {
+    const auto& severities = setup_->selection.severities;
+    if (const auto told = severities.find(f.rule); told != severities.end()) {
         f.severity = told->second;
     } else if (weakened && f.severity == Severity::Error) {
         f.severity = Severity::Warning;
     }
-    f.suppressed = f.place.file == 0 && suppressions_->covers(f.place.span.line, f.rule);
+    f.suppressed = f.place.file == 0 && setup_->suppressions.covers(f.place.span.line, f.rule);
 }
 
 bool FindingLog::store(Finding finding) {
@@ -61,7 +75,13 @@ void FindingLog::add(std::string_view rule, const Move& move, Sighting s) {
     f.first_motion = f.last_motion = move.number;
     f.tool = move.motion->tool;
     if (s.is_note) f.severity = Severity::Note;
-    settle(f, s.weakened);
+    std::erase_if(s.rests_on, [&](std::string_view r) { return setup_->accepted.contains(r); });
+    const bool is_error = f.severity == Severity::Error;
+    settle(f, !s.rests_on.empty());
+    if (is_error && !f.suppressed) {
+        for (const std::string_view reason : s.rests_on)
+            doubt(reason, "an error rests on it: " + s.message, f.place);
+    }
 
     std::string key = row_key(rule, s.message);
     if (const auto open = rows_.find(key); open != rows_.end()) {
@@ -100,6 +120,8 @@ void FindingLog::finish(Verdict& verdict) {
     });
     verdict.findings = std::move(findings_);
     verdict.unlisted = std::move(unlisted_);
+    std::ranges::stable_sort(doubts_, {}, [](const Doubt& d) { return find_reason(d.reason); });
+    verdict.doubts = std::move(doubts_);
 }
 
 }  // namespace ncsim::verify

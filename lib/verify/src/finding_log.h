@@ -4,12 +4,13 @@
 #pragma once
 
 #include "ncsim/verify/move.h"
-#include "ncsim/verify/rule.h"
-#include "ncsim/verify/suppression.h"
+#include "ncsim/verify/setup.h"
 #include "ncsim/verify/verdict.h"
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::verify {
@@ -24,8 +25,9 @@ struct Sighting {
     bool lasts = false;
     Certainty certainty = Certainty::Certain;
     bool is_note = false;  ///< Weighs no more than a note.
-    /// Weighs less than the rule: a warning instead of an error.
-    bool weakened = false;
+    /// Reasons for doubt (ids) without which it would be certain: an error becomes a warning, and
+    /// the doubt is told; but for those that somebody accepted.
+    std::vector<std::string_view> rests_on = {};
     std::optional<cda::Vec3> point = std::nullopt;
     cda::Box box = {};
     std::vector<std::string> assumptions = {};
@@ -34,10 +36,13 @@ struct Sighting {
 
 class FindingLog {
 public:
-    FindingLog(const Selection& selection, const Suppressions& suppressions);
+    /// `setup` must outlive it.
+    explicit FindingLog(const Setup& setup);
 
     void add(std::string_view rule, const Move& move, Sighting sighting);
     void end_row(std::string_view rule);
+    /// Something that keeps a program from being proven. The same reason and message count once.
+    void doubt(std::string_view reason, std::string message, const Place& place = {});
     /// A finding that is complete as it is, but for category, weight, hint and suppression.
     void add(Finding finding);
 
@@ -45,15 +50,16 @@ public:
     void finish(Verdict& verdict);
 
 private:
-    void settle(Finding& finding, bool weakened);
+    void settle(Finding& finding, bool weakened) const;
     bool store(Finding finding);
 
-    const Selection* selection_;
-    const Suppressions* suppressions_;
+    const Setup* setup_;
     std::vector<Finding> findings_;
     std::map<std::string, std::size_t, std::less<>> rows_;  // rule + message: the open one
     std::map<std::string, std::uint64_t, std::less<>> stored_;
     std::map<std::string, std::uint64_t> unlisted_;
+    std::vector<Doubt> doubts_;
+    std::map<std::pair<std::string, std::string>, std::size_t> doubt_index_;  // reason, message
 };
 
 }  // namespace ncsim::verify

@@ -12,6 +12,7 @@ namespace ncsim::verify {
 
 struct Rule {
     RuleInfo info;
+    bool of_part = false;  ///< Looks at the part or at what stands around it.
     /// Why it cannot be asked with this setup; nothing: it can.
     std::optional<std::string> (*missing)(const Setup&) = nullptr;
     /// Looks at one motion. Null for rules that look at the whole, or at diagnostics.
@@ -33,6 +34,8 @@ std::optional<std::string> needs_speed_limit(const Setup& setup);
 std::optional<std::string> needs_depth_limit(const Setup& setup);
 std::optional<std::string> needs_engagement_limit(const Setup& setup);
 std::optional<std::string> needs_removal_limit(const Setup& setup);
+std::optional<std::string> needs_air_cuts(const Setup& setup);
+std::optional<std::string> needs_stock(const Setup& setup);
 
 void judge_rapid_in_material(const Setup&, const Move&, FindingLog&);
 void judge_spindle_off(const Setup&, const Move&, FindingLog&);
@@ -49,14 +52,25 @@ void judge_fixture_contact(const Setup&, const Move&, FindingLog&);
 void judge_fixture_clearance(const Setup&, const Move&, FindingLog&);
 void judge_over_travel(const Setup&, const Move&, FindingLog&);
 void judge_start_unknown(const Setup&, const Move&, FindingLog&);
+void judge_path_accuracy(const Setup&, const Move&, FindingLog&);
+void judge_below_stock(const Setup&, const Move&, FindingLog&);
+void judge_length_offset(const Setup&, const Move&, FindingLog&);
 
 /// The rule that a diagnostic of this code belongs to; empty: another rule tells it better.
 std::string_view rule_of_diagnostic(std::string_view code);
 
+/// The reason for doubt that a warning of this code is; empty: none.
+std::string_view doubt_of_diagnostic(std::string_view code);
+
 /// What a contact with the part in this motion rests on: stock, tool, units, home, path.
 std::vector<std::string> assumptions_of(const Setup& setup, const Move& move);
-/// Does it rest on a stock or a tool that nobody described? Then it is a warning.
-bool rests_on_guesses(const Setup& setup, const Move& move);
+/// The reasons for doubt (ids) that it rests on: with any of them it is a warning.
+std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
+                                         Certainty certainty = Certainty::Certain);
+/// Do rotary axes stand anywhere but at 0?
+bool is_turned(const gcode::Motion& motion);
+/// Why what `requirement` names is not told; nothing if it is.
+std::optional<std::string> missing_requirement(const Setup& setup, std::string_view requirement);
 
 /// mm/min, whatever the feed mode; empty if no feed was set or it moves nothing.
 std::optional<double> feed_of(const Move& move);

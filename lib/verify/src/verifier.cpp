@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/verify/verifier.h"
 
+#include "ncsim/toolpath/angles.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_polytope.h"
@@ -11,9 +12,13 @@
 #include "finding_log.h"
 #include "fixture.h"
 #include "rule_table.h"
+#include "watched.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ncsim::verify {
 
@@ -24,66 +29,6 @@ using gcode::MoveKind;
 using toolpath::Step;
 
 namespace {
-
-// What a tool is watched for while it moves.
-struct Watched {
-    struct Part {
-        std::size_t piece;
-        Body body;
-        double raise_mm = 0.0;  // so far
-    };
-    std::vector<Part> bodies;                   // shanks and holders
-    std::optional<Body> core;                   // what does not cut at the centre
-    std::optional<Body> too_high;               // what cuts, but above the limit of depth
-    std::optional<Body> within;                 // what cuts below it
-    std::vector<Vec3> probes_T;                 // points strictly inside the cutting pieces
-    bool prism = true;                          // all of what cuts
-    std::optional<toolpath::Cutter> inscribed;  // the cutter, for certainty
-};
-
-// A cylinder about the tool axis, from `low` to `high` mm above the tip.
-toolpath::ToolPiece cylinder(double diameter, double low, double high) {
-    return {{{diameter / 2, low, 0.0}, {diameter / 2, high, 0.0}}, true};
-}
-
-// The corners of the piece's inscribed polytope, drawn in by a thousandth towards their middle.
-void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
-                const toolpath::ToolAccuracy& inscribed, std::vector<Vec3>& probes_T) {
-    const toolpath::PiecePolytope polytope = toolpath::approximate(piece, lattice, inscribed);
-    Vec3 middle;
-    for (const cda::LatticePoint& p : polytope.points_T)
-        middle = middle + lattice.to_mm(p);
-    middle =
-        (1.0 / static_cast<double>(std::max<std::size_t>(1, polytope.points_T.size()))) * middle;
-    for (const cda::LatticePoint& p : polytope.points_T)
-        probes_T.push_back(middle + 0.999 * (lattice.to_mm(p) - middle));
-}
-
-Watched watch(const ToolFacts& facts, const cda::Lattice& lattice,
-              const toolpath::ToolAccuracy& accuracy) {
-    Watched w;
-    for (std::size_t i = 0; i < facts.tool.pieces.size(); ++i) {
-        const toolpath::ToolPiece& piece = facts.tool.pieces[i];
-        if (!piece.cutting) w.bodies.push_back({i, Body(piece, lattice, accuracy)});
-    }
-    const double height = toolpath::cutting_height_of(facts.tool);
-    const double diameter = toolpath::cutting_diameter_of(facts.tool);
-    if (facts.blind_diameter && *facts.blind_diameter > 0.0) {
-        w.core.emplace(cylinder(*facts.blind_diameter, 0.0, height), lattice, accuracy);
-    }
-    if (facts.max_depth && *facts.max_depth < height) {
-        w.too_high.emplace(cylinder(diameter, *facts.max_depth, height), lattice, accuracy);
-        w.within.emplace(cylinder(diameter, 0.0, *facts.max_depth), lattice, accuracy);
-    }
-    toolpath::ToolAccuracy inner = accuracy;
-    inner.side = toolpath::Side::Inscribed;
-    w.inscribed.emplace(facts.tool, lattice, inner);
-    for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
-        if (piece.cutting) w.prism &= is_prism(piece);
-        if (piece.cutting) add_probes(piece, lattice, inner, w.probes_T);
-    }
-    return w;
-}
 
 // Towards the spindle, or not? Only then a shank can meet what its own cutter takes away later in
 // the same motion; else the cutter was there first.
@@ -118,14 +63,14 @@ bool turns_well(const gcode::Motion& motion, bool left_hand) {
     return motion.spindle == right_way && motion.spindle_rpm > 0.0;
 }
 
-bool goes_straight_down(const Step& step) {
-    if (step.X_WA.rows != step.X_WB.rows) return false;
+// How steeply it goes down along its axis: the tangent of the angle; 0 if it does not.
+double steepness_of(const Step& step) {
+    if (step.X_WA.rows != step.X_WB.rows) return 0.0;
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
     const Vec3 axis = axis_of(step.X_WA);
-    const double along = dot(way, axis);
-    if (along >= 0.0) return false;
-    // Copied coordinates differ by exactly nothing; under a turned axis rounding is all there is.
-    return norm(way - along * axis) <= 1e-9 * norm(way);
+    const double down = -dot(way, axis);
+    if (down <= 0.0) return 0.0;
+    return down / std::max(norm(way + down * axis), 1e-9 * norm(way));
 }
 
 }  // namespace
@@ -136,7 +81,7 @@ public:
         : setup_(std::move(setup)),
           stock_(stock),
           lattice_(lattice),
-          log_(setup_.selection, setup_.suppressions),
+          log_(setup_),
           scene_(setup_),
           clock_(setup_.machine) {
         for (const Rule& rule : rule_table()) {
@@ -151,10 +96,14 @@ public:
         volumes_ = setup_.ledger ||
                    (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
                    (asked("removal-rate") && !needs_removal_limit(setup_));
-        contacts_ = volumes_ || asked("air-cut");
+        contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
+        if (!stock_.is_empty()) highest_ = stock_.max.z;
+        for (const Fixture& fixture : setup_.machine.fixtures)
+            highest_ = std::max(highest_, fixture.box.max.z + fixture.clearance_mm);
+        needs_part_ = needs_part(setup_);
         if (setup_.not_simulated) return;
         for (const auto& [number, facts] : setup_.tools) {
-            watched_.emplace(number, watch(facts, lattice_, setup_.accuracy));
+            watched_.emplace(number, watch(facts, setup_.selection, lattice_, setup_.accuracy));
         }
     }
 
@@ -162,6 +111,7 @@ public:
         const double unit = frame.inches ? 25.4 : 1.0;
         tool_offset_ = {unit * frame.tool_offset[gcode::kX], unit * frame.tool_offset[gcode::kY],
                         unit * frame.tool_offset[gcode::kZ]};
+        frame_ = frame;
     }
 
     void begin(const gcode::Motion& motion) {
@@ -175,32 +125,60 @@ public:
         probed_ |= motion.kind == MoveKind::Probe;
         if (!move_.is_move) return;
         measure_path(motion, *from, *to);
+        move_.passes_above = passes_above(motion, *from, *to);
+        look_at_length(motion, *from, *to);
         const auto watched = watched_.find(motion.tool);
         now_ = watched == watched_.end() ? nullptr : &watched->second;
         move_.is_traced = now_ && toolpath::has_known_start(motion);
         move_.asked = move_.is_traced && asks(motion);
         move_.volume_known = move_.asked && (volumes_ || motion.kind == MoveKind::Rapid ||
                                              !turns_well(motion, is_left_handed(motion.tool)));
+        doubt_what_is_guessed();
     }
 
-    double cut(const Step& step, cda::TreeCda& part) {
-        const bool up = ascends(step);
-        const bool down = goes_straight_down(step);
-        if (up) meet_bodies(step, part);
-        if (down && asked("plunge")) meet_core(step, part);
-        const bool depth_asked =
-            now_->too_high && asked("depth-limit") && move_.motion->kind == MoveKind::Feed;
-        if (depth_asked) meet_too_high(step, part, up);
-        // One step that meets material answers for its motion.
-        met_ = move_.asked && !move_.volume_known && move_.motion->kind == MoveKind::Feed &&
-               !step.cells.empty() && (move_.meets_material || find_material(step, part));
-        double removed = 0.0;
-        for (const Cell& cell : step.cells)
-            removed += take_away(cell, step, part);
-        if (!up) meet_bodies(step, part);
-        if (down) move_.plunges = true;
+    void look(const Step& step, const cda::TreeCda& part) {
+        if (ascends(step)) meet_bodies(step, part);
+        if (now_->core) {
+            if (move_.motion->kind == MoveKind::Feed) {
+                meet_core(step, part);
+            } else {
+                now_->aside_since.reset();
+            }
+        }
+        if (!now_->too_high.empty() && move_.motion->kind == MoveKind::Feed)
+            meet_too_high(step, part);
+        meets_now_ = false;
+        if (!move_.asked || step.cells.empty()) return;
+        if (move_.motion->kind == MoveKind::Rapid) {
+            meet_rapidly(step, part);
+        } else if (!volumes_ || rounding_now(step) > 0.0) {
+            // One step that meets material answers for its motion, if nobody asks how much it is.
+            meet_at_feed(step, part);
+        }
+    }
+
+    void look_back(const Step& step, const cda::TreeCda& part, double removed) {
+        if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
+            // Cells that are exact meet material if they remove some; of the others slivers may be
+            // left where they were before.
+            const bool meets = rounding_now(step) > 0.0 ? meets_now_ : removed > 0.0;
+            move_.meets_material |= meets;
+            if (removed > 0.0) book(step, removed);
+        }
+        if (!ascends(step)) meet_bodies(step, part);
         if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
-        return removed;
+        const double tolerance = setup_.path_tolerance_mm;
+        if (tolerance > 0.0 && step.bounds.missed_mm > 1.001 * tolerance)
+            move_.path_error_mm = std::max(move_.path_error_mm, step.bounds.missed_mm);
+    }
+
+    // At rest: what it meets it meets, wherever it came from.
+    void arrive(const Step& step, const cda::TreeCda& part) {
+        move_.arrives = true;
+        if (move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material"))
+            meet_rapidly(step, part);
+        meet_bodies(step, part);
+        if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
     }
 
     void end() {
@@ -227,6 +205,10 @@ public:
 
     void add(Finding finding) {
         if (!asked(finding.rule)) return;
+        if (finding.certainty == Certainty::Within &&
+            find_rule(finding.rule)->severity == Severity::Error) {
+            log_.doubt("uncertain-contact", finding.message, finding.place);
+        }
         if (!setup_.stock_assumption.empty()) {
             finding.assumptions.push_back("stock: " + setup_.stock_assumption);
         }
@@ -240,6 +222,10 @@ public:
         log_.add(std::move(finding));
     }
 
+    void add_doubt(std::string_view reason, std::string message, const Place& place) {
+        log_.doubt(reason, std::move(message), place);
+    }
+
     Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
                    double stock_mm3) {
         Verdict verdict;
@@ -251,18 +237,22 @@ public:
             f.rule = "suppression";
             f.severity = Severity::Warning;
             f.place = f.last = {0, u.span};
-            f.message = "'" + u.name + "' is no rule, so nothing is suppressed by it";
+            f.message = u.name.empty()
+                            ? "this comment suppresses nothing: it has to read (ncsim: "
+                              "ignore RULE)"
+                            : "'" + u.name + "' is no rule, so nothing is suppressed by it";
             log_.add(std::move(f));
         }
         if (asked("air-cut")) air_.conclude(setup_, log_);
-        log_.finish(verdict);
-        verdict.skipped = std::move(skipped_);
         clock_.finish(ledger_);
         ledger_.measured = volumes_ && part != nullptr;
         ledger_.air_known = contacts_ && part != nullptr;
         ledger_.air_mm = air_.air_mm();
         if (part) ledger_.rest_mm3 = part->volume();
         ledger_.stock_mm3 = stock_mm3;
+        conclude_doubts(part != nullptr);
+        log_.finish(verdict);
+        verdict.skipped = std::move(skipped_);
         verdict.ledger = std::move(ledger_);
         return verdict;
     }
@@ -273,6 +263,8 @@ private:
 
     bool asked(std::string_view rule) const { return setup_.selection.includes(rule); }
 
+    Place place() const { return {move_.motion->file, move_.motion->span}; }
+
     // Does somebody want to know what the cutter meets in this motion?
     bool asks(const gcode::Motion& motion) const {
         switch (motion.kind) {
@@ -280,7 +272,8 @@ private:
             case MoveKind::Probe: return volumes_;
             case MoveKind::Feed: break;
         }
-        return contacts_ || (!turns_well(motion, is_left_handed(motion.tool)) &&
+        const bool well = turns_well(motion, is_left_handed(motion.tool));
+        return contacts_ || ((!well || motion.spindle_in_doubt) &&
                              (asked("spindle-off") || asked("spindle-reversed")));
     }
 
@@ -295,28 +288,23 @@ private:
         if (std::holds_alternative<gcode::Linear>(motion.what)) {
             const Vec3 a = toolpath::linear_axes(from);
             const Vec3 b = toolpath::linear_axes(to);
-            path.add(a);
-            path.add(b);
             move_.length_mm = norm(b - a);
             move_.enters = move_.leaves = normalized(b - a);
         } else {
             toolpath::SamplingOptions coarse;
             coarse.chord_tolerance_mm = 0.01;
             const toolpath::Samples samples = toolpath::sample(motion, {}, coarse);
-            for (std::size_t i = 0; i < samples.poses.size(); ++i) {
-                path.add(samples.poses[i].translation);
-                if (i > 0) {
-                    const Vec3 chord =
-                        samples.poses[i].translation - samples.poses[i - 1].translation;
-                    move_.length_mm += norm(chord);
-                    move_.leaves = normalized(chord);
-                    if (i == 1) move_.enters = move_.leaves;
-                }
+            for (std::size_t i = 1; i < samples.poses.size(); ++i) {
+                const Vec3 chord = samples.poses[i].translation - samples.poses[i - 1].translation;
+                move_.length_mm += norm(chord);
+                move_.leaves = normalized(chord);
+                if (i == 1) move_.enters = move_.leaves;
             }
             if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
                 move_.radius_mm = smallest_radius(*arc);
             }
         }
+        path = toolpath::extent_of_path(motion);
         if (!toolpath::has_known_start(motion)) {
             move_.length_mm = 0.0;
             path = {};
@@ -325,21 +313,83 @@ private:
         move_.way_before = way_;
         way_.add(path);
         move_.way = way_;
-        if (setup_.machine.work_zero) {
+        if (setup_.machine.work_zero && toolpath::has_known_end(motion)) {
             const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
             move_.machine_path = Box{path.min + shift, path.max + shift};
-            move_.tool_length_told = tool_offset_.z != 0.0;
         }
     }
 
-    double take_away(const Cell& cell, const Step& step, cda::TreeCda& part) {
-        if (!move_.asked || met_) {
-            if (met_) move_.contact.add(intersection(cell.bounds, stock_));
-            part.subtract_unmeasured(cell);
-            return 0.0;
+    void look_at_length(const gcode::Motion& motion, const gcode::Position& from,
+                        const gcode::Position& to) {
+        move_.length_register = frame_.length_register;
+        move_.length_told = frame_.length_told;
+        move_.length_offset = tool_offset_.z;
+        move_.tool_length = frame_.tool_length;
+        const double a = toolpath::linear_axes(from).z;
+        const double b = toolpath::linear_axes(to).z;
+        move_.needs_length = !motion.machine_coordinates &&
+                             (motion.kind != MoveKind::Rapid || (motion.known_start.z && b < a) ||
+                              (!motion.known_start.z && motion.known_end.z));
+    }
+
+    // Meets it nothing, whatever is not told of where it comes from and where home is? The
+    // convention: the reference point lies above all that stands on the table, as on every mill.
+    bool passes_above(const gcode::Motion& motion, const gcode::Position& from,
+                      const gcode::Position& to) const {
+        if (is_turned(motion)) return false;
+        const Vec3 a = toolpath::linear_axes(from);
+        const Vec3 b = toolpath::linear_axes(to);
+        const auto& start = motion.known_start;
+        const auto& end = motion.known_end;
+        if (a == b && start == end && !motion.start_assumed) return true;  // goes nowhere
+        constexpr double kRounding = 1e-6;                                 // mm
+        const bool to_home =
+            motion.machine_coordinates && end.z && b.z >= setup_.home_z - kRounding;
+        const bool only_z = a.x == b.x && a.y == b.y && start.x == end.x && start.y == end.y;
+        if (to_home && only_z) return true;
+        const bool certain = !motion.start_assumed && !motion.offset_unknown &&
+                             (!motion.machine_coordinates || setup_.home_assumption.empty());
+        return start.z && end.z && std::min(a.z, b.z) > highest_ && (certain || to_home);
+    }
+
+    // What a verdict about this motion would rest on that nobody told.
+    void doubt_what_is_guessed() {
+        const gcode::Motion& m = *move_.motion;
+        if (move_.passes_above) return;
+        if (!toolpath::has_known_start(m)) {
+            log_.doubt("start-unknown", "where the tool comes from is not told", place());
+        } else if (m.start_assumed) {
+            log_.doubt(
+                "start-unknown",
+                "the program goes on by increments from a place that nobody told; taken as 0",
+                place());
         }
-        return move_.motion->kind == MoveKind::Rapid ? take_rapidly(cell, step, part)
-                                                     : carve(cell, part, rounding_now(step));
+        if (m.offset_unknown) {
+            log_.doubt(
+                "offset-guess",
+                "a coordinate system lies nobody knows where; it was taken to be that of the "
+                "first cut",
+                place());
+        } else if (m.machine_coordinates && !setup_.home_assumption.empty()) {
+            log_.doubt("offset-guess",
+                       "a move goes to a place of the machine (G28, G30, G53), and where the "
+                       "workpiece lies in it is not told",
+                       place());
+        }
+        if (!needs_part_) return;
+        if (!now_ && !setup_.not_simulated && (m.tool != 0 || toolpath::has_known_start(m))) {
+            log_.doubt("not-simulated",
+                       m.tool == 0 ? "moves before the first tool change were not simulated"
+                                   : fmt::format("T{} moves, and nobody describes it", m.tool),
+                       place());
+        }
+        if (is_turned(m)) {
+            log_.doubt("kinematics-guess",
+                       "rotary axes turn; taken to turn the tool about the program zero (ISO 841)",
+                       place());
+        }
+        if (move_.after_probe && now_)
+            log_.doubt("probe-guess", "moves after a probe stand on what it met", place());
     }
 
     // How far the cutter's cells of this step may lie off for rounding alone.
@@ -350,46 +400,61 @@ private:
         return part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
     }
 
-    double carve(const Cell& cell, cda::TreeCda& part, double rounding) {
-        if (!move_.volume_known) {
-            const std::optional<Vec3> point = contact(cell, rounding, part);
-            part.subtract_unmeasured(cell);
-            if (point) meet_material(cell, 0.0, point);
-            return 0.0;
-        }
-        // Cells that are exact meet material if they remove some; of the others slivers may be
-        // left where they were before.
-        const bool meets = rounding > 0.0 && contact(cell, rounding, part);
-        const double volume = std::max(0.0, part.subtract(cell));
-        if (meets || (rounding == 0.0 && volume > 0.0)) {
-            meet_material(cell, volume, {});
-        } else {
-            book(cell, volume);
-        }
-        return volume;
+    // In the books.
+    void book(const Step& step, double volume) {
+        move_.removed_mm3 += volume;
+        for (const Cell& cell : step.cells)
+            move_.contact.add(intersection(cell.bounds, stock_));
     }
 
-    // In the books, but no contact.
-    void book(const Cell& cell, double volume) {
-        if (volume <= 0.0) return;
-        move_.removed_mm3 += volume;
-        move_.contact.add(intersection(cell.bounds, stock_));
+    void meet_at_feed(const Step& step, const cda::TreeCda& part) {
+        if (move_.meets_material && !move_.volume_known) return;
+        const double rounding = rounding_now(step);
+        if (!volumes_ && find_material(step, part)) {
+            meets_now_ = true;
+        } else {
+            for (const Cell& cell : step.cells) {
+                const std::optional<Vec3> point = contact(cell, rounding, part);
+                if (!point) continue;
+                meets_now_ = true;
+                if (!move_.contact_point) move_.contact_point = point;
+            }
+        }
+        if (!meets_now_) return;
+        move_.meets_material = true;
+        for (const Cell& cell : step.cells)
+            move_.contact.add(intersection(cell.bounds, stock_));
+        if (!volumes_ && move_.volume_known) move_.removed_mm3 += common_volume(step, part);
+    }
+
+    // Of all cells of the step together, which may overlap.
+    static double common_volume(const Step& step, const cda::TreeCda& part) {
+        if (step.cells.size() == 1) return part.common_volume(step.cells[0]);
+        cda::TreeCda rest(part);
+        double volume = 0.0;
+        for (const Cell& cell : step.cells)
+            volume += rest.subtract(cell);
+        return volume;
     }
 
     // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
-    double take_rapidly(const Cell& cell, const Step& step, cda::TreeCda& part) {
-        std::optional<Vec3> point = part.contact(cell);
-        if (!point) return 0.0;  // it would change nothing
-        const double volume = std::max(0.0, part.common_volume(cell));
+    void meet_rapidly(const Step& step, const cda::TreeCda& part) {
         const double rounding = rounding_now(step);
-        if (rounding > 0.0 && !contact(cell, rounding, part)) {
-            book(cell, volume);  // it is where the cutter was before
-        } else {
-            ask_certainty(step, part, point);
-            meet_material(cell, volume, point);
+        bool touches = false;
+        std::optional<Vec3> point;
+        for (const Cell& cell : step.cells) {
+            if (!part.contact(cell)) continue;
+            touches = true;
+            move_.contact.add(intersection(cell.bounds, stock_));
+            // Less than rounding: it is where the cutter was before.
+            if (!point) point = contact(cell, rounding, part);
         }
-        part.subtract_unmeasured(cell);
-        return volume;
+        if (!touches) return;
+        move_.removed_mm3 += common_volume(step, part);
+        if (!point) return;
+        ask_certainty(step, part, point);
+        move_.meets_material = true;
+        if (!move_.contact_point) move_.contact_point = point;
     }
 
     // Looks for material around points inside the tool, those in front first: most feed moves cut,
@@ -413,7 +478,6 @@ private:
                 if (!std::ranges::all_of(corners, [&](Vec3 p) { return part.contains(p); })) {
                     continue;
                 }
-                move_.meets_material = true;
                 if (!move_.contact_point) move_.contact_point = p_W;
                 return true;
             }
@@ -421,14 +485,7 @@ private:
         return false;
     }
 
-    void meet_material(const Cell& cell, double volume, const std::optional<Vec3>& point) {
-        move_.meets_material = true;
-        move_.removed_mm3 += volume;
-        move_.contact.add(intersection(cell.bounds, stock_));
-        if (!move_.contact_point) move_.contact_point = point;
-    }
-
-    // Before the cutter has taken it away. Moves `point` into the inscribed tool, if it meets.
+    // Moves `point` into the inscribed tool, if that meets something.
     void ask_certainty(const Step& step, const cda::TreeCda& part, std::optional<Vec3>& point) {
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
@@ -443,7 +500,6 @@ private:
     }
 
     void meet_bodies(const Step& step, const cda::TreeCda& part) {
-        if (!asked("non-cutting-contact")) return;
         for (Watched::Part& watched : now_->bodies) {
             const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
             if (!meeting.is_there) continue;
@@ -462,27 +518,80 @@ private:
             if (!old->point) old->point = meeting.point;
             if (meeting.certainty == Certainty::Certain) old->certainty = Certainty::Certain;
         }
+        // The same for flutes that nobody told: only what was not needed before is new.
+        for (Body& body : now_->uncertain) {
+            if (!body.meet(step, now_->uncertain_mm, part, stock_).is_there) continue;
+            const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
+            if (now_->uncertain_mm == 0.0) now_->uncertain_place = place();
+            now_->uncertain_mm = needed_raise(body, step, now_->uncertain_mm, limit, part, stock_);
+        }
     }
 
+    // What does not cut at its centre leaves a button there, until it has been aside by its radius.
+    // How far down may it go before? Down a ramp, as steeply as it may, no button is left; its
+    // double is left where the ramp turns back, and twice that is let pass. What goes down more
+    // steeply may only do so for as much as the ramp falls under it.
     void meet_core(const Step& step, const cda::TreeCda& part) {
-        if (!now_->core || move_.motion->kind != MoveKind::Feed) return;
-        const Meeting meeting = now_->core->meet(step, 0.0, part, stock_);
-        if (!meeting.is_there) return;
-        move_.blind_mm3 += now_->core->common_volume(step, part, stock_);
-        move_.contact.add(meeting.box);
+        Watched& w = *now_;
+        const ToolFacts& facts = *facts_of(setup_, move_.motion->tool);
+        const double radius = *facts.blind_diameter / 2;
+        const Vec3 axis = axis_of(step.X_WA);
+        const auto aside = [&axis](Vec3 v) { return norm(v - dot(v, axis) * axis); };
+        const Vec3 way = step.X_WB.translation - step.X_WA.translation;
+        if (!w.aside_since || step.X_WA.rows != step.X_WB.rows) {
+            w.aside_since = step.X_WA.translation;
+            w.fallen_mm = 0.0;
+        }
+        const double steepness = steepness_of(step);
+        const bool is_aside = aside(step.X_WB.translation - *w.aside_since) >= radius;
+        if (steepness > 0.0) {
+            constexpr double kUsualRamp = 5.0;  // degrees
+            const double slope =
+                toolpath::tangent(std::clamp(facts.max_ramp.value_or(kUsualRamp), 0.0, 89.0));
+            const double allowed = (steepness > slope ? 1.0 : 4.0) * slope * radius;
+            double fall = -dot(way, axis);
+            if (is_aside) fall = std::min(fall, steepness * radius);
+            fall = fall_on_material(step, part, fall, allowed);
+            w.fallen_mm += fall;
+            if (fall > 0.0 && w.fallen_mm > allowed) {
+                move_.plunged_mm = std::max(move_.plunged_mm, w.fallen_mm);
+                move_.contact.add(intersection(w.core->bounds(step, 0.0), stock_));
+            }
+        }
+        if (!is_aside) return;
+        w.aside_since = step.X_WB.translation;
+        w.fallen_mm = 0.0;
+    }
+
+    // How much of `fall` has material under the core; to the hundredth where it matters.
+    double fall_on_material(const Step& step, const cda::TreeCda& part, double fall,
+                            double allowed) {
+        // The core is not known to a hundredth; a rim that touches is no plunge.
+        if (now_->core->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return 0.0;
+        if (now_->fallen_mm + fall <= allowed) return fall;
+        if (now_->core->meet(step, fall, part, stock_).is_there) return fall;
+        return needed_raise(*now_->core, step, 0.0, fall, part, stock_);
     }
 
     // What cuts above the limit of depth, where what cuts below it has not been before.
-    void meet_too_high(const Step& step, cda::TreeCda& part, bool up) {
-        if (!up) {
-            for (const Cell& cell : now_->within->cells(step, 0.0, toolpath::Side::Inscribed)) {
-                if (stock_.overlaps(cell.bounds)) carve(cell, part, rounding_now(step));
-            }
+    void meet_too_high(const Step& step, const cda::TreeCda& part) {
+        const auto meets = [&](const cda::TreeCda& rest) {
+            return std::ranges::any_of(now_->too_high, [&](Body& body) {
+                return body.meet(step, 0.0, rest, stock_).certainty == Certainty::Certain;
+            });
+        };
+        if (!meets(part)) return;
+        cda::TreeCda rest(part);
+        if (!ascends(step)) {
+            for (Body& body : now_->within)
+                rest.subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
+            if (!meets(rest)) return;
         }
-        if (now_->too_high->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return;
         const double height = toolpath::cutting_height_of(tool_now());
-        move_.too_deep_mm = std::max(
-            move_.too_deep_mm, needed_raise(*now_->too_high, step, 0.0, height, part, stock_));
+        for (Body& body : now_->too_high) {
+            if (!body.meet(step, move_.too_deep_mm, rest, stock_).is_there) continue;
+            move_.too_deep_mm = needed_raise(body, step, move_.too_deep_mm, height, rest, stock_);
+        }
     }
 
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
@@ -511,21 +620,61 @@ private:
     }
 
     void tell(const gcode::Diagnostic& d, const std::vector<std::string>& files) {
+        Place where;
+        const auto file = std::ranges::find(files, d.file);
+        where.file = d.file.empty() || file == files.end()
+                         ? 0
+                         : static_cast<std::uint32_t>(file - files.begin());
+        where.span = d.span;
         const std::string_view rule = rule_of_diagnostic(d.code);
+        const bool is_suppressed =
+            !rule.empty() && where.file == 0 && setup_.suppressions.covers(d.span.line, rule);
+        const std::string_view reason = doubt_of_diagnostic(d.code);
+        if (!reason.empty() && d.severity == Severity::Warning && !is_suppressed)
+            log_.doubt(reason, d.message, where);
         if (rule.empty() || !asked(rule)) return;
         Finding f;
         f.rule = rule;
         f.code = d.code;
         f.severity = d.severity;
-        const auto file = std::ranges::find(files, d.file);
-        f.place.file = d.file.empty() || file == files.end()
-                           ? 0
-                           : static_cast<std::uint32_t>(file - files.begin());
-        f.place.span = d.span;
-        f.last = f.place;
+        f.place = f.last = where;
         f.count = d.count;
         f.message = d.message;
+        if (d.severity == Severity::Note) f.hint = "Nothing has to be done about it.";
         log_.add(std::move(f));
+    }
+
+    void conclude_doubts(bool simulated) {
+        if (!setup_.units_assumption.empty())
+            log_.doubt("units-guess", "units: " + setup_.units_assumption);
+        if (needs_part_ && setup_.not_simulated) {
+            log_.doubt("not-simulated", "the program was not simulated: " + *setup_.not_simulated);
+        }
+        if (needs_part_ && simulated) {
+            if (!setup_.stock_assumption.empty())
+                log_.doubt("stock-guess", "stock: " + setup_.stock_assumption);
+            for (const auto& [number, facts] : setup_.tools) {
+                if (facts.is_guess) {
+                    log_.doubt("tool-guess", fmt::format("T{}: {}", number, facts.assumption));
+                }
+            }
+            for (const auto& [number, watched] : watched_) {
+                if (watched.uncertain_mm <= 0.0) continue;
+                const double told = facts_of(setup_, number)->certain_flutes.value_or(0.0);
+                log_.doubt("flutes-guess",
+                           fmt::format("T{} would have to cut {:.6g} mm high, and nobody says that "
+                                       "its flutes are longer than {:.6g} mm",
+                                       number, told + watched.uncertain_mm, told),
+                           watched.uncertain_place);
+            }
+            // The same block, but for the order in which it is added up.
+            if (!(ledger_.rest_mm3 < ledger_.stock_mm3 * (1.0 - 1e-12)))
+                log_.doubt("nothing-removed", "the program removes nothing from the stock");
+        }
+        for (const std::string& what : setup_.required) {
+            if (auto missing = missing_requirement(setup_, what))
+                log_.doubt("required", std::move(*missing));
+        }
     }
 
     Setup setup_;
@@ -537,16 +686,19 @@ private:
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
     std::map<int, Watched> watched_;
-    bool volumes_ = false;   // of every motion
-    bool contacts_ = false;  // of every feed motion
+    bool volumes_ = false;     // of every motion
+    bool contacts_ = false;    // of every feed motion
+    bool needs_part_ = false;  // some selected rule looks at it
 
-    Vec3 tool_offset_;
+    gcode::ProgramFrame frame_;
+    Vec3 tool_offset_;                                           // mm
+    double highest_ = -std::numeric_limits<double>::infinity();  // of all that stands there, W
     Box way_;
     std::uint64_t motions_ = 0;
     bool probed_ = false;
     Move move_;
     Watched* now_ = nullptr;
-    bool met_ = false;         // this step meets material; nobody asks how much
+    bool meets_now_ = false;   // this step meets material
     std::vector<Cell> cells_;  // kept for its memory
     AirCuts air_;
     Ledger ledger_;
@@ -565,8 +717,16 @@ void Verifier::begin(const gcode::Motion& motion) {
     impl_->begin(motion);
 }
 
-double Verifier::cut(const Step& step, cda::TreeCda& part) {
-    return impl_->cut(step, part);
+void Verifier::look(const Step& step, const cda::TreeCda& part) {
+    impl_->look(step, part);
+}
+
+void Verifier::look_back(const Step& step, const cda::TreeCda& part, double removed) {
+    impl_->look_back(step, part, removed);
+}
+
+void Verifier::arrive(const Step& step, const cda::TreeCda& part) {
+    impl_->arrive(step, part);
 }
 
 void Verifier::end() {
@@ -583,6 +743,10 @@ void Verifier::add(const gcode::Diagnostics& diagnostics) {
 
 void Verifier::add(Finding finding) {
     impl_->add(std::move(finding));
+}
+
+void Verifier::add_doubt(std::string_view reason, std::string message, const Place& place) {
+    impl_->add_doubt(reason, std::move(message), place);
 }
 
 Verdict Verifier::finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,

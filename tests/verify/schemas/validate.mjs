@@ -73,7 +73,7 @@ const runs = {
   design: check(["design.nc", "deep.nc", "flat.nc"], ["--design", "design.stl"]),
 };
 expect(runs.faults.code === 2, `exit code ${runs.faults.code} where a file is missing`);
-expect(runs.samples.code === 0, `exit code ${runs.samples.code} for the samples`);
+expect(runs.samples.code === 4, `exit code ${runs.samples.code} for the samples`);
 
 for (const [name, { json, sarif }] of Object.entries(runs)) {
   validate(ownSchema, json, `${name}, --json`);

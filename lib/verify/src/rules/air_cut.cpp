@@ -12,6 +12,12 @@ constexpr std::size_t kRangesShown = 8;
 
 }  // namespace
 
+std::optional<std::string> needs_air_cuts(const Setup& setup) {
+    if (auto reason = needs_simulation(setup)) return reason;
+    if (setup.air_cuts || setup.ledger) return std::nullopt;
+    return "feed moves that remove nothing are looked for where they are asked for (--air-cuts)";
+}
+
 void AirCuts::take(const Move& move) {
     if (move.motion->kind != gcode::MoveKind::Feed || !move.is_traced || !move.asked) return;
     ++blocks_;

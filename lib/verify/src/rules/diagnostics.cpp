@@ -8,11 +8,17 @@
 
 namespace ncsim::verify {
 
+namespace {
+
+using Entry = std::pair<std::string_view, std::string_view>;
+
+}  // namespace
+
 std::string_view rule_of_diagnostic(std::string_view code) {
-    using Entry = std::pair<std::string_view, std::string_view>;
     static constexpr auto kTable = std::to_array<Entry>({
         {"unknown-g", "unsupported-word"},
-        {"unknown-g-with-axes", "unsupported-word"},
+        {"not-simulated", "unsupported-word"},
+        {"corner-word", "unsupported-word"},
         {"unknown-m", "unsupported-word"},
         {"unknown-word", "unsupported-word"},
         {"o-word-unknown", "unsupported-word"},
@@ -20,6 +26,7 @@ std::string_view rule_of_diagnostic(std::string_view code) {
         {"console-command", "unsupported-word"},
         {"g10-form", "unsupported-word"},
         {"tilted-plane", "unsupported-word"},
+        {"kinematics", "unsupported-word"},
         {"lathe-cycle", "unsupported-word"},
         {"tool-unknown", "tool-undefined"},
         {"offset-unknown", "offset-undefined"},
@@ -32,6 +39,42 @@ std::string_view rule_of_diagnostic(std::string_view code) {
         if (known == code) return rule;
     }
     return "program-fault";
+}
+
+std::string_view doubt_of_diagnostic(std::string_view code) {
+    static constexpr auto kTable = std::to_array<Entry>({
+        {"unknown-m", "left-out"},
+        {"unknown-word", "left-out"},
+        {"console-command", "left-out"},
+        {"g10-form", "left-out"},
+        {"parameter-shown", "left-out"},
+        {"word-unused", "reading-guess"},
+        {"word-twice", "reading-guess"},
+        {"codes-exclude", "reading-guess"},
+        {"axes-before-motion", "reading-guess"},
+        {"axes-after-g80", "reading-guess"},
+        {"g53-incremental", "reading-guess"},
+        {"g53-motion", "reading-guess"},
+        {"arc-centre-mode", "reading-guess"},
+        {"arc-two-forms", "reading-guess"},
+        {"centre-outside-plane", "reading-guess"},
+        {"arc-turns", "reading-guess"},
+        {"arc-spiral", "reading-guess"},
+        {"cycle-word-missing", "reading-guess"},
+        {"cycle-upside-down", "reading-guess"},
+        {"compensation-twice", "reading-guess"},
+        {"compensation-exit", "reading-guess"},
+        {"comment-unclosed", "reading-guess"},
+        {"tool-change-in-comment", "reading-guess"},
+        {"foreign-kind", "reading-guess"},
+        {"tool-conflict", "reading-guess"},
+        {"compensation-radius-unknown", "radius-guess"},
+        {"tool-unknown", "tool-guess"},
+    });
+    for (const auto& [known, reason] : kTable) {
+        if (known == code) return reason;
+    }
+    return "";
 }
 
 }  // namespace ncsim::verify

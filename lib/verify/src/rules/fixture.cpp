@@ -19,7 +19,8 @@ std::string what_of(const Setup& setup, const Move& move, const FixtureContact& 
 
 std::optional<std::string> needs_fixtures(const Setup& setup) {
     if (auto reason = needs_simulation(setup)) return reason;
-    if (setup.machine.fixtures.empty()) return "no fixtures are told";
+    if (setup.machine.fixtures.empty() && !setup.machine.fixtures_told)
+        return "no fixtures are told";
     return std::nullopt;
 }
 
@@ -29,7 +30,8 @@ void judge_fixture_contact(const Setup& setup, const Move& move, FindingLog& log
         Sighting s{fmt::format("{} meets the fixture '{}'", what_of(setup, move, contact),
                                setup.machine.fixtures[contact.fixture].name)};
         s.certainty = contact.certainty;
-        s.weakened = contact.certainty == Certainty::Within;
+        s.rests_on = guesses_of(setup, move, contact.certainty);
+        std::erase(s.rests_on, "stock-guess");  // what is cut has no part in it
         s.box = contact.box;
         s.assumptions = assumptions_of(setup, move);
         log.add("fixture-contact", move, std::move(s));

@@ -20,19 +20,21 @@ bool has_body(const ToolFacts& facts) {
 
 std::optional<std::string> needs_bodies(const Setup& setup) {
     if (auto reason = needs_simulation(setup)) return reason;
-    std::string without;
-    bool any = false;
+    std::string neither, no_holder;
     for (const auto& [number, facts] : setup.tools) {
-        if (has_body(facts)) {
-            any = true;
-        } else {
-            without += fmt::format("{}T{}", without.empty() ? "" : ", ", number);
-        }
+        if (facts.holder_told) continue;
+        std::string& list = has_body(facts) ? no_holder : neither;
+        list += fmt::format("{}T{}", list.empty() ? "" : ", ", number);
     }
-    if (without.empty()) return std::nullopt;
-    return fmt::format("{} tell{} neither shank nor holder{}", without,
-                       without.find(',') == std::string::npos ? "s" : "",
-                       any ? "; the other tools were verified" : "");
+    if (neither.empty() && no_holder.empty()) return std::nullopt;
+    std::string reason;
+    if (!neither.empty()) reason = "neither flute length, shank nor holder is told of " + neither;
+    if (!no_holder.empty()) {
+        reason += fmt::format("{}no holder is told of {}; the rest of {} was verified",
+                              reason.empty() ? "" : "; ", no_holder,
+                              no_holder.find(',') == std::string::npos ? "it" : "them");
+    }
+    return reason;
 }
 
 void judge_non_cutting(const Setup& setup, const Move& move, FindingLog& log) {
@@ -49,10 +51,17 @@ void judge_non_cutting(const Setup& setup, const Move& move, FindingLog& log) {
             piece.profile.back().height)};
         s.quantity = Quantity{"stick-out missing", contact.raise_mm, "mm"};
         s.certainty = contact.certainty;
-        s.weakened = contact.certainty == Certainty::Within || rests_on_guesses(setup, move);
+        s.rests_on = guesses_of(setup, move, contact.certainty);
+        // A shank that nobody told is as thick as its cutter, but for mills with a neck.
+        const bool as_thick =
+            !toolpath::is_undercutting(tool.kind) && tool.kind != toolpath::ToolKind::Other;
+        if (piece.assumed && !as_thick) s.rests_on.emplace_back("tool-guess");
         s.point = contact.point;
         s.box = contact.box;
         s.assumptions = assumptions_of(setup, move);
+        if (piece.assumed)
+            s.assumptions.emplace_back(
+                "tool: nobody says what is above its flutes; as thick as they");
         log.add("non-cutting-contact", move, std::move(s));
     }
 }

@@ -62,7 +62,7 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
         if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
             s.assumptions.push_back("home: " + setup.home_assumption);
         }
-        if (axis == 2 && !move.tool_length_told) {
+        if (axis == 2 && move.length_offset == 0.0) {
             s.assumptions.emplace_back("tool length: 0, no offset is active (G43)");
         }
         log.add("over-travel", move, std::move(s));

@@ -27,11 +27,15 @@ std::optional<std::string> needs_counting(const Setup& setup) {
 
 namespace {
 
-bool is_turned(const gcode::Position* p) {
+bool is_turned_at(const gcode::Position* p) {
     return p && (p->a.radians() != 0.0 || p->b.radians() != 0.0 || p->c.radians() != 0.0);
 }
 
 }  // namespace
+
+bool is_turned(const gcode::Motion& motion) {
+    return is_turned_at(gcode::start_of(motion)) || is_turned_at(gcode::end_of(motion));
+}
 
 std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     std::vector<std::string> all;
@@ -42,7 +46,7 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
         all.push_back("home: " + setup.home_assumption);
     }
-    if (is_turned(gcode::start_of(*move.motion)) || is_turned(gcode::end_of(*move.motion))) {
+    if (is_turned(*move.motion)) {
         all.emplace_back("kinematics: A, B and C turn about the program origin");
     }
     if (move.after_probe) {
@@ -56,19 +60,31 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     return all;
 }
 
-bool rests_on_guesses(const Setup& setup, const Move& move) {
-    const ToolFacts* tool = facts_of(setup, move.motion->tool);
-    return !setup.stock_assumption.empty() || (tool && tool->is_guess) || move.after_probe ||
-           (move.motion->machine_coordinates && !setup.home_assumption.empty());
+std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
+                                         Certainty certainty) {
+    std::vector<std::string_view> reasons;
+    const gcode::Motion& motion = *move.motion;
+    const ToolFacts* tool = facts_of(setup, motion.tool);
+    if (!setup.stock_assumption.empty()) reasons.emplace_back("stock-guess");
+    if (tool && tool->is_guess) reasons.emplace_back("tool-guess");
+    if (motion.start_assumed) reasons.emplace_back("start-unknown");
+    if (move.after_probe) reasons.emplace_back("probe-guess");
+    if (motion.offset_unknown || (motion.machine_coordinates && !setup.home_assumption.empty())) {
+        reasons.emplace_back("offset-guess");
+    }
+    if (is_turned(motion)) reasons.emplace_back("kinematics-guess");
+    if (certainty == Certainty::Within) reasons.emplace_back("uncertain-contact");
+    return reasons;
 }
 
 void judge_rapid_in_material(const Setup& setup, const Move& move, FindingLog& log) {
     if (move.motion->kind != gcode::MoveKind::Rapid || !move.meets_material) return;
-    Sighting s{"rapid move through material"};
+    Sighting s{move.arrives ? "rapid move ends in material, wherever it comes from"
+                            : "rapid move through material"};
     s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
     s.sums = true;
     s.certainty = move.certainty;
-    s.weakened = move.certainty == Certainty::Within || rests_on_guesses(setup, move);
+    s.rests_on = guesses_of(setup, move, move.certainty);
     s.point = move.contact_point;
     s.box = move.contact;
     s.assumptions = assumptions_of(setup, move);

@@ -19,7 +19,7 @@ Sighting in_material(const Setup& setup, const Move& move, std::string message) 
     if (move.volume_known) s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
     s.sums = true;
     s.lasts = true;
-    s.weakened = rests_on_guesses(setup, move);
+    s.rests_on = guesses_of(setup, move);
     s.point = move.contact_point;
     s.box = move.contact;
     s.assumptions = assumptions_of(setup, move);
@@ -54,6 +54,12 @@ void judge_spindle_off(const Setup& setup, const Move& move, FindingLog& log) {
         log.add("spindle-off", move,
                 in_material(setup, move,
                             "feed move into material with the spindle on but no speed (S)"));
+    } else if (move.motion->spindle_in_doubt) {
+        Sighting s = in_material(setup, move,
+                                 "feed move into material after M0 or M1, which may "
+                                 "have stopped the spindle");
+        s.rests_on.emplace_back("spindle-after-stop");
+        log.add("spindle-off", move, std::move(s));
     } else {
         log.end_row("spindle-off");
     }

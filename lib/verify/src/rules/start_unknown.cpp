@@ -6,7 +6,7 @@
 namespace ncsim::verify {
 
 void judge_start_unknown(const Setup&, const Move& move, FindingLog& log) {
-    if (!move.is_move || toolpath::has_known_start(*move.motion)) return;
+    if (!move.is_move || move.passes_above || toolpath::has_known_start(*move.motion)) return;
     const bool rapid = move.motion->kind == gcode::MoveKind::Rapid;
     Sighting s{rapid ? "this rapid move starts at a place that the program does not tell; it was "
                        "not verified"

@@ -27,6 +27,7 @@ enum class DefaultUnits : std::uint8_t { Millimetres, Inches };
 struct ToolTableEntry {
     int number = 0;
     std::array<Length, 3> offset{};  ///< X, Y, Z.
+    bool length_told = false;        ///< Somebody said that offset; else it is 0 by default.
     std::optional<Length> diameter;  ///< For G41 and G42.
 };
 

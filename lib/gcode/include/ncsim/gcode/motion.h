@@ -105,7 +105,10 @@ struct Motion {
     SpindleTurning spindle = SpindleTurning::Stopped;
     double spindle_rpm = 0.0;  ///< As programmed by S; 0: never set.
     int tool = 0;              ///< In the spindle, 0: none was called.
-    KnownAxes known_start;
+    KnownAxes known_start, known_end;
+    /// Some axis is known by incremental words only, from a place that nobody told: the start of
+    /// the program (taken as 0), or a place of the machine.
+    bool start_assumed = false;
     /// The target came from G53, G28, G30: W knows it only if the place of W in the machine is
     /// told.
     bool machine_coordinates = false;

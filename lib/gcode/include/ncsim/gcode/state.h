@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace ncsim::gcode {
 
@@ -61,8 +62,9 @@ struct WorkOffset {
 
 /// Registers of tool lengths that are no number of a tool table.
 enum LengthRegister : int {
-    kNoLength = 0,       ///< G49, H0, or never anything else.
-    kStatedLength = -1,  ///< G43.1: the program says the length itself.
+    kNoLength = 0,        ///< G49, H0, or never anything else.
+    kStatedLength = -1,   ///< G43.1: the program says the length itself.
+    kNegatedLength = -2,  ///< G44.
 };
 
 struct MachineState {
@@ -92,8 +94,10 @@ struct MachineState {
     int selected_tool = -1;  ///< T; -1: none yet.
     int tool = 0;            ///< In the spindle.
     CutterSide cutter_side = CutterSide::Off;
-    double cutter_radius = 0.0;       ///< Active units; with `cutter_side`.
-    int length_register = kNoLength;  ///< H of G43 or G44, or a LengthRegister.
+    double cutter_radius = 0.0;         ///< Active units; with `cutter_side`.
+    int length_register = kNoLength;    ///< H of G43, or a LengthRegister.
+    bool length_told = false;           ///< Of that register.
+    std::optional<double> tool_length;  ///< Of the tool in the spindle, mm, where it is told.
     int kinematics = 0;  ///< The M code that last chose how the machine turns (M428 …); 0: none.
 
     // Places
@@ -105,6 +109,10 @@ struct MachineState {
     OriginFrame frame{};    ///< Of the active system.
     int system = 1;         ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
     KnownAxes known{false, false, false};
+    /// Of those, the ones that incremental words moved from where nobody knows,
+    KnownAxes relative{false, false, false};
+    /// and the ones that stand at a place of the machine of which nobody knows where it is.
+    KnownAxes of_machine{false, false, false};
     /// The part of offset_92 that said where an axis stands of which nobody knew it: it is where
     /// the program has its zero, and no shift from there.
     Axes zero_92{};
@@ -127,6 +135,8 @@ struct ProgramFrame {
     double rotation = 0.0;
     Plane plane = Plane::XY;
     int length_register = kNoLength;
+    bool length_told = false;           ///< Of that register.
+    std::optional<double> tool_length;  ///< Of the tool in the spindle, mm, where it is told.
     bool operator==(const ProgramFrame&) const = default;
 };
 

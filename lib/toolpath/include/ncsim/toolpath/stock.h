@@ -23,23 +23,25 @@ struct StockFile {
     bool operator==(const StockFile&) const = default;
 };
 
-/// A block; a round bar that stands upright in a box as wide as it is deep; or any shape in its
-/// box, from a file. mm.
+/// A block; a round bar in its box, which is square across its axis; or any shape in its box, from
+/// a file. mm.
 struct Stock {
     cda::Box box;
     bool is_round = false;
+    int axis = 2;  ///< Of a bar: 0, 1, 2 for X, Y, Z.
     std::optional<StockFile> from{};
     std::shared_ptr<const cda::Shape> shape{};  ///< Of `from`, once it was read.
     bool operator==(const Stock& o) const {
-        return box == o.box && is_round == o.is_round && from == o.from;
+        return box == o.box && is_round == o.is_round && axis == o.axis && from == o.from;
     }
 };
 
 /// Reads `x0,y0,z0:x1,y1,z1` (two corners) or `LxWxH` (sizes; the top at Z0, centred on X0 Y0) or
 /// `LxWxH@x,y,z` (sizes and the corner with the smallest coordinates), for a bar `DdxH` (diameter
-/// and height; the top at Z0, the axis in X0 Y0) or `DdxH@x,y,z` (the middle of its foot). In mm,
-/// or in inches where the text ends in `in`. Nothing if it is of none of these forms or encloses no
-/// volume; the message then says why.
+/// and height; the top at Z0, the axis in X0 Y0) or `DdxH@x,y,z` (the middle of its lower end); for
+/// one that lies along X or Y `DXdxL` or `DYdxL` (centred on the program's zero), with `@`
+/// likewise. In mm, or in inches where the text ends in `in`. Nothing if it is of none of these
+/// forms or encloses no volume; the message then says why.
 std::optional<Stock> parse_stock_option(std::string_view text, std::string& message);
 
 /// "x,y,z"
@@ -51,9 +53,9 @@ std::optional<cda::Vec3> parse_triple(std::string_view text);
 cda::Shape stock_shape(const Stock& stock, double tolerance_mm);
 cda::Lattice stock_lattice(const Stock& stock);
 
-/// A box for a program that does not say what it cuts.
+/// For a program that does not say what it cuts.
 struct DerivedStock {
-    cda::Box box;
+    Stock stock;
     std::string rule;  ///< How it was made, in words for the assumption sheet.
 };
 
@@ -62,5 +64,10 @@ struct DerivedStock {
 /// programs put it there; else the highest cutting position of a tool tip, `highest_tip`. At least
 /// 1 mm thick.
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip);
+/// For a part that turns about `axis` (0, 1, 2) through the program's zero: a bar about it, as
+/// thick as the tips are far out where they cut, `radius`. Its ends stand away as above.
+DerivedStock derive_bar(const cda::Box& swept, int axis, double radius);
+/// For a part that turns about several: a block around all the tips' cutting positions.
+DerivedStock derive_block(const cda::Box& tips);
 
 }  // namespace ncsim::toolpath

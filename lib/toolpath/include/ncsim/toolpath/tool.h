@@ -19,8 +19,14 @@ enum class ToolKind : std::uint8_t {
     VCutter,  ///< Chamfer mills, engravers, V-bits, spot and centre drills.
     Drill,
     TaperedEndMill,
-    Other,  ///< Put together by hand, piece by piece.
+    SlotMill,      ///< A disc on a neck: T-slots, keyseats, thread mills of one row.
+    DovetailMill,  ///< Widest at its tip.
+    LollipopMill,  ///< A ball on a neck.
+    Other,         ///< Put together by hand, piece by piece.
 };
+
+/// Is it wider below than above, so that it needs a neck?
+bool is_undercutting(ToolKind kind);
 
 /// "flat end mill", "ball end mill" …
 std::string_view name_of(ToolKind kind);
@@ -38,7 +44,8 @@ struct ProfilePoint {
 /// not start or end on the axis, a flat disc closes it.
 struct ToolPiece {
     std::vector<ProfilePoint> profile;
-    bool cutting = true;  ///< Else a shank or a holder, which may not touch material.
+    bool cutting = true;   ///< Else a shank or a holder, which may not touch material.
+    bool assumed = false;  ///< Nobody described it: it stands for what must be there.
     bool operator==(const ToolPiece&) const = default;
 };
 
@@ -66,8 +73,19 @@ Tool drill(double diameter, double point_angle, double length);
 /// keeps its radius, as in a tapered ball end mill of tip diameter 2 · corner_radius.
 Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, double length);
 
+/// `length` is the height of the disc; `corner_radius` rounds its lower edge.
+Tool slot_mill(double diameter, double corner_radius, double length);
+/// Closes by `taper` degrees per side from `diameter` at the tip upwards.
+Tool dovetail_mill(double diameter, double taper, double length);
+/// A whole ball.
+Tool lollipop_mill(double diameter);
+
 /// Puts a segment that does not cut on top of the tool: a shank, or one step of a holder.
 void add_holder_segment(Tool& tool, double lower_diameter, double upper_diameter, double height);
+
+/// What of a piece lies between two heights (mm above the tip); nothing, without a profile, if that
+/// is not a body. Its arcs become chords that lie within 1 µm of them, inside.
+ToolPiece slice(const ToolPiece& piece, double low, double high);
 
 /// Height of the topmost point; 0 without pieces.
 double height_of(const Tool& tool);

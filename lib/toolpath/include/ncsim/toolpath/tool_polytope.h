@@ -28,7 +28,8 @@ struct PiecePolytope {
     std::vector<cda::LatticePoint> points_T;
     int sides = 0;  ///< Of that polygon, a multiple of 4.
     /// Bound on the distance between both surfaces. It may exceed a tolerance that is less than a
-    /// thousandth of the radius: the lattice polygons are no finer.
+    /// thousandth of the radius, where the lattice polygons are no finer, and where it would take
+    /// more than 8,192 corners.
     double error_mm = 0.0;
     bool cutting = true;
 };

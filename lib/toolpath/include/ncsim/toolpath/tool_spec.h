@@ -13,6 +13,13 @@
 
 namespace ncsim::toolpath {
 
+/// A step of a shank or of a holder, mm.
+struct ToolSegment {
+    double lower_diameter = 0.0, upper_diameter = 0.0;
+    double height = 0.0;
+    bool operator==(const ToolSegment&) const = default;
+};
+
 /// Lengths in mm, angles in degrees. What was not said is empty.
 struct ToolSpec {
     int number = 0;
@@ -22,8 +29,13 @@ struct ToolSpec {
     std::optional<double> tip_diameter;  ///< Of V-cutters.
     std::optional<double> angle;         ///< Included angle of V-cutters, point angle of drills.
     std::optional<double> taper;         ///< Per side.
-    std::optional<double> length;        ///< Of the cutting part.
-    std::optional<double> shank_diameter;
+    std::optional<double> length;        ///< Of the cutting part: of the flutes.
+    // Above the flutes, from below upwards: neck, shank, holder.
+    std::optional<double> neck_diameter, neck_length;
+    std::optional<double> shank_diameter, shank_length;
+    std::vector<ToolSegment> shaft;   ///< Instead of neck and shank.
+    std::optional<double> stick_out;  ///< From the tip to the holder.
+    std::vector<ToolSegment> holder;
     std::vector<ToolPiece> pieces;  ///< Where given, they are the tool and the rest is only told.
     std::string description;
     bool operator==(const ToolSpec&) const = default;
@@ -32,11 +44,25 @@ struct ToolSpec {
 /// Can a tool be made of it? It needs a positive diameter, or pieces.
 bool is_complete(const ToolSpec& spec);
 
-/// The tool. Requires is_complete(). What was not said is filled in as a machinist would: a kind
-/// from the corner radius and the angles (none of them: a flat end mill), 118 degrees for drills,
-/// 90 for V-cutters; `assumed_length` for a missing length, which should be more than the depth of
-/// any cut.
+/// The tool with all that is told of shank and holder. Requires is_complete(). What was not said is
+/// filled in as a machinist would: a kind from the corner radius and the angles (none of them: a
+/// flat end mill), 118 degrees for drills, 90 for V-cutters; `assumed_length` for a missing length,
+/// which should be more than the depth of any cut. A shank of which the length is not told reaches
+/// to the holder, whose height is then not known either: it begins right above, as low as it can
+/// be.
 Tool make_tool(const ToolSpec& spec, double assumed_length);
+
+/// Is the shape of the cutting part a guess? Nobody says what kind of tool it is, the angle of a
+/// cone, or how high a disc is.
+bool guesses_shape(const ToolSpec& spec);
+/// Does anybody say what is above the flutes?
+bool tells_shank(const ToolSpec& spec);
+bool tells_holder(const ToolSpec& spec);
+
+/// How high a tool of this kind and diameter (mm) cuts at least, whoever makes it: what the
+/// shortest ones that are sold as a series do. 1.25 diameters of end mills (DIN 6527, short), 3 of
+/// drills (DIN 6539), a tenth of face mills; a cone up to its diameter.
+double least_flute_length(const Tool& tool);
 
 /// `spec` with everything make_tool() would fill in.
 ToolSpec filled(const ToolSpec& spec, double assumed_length);
@@ -45,13 +71,17 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length);
 /// nothing.
 std::string filled_in(const ToolSpec& spec, double assumed_length);
 
-/// One line for people: "flat end mill D10 L40".
+/// One line for people: "flat end mill D10 L22, D12 to 52, D40 to 77", with what is above the
+/// flutes.
 std::string describe(const Tool& tool);
 
-/// Reads `T1=flat:D10:L40`: a number, a kind (flat, ball, bull, face, v, chamfer, drill, taper; may
-/// be left out) and values: D diameter, R corner radius, L length, A angle (included; per side for
-/// taper), P tip diameter, S shank diameter. Numbers are mm, or inches with `in` behind them; case
-/// does not matter. Nothing if it is not of that form; the message then says why.
+/// Reads `T1=flat:D10:L22:S12x30:H28x15,40x25`: a number, a kind (flat, ball, bull, face, v,
+/// chamfer, drill, taper, slot, dovetail, lollipop; may be left out) and values: D diameter, R
+/// corner radius, L length of the flutes, A angle (included; per side for taper and dovetail), P
+/// tip diameter, N neck and S shank (diameter, or diameter x length), E stick-out from the tip to
+/// the holder, H the holder from below upwards (diameter x height, or lower-upper x height for a
+/// cone). Numbers are mm, or inches with `in` behind them; case does not matter. Nothing if it is
+/// not of that form; the message then says why.
 std::optional<ToolSpec> parse_tool_option(std::string_view text, std::string& message);
 
 }  // namespace ncsim::toolpath

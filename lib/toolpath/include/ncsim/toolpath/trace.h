@@ -63,5 +63,7 @@ private:
 /// Does the program say where this motion starts? One that comes from an unknown place must not
 /// leave a trace: the path is made up.
 bool has_known_start(const gcode::Motion& motion);
+/// Does it say where it ends? That is certain, wherever the motion came from.
+bool has_known_end(const gcode::Motion& motion);
 
 }  // namespace ncsim::toolpath

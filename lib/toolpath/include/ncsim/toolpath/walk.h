@@ -58,8 +58,14 @@ public:
     /// not tell. Returns the bounds of the motion.
     SampleBounds take(const gcode::Motion& motion, cda::Origin origin,
                       const std::function<void(const Step&)>& step);
+    /// Calls `step` for the tool at rest where a motion ends whose start is not known: not what it
+    /// cuts, but certainly where it is. Does nothing if the end is not known either.
+    void arrive(const gcode::Motion& motion, cda::Origin origin,
+                const std::function<void(const Step&)>& step);
 
 private:
+    void trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
+
     cda::Lattice lattice_;
     cda::Box stock_;
     ToolAccuracy accuracy_;

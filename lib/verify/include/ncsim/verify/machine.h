@@ -19,9 +19,10 @@ struct AxisRange {
     bool operator==(const AxisRange&) const = default;
 };
 
-/// Something on the table that no part of a tool may touch. In W (the frame of G54), mm.
+/// Something on the table that no part of a tool may touch. In W, mm.
 struct Fixture {
     std::string name;
+    int system = 0;  ///< The coordinate system it was told in; 0: W, wherever that is.
     /// A box; or a closed mesh, where it has triangles, and then `box` encloses it.
     cda::Box box;
     cda::TriangleMesh mesh;
@@ -43,9 +44,11 @@ struct MachineDescription {
     /// coordinates. M6 itself moves nothing here.
     std::optional<cda::Vec3> home, tool_change;
     std::optional<double> tool_change_seconds;
-    /// Where the zero of G54 lies in machine coordinates.
+    /// Where the zero of W lies in machine coordinates.
     std::optional<cda::Vec3> work_zero;
     std::vector<Fixture> fixtures;
+    bool fixtures_told = false;  ///< Also if there is none.
+    double below_stock = 0.0;    ///< What may be cut into below the stock.
 };
 
 }  // namespace ncsim::verify

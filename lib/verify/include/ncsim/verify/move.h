@@ -39,6 +39,10 @@ struct Move {
     std::uint64_t number = 0;  ///< From 1, in the order of execution.
     bool is_move = false;      ///< Else a dwell or a tool change.
     bool is_traced = false;    ///< Its tool and its start are known, so it was simulated.
+    /// It meets nothing, whatever is not known of its start.
+    bool passes_above = false;
+    /// Its start is not known; what it met where it ends was asked.
+    bool arrives = false;
     bool after_probe = false;  ///< A probe moved before: where it met something is assumed.
     double length_mm = 0.0;    ///< Path of the controlled point.
     cda::Vec3 enters, leaves;  ///< Unit vectors of the path's two ends; 0 without a length.
@@ -49,7 +53,14 @@ struct Move {
     std::optional<cda::Box> machine_path;
     /// Box of all paths up to here, and before this motion.
     cda::Box way, way_before;
-    bool tool_length_told = false;  ///< A tool length offset is active and not 0.
+
+    // The length of the tool as the control has it.
+    int length_register = 0;            ///< Number, or a gcode::LengthRegister.
+    bool length_told = false;           ///< Of that register.
+    double length_offset = 0.0;         ///< Active along Z, mm.
+    std::optional<double> tool_length;  ///< Of the tool itself, mm, where it is told.
+    /// Goes down, feeds or probes: where a tool of another length breaks something.
+    bool needs_length = false;
 
     // What the cutting pieces met; only where `asked`.
     bool asked = false;
@@ -60,9 +71,12 @@ struct Move {
     cda::Box contact;                        ///< Encloses where the stock was met.
     std::optional<cda::Vec3> contact_point;  ///< In the tool and in the material.
 
-    bool plunges = false;      ///< Straight along the tool axis, tip first.
-    double blind_mm3 = 0.0;    ///< Material met, plunging, by what does not cut at the centre.
+    /// How far it went down on material under the centre, where it does not cut, without having
+    /// been aside; beyond what the tool may.
+    double plunged_mm = 0.0;
     double too_deep_mm = 0.0;  ///< Engaged height above the limit of the tool.
+    /// Farther off the programmed path than the tolerance allows, mm.
+    double path_error_mm = 0.0;
     std::vector<BodyContact> bodies;
     std::vector<FixtureContact> fixtures;
 };

@@ -12,15 +12,20 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace ncsim::verify {
 
 /// A tool, and what it may be asked to do. Limits that nobody told are empty.
 struct ToolFacts {
-    toolpath::Tool tool;
-    std::string assumption;          ///< What of its shape was not told, in words; empty: nothing.
-    bool is_guess = false;           ///< Nobody described it: all of it is assumed.
+    toolpath::Tool tool;     ///< With shank and holder, as far as they are told.
+    std::string assumption;  ///< What of its shape was not told, in words; empty: nothing.
+    bool is_guess = false;   ///< Nobody described its shape: it is assumed.
+    /// Up to where its flutes certainly reach, mm above the tip; empty: as high as it is modelled.
+    std::optional<double> certain_flutes;
+    bool holder_told = false;
     std::optional<double> max_feed;  ///< mm/min
     std::optional<double> max_rpm;
     std::optional<double> max_depth;         ///< Along the axis, mm.
@@ -28,8 +33,9 @@ struct ToolFacts {
     std::optional<double> max_removal_rate;  ///< mm³/min
     /// Diameter (mm) about the axis that does not cut; 0: cuts to its centre.
     std::optional<double> blind_diameter;
-    std::string blind_assumption;  ///< Where that was concluded, in words.
-    bool left_hand = false;        ///< Cuts with M4.
+    std::string blind_assumption;    ///< Where that was concluded, in words.
+    std::optional<double> max_ramp;  ///< Degrees, of one with such a diameter.
+    bool left_hand = false;          ///< Cuts with M4.
 };
 
 struct Setup {
@@ -39,15 +45,34 @@ struct Setup {
     Suppressions suppressions;  ///< Of the program itself.
     toolpath::RapidPath rapid;
     toolpath::ToolAccuracy accuracy;
+    std::optional<cda::Box> stock;   ///< mm, W.
+    double path_tolerance_mm = 0.0;  ///< How far a path may be missed; 0: nobody asks.
     /// Can the program be simulated? Else why not: geometric rules are skipped then.
     std::optional<std::string> not_simulated;
     /// What was assumed, in words; empty where it was told.
     std::string stock_assumption;
     std::string units_assumption;
     std::string home_assumption;  ///< Of moves in machine coordinates.
+    /// Height of the reference point, where G28 leads, in W, mm: told, or assumed to be above all
+    /// that stands on the table.
+    double home_z = 0.0;
     bool pieces_counted = false;  ///< Somebody looks for pieces that are cut free.
     bool design = false;          ///< Somebody compares the part with a design.
+    bool air_cuts = false;        ///< Somebody asks for feed moves that remove nothing.
     bool ledger = false;          ///< Keep a row a block, with exact volumes.
+    /// The program uses G43: then every tool has to.
+    bool uses_length_offsets = false;
+    std::set<int> cutting_tools;  ///< All that cut somewhere in the program.
+    /// Reasons for doubt that do not count, by id: somebody decided so.
+    std::set<std::string, std::less<>> accepted;
+    /// What must be told: "holder", "fixtures", "travels", "offsets".
+    std::set<std::string, std::less<>> required;
 };
+
+/// The words that `required` knows.
+inline constexpr std::string_view kRequirements[] = {"holder", "fixtures", "travels", "offsets"};
+
+/// Does any selected rule look at the part?
+bool needs_part(const Setup& setup);
 
 }  // namespace ncsim::verify

@@ -3,20 +3,30 @@
 // All that is known about one program in the end.
 #pragma once
 
+#include "ncsim/verify/doubt.h"
 #include "ncsim/verify/finding.h"
 #include "ncsim/verify/ledger.h"
 
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::verify {
+
+/// Clean: nothing was found, and nothing had to be guessed to say so. Not proven: nothing was found
+/// that certainly is a fault, but a guess, or something left out, stands between that and "clean".
+enum class Outcome : std::uint8_t { Clean, NotProven, Failed };
+
+/// "clean", "not proven", "failed".
+std::string_view name_of(Outcome outcome);
 
 struct Verdict {
     std::vector<std::string> files;  ///< [0] the program; called files follow.
     std::vector<Finding> findings;   ///< In the order of the program's lines.
     std::vector<Skipped> skipped;    ///< In the order of rules().
+    std::vector<Doubt> doubts;       ///< In the order of reasons().
     /// Beyond kMaxFindings of a rule they are only counted, here.
     std::map<std::string, std::uint64_t> unlisted;
     Ledger ledger;
@@ -26,6 +36,9 @@ struct Verdict {
     /// Findings that are not suppressed, those that are only counted included where they have the
     /// rule's default weight.
     std::uint64_t count(Severity severity) const;
+    /// Doubts that nobody accepted.
+    std::uint64_t open_doubts() const;
+    Outcome outcome() const;
     std::uint64_t suppressed() const;
 };
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Verifies a program while it is being simulated: it sees every motion before and after, and does
-// the cutting itself, since only it knows what has to be measured.
+// Verifies a program while it is being simulated: it sees every motion before and after its cells
+// are taken away, and changes nothing.
 //
 //     verifier.begin(motion);
-//     walk.take(motion, origin, [&](const toolpath::Step& step) { verifier.cut(step, part); });
+//     walk.take(motion, origin, [&](const toolpath::Step& step) {
+//         verifier.look(step, part);
+//         for (const cda::Cell& cell : step.cells) part.subtract(cell);
+//         verifier.look_back(step, part, removed);
+//     });
 //     verifier.end();
 #pragma once
 
@@ -31,11 +35,14 @@ public:
     /// The frame that the next motion is programmed in: where its tool length is taken from.
     void set_frame(const gcode::ProgramFrame& frame);
     void begin(const gcode::Motion& motion);
-    /// Cuts `part` by the cells of the step. Returns the volume removed (mm³) where it was
-    /// measured, else 0.
-    double cut(const toolpath::Step& step, cda::TreeCda& part);
+    /// Before the cells of the step are taken away from `part`.
+    void look(const toolpath::Step& step, const cda::TreeCda& part);
+    /// After that. `removed` is the volume they took (mm³), where measures_all().
+    void look_back(const toolpath::Step& step, const cda::TreeCda& part, double removed = 0.0);
+    /// The tool at rest where a motion ends that came from nobody knows where.
+    void arrive(const toolpath::Step& step, const cda::TreeCda& part);
     void end();
-    /// Is every volume measured, so that the sum of cut() is what the program removed?
+    /// Wants it the volume of every step?
     bool measures_all() const;
 
     /// Adds what the interpreter and others have to say.
@@ -43,6 +50,8 @@ public:
     /// Adds what somebody else found, complete but for category, hint and suppression. Left out if
     /// its rule is not selected.
     void add(Finding finding);
+    /// The same for a reason that keeps the program from being proven.
+    void add_doubt(std::string_view reason, std::string message, const Place& place = {});
     /// After the last motion. `part` is null if nothing was simulated; `stock_mm3` is its volume
     /// before the first cut.
     Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What working on a program may cost: time and memory.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace ncsim::app {
+
+class Budget {
+public:
+    Budget() = default;
+    /// 10^9 bytes and seconds from now on; 0: as much as there is.
+    Budget(double memory_gb, double seconds);
+
+    /// Which of them is used up, in words; nothing: neither. Looks at the system only once in a
+    /// while, so it may be asked for every motion.
+    std::optional<std::string> exceeded() const;
+    /// Throws std::runtime_error, "PROGRAM:LINE: why: given up", if one is.
+    void check(const std::string& program, std::uint32_t line) const;
+
+private:
+    double memory_gb_ = 0.0;
+    double seconds_ = 0.0;
+    std::chrono::steady_clock::time_point start_;
+    mutable std::uint32_t asked_ = 0;
+};
+
+}  // namespace ncsim::app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace ncsim::app {
+
+namespace {
+
+constexpr double kLargest = 1e6;
+constexpr int kNamedSystems = 9;  // G54 … G59.3
+
+std::runtime_error error_at(const std::string& name, const toml::source_region& where,
+                            const std::string& what) {
+    return std::runtime_error(
+        fmt::format("{}:{}:{}: {}", name, where.begin.line, where.begin.column, what));
+}
+
+}  // namespace
+
+TomlReader::TomlReader(std::string name, const std::string& text) : name_(std::move(name)) {
+    try {
+        root_ = toml::parse(std::string_view(text), std::string_view(name_));
+    } catch (const toml::parse_error& e) {
+        throw error_at(name_, e.source(), std::string(e.description()));
+    }
+}
+
+void TomlReader::fail(const toml::node& node, const std::string& what) const {
+    throw error_at(name_, node.source(), what);
+}
+
+double TomlReader::number(const toml::node& node, const std::string& key) const {
+    const auto value = node.value<double>();
+    if (!value || !node.is_number() || !(std::abs(*value) <= kLargest)) {
+        fail(node, fmt::format("'{}': expected a number, at most 1000000", key));
+    }
+    return *value;
+}
+
+double TomlReader::positive(const toml::node& node, const std::string& key) const {
+    const double value = number(node, key);
+    if (value <= 0.0) fail(node, fmt::format("'{}': expected a number above 0", key));
+    return value;
+}
+
+double TomlReader::not_negative(const toml::node& node, const std::string& key) const {
+    const double value = number(node, key);
+    if (value < 0.0) fail(node, fmt::format("'{}': expected 0 or more", key));
+    return value;
+}
+
+std::int64_t TomlReader::integer(const toml::node& node, const std::string& key, std::int64_t least,
+                                 std::int64_t most) const {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || *value < least || *value > most) {
+        fail(node, fmt::format("'{}': expected a whole number, {} to {}", key, least, most));
+    }
+    return *value;
+}
+
+std::string TomlReader::text(const toml::node& node, const std::string& key) const {
+    if (!node.is_string()) fail(node, fmt::format("'{}': expected a text in quotes", key));
+    return node.as_string()->get();
+}
+
+bool TomlReader::yes_or_no(const toml::node& node, const std::string& key) const {
+    if (!node.is_boolean()) fail(node, fmt::format("'{}': expected true or false", key));
+    return node.as_boolean()->get();
+}
+
+const toml::table& TomlReader::table(const toml::node& node, const std::string& key) const {
+    if (!node.is_table()) fail(node, fmt::format("'{}': expected a table", key));
+    return *node.as_table();
+}
+
+const toml::array& TomlReader::list(const toml::node& node, const std::string& key) const {
+    if (!node.is_array()) fail(node, fmt::format("'{}': expected a list in brackets", key));
+    return *node.as_array();
+}
+
+const toml::array& TomlReader::list(const toml::node& node, const std::string& key,
+                                    std::size_t size) const {
+    if (!node.is_array() || node.as_array()->size() != size) {
+        fail(node, fmt::format("'{}': expected {} values in brackets", key, size));
+    }
+    return *node.as_array();
+}
+
+cda::Vec3 TomlReader::vector(const toml::node& node, const std::string& key) const {
+    const toml::array& a = list(node, key, 3);
+    return {number(a[0], key), number(a[1], key), number(a[2], key)};
+}
+
+std::vector<std::string> TomlReader::texts(const toml::node& node, const std::string& key) const {
+    std::vector<std::string> all;
+    for (const toml::node& element : list(node, key))
+        all.push_back(text(element, key));
+    return all;
+}
+
+void TomlReader::each(const toml::table& in, const std::string& where, const Keys& known) const {
+    for (const auto& [key, node] : in) {
+        const auto found = known.find(key.str());
+        if (found == known.end()) {
+            std::string names;
+            for (const auto& [name, take] : known)
+                names += (names.empty() ? "" : ", ") + name;
+            fail(node, fmt::format("'{}' is not known{}{}; expected {}", key.str(),
+                                   where.empty() ? "" : " in ", where, names));
+        }
+        found->second(node, where.empty() ? found->first : where + "." + found->first);
+    }
+}
+
+void TomlReader::each_of(const toml::node& node, const std::string& key, const Take& take) const {
+    const bool is_empty = node.is_array() && node.as_array()->empty();
+    if (!is_empty && !node.is_array_of_tables()) fail(node, fmt::format("write [[{}]]", key));
+    for (const toml::node& element : *node.as_array())
+        take(element, key);
+}
+
+std::map<int, cda::Vec3> read_offsets(const TomlReader& reader, const toml::node& node,
+                                      const std::string& key) {
+    std::map<int, cda::Vec3> offsets;
+    for (const auto& [name, value] : reader.table(node, key)) {
+        const auto system = system_named(std::string(name.str()));
+        if (!system) {
+            reader.fail(value, fmt::format("'{}' is no coordinate system: expected G54 to G59, "
+                                           "G59.1 to G59.3 or \"G54.1 P1\" to \"G54.1 P300\"",
+                                           name.str()));
+        }
+        offsets[*system] = reader.vector(value, fmt::format("{}.{}", key, name.str()));
+    }
+    return offsets;
+}
+
+std::optional<int> system_named(const std::string& name) {
+    for (int system = 1; system <= kNamedSystems; ++system) {
+        if (name_of_system(system) == name) return system;
+    }
+    constexpr std::string_view kExtended = "G54.1 P";
+    if (!name.starts_with(kExtended)) return std::nullopt;
+    int number = 0;
+    const char* end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + kExtended.size(), end, number);
+    if (read.ec != std::errc{} || read.ptr != end || number < 1 || number > 300)
+        return std::nullopt;
+    return kNamedSystems + number;
+}
+
+std::string name_of_system(int system) {
+    if (system > kNamedSystems) return fmt::format("G54.1 P{}", system - kNamedSystems);
+    return system > 6 ? fmt::format("G59.{}", system - 6) : fmt::format("G{}", 53 + system);
+}
+
+}  // namespace ncsim::app

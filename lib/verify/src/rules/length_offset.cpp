@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Is the tool as long as the control takes it to be? The tip of a tool of length L that moves under
+// an offset h is h - L above where the program has it.
+#include "ncsim/gcode/state.h"
+
+#include "rule_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::verify {
+
+namespace {
+
+constexpr double kSame = 1e-6;  // mm: what decimal fractions and inches leave
+
+void tell(const Setup& setup, const Move& move, FindingLog& log, std::string_view rule,
+          std::string message, std::optional<double> off) {
+    Sighting s{std::move(message)};
+    if (off) s.quantity = Quantity{"tip off by", *off, "mm"};
+    s.lasts = true;
+    s.box = move.path;
+    if (move.motion->offset_unknown) s.rests_on = guesses_of(setup, move);
+    log.add(rule, move, std::move(s));
+}
+
+void judge_none(const Setup& setup, const Move& move, FindingLog& log) {
+    const int tool = move.motion->tool;
+    const Place place{move.motion->file, move.motion->span};
+    if (move.tool_length && std::abs(*move.tool_length) <= kSame) return;
+    if (setup.uses_length_offsets) {
+        tell(setup, move, log, "no-length-offset",
+             fmt::format("T{} moves without a tool length offset (G43), which the program uses "
+                         "elsewhere",
+                         tool),
+             move.tool_length);
+    } else if (setup.cutting_tools.size() > 1) {
+        // Some controls, and some operators, set the length at each tool change.
+        log.doubt(
+            "length-offset",
+            "several tools cut, and the program never says G43: who tells the control how long "
+            "they are?",
+            place);
+    }
+}
+
+void judge_register(const Setup& setup, const Move& move, FindingLog& log) {
+    const int tool = move.motion->tool;
+    const int h = move.length_register;
+    const Place place{move.motion->file, move.motion->span};
+    if (move.tool_length && move.length_told) {
+        const double off = move.length_offset - *move.tool_length;
+        if (std::abs(off) <= kSame) return;
+        tell(setup, move, log, "wrong-length-offset",
+             h > 0 && h != tool
+                 ? fmt::format("T{} moves with the length of H{}, which is another", tool, h)
+                 : fmt::format("T{} moves with a length that is not its own", tool),
+             std::abs(off));
+        return;
+    }
+    if (h == tool || h == gcode::kStatedLength) return;
+    if (h == gcode::kNegatedLength) {
+        log.doubt("length-offset",
+                  "G44 takes the length off, and how long the tool is nobody tells", place);
+    } else if (setup.tools.contains(h) || setup.cutting_tools.contains(h) || move.tool_length) {
+        tell(setup, move, log, "wrong-length-offset",
+             fmt::format("T{} moves with the length of T{} (H{})", tool, h, h), std::nullopt);
+    } else {
+        log.doubt("length-offset",
+                  fmt::format("T{} moves with H{}: whose length that is nobody tells", tool, h),
+                  place);
+    }
+}
+
+}  // namespace
+
+void judge_length_offset(const Setup& setup, const Move& move, FindingLog& log) {
+    if (!move.is_move || move.motion->tool == 0 || !move.needs_length) return;
+    if (move.length_register == gcode::kNoLength) {
+        judge_none(setup, move, log);
+    } else {
+        log.end_row("no-length-offset");
+        judge_register(setup, move, log);
+    }
+}
+
+}  // namespace ncsim::verify

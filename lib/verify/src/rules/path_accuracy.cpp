@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Was the path followed as closely as was asked for? What was not is not verified.
+#include "rule_table.h"
+
+#include <fmt/format.h>
+
+namespace ncsim::verify {
+
+void judge_path_accuracy(const Setup& setup, const Move& move, FindingLog& log) {
+    if (move.path_error_mm <= 0.0) return;
+    Sighting s{
+        fmt::format("this move takes more steps than are made of one: its path is not followed "
+                    "to {:.6g} mm",
+                    setup.path_tolerance_mm)};
+    s.quantity = Quantity{"missed by up to", move.path_error_mm, "mm"};
+    s.box = move.path;
+    log.add("path-accuracy", move, std::move(s));
+}
+
+}  // namespace ncsim::verify

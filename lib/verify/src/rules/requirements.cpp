@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What somebody wants to be told, whatever the program does.
+#include "rule_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ncsim::verify {
+
+std::optional<std::string> missing_requirement(const Setup& setup, std::string_view requirement) {
+    if (requirement == "holder") {
+        std::string without;
+        for (const auto& [number, facts] : setup.tools) {
+            if (!facts.holder_told)
+                without += fmt::format("{}T{}", without.empty() ? "" : ", ", number);
+        }
+        if (without.empty()) return std::nullopt;
+        return "holder: not told of " + without;
+    }
+    if (requirement == "fixtures") {
+        const bool told = setup.machine.fixtures_told || !setup.machine.fixtures.empty();
+        if (told) return std::nullopt;
+        return "fixtures: not told; fixture = [] says that there are none";
+    }
+    if (requirement == "travels") {
+        const bool all =
+            std::ranges::all_of(setup.machine.travel, [](const auto& t) { return t.has_value(); });
+        if (all && setup.machine.work_zero) return std::nullopt;
+        return all ? "travels: where the workpiece lies in the machine is not told"
+                   : "travels: not told of every axis";
+    }
+    if (setup.machine.work_zero) return std::nullopt;
+    return "offsets: where the workpiece lies in the machine is not told";
+}
+
+bool needs_part(const Setup& setup) {
+    return std::ranges::any_of(rule_table(), [&](const Rule& rule) {
+        return rule.of_part && setup.selection.includes(rule.info.id);
+    });
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "watched.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ncsim::verify {
+
+using cda::Vec3;
+
+namespace {
+
+constexpr double kAll = std::numeric_limits<double>::infinity();
+
+// A cylinder about the tool axis, from `low` to `high` mm above the tip.
+toolpath::ToolPiece cylinder(double diameter, double low, double high) {
+    return {{{diameter / 2, low, 0.0}, {diameter / 2, high, 0.0}}, true};
+}
+
+// The corners of the piece's inscribed polytope, drawn in by a thousandth towards their middle.
+void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
+                const toolpath::ToolAccuracy& inscribed, std::vector<Vec3>& probes_T) {
+    const toolpath::PiecePolytope polytope = toolpath::approximate(piece, lattice, inscribed);
+    Vec3 middle;
+    for (const cda::LatticePoint& p : polytope.points_T)
+        middle = middle + lattice.to_mm(p);
+    middle =
+        (1.0 / static_cast<double>(std::max<std::size_t>(1, polytope.points_T.size()))) * middle;
+    for (const cda::LatticePoint& p : polytope.points_T)
+        probes_T.push_back(middle + 0.999 * (lattice.to_mm(p) - middle));
+}
+
+// What of the cutting pieces lies between two heights.
+std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
+                         const cda::Lattice& lattice, const toolpath::ToolAccuracy& accuracy) {
+    std::vector<Body> bodies;
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        const toolpath::ToolPiece part = toolpath::slice(piece, low, high);
+        if (!part.profile.empty()) bodies.emplace_back(part, lattice, accuracy);
+    }
+    return bodies;
+}
+
+}  // namespace
+
+Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
+              const toolpath::ToolAccuracy& accuracy) {
+    Watched w;
+    for (std::size_t i = 0; i < facts.tool.pieces.size(); ++i) {
+        const toolpath::ToolPiece& piece = facts.tool.pieces[i];
+        if (!piece.cutting && selection.includes("non-cutting-contact"))
+            w.bodies.push_back({i, Body(piece, lattice, accuracy)});
+    }
+    const double height = toolpath::cutting_height_of(facts.tool);
+    if (facts.blind_diameter && *facts.blind_diameter > 0.0 && selection.includes("plunge")) {
+        w.core.emplace(cylinder(*facts.blind_diameter, 0.0, height), lattice, accuracy);
+    }
+    if (facts.max_depth && *facts.max_depth < height && selection.includes("depth-limit")) {
+        w.too_high = slices(facts.tool, *facts.max_depth, kAll, lattice, accuracy);
+        w.within = slices(facts.tool, 0.0, *facts.max_depth, lattice, accuracy);
+    }
+    if (facts.certain_flutes && *facts.certain_flutes < height)
+        w.uncertain = slices(facts.tool, *facts.certain_flutes, kAll, lattice, accuracy);
+    toolpath::ToolAccuracy inner = accuracy;
+    inner.side = toolpath::Side::Inscribed;
+    w.inscribed.emplace(facts.tool, lattice, inner);
+    for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
+        if (piece.cutting) w.prism &= is_prism(piece);
+        if (piece.cutting) add_probes(piece, lattice, inner, w.probes_T);
+    }
+    return w;
+}
+
+}  // namespace ncsim::verify
