@@ -89,6 +89,36 @@ TEST(TreeCda, DoesNotDependOnTheOrderOfCuts) {
     expect_same(milled(TreeCda(kStock, kLattice), cuts), expected);
 }
 
+// A diamond-shaped top with a pocket whose tip is the leftmost corner of the diamond: on its way
+// round, the outline of the top comes by its least corner twice. Where it begins must not depend on
+// which of the cuts came first.
+TEST(TreeCda, AnOutlineThatTouchesItselfInItsLeastCornerHasOneBeginning) {
+    const auto prism = [](std::vector<LatticePoint> corners, std::int64_t bottom, Origin origin) {
+        std::vector<LatticePoint> points;
+        for (LatticePoint p : corners) {
+            for (const std::int64_t z : {bottom, std::int64_t{500000}}) {
+                p.z = z;
+                points.push_back(p);
+            }
+        }
+        return *convex_hull(points, kLattice, origin);
+    };
+    constexpr std::int64_t k = 100000;
+    std::vector<Cell> cuts{
+        prism({{-k, -k, 0}, {3 * k, -k, 0}, {-k, 3 * k, 0}}, -k, Origin{1}),
+        prism({{-k, 5 * k, 0}, {3 * k, 5 * k, 0}, {-k, k, 0}}, -k, Origin{2}),
+        prism({{0, 2 * k, 0}, {2 * k, k, 0}, {2 * k, 2 * k, 0}}, 2 * k, Origin{3}),
+        prism({{0, 2 * k, 0}, {2 * k, 2 * k, 0}, {2 * k, 3 * k, 0}}, 2 * k, Origin{4})};
+    const Cell stock = mm_box(0, 0, 0, 4, 4, 4);
+    const Boundary expected = milled(FlatCda(stock, kLattice), cuts);
+    EXPECT_TRUE(check(expected).is_closed());
+    const auto by_origin = [](const Cell& a, const Cell& b) { return a.origin < b.origin; };
+    do {
+        expect_same(milled(TreeCda(stock, kLattice), cuts), expected);
+        expect_same(milled(FlatCda(stock, kLattice), cuts), expected);
+    } while (std::next_permutation(cuts.begin(), cuts.end(), by_origin));
+}
+
 // Unit cubes: every coincidence there is, volume and exposed area exactly right.
 TEST(TreeCda, AgreesWithUnitCubesFiveThousandTimes) {
     Random random(42);
