@@ -13,6 +13,7 @@
 #include <cstring>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -34,10 +35,15 @@ float float_at(const std::string& bytes, std::size_t at) {
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
 
+// With the corners a, b, c seen from outside; d is behind them.
+cda::TriangleMesh tetrahedron(cda::Vec3 a, cda::Vec3 b, cda::Vec3 c, cda::Vec3 d) {
+    return {{a, b, c, d}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, {0, 1, 2, 3}};
+}
+
 TEST(WriteStl, WritesTheTriangleAndItsNormal) {
-    const std::string bytes = written({{{0, 0, 2}, {3, 0, 2}, {0, 4.5, 2}}, {{0, 1, 2}}, {0}});
-    ASSERT_EQ(bytes.size(), kHeader + kTriangle);
-    EXPECT_EQ(bytes[80], 1);
+    const std::string bytes = written(tetrahedron({0, 0, 2}, {3, 0, 2}, {0, 4.5, 2}, {0, 0, 0}));
+    ASSERT_EQ(bytes.size(), kHeader + 4 * kTriangle);
+    EXPECT_EQ(bytes[80], 4);
     const std::array<float, 12> expected{0, 0, 1, 0, 0, 2, 3, 0, 2, 0, 4.5, 2};
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_EQ(float_at(bytes, kHeader + 4 * i), expected[i]) << i;
@@ -59,23 +65,22 @@ std::uint32_t count_of(const std::string& bytes) {
     return value;
 }
 
-TEST(WriteStl, LeavesOutTrianglesThatVanishInFloats) {
-    const std::string bytes =
-        written({{{1e6, 0, 0}, {1e6, 1, 0}, {1e6 + 1e-9, 1, 0}}, {{0, 1, 2}}, {0}});
-    EXPECT_EQ(bytes.size(), kHeader);
-    EXPECT_EQ(count_of(bytes), 0U);
+TEST(WriteStl, LeavesOutWhatVanishesInFloats) {
+    // A needle beside an edge of a tetrahedron, and a tetrahedron too thin for floats.
+    cda::TriangleMesh mesh = tetrahedron({1e6, 0, 1}, {1e6 + 1, 0, 1}, {1e6, 1, 1}, {1e6, 0, 0});
+    mesh.vertices.push_back({1e6 + 1e-9, 1, 1});
+    mesh.triangles = {{0, 1, 4}, {0, 4, 2}, {0, 3, 1}, {1, 3, 4}, {4, 3, 2}, {2, 3, 0}};
+    mesh.face = {0, 0, 1, 2, 2, 3};
+    EXPECT_EQ(count_of(written(mesh)), 4U);
+    const std::string flat =
+        written(tetrahedron({1e6, 0, 0}, {1e6, 1, 0}, {1e6, 0, 1}, {1e6 - 1e-9, 0, 0}));
+    EXPECT_EQ(flat.size(), kHeader);
+    EXPECT_EQ(count_of(flat), 0U);
 }
 
-TEST(WriteStl, LeavesOutWhatLiesBackToBackInFloats) {
-    // A tetrahedron too thin for floats, and the two sides of a sheet beside a third triangle.
-    const double thin = 1e-9;
-    const std::string flat = written({{{1e6, 0, 0}, {1e6, 1, 0}, {1e6, 0, 1}, {1e6 + thin, 0, 0}},
-                                      {{0, 1, 2}, {3, 2, 1}, {0, 3, 1}, {0, 2, 3}},
-                                      {0, 1, 2, 3}});
-    EXPECT_EQ(count_of(flat), 0U);
-    const std::string three =
-        written({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}, {1, 2, 0}}, {0, 1, 2}});
-    EXPECT_EQ(count_of(three), 1U);
+TEST(WriteStl, RefusesAMeshThatIsNotClosed) {
+    EXPECT_THROW(written({{{0, 0, 2}, {3, 0, 2}, {0, 4.5, 2}}, {{0, 1, 2}}, {0}}),
+                 std::invalid_argument);
 }
 
 // Every edge of the file stands as often in one direction as in the other, and no corner of a
@@ -132,7 +137,7 @@ TEST(WriteStl, SurfacesThatTouchAreToldApart) {
 
 TEST(WriteStl, KnowsOnlyOneZero) {
     const std::string bytes =
-        written({{{-0.0, 0, -0.0}, {1, 0, 0}, {0, 1, -1e-300}}, {{0, 1, 2}}, {0}});
+        written(tetrahedron({-0.0, 0, -0.0}, {1, 0, 0}, {0, 1, -1e-300}, {0, 0, -1}));
     for (std::size_t i = 0; i < 12; ++i) {
         EXPECT_FALSE(std::signbit(float_at(bytes, kHeader + 4 * i))) << i;
     }

@@ -1,8 +1,10 @@
+find_package(nlohmann_json CONFIG REQUIRED)
 ncsim_add_test(export
-  LIBRARIES ncsim::export
+  LIBRARIES ncsim::export nlohmann_json::nlohmann_json
   SOURCES
     box_part.cpp
     camera_test.cpp
+    float_mesh_test.cpp
     gif_test.cpp
     gltf_test.cpp
     golden_test.cpp
@@ -20,7 +22,8 @@ ncsim_add_test(export
     threemf_test.cpp
     vrml_test.cpp
     ../support/golden.cpp
-    ../support/read_png.cpp)
+    ../support/read_png.cpp
+    ../support/written_mesh.cpp)
 find_package(GIF 5 REQUIRED)
 find_package(PNG REQUIRED)
 target_include_directories(ncsim_export_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/export/src)

@@ -10,6 +10,7 @@
 #include "ncsim/cda/mesh.h"
 
 #include "crease.h"
+#include "float_mesh.h"
 #include "palette.h"
 #include "text.h"
 
@@ -33,8 +34,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-using FloatPoint = std::array<float, 3>;
-
 struct Primitive {
     std::uint32_t tool = 0;
     std::vector<std::uint32_t> indices;
@@ -43,11 +42,6 @@ struct Primitive {
     std::vector<float> lines;
     std::vector<float> tools;
 };
-
-FloatPoint to_float(cda::Vec3 p) {
-    return {static_cast<float>(p.x) + 0.0F, static_cast<float>(p.y) + 0.0F,
-            static_cast<float>(p.z) + 0.0F};
-}
 
 // Whole millimetres: positions given with few decimals keep them.
 cda::Vec3 whole_centre(const cda::Boundary& boundary) {
@@ -123,23 +117,24 @@ std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenanc
     std::vector<Primitive> all(palette.tools().size());
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].tool = palette.tools()[i];
-    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
     const SmoothNormals normals(boundary, provenance);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
-    std::unordered_map<std::uint32_t, std::uint32_t> local;  // vertex → its copy for this face
+    std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its copy for this face
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (mesh.face[t] != current_face) local.clear();
         current_face = mesh.face[t];
         const cda::BoundaryFace& face = boundary.faces[current_face];
         const Provenance::Entry entry = provenance.of(face.origin);
         Primitive& primitive = all[palette.rank(entry.tool)];
-        for (const std::uint32_t vertex : mesh.triangles[t]) {
+        for (const std::uint32_t point : mesh.triangles[t]) {
             const auto next = static_cast<std::uint32_t>(primitive.positions.size());
-            const auto [found, is_new] = local.try_emplace(vertex, next);
+            const auto [found, is_new] = local.try_emplace(point, next);
             if (is_new) {
-                primitive.positions.push_back(to_float(mesh.vertices[vertex] - centre));
-                primitive.normals.push_back(to_float(normals.at(current_face, vertex)));
+                primitive.positions.push_back(mesh.points[point]);
+                primitive.normals.push_back(
+                    to_floats(normals.at(current_face, mesh.vertex[point])));
                 primitive.lines.push_back(static_cast<float>(entry.nc_line));
                 primitive.tools.push_back(static_cast<float>(entry.tool));
             }

@@ -34,6 +34,13 @@ public:
           triangles_at_(mesh.vertices.size()),
           radius_(mesh.vertices.size(), 0.0),
           is_gone_(mesh.triangles.size(), false) {
+        std::vector<std::uint32_t> counts(mesh.vertices.size(), 0);
+        for (const Triangle& corners : mesh.triangles) {
+            for (const Vertex v : corners)
+                ++counts[v];
+        }
+        for (Vertex v = 0; v < counts.size(); ++v)
+            triangles_at_[v].reserve(counts[v]);
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             for (const Vertex v : mesh.triangles[t])
                 triangles_at_[v].push_back(t);
@@ -234,10 +241,15 @@ private:
     void drop_leaves() {
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
             if (is_gone_[t]) continue;
-            const Triangle& corners = mesh_.triangles[t];
-            std::vector<std::uint32_t> same = with_both(corners[0], corners[1]);
-            std::erase_if(same, [&](std::uint32_t s) { return !has(s, corners[2]); });
-            if (same.size() != 2) continue;
+            const auto& [a, b, c] = mesh_.triangles[t];
+            std::array<std::uint32_t, 2> same{};
+            std::size_t count = 0;
+            for (const std::uint32_t s : triangles_at_[a]) {
+                if (!has(s, b) || !has(s, c)) continue;
+                if (count < 2) same[count] = s;
+                ++count;
+            }
+            if (count != 2) continue;
             for (const std::uint32_t s : same)
                 take_out(s);
         }

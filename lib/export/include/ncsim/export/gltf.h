@@ -22,9 +22,13 @@ namespace ncsim::exporter {
 /// unit, and as `lines` the text of each line that cut a face that is left, by its number; a
 /// material's extras hold its tool number.
 ///
+/// For a reader who joins equal positions, of all primitives, the triangles are a closed oriented
+/// 2-manifold, and none of them has a corner twice or no area; what that takes is what write_stl()
+/// does.
+///
 /// A part of which nothing is left gives a valid file with an empty scene. Equal input
-/// gives equal bytes. Throws std::runtime_error if the file would exceed the format's 4 GiB, or
-/// the stream fails.
+/// gives equal bytes. Throws std::invalid_argument if `boundary` is not closed, std::runtime_error
+/// if the file would exceed the format's 4 GiB, or the stream fails.
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
 
 }  // namespace ncsim::exporter

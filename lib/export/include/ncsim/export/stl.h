@@ -9,18 +9,18 @@
 
 namespace ncsim::exporter {
 
-/// Writes `mesh` as binary STL, in millimetres. A vertex has the same three floats in each of its
-/// triangles, so a closed mesh stays closed. Triangles two corners of which fall together in floats
-/// are left out, and so are two triangles that then lie back to back: what is left is
-/// still closed, since their edges cancel out. Corners without an edge between them never fall
-/// together: where surfaces touch, one moves on to the next float, so that each edge stands once in
-/// each direction for readers that know corners by their coordinates. Nothing moves by more than
-/// rounding to floats (2^-24 of the coordinate, 4 nm at 100 mm) and as many floats as surfaces
-/// touch.
+/// Writes `mesh` as binary STL, in millimetres. For a reader, who knows corners by their
+/// coordinates alone, it is a closed oriented 2-manifold: each directed edge stands once, its
+/// reverse once, and around each corner there is one fan of triangles; no triangle has a corner
+/// twice or no area. Coordinates are the nearest floats (2^-24 of the coordinate, 4 nm at 100 mm).
+/// What has no extent in floats is left out. Where surfaces touch, or lie so near each other that
+/// floats cannot tell, corners are moved on by a step of 2^-23 of the largest coordinate (8 nm at
+/// 100 mm), most often one; docs/accuracy.md has the bound.
 ///
-/// A mesh without triangles gives a valid file. Equal input gives equal bytes. Throws
-/// std::runtime_error if the mesh has more triangles than the format can count (2^32 - 1), or
-/// the stream fails.
+/// Requires a closed mesh: each directed edge once, its reverse once. A mesh without triangles
+/// gives a valid file. Equal input gives equal bytes. Throws std::invalid_argument if the mesh is
+/// not closed, std::runtime_error if it has more triangles than the format can count (2^32 - 1) or
+/// coordinates beyond 2^100, or the stream fails.
 void write_stl(std::ostream& out, const cda::TriangleMesh& mesh);
 
 }  // namespace ncsim::exporter
