@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/run_program.h"
 #include "support/count.h"
+#include "support/random_programs.h"
+#include "support/written_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -288,6 +290,57 @@ TEST(Run, GivesTheSameBytesAgainAndForAnyNumberOfThreads) {
     for (const char* type : {".png", ".glb", ".json"}) {
         EXPECT_EQ(folder.read(std::string("a").append(type)),
                   folder.read(std::string("b").append(type)));
+    }
+}
+
+// Two moves of an engraver: an edge that rounding laid upon another one stood four times.
+TEST(Run, WritesMeshesThatAreClosedForThoseWhoHaveNothingButTheFile) {
+    Folder folder;
+    folder.write("two.nc",
+                 "G21 G90 G17\n"
+                 "T1 M6\n"
+                 "S1000 M3 F500\n"
+                 "G0 X31.69 Y-22.89 Z-10\n"
+                 "G1 X39.84 Y-20.74 Z-15.78\n"
+                 "G1 X37.30 Y-22.57 Z-16.00\n"
+                 "M30\n");
+    const Ran ran = folder.run({"run", "two.nc", "--stock=29.94,-24.21,-15.91:39.94,-18.21,-14.91",
+                                "--tool", "T1=v:D3:L20:A86", "--tolerance", "0.006",
+                                "--tool-tolerance", "0.01", "--stl", "a.stl", "--gltf", "a.glb"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    for (const auto& mesh :
+         {test::read_stl(folder.read("a.stl")), test::read_glb(folder.read("a.glb"))}) {
+        const test::Soundness found = test::soundness(mesh);
+        EXPECT_GT(found.triangles, 100U);
+        EXPECT_TRUE(found.is_sound()) << to_string(found);
+    }
+}
+
+TEST(Run, WritesTheSameBytesWithBothModelsWhenToolsTurn) {
+    Folder folder;
+    const test::NcProgram program = test::random_program(97, true);
+    folder.write("turning.nc", program.text);
+    const std::vector<std::string> types{"stl", "gltf", "vrml", "ply", "3mf", "step"};
+    for (const std::string model : {"cda", "cda-flat"}) {
+        std::vector<std::string> arguments{"run",
+                                           "turning.nc",
+                                           "-q",
+                                           "--stock=" + program.stock,
+                                           "--tolerance",
+                                           std::to_string(program.tolerance_mm),
+                                           "--tool-tolerance",
+                                           std::to_string(program.tool_tolerance_mm),
+                                           "--model",
+                                           model};
+        for (const std::string& tool : program.tools)
+            arguments.insert(arguments.end(), {"--tool", tool});
+        for (const std::string& type : types)
+            arguments.insert(arguments.end(), {"--" + type, std::string(model).append(type)});
+        const Ran ran = folder.run(arguments);
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    }
+    for (const std::string& type : types) {
+        EXPECT_TRUE(folder.read("cda" + type) == folder.read("cda-flat" + type)) << type;
     }
 }
 

@@ -13,7 +13,9 @@ if(TARGET ncsim)
       run_program.cpp
       run_test.cpp
       samples_test.cpp
-      tools_test.cpp)
+      tools_test.cpp
+      ../support/random_programs.cpp
+      ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
   add_dependencies(ncsim_cli_tests ncsim)
 endif()

@@ -1,6 +1,6 @@
 find_package(nlohmann_json CONFIG REQUIRED)
 ncsim_add_test(export
-  LIBRARIES ncsim::export nlohmann_json::nlohmann_json
+  LIBRARIES ncsim::export ncsim::toolpath nlohmann_json::nlohmann_json
   SOURCES
     box_part.cpp
     camera_test.cpp
@@ -12,6 +12,7 @@ ncsim_add_test(export
     ply_test.cpp
     png_test.cpp
     polytope_part.cpp
+    random_programs_test.cpp
     render_test.cpp
     sheet_test.cpp
     simplify_test.cpp
@@ -22,6 +23,7 @@ ncsim_add_test(export
     threemf_test.cpp
     vrml_test.cpp
     ../support/golden.cpp
+    ../support/random_programs.cpp
     ../support/read_png.cpp
     ../support/written_mesh.cpp)
 find_package(GIF 5 REQUIRED)

@@ -2,14 +2,22 @@
 //
 // nightly [SCENES]: what takes too long for every test run. SCENES (100,000) random scenes of boxes
 // against unit cubes, a hundredth as many of oblique hulls against the flat aggregate, ten times as
-// many points near the surfaces of a part of many hulls against the definition. Exit code 1 at the
-// first thing that is wrong, with the seed that made it.
+// many points near the surfaces of a part of many hulls against the definition, and for each thirty
+// scenes a random NC program, of which STL and glTF must be closed surfaces in floats. Exit code 1
+// at the first thing that is wrong, with the seed that made it.
+#include "ncsim/export/gltf.h"
+#include "ncsim/export/stl.h"
+
+#include "support/random_programs.h"
 #include "support/scene.h"
+#include "support/written_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
 
 namespace {
 
@@ -73,6 +81,23 @@ void membership(std::uint64_t seed, long points) {
     }
 }
 
+// Every fourth one turns its tools.
+void programs(std::uint64_t seed) {
+    const test::MilledPart part =
+        test::mill(test::random_program(seed, seed % 4 == 3), cda::TreeCda(cda::TreeParameters{}));
+    std::ostringstream stl, glb;
+    exporter::write_stl(stl, cda::triangulate(part.boundary));
+    exporter::write_gltf(glb, part.boundary, part.provenance);
+    for (const auto& mesh : {test::read_stl(stl.str()), test::read_glb(glb.str())}) {
+        const test::Soundness found = test::soundness(mesh);
+        test::require(found.is_sound(), to_string(found).c_str());
+        if (found.triangles == 0) continue;
+        const double step = std::ldexp(1.0, std::ilogb(found.largest) - 23);
+        test::require(std::abs(found.volume - part.volume) <= 2.0 * step * found.area,
+                      "the volume of the file is not that of the aggregate");
+    }
+}
+
 template <class Run>
 void all(const char* what, long count, Run run) {
     for (long i = 0; i < count; ++i) {
@@ -96,6 +121,7 @@ int main(int argc, char** argv) {
     constexpr long kPointsAPart = 10000;
     all("boxes", scenes, boxes);
     all("hulls", scenes / 100, hulls);
+    all("programs", scenes / 30, programs);
     all("points (in ten thousands)", std::max(1L, 10 * scenes / kPointsAPart),
         [](std::uint64_t seed) { membership(seed, kPointsAPart); });
 }
