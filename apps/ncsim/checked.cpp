@@ -10,6 +10,7 @@
 #include "cut_free.h"
 #include "job.h"
 #include "pipeline.h"
+#include "refine.h"
 #include "sheet.h"
 #include "survey.h"
 #include "toml_reader.h"
@@ -37,12 +38,13 @@ Options options_for(const std::string& path, const CheckOptions& check, unsigned
     return options;
 }
 
-// What is right above flutes whose length is told, but nothing else: a shank as thick as they,
-// taller than any cut is deep.
-void add_shank(toolpath::Tool& tool) {
+// Where nobody tells where the shank ends, it is taller than any cut is deep; where nobody tells a
+// shank, it is as thick as the flutes.
+void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
     constexpr double kTall = 1000.0;  // mm
+    if (spec.shank_length || spec.stick_out || !spec.shaft.empty()) return;
     const toolpath::ProfilePoint top = tool.pieces.back().profile.back();
-    if (!tool.pieces.back().cutting || top.radius <= 0.0) return;
+    if (top.radius <= 0.0) return;
     toolpath::add_holder_segment(tool, 2 * top.radius, 2 * top.radius, kTall);
     tool.pieces.back().assumed = true;
 }
@@ -55,8 +57,8 @@ verify::ToolFacts facts_of(const UsedTool& used, const verify::ToolFacts* told) 
     facts.holder_told = toolpath::tells_holder(used.spec);
     if (!used.length_told) {
         facts.certain_flutes = toolpath::least_flute_length(used.tool);
-    } else if (!toolpath::tells_shank(used.spec) && !facts.holder_told) {
-        add_shank(facts.tool);
+    } else if (!facts.holder_told) {
+        extend_shank(facts.tool, used.spec);
     }
     if (used.told_by == toolpath::ToldBy::Assumption) {
         facts.assumption = "nobody describes it; taken as " + used.text;
@@ -274,6 +276,11 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
             describe(*survey.stock) + (setup.stock_assumption.empty() ? "" : ", assumed");
     }
     const toolpath::RapidPath rapid = setup.rapid;
+    const verify::Setup told = setup;
+    Refiner refiner(job, survey, told);
+    setup.second_look = [&refiner](const verify::OpenContact& contact) {
+        return refiner.decide(contact);
+    };
     verify::Verifier verifier(std::move(setup), stock, lattice);
     verifier.add(survey.diagnostics);
     for (std::string& what : not_used)

@@ -60,6 +60,7 @@ public:
           verifier_(verification.verifier),
           verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           most_cuts_(verification.most_cuts),
+          only_motion_(verification.only_motion),
           shows_path_(job.options.shows_path),
           measured_(job.options.model == "cda-flat" ||
                     (!job.options.report.empty() && job.options.block_volumes) ||
@@ -93,23 +94,24 @@ public:
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         bool met_stock = false;
         double removed = 0.0;
-        if (verifier_) verifier_->begin(motion);
+        verify::Verifier* const verifier =
+            !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
+        if (verifier) verifier->begin(motion);
         const toolpath::SampleBounds bounds =
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
                 follow(motion, step);
                 met_stock |= !step.cells.empty();
-                if (verifier_) verifier_->look(step, *verified_);
+                if (verifier) verifier->look(step, *verified_);
                 const double volume = cut(step);
-                if (verifier_) verifier_->look_back(step, *verified_, volume);
+                if (verifier) verifier->look_back(step, *verified_, volume);
                 removed += volume;
                 budget_.check(result_.provenance.program, line_);
             });
-        if (verifier_) {
-            walk_.arrive(motion, origin, [this](const toolpath::Step& step) {
-                verifier_->arrive(step, *verified_);
-            });
-            verifier_->end();
-        } else if (bounds.missed_mm > 1.001 * tolerance_mm_) {
+        if (verifier) {
+            walk_.arrive(motion, origin,
+                         [&](const toolpath::Step& step) { verifier->arrive(step, *verified_); });
+            verifier->end();
+        } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             tell_missed(motion, bounds.missed_mm);
         }
         if (!met_stock) return;
@@ -205,6 +207,7 @@ private:
     verify::Verifier* verifier_;
     cda::TreeCda* verified_;  // the part, if it is verified
     std::optional<std::uint32_t> most_cuts_;
+    std::optional<std::uint64_t> only_motion_;
     std::uint64_t motions_ = 0;
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
     bool shows_path_;
@@ -253,7 +256,7 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
     Mill mill(job, survey, verification, result);
     const std::uint64_t most = job.options.at_line ? motions_until(job, *job.options.at_line)
                                                    : std::numeric_limits<std::uint64_t>::max();
-    mill.stop_after(most);
+    mill.stop_after(verification.only_motion.value_or(most));
     std::uint64_t motions = 0;
     std::uint64_t moves = 0;
     gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {

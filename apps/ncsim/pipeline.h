@@ -93,6 +93,8 @@ struct Verification {
     /// Stop cutting after so many motions that meet the block: those of the origins 1 to this.
     std::optional<std::uint32_t> most_cuts;
     bool keep_cuts = false;
+    /// Verify this motion alone, and stop after it; from 1, in the order of execution.
+    std::optional<std::uint64_t> only_motion;
 };
 
 /// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may

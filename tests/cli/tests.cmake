@@ -14,6 +14,7 @@ if(TARGET ncsim)
       run_test.cpp
       samples_test.cpp
       tools_test.cpp
+      verdicts_test.cpp
       ../support/random_programs.cpp
       ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")

@@ -100,7 +100,7 @@ TEST(ToolFile, OfFusionHasWholeAssemblies) {
               "T2 ball end mill D6.35 L12.7, D5.08-6.35 to 25.4, D25.4 to 50.8\n"
               "T3 slot mill D20 L4, D10 to 40\n"
               "T4 dovetail mill D20 L6, D10 to 40\n"
-              "T5 flat end mill D8 L15\n"
+              "T5 flat end mill D8 L15, D8 to 39\n"
               "0:1 tool-unknown\n");
 }
 
@@ -123,7 +123,7 @@ TEST(ToolFile, OfFusionHasTheToolsThatHaveANumber) {
           {"type":"flat end mill","geometry":{"DC":9}}],"version":2})";
     EXPECT_EQ(tools_of(library),
               "Fusion tool library\n"
-              "T1 flat end mill D6 L10\n"
+              "T1 flat end mill D6 L10, D6 to 28\n"
               "T2 bull nose end mill D12.7 R0.79375 L25.4\n"
               "T3 drill D5 L30\n"
               "T4 v-cutter D8 L4\n"

@@ -303,11 +303,11 @@ void Machine::set_speeds_and_tools(const Command& command) {
             state_.selected_tool = static_cast<int>(std::min(command.next_tool, 1e9));
         }
         state_.spindle = SpindleTurning::Stopped;
-        state_.tool_length = told_length(state_.tool);
+        state_.tool_length = gauge_length();
         path_.tool_change(state_);
     } else if (change == 61 && command.has('Q')) {
         state_.tool = static_cast<int>(std::clamp(command['Q'], 0.0, 1e9));
-        state_.tool_length = told_length(state_.tool);
+        state_.tool_length = gauge_length();
         path_.tool_change(state_);
     }
     if (command.group(MGroup::Spindle) != kNone) state_.spindle_in_doubt = false;

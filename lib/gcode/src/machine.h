@@ -68,6 +68,7 @@ private:
     void set_modes(const Command& command);
     bool set_cutter_side(const Command& command);
     bool set_tool_length(const Command& command);
+    std::optional<double> gauge_length() const;
     bool set_work_offset(const Command& command);
     bool set_programmed(const Command& command);
     bool one_shot(const Command& command);

@@ -263,7 +263,7 @@ bool Machine::set_tool_data(const Command& command, int index) {
     } else if (command.has('R')) {
         entry->diameter = Length::from_mm(2.0 * unit * command['R']);
     }
-    if (index == state_.tool) state_.tool_length = told_length(index);
+    if (index == state_.tool) state_.tool_length = gauge_length();
     return true;
 }
 
@@ -274,6 +274,15 @@ std::optional<double> Machine::told_length(int tool) const {
     const auto entry = std::ranges::find(store_.tools, tool, &ToolTableEntry::number);
     if (entry == store_.tools.end() || !entry->length_told) return std::nullopt;
     return entry->offset[2].mm();
+}
+
+/// Of the tool in the spindle itself: what was told before the program began, whatever that writes
+/// into the register.
+std::optional<double> Machine::gauge_length() const {
+    const auto& told = options_.tools;
+    const auto entry = std::ranges::find(told, state_.tool, &ToolTableEntry::number);
+    if (entry != told.end() && entry->length_told) return entry->offset[2].mm();
+    return told_length(state_.tool);
 }
 
 bool Machine::set_tool_length(const Command& command) {

@@ -63,8 +63,10 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
             tool.pieces.back().assumed = !spec.neck_diameter;
         }
         if (spec.shank_diameter) {
-            const double rest = spec.shank_length.value_or(reach - height_of(tool));
-            add({*spec.shank_diameter, *spec.shank_diameter, rest});
+            constexpr double kShown = 3.0;  // diameters, where nobody tells how long it is
+            const bool ends = spec.stick_out || !spec.holder.empty();
+            const double rest = ends ? reach - height_of(tool) : kShown * *spec.shank_diameter;
+            add({*spec.shank_diameter, *spec.shank_diameter, spec.shank_length.value_or(rest)});
         }
     }
     if (spec.holder.empty()) return;
@@ -74,8 +76,11 @@ void add_assembly(Tool& tool, const ToolSpec& spec) {
         add({d, d, gap});
         tool.pieces.back().assumed = true;
     }
-    for (const ToolSegment& segment : spec.holder)
+    for (const ToolSegment& segment : spec.holder) {
         add(segment);
+        // Without a stick-out it begins as low as it can be.
+        tool.pieces.back().assumed = !spec.stick_out && spec.shaft.empty() && !spec.shank_length;
+    }
 }
 
 double angle_of(const ToolSpec& spec, ToolKind kind) {
@@ -121,6 +126,13 @@ Tool make_tool(const ToolSpec& spec, double assumed_length) {
     Tool tool;
     if (spec.pieces.empty()) {
         tool = shaped(spec, length_of(spec, kind_of(spec), assumed_length));
+        // What of the flutes is in the holder does not cut.
+        const double reach = spec.stick_out.value_or(height_of(tool));
+        if (reach < height_of(tool)) {
+            for (ToolPiece& piece : tool.pieces)
+                piece = slice(piece, 0.0, reach);
+            std::erase_if(tool.pieces, [](const ToolPiece& p) { return p.profile.empty(); });
+        }
         add_assembly(tool, spec);
     } else {
         tool.kind = spec.kind.value_or(ToolKind::Other);

@@ -80,6 +80,43 @@ double rounding_of(const Step& step, bool prism, const cda::Lattice& lattice) {
     return prism && is_exact(step.X_WA) && is_exact(step.X_WB) ? 0.0 : kUnits * lattice.unit_mm;
 }
 
+Cell clipped(const Cell& cell, const Box& box, const cda::Lattice& lattice) {
+    Cell result = cell;
+    result.hints.clear();
+    result.bounds = intersection(cell.bounds, box);
+    const Cell sides = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
+    for (const cda::Plane& plane : sides.planes) {
+        if (std::ranges::find(cell.planes, plane) == cell.planes.end())
+            result.planes.push_back(plane);
+    }
+    return result;
+}
+
+void find_places(const Cell& cell, const cda::TreeCda& part, const Box& stock,
+                 std::vector<Box>& places) {
+    constexpr double kSmall = 1.0;  // mm
+    constexpr std::size_t kMost = 16;
+    const auto longest = [](const Box& box) {
+        const Vec3 size = box.size();
+        return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    };
+    const auto length = [&](const Box& box) { return box.size()[longest(box)]; };
+    std::vector<Box> open{intersection(cell.bounds, stock)};
+    while (!open.empty() && open.size() < kMost) {
+        const auto largest = std::ranges::max_element(open, {}, length);
+        if (length(*largest) <= kSmall) break;
+        const Box whole = *largest;
+        open.erase(largest);
+        const int axis = longest(whole);
+        Box low = whole, high = whole;
+        low.max[axis] = high.min[axis] = whole.centre()[axis];
+        for (const Box& half : {low, high}) {
+            if (part.contact(clipped(cell, half, part.lattice()))) open.push_back(half);
+        }
+    }
+    places.insert(places.end(), open.begin(), open.end());
+}
+
 Box intersection(const Box& a, const Box& b) {
     Box box;
     box.min = {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)};

@@ -34,6 +34,12 @@ bool is_prism(const toolpath::ToolPiece& piece);
 /// the planes of tools that are no prisms. 0 for upright prisms, whose cells are exact: for them
 /// touching is exactly nothing, whatever came before.
 double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& lattice);
+/// What of `cell` lies in `box` (mm), to the lattice.
+cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice& lattice);
+/// Where the cell and the part meet: boxes (mm) of about a millimetre, or larger ones if those
+/// would be more than a few. Adds to `places`.
+void find_places(const cda::Cell& cell, const cda::TreeCda& part, const cda::Box& stock,
+                 std::vector<cda::Box>& places);
 /// The part common to both boxes; empty where there is none.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
 

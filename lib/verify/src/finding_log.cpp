@@ -13,12 +13,16 @@ std::string row_key(std::string_view rule, std::string_view message) {
     return std::string(rule).append(1, '\n').append(message);
 }
 
+constexpr std::string_view kAtLeast = " at least";
+
 void merge(Finding& row, const Move& move, const Sighting& s) {
     row.last = {move.motion->file, move.motion->span};
     row.last_motion = move.number;
     ++row.count;
     row.box.add(s.box);
     if (s.certainty == Certainty::Certain) row.certainty = Certainty::Certain;
+    if (row.quantity && s.sums && !s.quantity && !row.quantity->name.ends_with(kAtLeast))
+        row.quantity->name += kAtLeast;  // not all of it was measured
     if (row.quantity && s.quantity) {
         double& value = row.quantity->value;
         value = s.sums ? value + s.quantity->value : std::max(value, s.quantity->value);

@@ -6,6 +6,7 @@
 #include "ncsim/cda/polytope.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace ncsim::verify {
 
@@ -18,6 +19,9 @@ namespace {
 Box grown(const Box& box, double by) {
     return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
 }
+
+// How much finer a tool is looked at where it matters: the last one leaves less than a micrometre.
+constexpr double kFiner[] = {16.0, 256.0};
 
 Cell cell_of(const Box& box, const cda::Lattice& lattice) {
     return cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
@@ -50,6 +54,40 @@ bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     return cda::collision(cda::FlatCda(near, lattice_), fixture.mesh).has_value();
 }
 
+FixtureContact FixtureScene::contact_of(Body& body, std::size_t f,
+                                        const toolpath::Step& step) const {
+    using toolpath::Side;
+    FixtureContact contact;
+    contact.fixture = f;
+    const double clearance = fixtures_[f].clearance_mm;
+    const double rounding = body.rounding(step);
+    const auto meets = [&](const Cell& cell, double less) {
+        return touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell);
+    };
+    for (const Cell& cell : body.cells(step, 0.0, Side::Circumscribed)) {
+        const bool touching = meets(cell, rounding);
+        const bool near = touching || (clearance > 0.0 && meets(cell, rounding - clearance));
+        if (near) contact.box.add(intersection(cell.bounds, grown(fixtures_[f].box, clearance)));
+        contact.touches |= touching;
+    }
+    if (contact.box.is_empty()) return contact;
+    const double less = rounding + step.bounds.gained_mm - (contact.touches ? 0.0 : clearance);
+    for (const Cell& cell : body.cells(step, 0.0, Side::Inscribed)) {
+        if (meets(cell, less)) contact.certainty = Certainty::Certain;
+    }
+    return contact;
+}
+
+Body& FixtureScene::finer(int tool, std::size_t piece, double factor) {
+    const auto key = std::tuple(tool, piece, factor);
+    const auto known = fine_.find(key);
+    if (known != fine_.end()) return known->second;
+    toolpath::ToolAccuracy accuracy = setup_->accuracy;
+    accuracy.tolerance_mm /= factor;
+    return fine_.try_emplace(key, setup_->tools.at(tool).tool.pieces[piece], lattice_, accuracy)
+        .first->second;
+}
+
 void FixtureScene::meet(int tool, const toolpath::Step& step,
                         std::vector<FixtureContact>& contacts) {
     const auto found = tools_.find(tool);
@@ -58,36 +96,21 @@ void FixtureScene::meet(int tool, const toolpath::Step& step,
     for (std::size_t piece = 0; piece < bodies.size(); ++piece) {
         const Box bounds = bodies[piece].bounds(step, 0.0);
         for (std::size_t f = 0; f < fixtures_.size(); ++f) {
-            const double clearance = fixtures_[f].clearance_mm;
-            if (!bounds.overlaps(grown(fixtures_[f].box, clearance))) continue;
+            if (!bounds.overlaps(grown(fixtures_[f].box, fixtures_[f].clearance_mm))) continue;
             const auto old = std::ranges::find_if(contacts, [&](const FixtureContact& c) {
                 return c.fixture == f && c.piece == piece;
             });
             if (old != contacts.end() && old->touches && old->certainty == Certainty::Certain) {
                 continue;
             }
-            FixtureContact contact{f, piece, false, Certainty::Within, {}};
-            bool closer = false;
-            using toolpath::Side;
-            const double rounding = bodies[piece].rounding(step);
-            const auto meets = [&](const Cell& cell, double less) {
-                return touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell);
-            };
-            for (const Cell& cell : bodies[piece].cells(step, 0.0, Side::Circumscribed)) {
-                const bool touching = meets(cell, rounding);
-                const bool near =
-                    touching || (clearance > 0.0 && meets(cell, rounding - clearance));
-                if (near)
-                    contact.box.add(intersection(cell.bounds, grown(fixtures_[f].box, clearance)));
-                contact.touches |= touching;
-                closer |= near;
+            FixtureContact contact = contact_of(bodies[piece], f, step);
+            // Where the accuracy of the tool leaves it open, a finer one may decide.
+            for (const double factor : kFiner) {
+                if (contact.box.is_empty() || contact.certainty == Certainty::Certain) break;
+                contact = contact_of(finer(tool, piece, factor), f, step);
             }
-            if (!closer) continue;
-            const double less =
-                rounding + step.bounds.gained_mm - (contact.touches ? 0.0 : clearance);
-            for (const Cell& cell : bodies[piece].cells(step, 0.0, Side::Inscribed)) {
-                if (meets(cell, less)) contact.certainty = Certainty::Certain;
-            }
+            if (contact.box.is_empty()) continue;
+            contact.piece = piece;
             if (old == contacts.end()) {
                 contacts.push_back(contact);
             } else {

@@ -10,7 +10,9 @@
 
 #include "body.h"
 
+#include <cstddef>
 #include <map>
+#include <tuple>
 #include <vector>
 
 namespace ncsim::verify {
@@ -26,12 +28,16 @@ public:
 
 private:
     bool touches(std::size_t fixture, const cda::Cell& cell) const;
+    /// Without a box where they are not even near.
+    FixtureContact contact_of(Body& body, std::size_t fixture, const toolpath::Step& step) const;
+    Body& finer(int tool, std::size_t piece, double factor);
 
     const Setup* setup_;
     cda::Lattice lattice_;
     std::vector<Fixture> fixtures_;
     std::vector<cda::TreeCda> boxes_;
     std::map<int, std::vector<Body>> tools_;  // one body a piece
+    std::map<std::tuple<int, std::size_t, double>, Body> fine_;
 };
 
 }  // namespace ncsim::verify

@@ -116,6 +116,7 @@ public:
 
     void begin(const gcode::Motion& motion) {
         move_ = {};
+        open_.clear();
         move_.motion = &motion;
         move_.number = ++motions_;
         const auto* from = gcode::start_of(motion);
@@ -131,8 +132,10 @@ public:
         now_ = watched == watched_.end() ? nullptr : &watched->second;
         move_.is_traced = now_ && toolpath::has_known_start(motion);
         move_.asked = move_.is_traced && asks(motion);
-        move_.volume_known = move_.asked && (volumes_ || motion.kind == MoveKind::Rapid ||
-                                             !turns_well(motion, is_left_handed(motion.tool)));
+        const bool is_fault =
+            motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
+        move_.volume_known =
+            move_.asked && (volumes_ || (is_fault && faults_measured_ < kMeasured));
         doubt_what_is_guessed();
     }
 
@@ -147,6 +150,7 @@ public:
         }
         if (!now_->too_high.empty() && move_.motion->kind == MoveKind::Feed)
             meet_too_high(step, part);
+        if (!now_->uncertain.empty()) meet_uncertain(step, part);
         meets_now_ = false;
         if (!move_.asked || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
@@ -182,6 +186,8 @@ public:
     }
 
     void end() {
+        if (setup_.second_look) look_closer();
+        if (move_.meets_material && move_.volume_known && !volumes_) ++faults_measured_;
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
         if (!move_.is_move) {
@@ -450,9 +456,13 @@ private:
             if (!point) point = contact(cell, rounding, part);
         }
         if (!touches) return;
-        move_.removed_mm3 += common_volume(step, part);
+        if (move_.volume_known) move_.removed_mm3 += common_volume(step, part);
         if (!point) return;
         ask_certainty(step, part, point);
+        if (setup_.second_look && move_.certainty == Certainty::Within) {
+            for (const Cell& cell : step.cells)
+                find_places(cell, part, stock_, open_[std::nullopt]);
+        }
         move_.meets_material = true;
         if (!move_.contact_point) move_.contact_point = point;
     }
@@ -485,6 +495,32 @@ private:
         return false;
     }
 
+    // What the accuracy of the tools leaves open, finer ones may decide.
+    void look_closer() {
+        if (move_.meets_material && move_.motion->kind == MoveKind::Rapid &&
+            move_.certainty == Certainty::Within) {
+            const auto decided = second_look("rapid-in-material", std::nullopt);
+            if (decided) {
+                move_.certainty = *decided;
+            } else {
+                move_.meets_material = false;
+            }
+        }
+        std::erase_if(move_.bodies, [this](BodyContact& contact) {
+            if (contact.certainty == Certainty::Certain) return false;
+            const auto decided = second_look("non-cutting-contact", contact.piece);
+            contact.certainty = decided.value_or(Certainty::Within);
+            return !decided;
+        });
+    }
+
+    std::optional<Certainty> second_look(std::string_view rule, std::optional<std::size_t> piece) {
+        const auto places = open_.find(piece);
+        if (places == open_.end()) return Certainty::Within;
+        return setup_.second_look(
+            {move_.number, rule, move_.motion->tool, piece, std::move(places->second)});
+    }
+
     // Moves `point` into the inscribed tool, if that meets something.
     void ask_certainty(const Step& step, const cda::TreeCda& part, std::optional<Vec3>& point) {
         if (move_.certainty == Certainty::Certain) return;
@@ -513,17 +549,16 @@ private:
                 move_.bodies.push_back({watched.piece, Certainty::Within, 0.0, {}, {}});
                 old = move_.bodies.end() - 1;
             }
+            if (setup_.second_look && meeting.certainty == Certainty::Within &&
+                old->certainty == Certainty::Within) {
+                for (const Cell& cell :
+                     watched.body.cells(step, 0.0, toolpath::Side::Circumscribed))
+                    find_places(cell, part, stock_, open_[watched.piece]);
+            }
             old->raise_mm = watched.raise_mm;
             old->box.add(meeting.box);
             if (!old->point) old->point = meeting.point;
             if (meeting.certainty == Certainty::Certain) old->certainty = Certainty::Certain;
-        }
-        // The same for flutes that nobody told: only what was not needed before is new.
-        for (Body& body : now_->uncertain) {
-            if (!body.meet(step, now_->uncertain_mm, part, stock_).is_there) continue;
-            const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
-            if (now_->uncertain_mm == 0.0) now_->uncertain_place = place();
-            now_->uncertain_mm = needed_raise(body, step, now_->uncertain_mm, limit, part, stock_);
         }
     }
 
@@ -573,25 +608,40 @@ private:
         return needed_raise(*now_->core, step, 0.0, fall, part, stock_);
     }
 
-    // What cuts above the limit of depth, where what cuts below it has not been before.
-    void meet_too_high(const Step& step, const cda::TreeCda& part) {
+    // How much higher than at `known` what cuts above some height would have to sit not to cut,
+    // where what cuts below it has not been before.
+    double needed_above(std::vector<Body>& above, std::vector<Body>& below, const Step& step,
+                        const cda::TreeCda& part, double known) {
         const auto meets = [&](const cda::TreeCda& rest) {
-            return std::ranges::any_of(now_->too_high, [&](Body& body) {
-                return body.meet(step, 0.0, rest, stock_).certainty == Certainty::Certain;
+            return std::ranges::any_of(above, [&](Body& body) {
+                return body.meet(step, known, rest, stock_).certainty == Certainty::Certain;
             });
         };
-        if (!meets(part)) return;
+        if (!meets(part)) return known;
         cda::TreeCda rest(part);
         if (!ascends(step)) {
-            for (Body& body : now_->within)
+            for (Body& body : below)
                 rest.subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
-            if (!meets(rest)) return;
+            if (!meets(rest)) return known;
         }
         const double height = toolpath::cutting_height_of(tool_now());
-        for (Body& body : now_->too_high) {
-            if (!body.meet(step, move_.too_deep_mm, rest, stock_).is_there) continue;
-            move_.too_deep_mm = needed_raise(body, step, move_.too_deep_mm, height, rest, stock_);
+        for (Body& body : above) {
+            if (!body.meet(step, known, rest, stock_).is_there) continue;
+            known = needed_raise(body, step, known, height, rest, stock_);
         }
+        return known;
+    }
+
+    void meet_too_high(const Step& step, const cda::TreeCda& part) {
+        move_.too_deep_mm =
+            needed_above(now_->too_high, now_->within, step, part, move_.too_deep_mm);
+    }
+
+    // Flutes that nobody told: only what was not needed before is new.
+    void meet_uncertain(const Step& step, const cda::TreeCda& part) {
+        const double known = now_->uncertain_mm;
+        now_->uncertain_mm = needed_above(now_->uncertain, now_->certain, step, part, known);
+        if (known == 0.0 && now_->uncertain_mm > 0.0) now_->uncertain_place = place();
     }
 
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
@@ -698,8 +748,14 @@ private:
     bool probed_ = false;
     Move move_;
     Watched* now_ = nullptr;
-    bool meets_now_ = false;   // this step meets material
+    bool meets_now_ = false;  // this step meets material
+    // Faulty motions of which the volume is told, and how many that will be: one is a number, with
+    // thousands it is "at least", and each costs as much as ten that are only cut.
+    std::uint64_t faults_measured_ = 0;
+    static constexpr std::uint64_t kMeasured = 50;
     std::vector<Cell> cells_;  // kept for its memory
+    // Of this motion: where it is open whether a piece, or what cuts, touches.
+    std::map<std::optional<std::size_t>, std::vector<Box>> open_;
     AirCuts air_;
     Ledger ledger_;
     gcode::Diagnostics diagnostics_;

@@ -60,8 +60,10 @@ Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lat
         w.too_high = slices(facts.tool, *facts.max_depth, kAll, lattice, accuracy);
         w.within = slices(facts.tool, 0.0, *facts.max_depth, lattice, accuracy);
     }
-    if (facts.certain_flutes && *facts.certain_flutes < height)
+    if (facts.certain_flutes && *facts.certain_flutes < height) {
         w.uncertain = slices(facts.tool, *facts.certain_flutes, kAll, lattice, accuracy);
+        w.certain = slices(facts.tool, 0.0, *facts.certain_flutes, lattice, accuracy);
+    }
     toolpath::ToolAccuracy inner = accuracy;
     inner.side = toolpath::Side::Inscribed;
     w.inscribed.emplace(facts.tool, lattice, inner);

@@ -19,17 +19,18 @@ struct Watched {
         Body body;
         double raise_mm = 0.0;  ///< Needed so far.
     };
-    std::vector<Part> bodies;                   ///< Shanks and holders.
-    std::optional<Body> core;                   ///< What does not cut at the centre,
-    std::optional<cda::Vec3> aside_since;       ///< where the tool was when it had last been aside,
-    double fallen_mm = 0.0;                     ///< and how far it has come down on it since.
-    std::vector<Body> too_high;                 ///< What cuts, but above the limit of depth,
-    std::vector<Body> within;                   ///< and what cuts below it.
-    std::vector<Body> uncertain;                ///< What cuts above the flutes that are told.
-    double uncertain_mm = 0.0;                  ///< How much of that was needed so far,
-    Place uncertain_place;                      ///< and where first.
-    std::vector<cda::Vec3> probes_T;            ///< Points strictly inside the cutting pieces.
-    bool prism = true;                          ///< All of what cuts.
+    std::vector<Part> bodies;              ///< Shanks and holders.
+    std::optional<Body> core;              ///< What does not cut at the centre,
+    std::optional<cda::Vec3> aside_since;  ///< where the tool was when it had last been aside,
+    double fallen_mm = 0.0;                ///< and how far it has come down on it since.
+    std::vector<Body> too_high;            ///< What cuts, but above the limit of depth,
+    std::vector<Body> within;              ///< and what cuts below it.
+    std::vector<Body> uncertain;           ///< What cuts above the flutes that there certainly are,
+    std::vector<Body> certain;             ///< and those.
+    double uncertain_mm = 0.0;             ///< How much of that was needed so far,
+    Place uncertain_place;                 ///< and where first.
+    std::vector<cda::Vec3> probes_T;       ///< Points strictly inside the cutting pieces.
+    bool prism = true;                     ///< All of what cuts.
     std::optional<toolpath::Cutter> inscribed;  ///< The cutter, for certainty.
 };
 

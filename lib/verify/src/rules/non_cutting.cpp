@@ -16,6 +16,10 @@ bool has_body(const ToolFacts& facts) {
                                [](const toolpath::ToolPiece& p) { return !p.cutting; });
 }
 
+double top_of(const toolpath::ToolPiece& piece) {
+    return piece.profile.back().radius;
+}
+
 }  // namespace
 
 std::optional<std::string> needs_bodies(const Setup& setup) {
@@ -52,16 +56,18 @@ void judge_non_cutting(const Setup& setup, const Move& move, FindingLog& log) {
         s.quantity = Quantity{"stick-out missing", contact.raise_mm, "mm"};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
-        // A shank that nobody told is as thick as its cutter, but for mills with a neck.
-        const bool as_thick =
-            !toolpath::is_undercutting(tool.kind) && tool.kind != toolpath::ToolKind::Other;
+        // What is above is as thick as what is below it, but for mills with a neck. A holder may
+        // sit higher than the lowest place where it can be.
+        const double below = contact.piece > 0 ? top_of(tool.pieces[contact.piece - 1]) : 0.0;
+        const bool as_thick = diameter <= 2 * below + 1e-6 &&
+                              !toolpath::is_undercutting(tool.kind) &&
+                              tool.kind != toolpath::ToolKind::Other;
         if (piece.assumed && !as_thick) s.rests_on.emplace_back("tool-guess");
         s.point = contact.point;
         s.box = contact.box;
         s.assumptions = assumptions_of(setup, move);
         if (piece.assumed)
-            s.assumptions.emplace_back(
-                "tool: nobody says what is above its flutes; as thick as they");
+            s.assumptions.emplace_back("tool: nobody says all of what is above its flutes");
         log.add("non-cutting-contact", move, std::move(s));
     }
 }

@@ -14,7 +14,6 @@ void judge_plunge(const Setup& setup, const Move& move, FindingLog& log) {
                            move.motion->tool, tool->blind_diameter.value_or(0.0))};
     s.quantity = Quantity{"down", move.plunged_mm, "mm"};
     s.rests_on = guesses_of(setup, move);
-    if (!tool->blind_assumption.empty()) s.rests_on.emplace_back("tool-guess");
     s.box = move.contact;
     s.assumptions = assumptions_of(setup, move);
     if (!tool->blind_assumption.empty()) s.assumptions.push_back("tool: " + tool->blind_assumption);

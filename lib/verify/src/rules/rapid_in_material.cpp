@@ -81,7 +81,7 @@ void judge_rapid_in_material(const Setup& setup, const Move& move, FindingLog& l
     if (move.motion->kind != gcode::MoveKind::Rapid || !move.meets_material) return;
     Sighting s{move.arrives ? "rapid move ends in material, wherever it comes from"
                             : "rapid move through material"};
-    s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
+    if (move.volume_known) s.quantity = Quantity{"removed", move.removed_mm3, "mm3"};
     s.sums = true;
     s.certainty = move.certainty;
     s.rests_on = guesses_of(setup, move, move.certainty);

@@ -10,11 +10,15 @@
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/suppression.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::verify {
 
@@ -37,6 +41,18 @@ struct ToolFacts {
     std::optional<double> max_ramp;  ///< Degrees, of one with such a diameter.
     bool left_hand = false;          ///< Cuts with M4.
 };
+
+/// The accuracy of the tools leaves open whether something touches: somewhere in `boxes` (mm, W).
+struct OpenContact {
+    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    std::string_view rule;
+    int tool = 0;
+    std::optional<std::size_t> piece;  ///< Of the tool; none: what cuts.
+    std::vector<cda::Box> boxes;
+};
+
+/// Decides it with finer tools: certain, still open (Within), or nothing: they do not touch.
+using SecondLook = std::function<std::optional<Certainty>(const OpenContact&)>;
 
 struct Setup {
     std::map<int, ToolFacts> tools;
@@ -63,6 +79,7 @@ struct Setup {
     /// The program uses G43: then every tool has to.
     bool uses_length_offsets = false;
     std::set<int> cutting_tools;  ///< All that cut somewhere in the program.
+    SecondLook second_look;       ///< Empty: what is open stays open.
     /// Reasons for doubt that do not count, by id: somebody decided so.
     std::set<std::string, std::less<>> accepted;
     /// What must be told: "holder", "fixtures", "travels", "offsets".

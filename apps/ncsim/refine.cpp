@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "refine.h"
+
+#include "ncsim/cda/polytope.h"
+#include "ncsim/cda/shape.h"
+#include "ncsim/cda/tree.h"
+#include "ncsim/verify/verifier.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace {
+
+using verify::Certainty;
+
+// The stock, as far as it lies in `box` (mm).
+toolpath::Stock within(const toolpath::Stock& stock, const cda::Box& box, double tolerance_mm) {
+    auto shape = std::make_shared<cda::Shape>(toolpath::stock_shape(stock, tolerance_mm));
+    const cda::Lattice& lattice = shape->lattice;
+    const cda::Cell sides = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
+    for (const cda::Plane& plane : sides.planes) {
+        if (std::ranges::find(shape->outer.planes, plane) == shape->outer.planes.end())
+            shape->outer.planes.push_back(plane);
+    }
+    shape->outer.hints.clear();
+    shape->outer.bounds = sides.bounds;
+    std::erase_if(shape->carved,
+                  [&sides](const cda::Cell& cell) { return !cell.bounds.overlaps(sides.bounds); });
+    toolpath::Stock part = stock;
+    part.box = sides.bounds;
+    part.shape = std::move(shape);
+    return part;
+}
+
+}  // namespace
+
+Refiner::Refiner(const Job& job, const Survey& survey, const verify::Setup& setup)
+    : job_(&job), survey_(&survey), setup_(&setup) {}
+
+std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
+    bool is_open = false;
+    for (const cda::Box& box : contact.boxes) {
+        std::optional<Certainty> seen = Certainty::Within;
+        for (const double factor : {16.0, 256.0}) {
+            if (seen != Certainty::Within) break;
+            if (looks_++ >= kMostLooks) return Certainty::Within;
+            seen = look(contact, box, factor);
+        }
+        if (seen == Certainty::Certain) return seen;
+        is_open |= seen.has_value();
+    }
+    return is_open ? std::optional(Certainty::Within) : std::nullopt;
+}
+
+std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const cda::Box& box,
+                                       double factor) {
+    const auto finer = [factor](double mm) {
+        constexpr double kFinest = 1e-5;
+        return std::max(mm / factor, kFinest);
+    };
+    Job job = *job_;
+    job.interpreter.observe_frame = nullptr;
+    job.options.tool_tolerance = finer(job.options.tool_tolerance);
+    job.options.tolerance = finer(job.options.tolerance);
+    Survey survey = *survey_;
+    static_cast<toolpath::Stock&>(*survey.stock) =
+        within(*survey.stock, box, job.options.tool_tolerance);
+    const cda::Shape& shape = *survey.stock->shape;
+    // A finer bar may not reach there.
+    if (!cda::ConvexPolytope::of(shape.outer, shape.lattice)) return std::nullopt;
+
+    verify::Setup setup;
+    setup.tools = setup_->tools;
+    auto& pieces = setup.tools.at(contact.tool).tool.pieces;
+    for (std::size_t i = pieces.size(); i-- > 0;) {
+        if (!pieces[i].cutting && contact.piece != i)
+            pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    for (const verify::RuleInfo& rule : verify::rules()) {
+        if (rule.id != contact.rule) setup.selection.ignored.emplace(rule.id);
+    }
+    setup.rapid = setup_->rapid;
+    setup.accuracy.tolerance_mm = job.options.tool_tolerance;
+    verify::Verifier verifier(std::move(setup), survey.stock->box,
+                              toolpath::stock_lattice(*survey.stock));
+    Verification verification;
+    verification.verifier = &verifier;
+    verification.rapid = setup_->rapid;
+    verification.only_motion = contact.motion;
+    const Simulation simulation = simulate(job, survey, verification, {});
+    const verify::Verdict verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
+    std::optional<Certainty> seen;
+    for (const verify::Finding& f : verdict.findings) {
+        if (f.rule != contact.rule) continue;
+        if (f.certainty == Certainty::Certain) return Certainty::Certain;
+        seen = Certainty::Within;
+    }
+    return seen;
+}
+
+}  // namespace ncsim::app

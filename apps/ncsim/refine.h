@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A second look with finer tools where the accuracy of the tools leaves open whether something
+// touches: the program once more up to that motion, but only in the small boxes that are open.
+#pragma once
+
+#include "ncsim/verify/setup.h"
+
+#include "pipeline.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace ncsim::app {
+
+class Refiner {
+public:
+    /// `setup` is what is verified against; all three must outlive it.
+    Refiner(const Job& job, const Survey& survey, const verify::Setup& setup);
+
+    /// Tools sixteen times as fine, then once more so. Certain as soon as one of the boxes is,
+    /// nothing if none of them is open any more. Costs a simulation of the boxes each; after
+    /// kMostLooks of them everything stays open. The result depends on what was asked so far.
+    std::optional<verify::Certainty> decide(const verify::OpenContact& contact);
+
+private:
+    static constexpr int kMostLooks = 64;
+
+    std::optional<verify::Certainty> look(const verify::OpenContact& contact, const cda::Box& box,
+                                          double factor);
+
+    const Job* job_;
+    const Survey* survey_;
+    const verify::Setup* setup_;
+    int looks_ = 0;
+};
+
+}  // namespace ncsim::app

@@ -1,0 +1,21 @@
+%
+(a helix that never leaves the middle of the tool)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 X0.
+G0 Z1.
+G1 Z0. F100.
+G3 X0. Y0. Z-6. I1. J0. P6
+G1 X20.
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%

@@ -1,0 +1,27 @@
+%
+(M98 with L6 instead of L5: the last pass is in the table)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 Z0.
+M98 P100 L6
+G90 G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+O100
+G91 G1 Z-6. F500.
+X100.
+Z0.5
+G0 X-100.
+G1 Z-0.5
+G90
+M99
+M30
+%

@@ -1,0 +1,23 @@
+%
+(contour on the right side, compared with the design)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 X-60. Y-45. Z-5.
+G41 D1 G1 X-30. Y-20. F500.
+G1 Y20.
+G1 X30.
+G1 Y-20.
+G1 X-45.
+G40 G1 X-60. Y-45.
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%

@@ -1,0 +1,22 @@
+%
+(G81 and G83 with R above the top, G98 over the clamp)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 X0. Y0.
+G0 Z20.
+G98 G81 X0. Y-20. Z-10. R3. F200.
+Y20.
+G83 X-20. Y20. Z-25. R3. Q5.
+G80
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%

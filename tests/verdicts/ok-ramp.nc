@@ -1,0 +1,22 @@
+%
+(a face mill on a ramp that it can take)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 X-20.
+G0 Z1.
+G1 Z0. F200.
+G1 X20. Z-1.
+G1 X-20. Z-2.
+G1 X20.
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%

@@ -1,0 +1,20 @@
+%
+(an arc bulges 5 um over the end of the travel)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 Z10.
+G0 X-60. Y150.
+G1 X-60. Y150.005 F500.
+G2 X60. Y150.005 I60. J-10.
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%

@@ -1,0 +1,27 @@
+%
+(G68 left on: the next slot runs into a jaw)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 Z5.
+G68 X0. Y0. R90.
+G0 X-35. Y0.
+G1 Z-4. F200.
+G1 X25.
+G0 Z5.
+G0 X-20.
+G1 Z-4.
+G1 X40.
+G0 Z5.
+G69
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%

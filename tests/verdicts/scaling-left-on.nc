@@ -1,0 +1,23 @@
+%
+(G51 left on: everything is five times as far away)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 Z5.
+G51 X0. Y0. Z0. I5. J5. K1.
+G0 X-60. Y0.
+G1 Z-2. F500.
+G1 X60.
+G0 Z5.
+G50
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%
