@@ -42,6 +42,7 @@ Json to_json(const Checked& checked, const Finding& f) {
         json["tool"] = f.tool;
     }
     json["count"] = f.count;
+    if (f.goes_on) json["goes_on"] = true;
     if (f.quantity) {
         json["quantity"] = {{"name", f.quantity->name},
                             {"value", tidy(f.quantity->value)},

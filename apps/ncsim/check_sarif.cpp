@@ -118,7 +118,7 @@ Json location(const std::string& path, const verify::Place& place = {},
 std::string message_of(const Finding& f) {
     std::string text = headline(f) + ".";
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {
-        text += fmt::format(" In {} motions.", f.count);
+        text += fmt::format(" In {} motions{}.", f.count, f.goes_on ? " or more" : "");
     }
     for (const std::string& assumption : f.assumptions)
         text += " Assumed " + assumption + ".";

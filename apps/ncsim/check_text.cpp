@@ -45,7 +45,10 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
     fmt::format_to(out, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
     put_excerpt(text, line, f.place.span);
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {
-        if (f.last.span.line == f.place.span.line) {
+        if (f.goes_on) {
+            fmt::format_to(out, "  in {} motions up to line {}, and there may be more\n", f.count,
+                           f.last.span.line);
+        } else if (f.last.span.line == f.place.span.line) {
             fmt::format_to(out, "  in {} motions of this line\n", f.count);
         } else {
             fmt::format_to(out, "  in {} motions, the last one at line {}\n", f.count,

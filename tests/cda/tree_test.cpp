@@ -216,6 +216,38 @@ TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
     }
 }
 
+TEST(TreeCda, HasContactWhereThereIsVolumeInCommon) {
+    // Passes on, below and above each other: many lie in one that was cut before, which contact()
+    // looks at first and common_volume() does not.
+    std::size_t contacts = 0;
+    std::size_t inner_contacts = 0;
+    std::size_t questions = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(seed);
+        TreeCda part(kStock, kLattice);
+        for (Cell& pass : jittered_passes(seed, 60)) {
+            const bool in_common = part.common_volume(pass) > 0.0;
+            EXPECT_EQ(part.contact(pass).has_value(), in_common);
+            contacts += in_common ? 1 : 0;
+            ++questions;
+            if (questions % 3 != 0) part.subtract_unmeasured(pass);
+            EXPECT_EQ(part.contact(pass).has_value(), in_common && questions % 3 == 0);
+            for (Plane& plane : pass.planes) {
+                const auto inwards =
+                    20 * (std::abs(plane.nx) + std::abs(plane.ny) + std::abs(plane.nz));
+                plane = canonical(plane.nx, plane.ny, plane.nz, plane.d - inwards);
+            }
+            pass.hints.clear();
+            const bool inner = part.common_volume(pass) > 0.0;
+            EXPECT_EQ(part.contact(pass).has_value(), inner);
+            inner_contacts += inner ? 1 : 0;
+        }
+    }
+    EXPECT_GT(contacts, 40U);
+    EXPECT_GT(inner_contacts, 40U);
+    EXPECT_LT(inner_contacts, questions - 40U);
+}
+
 TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);

@@ -73,7 +73,9 @@ TEST_P(Verdicts, IsThatOfAMachinist) {
     const std::set<std::string> ids = found(program);
     for (const json& wanted : row["finds"])
         EXPECT_TRUE(ids.contains(wanted)) << wanted << '\n' << program.dump(1);
-    if (row["verdict"] == "clean") EXPECT_TRUE(ids.empty());
+    if (row["verdict"] == "clean") {
+        EXPECT_TRUE(ids.empty());
+    }
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& test) {

@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace ncsim::gcode {
 namespace {
@@ -78,8 +80,7 @@ TEST(RefusedBlock, UnderCompensationLeavesTheHeldMove) {
     expect_nothing_left("G41 D1 G1 X20 Y0\nX40", "G3 X42 Y2 J2", "G1 X40 Y30\nG40 G0 X0");
 }
 
-// --- Where the workpiece is
-// -----------------------------------------------------------------------
+// --- Where the workpiece is ---------------------------------------------------------------------
 
 TEST(Workpiece, MovesWithItsOffsetBeforeTheFirstCut) {
     const std::string cut = "G0 X0 Y0 Z5\nG1 Z-1\nX10\nM2\n";
@@ -145,8 +146,7 @@ TEST(Workpiece, StaysWhereItIsAfterTheFirstCut) {
     EXPECT_EQ(last_line(made.motions), "L6 feed X8 Y0 Z-1 F100\n");
 }
 
-// --- Where the tool starts
-// ------------------------------------------------------------------------
+// --- Where the tool starts ----------------------------------------------------------------------
 
 TEST(Start, IsKnownWhereSomebodyTells) {
     EXPECT_NE(run("G21 G90\nG0 X1\nM2\n").motions.find("from-unknown"), std::string::npos);
@@ -158,8 +158,7 @@ TEST(Start, IsKnownWhereSomebodyTells) {
     EXPECT_EQ(run("G21 G90\nG0 X10\nM2\n", options).motions, "L2 rapid X10 Y2 Z0 from-unknown-z\n");
 }
 
-// --- Tool lengths and the spindle
-// ----------------------------------------------------------------------
+// --- Tool lengths and the spindle ---------------------------------------------------------------
 
 TEST(LengthRegister, IsTheOneThatIsActive) {
     std::vector<int> registers;
@@ -174,6 +173,23 @@ TEST(LengthRegister, IsTheOneThatIsActive) {
     EXPECT_TRUE(made.result.uses_length_offsets);
     EXPECT_EQ(registers, (std::vector<int>{0, 0, 3, 3, 3, 2, 0, kStatedLength}));
     EXPECT_FALSE(run("G0 X1\nG49\nG0 X2\nM2\n").result.uses_length_offsets);
+}
+
+TEST(GaugeLength, IsThatOfTheTableBeforeWhatTheProgramWrites) {
+    const auto lengths_of = [](const std::string& program) {
+        std::vector<std::optional<double>> lengths;
+        InterpreterOptions options;
+        options.observe_frame = [&](const Motion&, const ProgramFrame& frame) {
+            lengths.push_back(frame.tool_length);
+        };
+        run(program, options);
+        return lengths;
+    };
+    using Lengths = std::vector<std::optional<double>>;
+    // T1 is 7 mm long, whatever is written into its register; nobody knows of T2 before that.
+    EXPECT_EQ(lengths_of("G21 G90 T1 M6\nG0 X1\nG10 L1 P1 Z90\nG0 X2\nM2\n"), (Lengths{7.0, 7.0}));
+    EXPECT_EQ(lengths_of("G21 G90 T2 M6\nG0 X1\nG10 L1 P2 Z90\nG0 X2\nM2\n"),
+              (Lengths{std::nullopt, 90.0}));
 }
 
 TEST(Spindle, StandsStillAfterAStopWhereTheMachineStopsIt) {
@@ -199,8 +215,7 @@ TEST(Spindle, StandsStillAfterAStopWhereTheMachineStopsIt) {
     EXPECT_EQ(after(Dialect::Rs274, "M19"), "off");
 }
 
-// --- Messages
-// ----------------------------------------------------------------------------------------
+// --- Messages -----------------------------------------------------------------------------------
 
 TEST(Messages, QuoteTheProgram) {
     const Made made = run("%\nO2345 (PART)\nG0 X1 Y1 Z1\nM30\n%\n");

@@ -4,8 +4,10 @@
 // keeps it, and one where it cannot be asked.
 #include "verify/verified.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -206,6 +208,34 @@ TEST(SpindleOff, IsFoundWithoutASpeed) {
     EXPECT_NE(only(verdict, "spindle-off").message.find("no speed"), std::string::npos);
 }
 
+TEST(SpindleOff, IsToldOfAFewCutsEachTimeItIsOff) {
+    const auto cuts = [](int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i)
+            text += "G1 Z" + std::to_string(-0.1 * (i + 1)) + (i % 2 == 0 ? " X30\n" : " X-30\n");
+        return text;
+    };
+    const auto verdict =
+        verdict_of(kStart + "M5\n" + cuts(50) + "M3\nG1 X0\nG0 Z5\nY5\nM5\n" + cuts(3));
+    const auto found = findings_of(verdict, "spindle-off");
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].count, 20U);
+    EXPECT_TRUE(found[0].goes_on);
+    EXPECT_EQ(found[0].quantity->name, "removed at least");
+    EXPECT_EQ(found[1].count, 2U);
+    EXPECT_FALSE(found[1].goes_on);
+}
+
+TEST(SpindleOff, IsFoundAfterCutsThatSomebodyAccepts) {
+    std::string program = kStart +
+                          "M5\nG0 Z-1\nO100 REPEAT [30]\n(ncsim: ignore spindle-off)\n"
+                          "G91 G1 Z-0.1 X2 G90\nO100 ENDREPEAT\nG1 X30\nM2\n";
+    const auto found = findings_of(verdict_of(program), "spindle-off");
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_TRUE(found[0].suppressed);
+    EXPECT_FALSE(found[1].suppressed);
+}
+
 TEST(SpindleOff, IsNotFoundInTheAirOrWithTheSpindleOn) {
     EXPECT_TRUE(findings_of(verdict_of(kStart + "M5\nG1 Z0\nG1 X30\n"), "spindle-off").empty());
     EXPECT_TRUE(findings_of(verdict_of(kStart + "G0 Z-2\nG1 X30\n"), "spindle-off").empty());
@@ -372,6 +402,21 @@ TEST(DepthLimit, DoesNotMindDrilling) {
     EXPECT_TRUE(findings_of(verdict_of(kStart + "G0 X0\nG1 Z-9\n", setup), "depth-limit").empty());
 }
 
+TEST(DepthLimit, IsMeasuredWithoutCutting) {
+    // The cylinder above the limit was taken away with the ball, with 680.9 mm3 instead of 449.6.
+    verify::Setup setup = plain_setup();
+    setup.ledger = true;
+    setup.tools.at(1).tool = toolpath::ball_end_mill(10.0, 20.0);
+    const std::string program = kStart + "G0 Z-1\nG1 X30\nG0 Z5\nX-30\nZ-2.5\nG1 X30\n";
+    const auto rest_of = [&] { return verdict_of(program, setup).ledger.rest_mm3; };
+    const double rest = rest_of();
+    EXPECT_LT(rest, 12000.0 - 300.0);
+    for (const double limit : {0.3, 1.0, 2.0}) {
+        setup.tools.at(1).max_depth = limit;
+        EXPECT_EQ(rest_of(), rest) << limit;
+    }
+}
+
 TEST(EngagementAndRemovalRate, AreFoundWithTheirNumbers) {
     verify::Setup setup = plain_setup();
     setup.tools.at(1).max_engagement = 13.0;
@@ -423,6 +468,33 @@ TEST(OverTravel, IsFoundOnTheBulgeOfAnArc) {
     setup.machine.work_zero = cda::Vec3{};
     const auto verdict = verdict_of(kStart + "G2 X20 Y0 R25\n", setup);
     expect_at(only(verdict, "over-travel"), 2, 0.5, 0.011);
+}
+
+TEST(OverTravel, OfArcsIsFoundHoweverSmall) {
+    // 72 of these were missed where arcs were looked at every 0.01 mm.
+    std::mt19937 random(7);
+    const auto between = [&random](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+    };
+    for (int i = 0; i < 150; ++i) {
+        const double radius = between(5.0, 200.0);
+        const double beyond = between(1e-4, 8e-3);
+        const double from = between(0.1, 1.4);  // the turn over the top begins at
+        const double to = between(0.1, 1.4);    // and ends at, from the X axis
+        const double x = -radius * std::cos(from);
+        const double y = radius * std::sin(from);
+        verify::Setup setup = not_simulated();
+        setup.machine.travel[1] = {-1000.0, radius - beyond};
+        setup.machine.work_zero = cda::Vec3{};
+        const std::string program = fmt::format(
+            "G21 G90 S1 M3 F1\nG0 X{:.9f} Y{:.9f} Z0\nG2 X{:.9f} Y{:.9f} I{:.9f} "
+            "J{:.9f}\nM2\n",
+            x, y, radius * std::cos(to), radius * std::sin(to), -x, -y);
+        SCOPED_TRACE(program);
+        expect_at(only(verdict_of(program, setup), "over-travel"), 3, beyond, 2e-6);
+        setup.machine.travel[1]->max = radius + 2e-6;
+        EXPECT_TRUE(findings_of(verdict_of(program, setup), "over-travel").empty());
+    }
 }
 
 TEST(OverTravel, ComparesTheWayWhereTheZeroIsUnknown) {

@@ -119,10 +119,27 @@ private:
             walls_[2 * i + 1] = FilterPlane({n[0], n[1], n[2], box.max[i]}, wall + 1);
             table_[wall] = table_[wall + 1] = kNone;
         }
+        if (input_.only_first && input_.window && covers_window(box)) return;
         box_ = &box;
         killer_ = 0;
         ++result_.leaves;
         evaluate_leaf();
+    }
+
+    // Does a single cell take all of the window in the box? Mostly so where passes lie on each
+    // other; then no facet is worth looking at.
+    bool covers_window(const HalfBox& box) {
+        const BoxFrame frame(box);
+        const auto see = [&frame](const Planes& planes, std::vector<BoxPlane>& seen) {
+            seen.clear();
+            for (const FilterPlane* plane : planes)
+                seen.emplace_back(HalfPlane(plane->exact), plane->exact, frame);
+        };
+        see(window_, seen_window_);
+        return std::ranges::any_of(cells_, [&](const Local& local) {
+            see(local.planes, seen_cell_);
+            return dominated(seen_window_, seen_cell_) != Domination::None;
+        });
     }
 
     void evaluate_leaf() {
@@ -376,6 +393,7 @@ private:
     std::vector<FilterPlane> leaf_planes_;
     std::vector<Local> cells_;
     std::size_t killer_ = 0;
+    std::vector<BoxPlane> seen_window_, seen_cell_;
     // The facet at hand.
     FilteredPolygon facet_;
     Planes cuts_;

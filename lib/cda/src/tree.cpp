@@ -132,6 +132,19 @@ bool TreeCda::is_waited_for(const Box& bounds) const {
                                [&](const Cell& cell) { return cell.bounds.overlaps(near); });
 }
 
+// The same of a point (mm), which is rounded, and what is right beside it.
+bool TreeCda::is_waited_for_near(Vec3 point) const {
+    constexpr double kNear = 4.0;  // units
+    const Vec3 at = (1.0 / lattice_.unit_mm) * point;
+    return std::ranges::any_of(waiting_, [&](const Cell& cell) {
+        return std::ranges::all_of(cell.planes, [&](const Plane& p) {
+            const Vec3 normal{static_cast<double>(p.nx), static_cast<double>(p.ny),
+                              static_cast<double>(p.nz)};
+            return dot(normal, at) - static_cast<double>(p.d) <= kNear * norm(normal);
+        });
+    });
+}
+
 void TreeCda::insert(std::span<const Cell> cells) const {
     std::vector<IncomingCell> kept;
     kept.reserve(cells.size());
@@ -241,7 +254,7 @@ double TreeCda::common_volume(const Cell& cell) const {
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
     // What waits can only take away: where there is nothing without it, there is nothing.
     const std::optional<Vec3> found = contact_as_it_is(cell);
-    if (!found || !is_waited_for(cell.bounds)) return found;
+    if (!found || !is_waited_for_near(*found)) return found;
     settle();
     return contact_as_it_is(cell);
 }
@@ -316,12 +329,16 @@ void TreeCda::render(FacetCanvas& canvas) const {
 }
 
 bool TreeCda::contains(Vec3 point) const {
-    if (is_waited_for(Box{point, point})) settle();
     const QueryPoint query(point, lattice_);
     if (std::any_of(stock_planes_.begin(), stock_planes_.end(),
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
     }
+    const bool is_taken = std::ranges::any_of(waiting_, [&](const Cell& cell) {
+        return std::ranges::all_of(cell.planes,
+                                   [&](const Plane& h) { return query.side_of(h) == Side::Below; });
+    });
+    if (is_taken) return false;
     std::vector<BlockTree::Entry> cells;
     const auto block = std::find_if(blocks_.begin(), blocks_.end(),
                                     [&](const Block& b) { return b.tree->find(query.at, cells); });

@@ -177,14 +177,13 @@ double Body::common_volume(const Step& step, double raise, const cda::TreeCda& p
     return volume;
 }
 
-double needed_raise(Body& body, const Step& step, double known, double limit,
+double needed_raise(Body& body, const Step& step, double known, double limit, double raise_step,
                     const cda::TreeCda& part, const Box& stock) {
-    constexpr double kStep = 0.01;  // mm: finer than anybody sets a stick-out
-    const auto meets = [&](std::int64_t hundredths) {
-        return body.meet(step, kStep * static_cast<double>(hundredths), part, stock).is_there;
+    const auto meets = [&](std::int64_t steps) {
+        return body.meet(step, raise_step * static_cast<double>(steps), part, stock).is_there;
     };
-    const auto most = static_cast<std::int64_t>(std::ceil(limit / kStep));
-    auto low = static_cast<std::int64_t>(std::round(known / kStep));
+    const auto most = static_cast<std::int64_t>(std::ceil(limit / raise_step));
+    auto low = static_cast<std::int64_t>(std::round(known / raise_step));
     std::int64_t width = 1;
     while (low + width < most && meets(low + width)) {
         low += width;
@@ -195,7 +194,7 @@ double needed_raise(Body& body, const Step& step, double known, double limit,
         const std::int64_t middle = low + (high - low) / 2;
         (meets(middle) ? low : high) = middle;
     }
-    return kStep * static_cast<double>(high);
+    return raise_step * static_cast<double>(high);
 }
 
 }  // namespace ncsim::verify

@@ -70,10 +70,13 @@ private:
     toolpath::Cutter outer_, inner_;
 };
 
-/// The least raise in hundredths of a millimetre above `known` at which `body` meets nothing in
+/// Finer than anybody sets a stick-out, mm.
+inline constexpr double kRaiseStep = 0.01;
+
+/// The least raise in multiples of `raise_step` (mm) above `known` at which `body` meets nothing in
 /// this step (found by halving, so it is the least one if contact ends once). Requires that it does
 /// at `known`. At most `limit`.
 double needed_raise(Body& body, const toolpath::Step& step, double known, double limit,
-                    const cda::TreeCda& part, const cda::Box& stock);
+                    double raise_step, const cda::TreeCda& part, const cda::Box& stock);
 
 }  // namespace ncsim::verify

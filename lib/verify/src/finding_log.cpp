@@ -113,6 +113,13 @@ void FindingLog::end_row(std::string_view rule) {
         it = rows_.erase(it);
 }
 
+void FindingLog::go_on(std::string_view rule) {
+    const std::string begin = row_key(rule, "");
+    for (auto it = rows_.lower_bound(begin); it != rows_.end() && it->first.starts_with(begin);
+         ++it)
+        findings_[it->second].goes_on = true;
+}
+
 void FindingLog::add(Finding finding) {
     settle(finding, false);
     store(std::move(finding));

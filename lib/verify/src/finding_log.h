@@ -41,6 +41,8 @@ public:
 
     void add(std::string_view rule, const Move& move, Sighting sighting);
     void end_row(std::string_view rule);
+    /// There may be more of the row, which nobody looks at.
+    void go_on(std::string_view rule);
     /// Something that keeps a program from being proven. The same reason and message count once.
     void doubt(std::string_view reason, std::string message, const Place& place = {});
     /// A finding that is complete as it is, but for category, weight, hint and suppression.

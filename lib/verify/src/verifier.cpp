@@ -131,11 +131,11 @@ public:
         const auto watched = watched_.find(motion.tool);
         now_ = watched == watched_.end() ? nullptr : &watched->second;
         move_.is_traced = now_ && toolpath::has_known_start(motion);
+        look_at_spindle(motion);
         move_.asked = move_.is_traced && asks(motion);
         const bool is_fault =
             motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
-        move_.volume_known =
-            move_.asked && (volumes_ || (is_fault && faults_measured_ < kMeasured));
+        move_.volume_known = move_.asked && (volumes_ || is_fault);
         doubt_what_is_guessed();
     }
 
@@ -187,9 +187,9 @@ public:
 
     void end() {
         if (setup_.second_look) look_closer();
-        if (move_.meets_material && move_.volume_known && !volumes_) ++faults_measured_;
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
+        count_idle_cuts();
         if (!move_.is_move) {
             if (setup_.ledger && std::holds_alternative<gcode::Dwell>(move_.motion->what)) enter();
             clock_.rest(*move_.motion, row());
@@ -267,6 +267,10 @@ private:
     // The row that a time belongs to.
     std::size_t row() const { return ledger_.rows.empty() ? 0 : ledger_.rows.size() - 1; }
 
+    bool is_suppressed(std::string_view rule) const {
+        return move_.motion->file == 0 && setup_.suppressions.covers(move_.motion->span.line, rule);
+    }
+
     bool asked(std::string_view rule) const { return setup_.selection.includes(rule); }
 
     Place place() const { return {move_.motion->file, move_.motion->span}; }
@@ -279,8 +283,24 @@ private:
             case MoveKind::Feed: break;
         }
         const bool well = turns_well(motion, is_left_handed(motion.tool));
-        return contacts_ || ((!well || motion.spindle_in_doubt) &&
+        return contacts_ || ((!well || motion.spindle_in_doubt) && idle_.cuts < kMostIdleCuts &&
                              (asked("spindle-off") || asked("spindle-reversed")));
+    }
+
+    // Counts cuts with the spindle as it should not be, since it is so.
+    void look_at_spindle(const gcode::Motion& motion) {
+        const Idle now{motion.tool, motion.spindle, motion.spindle_rpm, motion.spindle_in_doubt};
+        if (!idle_.is_same(now)) idle_ = now;
+    }
+
+    void count_idle_cuts() {
+        if (move_.motion->kind != MoveKind::Feed) return;
+        if (move_.asked && move_.meets_material && !is_suppressed("spindle-off") &&
+            !is_suppressed("spindle-reversed"))
+            ++idle_.cuts;
+        if (!move_.is_traced || move_.asked || idle_.cuts < kMostIdleCuts) return;
+        for (const char* rule : {"spindle-off", "spindle-reversed"})
+            log_.go_on(rule);
     }
 
     bool is_left_handed(int tool) const {
@@ -430,7 +450,13 @@ private:
         move_.meets_material = true;
         for (const Cell& cell : step.cells)
             move_.contact.add(intersection(cell.bounds, stock_));
-        if (!volumes_ && move_.volume_known) move_.removed_mm3 += common_volume(step, part);
+        if (!volumes_) measure(step, part);
+    }
+
+    // Of a faulty motion, as long as volumes of faults are told.
+    void measure(const Step& step, const cda::TreeCda& part) {
+        if (!volumes_ && move_.volume_known) move_.volume_known = measured_++ < kMostMeasured;
+        if (move_.volume_known) move_.removed_mm3 += common_volume(step, part);
     }
 
     // Of all cells of the step together, which may overlap.
@@ -456,7 +482,7 @@ private:
             if (!point) point = contact(cell, rounding, part);
         }
         if (!touches) return;
-        if (move_.volume_known) move_.removed_mm3 += common_volume(step, part);
+        measure(step, part);
         if (!point) return;
         ask_certainty(step, part, point);
         if (setup_.second_look && move_.certainty == Certainty::Within) {
@@ -541,8 +567,8 @@ private:
             if (!meeting.is_there) continue;
             const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
             if (watched.body.meet(step, watched.raise_mm, part, stock_).is_there) {
-                watched.raise_mm =
-                    needed_raise(watched.body, step, watched.raise_mm, limit, part, stock_);
+                watched.raise_mm = needed_raise(watched.body, step, watched.raise_mm, limit,
+                                                kRaiseStep, part, stock_);
             }
             auto old = std::ranges::find(move_.bodies, watched.piece, &BodyContact::piece);
             if (old == move_.bodies.end()) {
@@ -605,13 +631,13 @@ private:
         if (now_->core->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return 0.0;
         if (now_->fallen_mm + fall <= allowed) return fall;
         if (now_->core->meet(step, fall, part, stock_).is_there) return fall;
-        return needed_raise(*now_->core, step, 0.0, fall, part, stock_);
+        return needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_);
     }
 
     // How much higher than at `known` what cuts above some height would have to sit not to cut,
     // where what cuts below it has not been before.
     double needed_above(std::vector<Body>& above, std::vector<Body>& below, const Step& step,
-                        const cda::TreeCda& part, double known) {
+                        const cda::TreeCda& part, double known, double raise_step) {
         const auto meets = [&](const cda::TreeCda& rest) {
             return std::ranges::any_of(above, [&](Body& body) {
                 return body.meet(step, known, rest, stock_).certainty == Certainty::Certain;
@@ -627,20 +653,25 @@ private:
         const double height = toolpath::cutting_height_of(tool_now());
         for (Body& body : above) {
             if (!body.meet(step, known, rest, stock_).is_there) continue;
-            known = needed_raise(body, step, known, height, rest, stock_);
+            known = needed_raise(body, step, known, height, raise_step, rest, stock_);
         }
         return known;
     }
 
     void meet_too_high(const Step& step, const cda::TreeCda& part) {
         move_.too_deep_mm =
-            needed_above(now_->too_high, now_->within, step, part, move_.too_deep_mm);
+            needed_above(now_->too_high, now_->within, step, part, move_.too_deep_mm, kRaiseStep);
     }
 
-    // Flutes that nobody told: only what was not needed before is new.
+    // Flutes that nobody told: only what was not needed before is new. How much it is is told
+    // roughly; a program that goes down a helix needs a little more with every step.
     void meet_uncertain(const Step& step, const cda::TreeCda& part) {
+        constexpr double kPart = 1.0 / 16.0;  // of what is certain
         const double known = now_->uncertain_mm;
-        now_->uncertain_mm = needed_above(now_->uncertain, now_->certain, step, part, known);
+        const double raise_step = std::max(
+            kRaiseStep, kPart * facts_of(setup_, move_.motion->tool)->certain_flutes.value_or(0.0));
+        now_->uncertain_mm =
+            needed_above(now_->uncertain, now_->certain, step, part, known, raise_step);
         if (known == 0.0 && now_->uncertain_mm > 0.0) now_->uncertain_place = place();
     }
 
@@ -749,10 +780,24 @@ private:
     Move move_;
     Watched* now_ = nullptr;
     bool meets_now_ = false;  // this step meets material
-    // Faulty motions of which the volume is told, and how many that will be: one is a number, with
-    // thousands it is "at least", and each costs as much as ten that are only cut.
-    std::uint64_t faults_measured_ = 0;
-    static constexpr std::uint64_t kMeasured = 50;
+    // Steps of faulty motions of which the volume was measured, each as dear as ten that are only
+    // cut, and how many that may be: one fault has a number, thousands have "at least".
+    std::uint64_t measured_ = 0;
+    static constexpr std::uint64_t kMostMeasured = 16;
+    // How many cuts with a spindle that is off are told: a program without M3 has thousands.
+    struct Idle {
+        int tool = 0;
+        gcode::SpindleTurning spindle = gcode::SpindleTurning::Stopped;
+        double rpm = 0.0;
+        bool in_doubt = false;
+        std::uint64_t cuts = 0;
+
+        bool is_same(const Idle& o) const {
+            return tool == o.tool && spindle == o.spindle && rpm == o.rpm && in_doubt == o.in_doubt;
+        }
+    };
+    Idle idle_;
+    static constexpr std::uint64_t kMostIdleCuts = 20;
     std::vector<Cell> cells_;  // kept for its memory
     // Of this motion: where it is open whether a piece, or what cuts, touches.
     std::map<std::optional<std::size_t>, std::vector<Box>> open_;

@@ -46,27 +46,29 @@ bool any_tool_tells(const Setup& setup, std::optional<double> ToolFacts::*limit)
 }  // namespace
 
 void judge_spindle_off(const Setup& setup, const Move& move, FindingLog& log) {
-    if (move.motion->kind != MoveKind::Feed || !move.asked || !move.meets_material) return;
-    if (move.motion->spindle == SpindleTurning::Stopped) {
+    if (move.motion->kind != MoveKind::Feed) return;
+    const bool stopped = move.motion->spindle == SpindleTurning::Stopped;
+    if (!stopped && move.motion->spindle_rpm > 0.0 && !move.motion->spindle_in_doubt)
+        return log.end_row("spindle-off");
+    if (!move.asked || !move.meets_material) return;
+    if (stopped) {
         log.add("spindle-off", move,
                 in_material(setup, move, "feed move into material with the spindle stopped"));
     } else if (move.motion->spindle_rpm <= 0.0) {
         log.add("spindle-off", move,
                 in_material(setup, move,
                             "feed move into material with the spindle on but no speed (S)"));
-    } else if (move.motion->spindle_in_doubt) {
+    } else {
         Sighting s = in_material(setup, move,
                                  "feed move into material after M0 or M1, which may "
                                  "have stopped the spindle");
         s.rests_on.emplace_back("spindle-after-stop");
         log.add("spindle-off", move, std::move(s));
-    } else {
-        log.end_row("spindle-off");
     }
 }
 
 void judge_spindle_reversed(const Setup& setup, const Move& move, FindingLog& log) {
-    if (move.motion->kind != MoveKind::Feed || !move.asked || !move.meets_material) return;
+    if (move.motion->kind != MoveKind::Feed) return;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
     const bool left = tool && tool->left_hand;
     const auto wrong = left ? SpindleTurning::Clockwise : SpindleTurning::Counterclockwise;
@@ -74,6 +76,7 @@ void judge_spindle_reversed(const Setup& setup, const Move& move, FindingLog& lo
         log.end_row("spindle-reversed");
         return;
     }
+    if (!move.asked || !move.meets_material) return;
     Sighting s = in_material(setup, move,
                              left ? "left-handed tool cuts with the spindle clockwise (M3)"
                                   : "right-handed tool cuts with the spindle counter-clockwise "

@@ -86,6 +86,7 @@ private:
     void split_into_blocks();
     void insert(std::span<const Cell> cells) const;
     bool is_waited_for(const Box& bounds) const;
+    bool is_waited_for_near(Vec3 point) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
     void evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const;

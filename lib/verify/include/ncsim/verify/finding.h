@@ -68,6 +68,7 @@ struct Finding {
     std::uint64_t first_motion = 0;  ///< Motions count from 1 in the order of execution; 0: none.
     std::uint64_t last_motion = 0;
     std::uint64_t count = 1;  ///< Motions (or repetitions of a diagnostic) in it.
+    bool goes_on = false;     ///< Nobody looked how many more there are.
     int tool = 0;
     std::optional<Quantity> quantity;      ///< Summed or the largest over the row, by its nature.
     std::optional<cda::Vec3> point;        ///< In W, mm: of the first motion.
