@@ -129,6 +129,27 @@ TEST(Triangulate, ACrossingOnAThirdEdge) {
     EXPECT_NEAR(total_area(mesh), norm(sum), 1e-6);
 }
 
+// From a program with arcs in ZX: a face as thin as the rounding of its corners. What lies between
+// its edges and their chains are triangles there and back, which have all three edges in common.
+TEST(Triangulate, TrianglesThereAndBack) {
+    const Vec3 n{0.25342853606597437, 0.9516499203738541, 0.17359840483107628};
+    const double offset = -21.009501746713184;
+    Boundary boundary;
+    boundary.vertices = {{-16.067070095386505, -19.701219995544552, 10.432219974714517},
+                         {-16.067070095196961, -19.701219994106889, 10.432219966557621},
+                         {-17.05331, -19.438580000000002, 10.432219999999999},
+                         {-17.05331001876533, -19.438579995003341, 10.432219999999999},
+                         {-17.053310201728344, -19.438579941019416, 10.432219971166253},
+                         {-17.0533102007401, -19.438579938634636, 10.432219956649542}};
+    Loop loop{4, 3, 0, 1, 2, 5};
+    boundary.faces.push_back({n, offset, kStockOrigin, 0, {loop}});
+    std::reverse(loop.begin(), loop.end());
+    boundary.faces.push_back({-n, -offset, kStockOrigin, 0, {loop}});
+    const TriangleMesh mesh = triangulate(boundary);
+    EXPECT_TRUE(check(mesh).is_closed());
+    EXPECT_LE(total_area(mesh), 1e-7);
+}
+
 // What cutters leave beside a path of short moves: a band narrower than the rounding of
 // its coordinates. Its edges cross many times, and no triangle may bridge its bends.
 TEST(Triangulate, NarrowBandsStayNarrow) {

@@ -163,6 +163,38 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     return triangles;
 }
 
+// Drops pairs of triangles with the same corners that turn opposite ways: together they enclose
+// nothing, and pass each of their edges there and back.
+void cancel_opposites(std::vector<Triangle>& triangles) {
+    struct Seen {
+        Triangle corners;  // sorted
+        bool is_even;      // do the corners stand in a rotation of that order?
+        std::uint32_t number;
+    };
+    std::vector<Seen> seen;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        Triangle t = triangles[i];
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        const bool is_even = t[1] < t[2];
+        if (!is_even) std::swap(t[1], t[2]);
+        seen.push_back({t, is_even, i});
+    }
+    std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
+        return std::tie(a.corners, a.is_even, a.number) < std::tie(b.corners, b.is_even, b.number);
+    });
+    std::vector<bool> cancelled(triangles.size(), false);
+    for (auto begin = seen.begin(); begin != seen.end();) {
+        const auto end = std::find_if(begin, seen.end(),
+                                      [&](const Seen& s) { return s.corners != begin->corners; });
+        const auto even = std::find_if(begin, end, [](const Seen& s) { return s.is_even; });
+        for (std::ptrdiff_t i = 0; i < std::min(even - begin, end - even); ++i)
+            cancelled[begin[i].number] = cancelled[even[i].number] = true;
+        begin = end;
+    }
+    std::size_t i = 0;
+    std::erase_if(triangles, [&](const Triangle&) { return cancelled[i++]; });
+}
+
 // As far as rounding lets it: where edges cross or a corner stands on an edge, the edge becomes a
 // chain of short ones. The face is what its chains wind around, as often as they do; between each
 // edge and its chain, which lie upon each other, are triangles without area. So the triangles
@@ -391,6 +423,7 @@ TriangleMesh triangulate(const Boundary& boundary) {
             triangles = std::move(*round);
         } else {
             triangles = Chains(mesh, face).run();
+            cancel_opposites(triangles);
         }
         mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
         mesh.face.insert(mesh.face.end(), triangles.size(), f);
