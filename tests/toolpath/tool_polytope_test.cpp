@@ -80,6 +80,18 @@ TEST(ToolPolytope, StaysWithinTheToleranceItReports) {
     }
 }
 
+// 35.978 mm are 8 · 25 · 17989 units: multiples of the only divisor of a suitable size, 0.18 mm,
+// are too far apart for the tip.
+TEST(ToolPolytope, StaysWithinItsToleranceWhereTheRadiusHasNoFineDivisor) {
+    for (const Side side : {Side::Circumscribed, Side::Inscribed}) {
+        const PiecePolytope piece =
+            approximate(v_cutter(71.956, 3.35, 75, 80).pieces[0], kLattice, {0.05, side});
+        EXPECT_LE(piece.error_mm, 0.05);
+        EXPECT_NEAR(static_cast<double>(largest_x(piece)), 3597800,
+                    side == Side::Circumscribed ? 10 : 10000);
+    }
+}
+
 TEST(ToolPolytope, CircumscribedContainsTheBallAndInscribedIsContainedInIt) {
     for (const double diameter : {2.0, 3.175, 6.0, 16.0}) {
         SCOPED_TRACE(diameter);

@@ -304,29 +304,48 @@ bool has_fillet(const ToolPiece& piece) {
 // Radii worth trying for the base polygon, for a tool of `radius` units. Where all rings are
 // equal (or points) the radius itself; else its divisors of a size at which neither the rounding of
 // the polygon nor the coarse radii weigh much; where it has none, those that nearly divide it.
-std::vector<std::int64_t> base_candidates(const ToolPiece& piece, std::int64_t radius,
-                                          double unit_mm, Side side) {
+struct BaseCandidates {
+    std::vector<std::int64_t> first;
+    std::vector<std::int64_t> more;  // near divisors of all sizes
+};
+
+BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, double unit_mm,
+                               Side side) {
     bool one_ring = !has_fillet(piece);
     for (const ProfilePoint& p : piece.profile) {
         const double r = p.radius / unit_mm;
         const std::int64_t rounded = side == Side::Circumscribed ? round_up(r) : round_down(r);
         one_ring = one_ring && (rounded == 0 || rounded == radius);
     }
-    if (one_ring) return {radius};
+    if (one_ring) return {{radius}, {}};
     const double root = std::sqrt(static_cast<double>(radius));
     const auto low = std::max<std::int64_t>(1, static_cast<std::int64_t>(root / 2));
     const auto high = std::max(static_cast<std::int64_t>(root * 2), radius / 200);
-    std::vector<std::int64_t> exact;
-    std::pair<std::int64_t, std::int64_t> nearest{std::numeric_limits<std::int64_t>::max(), 1};
+    constexpr std::int64_t kFarthest = std::numeric_limits<std::int64_t>::max();
+    BaseCandidates candidates;
+    std::pair<std::int64_t, std::int64_t> nearest{kFarthest, 1};
+    // Of each size, from `begin` to a third more, one is enough to choose from.
+    std::pair<std::int64_t, std::int64_t> nearest_here{kFarthest, 1};
+    std::int64_t begin = low;
+    const auto end_size = [&] {
+        if (nearest_here.first < low) candidates.more.push_back(nearest_here.second);
+        nearest_here.first = kFarthest;
+    };
     for (std::int64_t b = low; b <= high; ++b) {
+        if (3 * b >= 4 * begin) {
+            end_size();
+            begin = b;
+        }
         const std::int64_t rest = radius % b;
-        // Each a third larger than the one before: enough to choose from.
+        std::vector<std::int64_t>& exact = candidates.first;
         if (rest == 0 && (exact.empty() || 3 * b >= 4 * exact.back())) exact.push_back(b);
         const std::int64_t off = side == Side::Circumscribed ? (b - rest) % b : rest;
         nearest = std::min(nearest, {off, b});
+        nearest_here = std::min(nearest_here, {off, b});
     }
-    if (exact.empty()) exact.push_back(nearest.second);
-    return exact;
+    end_size();
+    if (candidates.first.empty()) candidates.first.push_back(nearest.second);
+    return candidates;
 }
 
 // The steps in which an arc over a right angle stays within `rest` of its tangents or chords: with
@@ -365,7 +384,7 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
 
     const double tolerance = accuracy.tolerance_mm / u;
     const bool round = has_fillet(piece);
-    const std::vector<std::int64_t> candidates = base_candidates(piece, radius, u, accuracy.side);
+    const BaseCandidates candidates = base_candidates(piece, radius, u, accuracy.side);
     std::size_t best_corners = std::numeric_limits<std::size_t>::max();
     double best_error = std::numeric_limits<double>::infinity();
 
@@ -385,29 +404,35 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
         return error <= tolerance;
     };
 
-    for (int sides = kMinSides; sides <= kMaxSides; sides += 4) {
-        // With that many sides, even one ring more than the tips is dearer than the best.
-        if (best_error <= tolerance && 2 * static_cast<std::size_t>(sides) > best_corners) break;
-        const std::vector<double> cosines = corner_cosines(sides);
-        for (const std::int64_t b : candidates) {
-            const BasePolygon base = base_polygon(b, cosines, accuracy.side);
-            const double azimuth = base.error * static_cast<double>(radius);
-            if (azimuth > tolerance && sides < kMaxSides) continue;
-            const int least = round ? steps_for(piece, u, tolerance - azimuth) : 1;
-            for (int steps = least; steps <= least + (round ? 4 : 0); ++steps) {
-                const LatticeProfile profile =
-                    ProfileBuilder(b, accuracy.side, steps)(piece.profile, u);
-                if (consider(base, profile)) break;
+    const auto search = [&](const std::vector<std::int64_t>& radii) {
+        for (int sides = kMinSides; sides <= kMaxSides; sides += 4) {
+            // With that many sides, even one ring more than the tips is dearer than the best.
+            if (best_error <= tolerance && 2 * static_cast<std::size_t>(sides) > best_corners)
+                break;
+            const std::vector<double> cosines = corner_cosines(sides);
+            for (const std::int64_t b : radii) {
+                const BasePolygon base = base_polygon(b, cosines, accuracy.side);
+                const double azimuth = base.error * static_cast<double>(radius);
+                if (azimuth > tolerance && sides < kMaxSides) continue;
+                const int least = round ? steps_for(piece, u, tolerance - azimuth) : 1;
+                for (int steps = least; steps <= least + (round ? 4 : 0); ++steps) {
+                    const LatticeProfile profile =
+                        ProfileBuilder(b, accuracy.side, steps)(piece.profile, u);
+                    if (consider(base, profile)) break;
+                }
             }
         }
-    }
+    };
+    search(candidates.first);
+    // All divisors of the largest radius may be too coarse for the others.
+    if (best_error > tolerance) search(candidates.more);
     if (!best.points_T.empty()) return best;
     // More corners than there may be: as near as that allows.
     for (int sides = kMinSides; sides <= kMaxSides; sides += 4) {
         const int steps = std::min(256, static_cast<int>(kMaxCorners) / sides - 4);
         if (steps < 2) break;
         const std::vector<double> cosines = corner_cosines(sides);
-        for (const std::int64_t b : candidates) {
+        for (const std::int64_t b : candidates.first) {
             consider(base_polygon(b, cosines, accuracy.side),
                      ProfileBuilder(b, accuracy.side, steps)(piece.profile, u));
         }

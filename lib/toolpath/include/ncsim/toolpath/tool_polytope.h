@@ -28,19 +28,23 @@ struct PiecePolytope {
     std::vector<cda::LatticePoint> points_T;
     int sides = 0;  ///< Of that polygon, a multiple of 4.
     /// Bound on the distance between both surfaces. It may exceed a tolerance that is less than a
-    /// thousandth of the radius, where the lattice polygons are no finer, and where it would take
-    /// more than 8,192 corners.
+    /// thousandth of the radius or less than 2 √r units, where r is the radius in units (14 µm for
+    /// 5 mm at 10 nm), as the lattice polygons are no finer, and where it would take more than
+    /// 8,192 corners.
     double error_mm = 0.0;
     bool cutting = true;
 };
 
 /// The polytope of a piece with the fewest facets that meets the tolerance, but at least 16
-/// sides. Four sides have the normals ±x and ±y and, circumscribed, lie exactly at the largest
-/// radius, the lower end exactly at its height: axis-parallel slots get their nominal width and
-/// depth.
+/// sides. Four sides have the normals ±x and ±y; circumscribed, the lower end lies exactly at its
+/// height, and these sides, if the piece is a cylinder, exactly at its radius: axis-parallel slots
+/// get their nominal width and depth. Pieces of several radii, such as ball noses, have rings whose
+/// radii are multiples of one number b between √r/2 and 2√r units (or r/200, if that is more),
+/// where r is the largest radius. Where no such b divides r, or none is fine enough for the other
+/// radii, the four sides lie a few units farther out, always less than √r/2.
 ///
 /// For a k-gon the radial error is r(1/cos(π/k) - 1); an arc of radius ρ over the angle Φ in n
-/// steps adds ρ(1/cos(Φ/2n) - 1); the lattice adds less than 0.2 % of r. error_mm is measured, not
+/// steps adds ρ(1/cos(Φ/2n) - 1); the lattice adds about 1/b of r. error_mm is measured, not
 /// estimated: the corner farthest from the round piece.
 PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
                           const ToolAccuracy& accuracy);
