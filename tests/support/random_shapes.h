@@ -7,29 +7,12 @@
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/lattice.h"
 
+#include "support/random.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace ncsim::test {
-
-/// splitmix64.
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-    /// From low to high, both possible.
-    std::int64_t between(std::int64_t low, std::int64_t high) {
-        return low + static_cast<std::int64_t>(next() % static_cast<std::uint64_t>(high - low + 1));
-    }
-
-private:
-    std::uint64_t state_;
-};
 
 inline constexpr cda::Lattice kLattice{1e-5};
 
