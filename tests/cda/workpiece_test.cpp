@@ -167,6 +167,17 @@ TYPED_TEST(Workpiece, EverythingLeavesNothing) {
     EXPECT_FALSE(part.contains({2, 2, 2}));
 }
 
+// Whether the cut ends in the face of the block or goes on beyond it.
+TYPED_TEST(Workpiece, WhereAFaceOfTheStockIsCutAwayNothingIsLeft) {
+    for (const int top : {4, 5}) {
+        TypeParam part(mm_box(0, 0, 0, 4, 4, 4), kLattice);
+        part.subtract(mm_box(1, 1, 3, 3, 3, top, Origin{1}));
+        EXPECT_FALSE(part.contains({2, 2, 4})) << top;
+        EXPECT_TRUE(part.contains({1, 2, 4})) << top << ": on the rim";
+        EXPECT_TRUE(part.contains({2, 2, 3})) << top << ": on the floor";
+    }
+}
+
 TYPED_TEST(Workpiece, TouchingFromOutsideIsNotCutting) {
     TypeParam part(mm_box(0, 0, 0, 4, 4, 4), kLattice);
     EXPECT_EQ(part.subtract(mm_box(4, 0, 0, 6, 4, 4, Origin{1})), 0.0);

@@ -305,18 +305,23 @@ Boundary FlatCda::boundary() const {
 
 bool FlatCda::contains(Vec3 point) const {
     const QueryPoint query(point, lattice_);
-    // The side of the plane that the point lies on, for the whole body: the highest of them.
-    const auto side = [&](const ConvexPolytope& body) {
-        Side highest = Side::Below;
-        for (const auto& facet : body.facets()) {
-            highest = std::max(highest, query.side_of(facet.plane));
-            if (highest == Side::Above) break;
-        }
-        return highest;
+    const auto& stock = positive_.body.facets();
+    if (std::any_of(stock.begin(), stock.end(),
+                    [&](const auto& f) { return query.side_of(f.plane) == Side::Above; })) {
+        return false;
+    }
+    // Negative cells end with the stock. What they took there they took to the last point.
+    const auto is_of_stock = [&](const Plane& plane) {
+        return std::any_of(stock.begin(), stock.end(),
+                           [&](const auto& f) { return f.plane == plane; });
     };
-    if (side(positive_.body) == Side::Above) return false;
-    return std::none_of(negative_.begin(), negative_.end(),
-                        [&](const CdaCell& cell) { return side(cell.body) == Side::Below; });
+    const auto took_it = [&](const CdaCell& cell) {
+        const auto& facets = cell.body.facets();
+        return std::all_of(facets.begin(), facets.end(), [&](const auto& f) {
+            return query.side_of(f.plane) == Side::Below || is_of_stock(f.plane);
+        });
+    };
+    return std::none_of(negative_.begin(), negative_.end(), took_it);
 }
 
 void FlatCda::accept(CdaVisitor& visitor) const {
