@@ -116,6 +116,24 @@ TEST(ToolPolytope, CircumscribedContainsTheBallAndInscribedIsContainedInIt) {
     }
 }
 
+// A cone that ends in a disc at a height between two lattice points: raised to the next one, the
+// rim alone would draw the cone in, by nanometres.
+TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderAboveIt) {
+    for (const Tool& tool : {v_cutter(71.76278, 0, 120, 19), v_cutter(6, 0.5, 70, 1),
+                             drill(5, 118, 1), tapered_end_mill(3, 0, 5, 20.000004)}) {
+        const ToolPiece& piece = tool.pieces[0];
+        SCOPED_TRACE(testing::Message() << name_of(tool.kind) << ' ' << piece.profile[1].height);
+        const cda::ConvexPolytope outer = polytope_of(approximate(piece, kLattice, {0.2}));
+        for (const auto& facet : outer.facets()) {
+            const cda::Vec3 n = unit_normal(facet.plane);
+            for (const ProfilePoint& p : piece.profile) {
+                const double farthest = std::hypot(n.x, n.y) * p.radius + n.z * p.height;
+                EXPECT_GE(offset_mm(facet.plane, kLattice), farthest - 1e-10);
+            }
+        }
+    }
+}
+
 TEST(ToolPolytope, FacetsOfABallAreFlatTrapezoids) {
     const PiecePolytope ball = approximate(ball_end_mill(6, 20).pieces[0], kLattice, {});
     const cda::ConvexPolytope p = polytope_of(ball);

@@ -175,7 +175,7 @@ public:
             if (rho > 0) {
                 add_fillet(fillet_of(before, points[i], after, rho));
             } else {
-                add_corner(points[i], i + 1 == points.size());
+                add_corner(points[i], before, i + 1 == points.size());
             }
         }
         return std::move(result_);
@@ -195,8 +195,12 @@ private:
         result_.corners.push_back({scale, up ? round_up(height) : round_down(height)});
     }
 
-    void add_corner(Vec2 p, bool upper_end) {
+    // A rim between a cone and the disc on top of it: raised to the lattice for the disc, it would
+    // draw the cone in, so that is led to where it is lowered.
+    void add_corner(Vec2 p, Vec2 before, bool upper_end) {
         const std::int64_t scale = scale_of(p.r);
+        const bool ends_a_cone = upper_end && before.r < p.r && before.h < p.h;
+        if (outside() && ends_a_cone && round_down(p.h) < round_up(p.h)) add(scale, p.h, false);
         result_.error =
             std::max(result_.error, std::abs(static_cast<double>(scale) * b_ - p.r) + 1);
         add(scale, p.h, upper_end);

@@ -12,7 +12,8 @@
 namespace ncsim::toolpath {
 
 /// On which side of the round tool the polytope errs. Circumscribed: it contains the tool, so a
-/// simulation removes everything the tool does, and a little more. Inscribed: the other way.
+/// simulation removes everything the tool does, and a little more. Inscribed: the other way, but
+/// for less than a unit at the rim of a cone that ends between two lattice heights.
 enum class Side : std::uint8_t { Circumscribed, Inscribed };
 
 struct ToolAccuracy {
