@@ -134,6 +134,24 @@ TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderAboveIt) {
     }
 }
 
+// The last corner above the equator stands on the top, not below it.
+TEST(ToolPolytope, CircumscribedContainsAWholeBall) {
+    for (const double diameter : {20.0, 3.0218, 146.663238843, 0.713}) {
+        SCOPED_TRACE(diameter);
+        const double r = diameter / 2;
+        const ToolPiece piece = lollipop_mill(diameter).pieces[0];
+        const PiecePolytope around = approximate(piece, kLattice, {r / 20});
+        EXPECT_LE(around.error_mm, r / 20);
+        const cda::ConvexPolytope outer = polytope_of(around);
+        for (const auto& facet : outer.facets()) {
+            const double d = offset_mm(facet.plane, kLattice) - r * unit_normal(facet.plane).z;
+            EXPECT_GE(d, r - 1e-9);
+        }
+        for (const auto& corner : around.points_T)
+            EXPECT_LE(kLattice.to_mm(corner).z, diameter + kLattice.unit_mm);
+    }
+}
+
 TEST(ToolPolytope, FacetsOfABallAreFlatTrapezoids) {
     const PiecePolytope ball = approximate(ball_end_mill(6, 20).pieces[0], kLattice, {});
     const cda::ConvexPolytope p = polytope_of(ball);

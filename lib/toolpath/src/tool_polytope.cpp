@@ -215,7 +215,8 @@ private:
     }
 
     // From corner to corner, each edge tangent to the arc. All corners but the last may stand at
-    // any radius near the ideal one; the last one must not lie inside the line along d2.
+    // any radius near the ideal one; the last one must not lie inside the line along d2: where the
+    // tool gets narrower it stands on that line, farther out, else on the tangent, farther on.
     void walk_tangents(const Fillet& f) {
         const double step = f.turn_degrees / steps_;
         const double reach = f.rho / sin_cos(step / 2).cos;
@@ -226,23 +227,30 @@ private:
         for (int i = 1; i <= steps_; ++i) {
             const SinCos a = sin_cos((i - 0.5) * step);
             const Vec2 ideal = f.centre + reach * (a.cos * out + a.sin * left_of(out));
+            const bool is_last = i == steps_;
+            const auto at_the_end = [&] {
+                return at + (cross(f.end - at, f.d2) / cross(d, f.d2)) * d;
+            };
             double radius = at.r;
-            if (std::abs(d.r) <= 1e-9) {
-                // The radius stays.
-            } else if (i < steps_) {
-                radius = std::round(ideal.r / b_) * b_;
-                if (d.r > 0 && radius < at.r) radius += b_;
-                if (d.r < 0 && radius > at.r) radius -= b_;
+            if (is_last && d.r <= 1e-9 && f.d2.r < -1e-9) {
+                if (cross(f.d2, at - f.end) <= 0) break;  // is beyond that line
+                const double end = std::clamp(at_the_end().r, 0.0, at.r);
+                radius = static_cast<double>(scale_of(end)) * b_;
+                at = f.end + ((radius - f.end.r) / f.d2.r) * f.d2;
+            } else if (std::abs(d.r) <= 1e-9) {
+                if (is_last) break;
+                // There is one radius only, so the height is free.
+                radius = static_cast<double>(scale_of(at.r)) * b_;
+                at = {radius, ideal.h};
             } else {
-                const double along = cross(f.end - at, f.d2) / cross(d, f.d2);
-                radius = static_cast<double>(scale_of((at + along * d).r)) * b_;
-            }
-            if (std::abs(d.r) > 1e-9) {
+                if (is_last) {
+                    radius = static_cast<double>(scale_of(at_the_end().r)) * b_;
+                } else {
+                    radius = std::round(ideal.r / b_) * b_;
+                    if (d.r > 0 && radius < at.r) radius += b_;
+                    if (d.r < 0 && radius > at.r) radius -= b_;
+                }
                 at = at + ((radius - at.r) / d.r) * d;
-            } else if (i < steps_) {
-                at.h = ideal.h;  // upright: there is one radius only, so the height is free
-            } else {
-                break;
             }
             add(static_cast<std::int64_t>(std::round(radius / b_)), at.h, upper);
             const Vec2 w = at - f.centre;
