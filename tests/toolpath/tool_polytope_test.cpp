@@ -116,12 +116,16 @@ TEST(ToolPolytope, CircumscribedContainsTheBallAndInscribedIsContainedInIt) {
     }
 }
 
-// A cone that ends in a disc at a height between two lattice points: raised to the next one, the
-// rim alone would draw the cone in, by nanometres.
-TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderAboveIt) {
+// A cone that ends in a disc at a height between two lattice points: moved to the one beyond, the
+// rim alone would draw the cone in, by nanometres. The last one is the cone of a holder that begins
+// in such a disc.
+TEST(ToolPolytope, CircumscribedContainsAConeWithoutACylinderBesideIt) {
+    Tool holder;
+    add_holder_segment(holder, 5, 5, 3.123456789);
+    add_holder_segment(holder, 45.17, 32, 8.7);
     for (const Tool& tool : {v_cutter(71.76278, 0, 120, 19), v_cutter(6, 0.5, 70, 1),
-                             drill(5, 118, 1), tapered_end_mill(3, 0, 5, 20.000004)}) {
-        const ToolPiece& piece = tool.pieces[0];
+                             drill(5, 118, 1), tapered_end_mill(3, 0, 5, 20.000004), holder}) {
+        const ToolPiece& piece = tool.pieces.back();
         SCOPED_TRACE(testing::Message() << name_of(tool.kind) << ' ' << piece.profile[1].height);
         const cda::ConvexPolytope outer = polytope_of(approximate(piece, kLattice, {0.2}));
         for (const auto& facet : outer.facets()) {

@@ -175,7 +175,7 @@ public:
             if (rho > 0) {
                 add_fillet(fillet_of(before, points[i], after, rho));
             } else {
-                add_corner(points[i], before, i + 1 == points.size());
+                add_corner(points[i], before, after, i + 1 == points.size());
             }
         }
         return std::move(result_);
@@ -195,15 +195,21 @@ private:
         result_.corners.push_back({scale, up ? round_up(height) : round_down(height)});
     }
 
-    // A rim between a cone and the disc on top of it: raised to the lattice for the disc, it would
-    // draw the cone in, so that is led to where it is lowered.
-    void add_corner(Vec2 p, Vec2 before, bool upper_end) {
+    // A rim between a cone and a disc: moved to the lattice for the disc, it would draw the cone
+    // in, so that is led to where it is moved the other way. The same where two cones meet.
+    void add_corner(Vec2 p, Vec2 before, Vec2 after, bool upper_end) {
         const std::int64_t scale = scale_of(p.r);
-        const bool ends_a_cone = upper_end && before.r < p.r && before.h < p.h;
-        if (outside() && ends_a_cone && round_down(p.h) < round_up(p.h)) add(scale, p.h, false);
         result_.error =
             std::max(result_.error, std::abs(static_cast<double>(scale) * b_ - p.r) + 1);
-        add(scale, p.h, upper_end);
+        const bool ends_a_cone = before.r < p.r && before.h < p.h;
+        const bool begins_a_cone = after.r < p.r && after.h > p.h;
+        const bool is_both = upper_end ? ends_a_cone : begins_a_cone;
+        if (outside() && is_both && round_down(p.h) < round_up(p.h)) {
+            add(scale, p.h, false);
+            add(scale, p.h, true);
+        } else {
+            add(scale, p.h, upper_end);
+        }
     }
 
     void add_fillet(const Fillet& f) {
