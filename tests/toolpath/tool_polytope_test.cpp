@@ -196,6 +196,25 @@ TEST(ToolPolytope, AWholeBallHasBothItsHalves) {
     EXPECT_LT(volume, exact * 1.05);
 }
 
+// Where an arc ends upright, its last chord is led to the height at which it ends.
+TEST(ToolPolytope, InscribedLosesNoMoreThanItReports) {
+    for (const double diameter : {15.361, 6.0, 0.97}) {
+        SCOPED_TRACE(diameter);
+        const double r = diameter / 2;
+        const ToolPiece piece = ball_end_mill(diameter, r).pieces[0];
+        const PiecePolytope within = approximate(piece, kLattice, {r / 102, Side::Inscribed});
+        for (int half_degrees = -180; half_degrees <= 0; ++half_degrees) {
+            const double angle = half_degrees * std::numbers::pi / 360;
+            double reach = 0.0;
+            for (const auto& corner : within.points_T) {
+                const cda::Vec3 p = kLattice.to_mm(corner);
+                reach = std::max(reach, std::cos(angle) * p.x + std::sin(angle) * (p.z - r));
+            }
+            EXPECT_LE(r - reach, within.error_mm) << half_degrees;
+        }
+    }
+}
+
 TEST(ToolPolytope, IsTheSameForCoarserLattices) {
     const cda::Lattice coarse{5e-4};
     const PiecePolytope p = approximate(ball_end_mill(6, 20).pieces[0], coarse, {});

@@ -281,6 +281,7 @@ private:
             const double rise = std::sqrt(std::max(0.0, f.rho * f.rho - x * x));
             const bool upper = ideal.h > f.centre.h;
             Vec2 at{radius, f.centre.h + (upper ? rise : -rise)};
+            if (i == steps_ && std::abs(f.d2.r) < 1e-9) at.h = f.end.h;
             if (i == 0) {
                 const bool moves = f.d1.r > 1e-9;
                 at.h = f.start.h - (moves ? (f.start.r - radius) / f.d1.r * f.d1.h : 0.0);
@@ -291,7 +292,6 @@ private:
                 result_.error = std::max(result_.error, f.rho - depth + 1);
             }
             if (i == steps_) {
-                if (std::abs(f.d2.r) < 1e-9) at.h = f.end.h;
                 result_.error = std::max(result_.error, std::abs(f.end.r - radius) + 1);
             }
             add(static_cast<std::int64_t>(std::round(radius / b_)), at.h, upper);
