@@ -148,7 +148,7 @@ private:
             return degrees;
         };
         constexpr Ticks kNever = 1 << 30;
-        switch (random_.between(0, 7)) {
+        switch (random_.between(0, 10)) {
             case 0:
             case 1: begin("flat"); return RoundTool::end_mill(d, 0.0, l);
             case 2: begin("ball"); return RoundTool::end_mill(d, d / 2, l);
@@ -164,6 +164,18 @@ private:
             case 6:
                 begin("drill");
                 return RoundTool::cone(d, 0.0, angle(one_of(90.0, 118.0, 130.0, 135.0, 140.0)), l);
+            case 7: {
+                begin("slot");
+                const double corner = some(":R", std::min(t.radius, t.length), 2);
+                return RoundTool::end_mill(d, corner, l);
+            }
+            case 8:
+                begin("dovetail");
+                return RoundTool::dovetail(d, angle(one_of(1.0, 10.0, 15.0, 30.0, 45.0, 60.0)), l);
+            case 9:
+                tools_.back().length = 2 * t.radius;
+                text += "lollipop:D" + mm_text(2 * t.radius);
+                return RoundTool::lollipop(d);
             default: {
                 begin("taper");
                 const double corner = some(":R", t.radius, 2);

@@ -74,13 +74,37 @@ RoundTool RoundTool::tapered(double tip_diameter, double corner_radius, double t
     return tool;
 }
 
+RoundTool RoundTool::dovetail(double diameter, double taper, double length) {
+    RoundTool tool;
+    const double r = diameter / 2;
+    const double slope = std::tan(taper * kDegree);
+    // At least a twentieth of the width is left on top.
+    const double height = std::min(length, 0.95 * r / slope);
+    tool.bottom_ = {r, 0.0};
+    tool.close({tool.bottom_, {r - height * slope, height}});
+    return tool;
+}
+
+RoundTool RoundTool::lollipop(double diameter) {
+    RoundTool tool;
+    const double r = diameter / 2;
+    const Meridian equator{r, r};
+    tool.arcs_.push_back({{0.0, r}, tool.bottom_, equator, r});
+    tool.arcs_.push_back({{0.0, r}, equator, {0.0, diameter}, r});
+    tool.close({equator});
+    tool.top_ = tool.arcs_.back().to;
+    tool.height_ = diameter;
+    return tool;
+}
+
 // The sides between `corners`, from the lowest up, less those that are points.
 void RoundTool::close(const std::vector<Meridian>& corners) {
     for (std::size_t i = 1; i < corners.size(); ++i) {
         if (norm(corners[i] - corners[i - 1]) > 0.0) sides_.push_back({corners[i - 1], corners[i]});
     }
-    radius_ = corners.back().r;
-    height_ = corners.back().h;
+    top_ = corners.back();
+    radius_ = std::max(corners.front().r, top_.r);
+    height_ = top_.h;
 }
 
 // The nearest point of the surface lies in the half-plane of the axis and the point. In it the
@@ -90,7 +114,7 @@ double RoundTool::signed_distance(const Vec& p_T) const {
     const Meridian p{std::sqrt(p_T[0] * p_T[0] + p_T[1] * p_T[1]), p_T[2]};
     bool inside = p.h >= 0.0 && p.h <= height_;
     double distance = std::min(distance_to_segment(p, {0.0, 0.0}, bottom_),
-                               distance_to_segment(p, {radius_, height_}, {0.0, height_}));
+                               distance_to_segment(p, top_, {0.0, height_}));
     for (const Line& side : sides_) {
         inside = inside && is_left(p, side.from, side.to);
         distance = std::min(distance, distance_to_segment(p, side.from, side.to));
@@ -115,10 +139,13 @@ double RoundTool::sharpest_half_angle() const {
         return std::atan2(side.to.r - side.from.r, side.to.h - side.from.h);
     };
     if (!sides_.empty()) {
-        // The rim, between the last side and the disc on top, and a pointed tip.
+        // The rim, between the last side and the disc on top, and below a pointed tip, or the rim
+        // of a dovetail.
         sharpest = std::min(sharpest, (std::numbers::pi / 2 - lean(sides_.back())) / 2);
         if (arcs_.empty() && bottom_.r == 0.0) {
             sharpest = std::min(sharpest, lean(sides_.front()));
+        } else if (arcs_.empty()) {
+            sharpest = std::min(sharpest, (std::numbers::pi / 2 + lean(sides_.front())) / 2);
         }
     }
     return sharpest;
@@ -131,7 +158,7 @@ Vec RoundTool::surface_point(double along, double around) const {
     for (const Arc& arc : arcs_)
         pieces.push_back({arc.from, arc.to});
     pieces.insert(pieces.end(), sides_.begin(), sides_.end());
-    pieces.push_back({{radius_, height_}, {0.0, height_}});
+    pieces.push_back({top_, {0.0, height_}});
     double rest = 0.0;
     for (const Line& piece : pieces)
         rest += norm(piece.to - piece.from);
@@ -146,8 +173,8 @@ Vec RoundTool::surface_point(double along, double around) const {
     const double t = length > 0.0 ? rest / length : 0.0;
     Meridian p{piece.from.r + t * (piece.to.r - piece.from.r),
                piece.from.h + t * (piece.to.h - piece.from.h)};
-    if (!arcs_.empty() && i == 1) {
-        const Arc& arc = arcs_.front();
+    if (1 <= i && i <= arcs_.size()) {
+        const Arc& arc = arcs_[i - 1];
         const Meridian q = p - arc.centre;
         const double stretch = arc.radius / norm(q);
         p = {arc.centre.r + stretch * q.r, arc.centre.h + stretch * q.h};

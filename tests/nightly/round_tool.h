@@ -17,7 +17,8 @@ struct Meridian {
 
 class RoundTool {
 public:
-    /// Flat and face mills (no corner radius), bull noses, and ball noses (half the diameter).
+    /// Flat, face and slot mills (with or without a corner radius), bull noses, and ball noses
+    /// (half the diameter).
     static RoundTool end_mill(double diameter, double corner_radius, double length);
     /// A cone of an included angle (degrees) from a tip, then a cylinder: V-cutters and drills.
     static RoundTool cone(double diameter, double tip_diameter, double included_angle,
@@ -25,6 +26,10 @@ public:
     /// A cone that opens by `taper` degrees a side from a flat or rounded tip.
     static RoundTool tapered(double tip_diameter, double corner_radius, double taper,
                              double length);
+    /// Narrower upwards, by `taper` degrees a side.
+    static RoundTool dovetail(double diameter, double taper, double length);
+    /// A whole ball.
+    static RoundTool lollipop(double diameter);
 
     /// Distance from the surface, negative inside. As a function of the point convex, and its
     /// slope is at most 1.
@@ -35,7 +40,7 @@ public:
     /// Half of the sharpest interior angle of the solid, at an edge or at its tip, radians.
     double sharpest_half_angle() const;
     /// Is it a cylinder?
-    bool is_upright() const { return bottom_.r == radius_; }
+    bool is_upright() const { return bottom_.r == radius_ && top_.r == radius_; }
     /// Of the surface; `along` and `around` in [0, 1).
     Vec surface_point(double along, double around) const;
 
@@ -50,8 +55,9 @@ private:
     void close(const std::vector<Meridian>& corners);
 
     Meridian bottom_;          // where the flat under the tool ends
-    std::vector<Arc> arcs_;    // behind it: none or one
+    std::vector<Arc> arcs_;    // behind it: none, one, or two that are a half circle
     std::vector<Line> sides_;  // from there up
+    Meridian top_;             // where the flat on top of the tool begins
     double radius_ = 0.0, height_ = 0.0;
 };
 

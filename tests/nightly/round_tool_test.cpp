@@ -51,6 +51,13 @@ std::vector<Known> known_tools() {
              return 1.5 * std::cos(degrees(5)) + (h - touch) * std::tan(degrees(5));
          },
          30},
+        {"slot D20 L4 R1", RoundTool::end_mill(20, 1, 4), rounded(10, 1), 4},
+        {"dovetail D12 A30 L5", RoundTool::dovetail(12, 30, 5),
+         [=](double h) { return 6 - h * std::tan(degrees(30)); }, 5},
+        {"dovetail D12 A45, as high as it can be", RoundTool::dovetail(12, 45, 9),
+         [](double h) { return 6 - h; }, 5.7},
+        {"lollipop D8", RoundTool::lollipop(8),
+         [](double h) { return std::sqrt(16 - (h - 4) * (h - 4)); }, 8},
     };
 }
 
@@ -139,6 +146,8 @@ TEST(RoundTool, KnowsItsSharpestAngle) {
     const double quarter = std::numbers::pi / 4;
     EXPECT_NEAR(RoundTool::end_mill(10, 0, 20).sharpest_half_angle(), quarter, 1e-12);
     EXPECT_NEAR(RoundTool::cone(10, 0, 60, 20).sharpest_half_angle(), std::numbers::pi / 6, 1e-12);
+    EXPECT_NEAR(RoundTool::dovetail(10, 30, 4).sharpest_half_angle(), std::numbers::pi / 6, 1e-12);
+    EXPECT_NEAR(RoundTool::lollipop(10).sharpest_half_angle(), quarter, 1e-12);
     // Without a cylinder above it the rim of a blunt cone is sharper than its tip.
     EXPECT_NEAR(RoundTool::cone(10, 0, 120, 1).sharpest_half_angle(), std::numbers::pi / 12, 1e-12);
 }
