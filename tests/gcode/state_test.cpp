@@ -187,9 +187,10 @@ TEST(GaugeLength, IsThatOfTheTableBeforeWhatTheProgramWrites) {
     };
     using Lengths = std::vector<std::optional<double>>;
     // T1 is 7 mm long, whatever is written into its register; nobody knows of T2 before that.
-    EXPECT_EQ(lengths_of("G21 G90 T1 M6\nG0 X1\nG10 L1 P1 Z90\nG0 X2\nM2\n"), (Lengths{7.0, 7.0}));
+    EXPECT_EQ(lengths_of("G21 G90 T1 M6\nG0 X1\nG10 L1 P1 Z90\nG0 X2\nM2\n"),
+              (Lengths{7.0, 7.0, 7.0}));
     EXPECT_EQ(lengths_of("G21 G90 T2 M6\nG0 X1\nG10 L1 P2 Z90\nG0 X2\nM2\n"),
-              (Lengths{std::nullopt, 90.0}));
+              (Lengths{std::nullopt, std::nullopt, 90.0}));
 }
 
 TEST(Spindle, StandsStillAfterAStopWhereTheMachineStopsIt) {

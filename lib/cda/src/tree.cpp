@@ -334,9 +334,13 @@ bool TreeCda::contains(Vec3 point) const {
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
     }
+    // Of a cell in the tree, planes that do not cut the stock are not asked for.
     const bool is_taken = std::ranges::any_of(waiting_, [&](const Cell& cell) {
-        return std::ranges::all_of(cell.planes,
-                                   [&](const Plane& h) { return query.side_of(h) == Side::Below; });
+        return std::ranges::all_of(cell.planes, [&](const Plane& h) {
+            const Side side = query.side_of(h);
+            return side == Side::Below ||
+                   (side == Side::On && classify_box(stock_box_, h) == Side::Below);
+        });
     });
     if (is_taken) return false;
     std::vector<BlockTree::Entry> cells;
