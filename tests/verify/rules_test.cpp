@@ -640,6 +640,41 @@ TEST(Suppression, MayStandInTheBlockAndNameACategory) {
     EXPECT_TRUE(only(verdict, "rapid-in-material").suppressed);
 }
 
+TEST(Suppression, IsReadWithAnyBlanksAndCase) {
+    for (const char* comment :
+         {"(ncsim:ignore rapid-in-material)", "(NCSIM :  IGNORE rapid-in-material)",
+          "( ncsim: ignore,rapid-in-material)", "; ncsim\t:ignore\trapid-in-material"}) {
+        SCOPED_TRACE(comment);
+        const auto verdict = verdict_of(kStart + comment + "\nG0 Z-2\nG0 X30\n");
+        EXPECT_TRUE(findings_of(verdict, "suppression").empty());
+        const verify::Suppressions read({"", std::string("G1 X1 ") + comment + "\n"});
+        EXPECT_TRUE(read.covers(1, "rapid-in-material"));
+    }
+}
+
+TEST(Suppression, ThatCannotBeUnderstoodIsTold) {
+    for (const char* comment :
+         {"(ncsim: ignores rapid-in-material)", "(ncsim ignore rapid-in-material)",
+          "(ncsim: ignore)", "(ncsim:)", "(ncsim-ignore: rapid-in-material)", "(NCSIM, ignoring x)",
+          "(ncsim: ingore rapid-in-material)", "(ncsim: ignore: rapid-in-material)"}) {
+        SCOPED_TRACE(comment);
+        const auto verdict = verdict_of(kStart + comment + "\nG0 Z-2\nG0 X30\n");
+        EXPECT_EQ(only(verdict, "suppression").place.span.line, 2U);
+        EXPECT_EQ(only(verdict, "suppression").message,
+                  "this comment suppresses nothing: it has to read (ncsim: ignore RULE)");
+        EXPECT_FALSE(only(verdict, "rapid-in-material").suppressed);
+    }
+}
+
+TEST(Suppression, IsNotLookedForInWhatPeopleSayOfUs) {
+    for (const char* comment : {"(ncsim found this)", "(ncsimulator: ignore all)", "(see ncsim: x)",
+                                "(NCSIM 0.1)", "(ncsim)"}) {
+        SCOPED_TRACE(comment);
+        const auto verdict = verdict_of(kStart + comment + "\nG0 Z-2\nG0 X30\n");
+        EXPECT_TRUE(findings_of(verdict, "suppression").empty());
+    }
+}
+
 TEST(Suppression, OfAnUnknownRuleIsTold) {
     const auto verdict = verdict_of(kStart + "(ncsim: ignore rapids)\nG0 Z-2\nG0 X30\n");
     EXPECT_EQ(only(verdict, "suppression").place.span.line, 2U);

@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 namespace ncsim::verify {
 
 namespace {
+
+constexpr std::string_view kBlanks = " \t";
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -18,21 +22,45 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// The words behind "ncsim: ignore", or none.
-std::vector<std::string> ignored_in(std::string_view comment) {
-    const std::string text = lower(comment);
+void skip_blanks(std::string_view& text) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+}
+
+std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
-    for (const char c : text + " ") {
-        if (c == ' ' || c == '\t' || c == ',') {
-            if (!word.empty()) words.push_back(std::move(word));
-            word.clear();
-        } else {
-            word += c;
-        }
+    for (const char c : text) {
+        const bool separates = c == ',' || kBlanks.find(c) != std::string_view::npos;
+        if (!separates) word += c;
+        if (separates && !word.empty()) words.push_back(std::exchange(word, {}));
     }
-    if (words.size() < 3 || words[0] != "ncsim:" || words[1] != "ignore") return {};
-    words.erase(words.begin(), words.begin() + 2);
+    if (!word.empty()) words.push_back(std::move(word));
+    return words;
+}
+
+// What is asked of us in a comment: the words behind "ncsim: ignore". Nothing if nothing is asked;
+// no words if something is, but not so that it can be understood.
+std::optional<std::vector<std::string>> ignored_in(std::string_view comment) {
+    const std::string whole = lower(comment);
+    std::string_view text = whole;
+    skip_blanks(text);
+    constexpr std::string_view kName = "ncsim";
+    if (!text.starts_with(kName)) return std::nullopt;
+    text.remove_prefix(kName.size());
+    // A longer name is somebody else's.
+    if (!text.empty() && std::isalnum(static_cast<unsigned char>(text.front())) != 0)
+        return std::nullopt;
+    skip_blanks(text);
+    if (!text.starts_with(':')) {
+        // "ncsim found this" is a remark, "ncsim, ignore all" wants something.
+        while (!text.empty() && std::isalnum(static_cast<unsigned char>(text.front())) == 0)
+            text.remove_prefix(1);
+        if (text.starts_with("ignor")) return std::vector<std::string>{};
+        return std::nullopt;
+    }
+    std::vector<std::string> words = words_of(text.substr(1));
+    if (words.empty() || words.front() != "ignore") return std::vector<std::string>{};
+    words.erase(words.begin());
     return words;
 }
 
@@ -44,7 +72,9 @@ Suppressions::Suppressions(const gcode::SourceFile& program) {
     std::set<std::string, std::less<>> pending;
     while (reader.next(block)) {
         for (const gcode::Comment& comment : block.comments) {
-            for (const std::string& name : ignored_in(comment.text)) {
+            const auto names = ignored_in(comment.text);
+            if (names && names->empty()) unknown_.push_back({{}, comment.span});
+            for (const std::string& name : names.value_or(std::vector<std::string>{})) {
                 const auto ids = rules_named(name);
                 if (ids.empty()) unknown_.push_back({name, comment.span});
                 pending.insert(ids.begin(), ids.end());

@@ -16,7 +16,8 @@ namespace ncsim::verify {
 
 class Suppressions {
 public:
-    /// A word after "ignore" that names no rule.
+    /// A word after "ignore" that names no rule; without a name, a comment that asks for something
+    /// but cannot be understood: "(ncsim: ignores …)", "(ncsim ignore …)", "(ncsim: ignore)".
     struct Unknown {
         std::string name;
         gcode::SourceSpan span;
@@ -25,7 +26,8 @@ public:
     Suppressions() = default;
     /// Reads the comments of `program`. A comment in a line with words is about that block, one in
     /// a line of its own about the next line with words; several rules are separated by commas or
-    /// blanks; a category or "all" stands for all its rules. Total; O(size of the program).
+    /// blanks; a category or "all" stands for all its rules. Blanks about the colon and the case of
+    /// letters do not matter. Total; O(size of the program).
     explicit Suppressions(const gcode::SourceFile& program);
 
     bool covers(std::uint32_t line, std::string_view rule) const;
