@@ -77,6 +77,22 @@ TEST(WriteGltf, ShadesGentleBendsOfOneToolAsRound) {
     EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 4);
 }
 
+TEST(WriteGltf, ShadesWhatAToolWithoutANumberCutAsAnyOther) {
+    EXPECT_EQ(roof_normals(0.176, 0), roof_normals(0.176, 3));
+}
+
+TEST(WriteGltf, HasAMaterialForAToolWithoutANumber) {
+    auto part = test::grooved_part();
+    Provenance lines = test::provenance_of(part);
+    for (std::size_t i = 1; i < lines.entries.size(); ++i) {
+        if (lines.entries[i].tool == 7) lines.entries[i].tool = 0;
+    }
+    const std::string glb = written(test::boundary_of(part), lines);
+    EXPECT_TRUE(has(glb, R"("name":"stock")"));
+    EXPECT_TRUE(has(glb, R"("name":"T0")"));
+    EXPECT_TRUE(has(glb, R"("name":"T1")"));
+}
+
 TEST(WriteGltf, KeepsSharpEdges) {
     const auto normals = roof_normals(0.3, 3);  // 2 × 17°
     EXPECT_EQ(std::count(normals.begin(), normals.end(), std::array{0.0F, 0.0F, 1.0F}), 0);

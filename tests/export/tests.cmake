@@ -9,6 +9,7 @@ ncsim_add_test(export
     gltf_test.cpp
     golden_test.cpp
     merge_faces_test.cpp
+    palette_test.cpp
     ply_test.cpp
     png_test.cpp
     polytope_part.cpp

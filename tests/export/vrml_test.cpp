@@ -88,6 +88,17 @@ coordIndex [
 )");
 }
 
+TEST(WriteVrml, AToolWithoutANumberDoesNotLookLikeTheStock) {
+    const std::string text = written(pyramid(), {{{}, {9, 0}, {7, 4}}, "pyramid.nc"});
+    EXPECT_NE(text.find("DEF STOCK_LOOK Appearance { material Material { diffuseColor 0.588 0.611 "
+                        "0.643"),
+              std::string::npos);
+    EXPECT_NE(text.find("DEF TOOL_0 Appearance"), std::string::npos);
+    EXPECT_NE(text.find("DEF TOOL_4 Appearance { material Material { diffuseColor 0.494 0.713 "
+                        "0.886"),
+              std::string::npos);
+}
+
 TEST(WriteVrml, AnEmptyPartIsAWorldWithoutShapes) {
     EXPECT_EQ(written({}, {}),
               "#VRML V2.0 utf8\n"

@@ -35,7 +35,7 @@ namespace ncsim::exporter {
 namespace {
 
 struct Primitive {
-    std::uint32_t tool = 0;
+    Maker maker{{}};
     std::vector<std::uint32_t> indices;
     std::vector<FloatPoint> positions;
     std::vector<FloatPoint> normals;
@@ -53,10 +53,11 @@ cda::Vec3 whole_centre(const cda::Boundary& boundary) {
 // that were cut by the same tool and meet the face at less than the crease angle.
 class SmoothNormals {
 public:
-    SmoothNormals(const cda::Boundary& boundary, const Provenance& provenance)
+    SmoothNormals(const cda::Boundary& boundary, const Provenance& provenance,
+                  const Palette& palette)
         : boundary_(boundary), first_(boundary.vertices.size() + 1, 0) {
         for (const cda::BoundaryFace& face : boundary.faces) {
-            tool_.push_back(provenance.of(face.origin).tool);
+            maker_.push_back(palette.rank(provenance.of(face.origin)));
             weighted_.push_back(area_vector(face));
             for (const auto& loop : face.loops) {
                 for (const std::uint32_t vertex : loop)
@@ -77,11 +78,11 @@ public:
     cda::Vec3 at(std::uint32_t face, std::uint32_t vertex) const {
         const cda::Vec3 own = boundary_.faces[face].normal;
         // Vertices inside a face, which triangulate() made, have no others.
-        if (tool_[face] == 0 || vertex + 1 >= first_.size()) return own;
+        if (maker_[face] == 0 || vertex + 1 >= first_.size()) return own;
         cda::Vec3 sum;
         for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
             const std::uint32_t other = faces_[i];
-            const bool is_smooth = tool_[other] == tool_[face] &&
+            const bool is_smooth = maker_[other] == maker_[face] &&
                                    cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
             if (is_smooth) sum = sum + weighted_[other];
         }
@@ -105,7 +106,7 @@ private:
     }
 
     const cda::Boundary& boundary_;
-    std::vector<std::uint32_t> tool_;   // of each face
+    std::vector<std::size_t> maker_;    // of each face, by rank; 0: the stock, which stays flat
     std::vector<cda::Vec3> weighted_;   // of each face
     std::vector<std::uint32_t> first_;  // for each vertex, where in `faces_` its faces begin
     std::vector<std::uint32_t> faces_;
@@ -114,11 +115,11 @@ private:
 // Steps 1 and 2. Primitives without triangles are left out.
 std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenance& provenance,
                                   const Palette& palette, cda::Vec3 centre) {
-    std::vector<Primitive> all(palette.tools().size());
+    std::vector<Primitive> all(palette.makers().size());
     for (std::size_t i = 0; i < all.size(); ++i)
-        all[i].tool = palette.tools()[i];
+        all[i].maker = palette.makers()[i];
     const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
-    const SmoothNormals normals(boundary, provenance);
+    const SmoothNormals normals(boundary, provenance, palette);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
     std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its copy for this face
@@ -127,7 +128,7 @@ std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenanc
         current_face = mesh.face[t];
         const cda::BoundaryFace& face = boundary.faces[current_face];
         const Provenance::Entry entry = provenance.of(face.origin);
-        Primitive& primitive = all[palette.rank(entry.tool)];
+        Primitive& primitive = all[palette.rank(entry)];
         for (const std::uint32_t point : mesh.triangles[t]) {
             const auto next = static_cast<std::uint32_t>(primitive.positions.size());
             const auto [found, is_new] = local.try_emplace(point, next);
@@ -214,15 +215,15 @@ private:
     tinygltf::Model& model_;
 };
 
-tinygltf::Material material(std::uint32_t tool, Rgba8 colour) {
+tinygltf::Material material(const Maker& maker, Rgba8 colour) {
     const LinearColour linear = to_linear(colour);
     tinygltf::Material result;
-    result.name = tool == 0 ? "stock" : "T" + std::to_string(tool);
+    result.name = maker.name();
     result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, 1.0};
     result.pbrMetallicRoughness.metallicFactor = 0.0;
     result.pbrMetallicRoughness.roughnessFactor = 0.6;
-    result.extras =
-        tinygltf::Value(tinygltf::Value::Object{{"tool", tinygltf::Value(static_cast<int>(tool))}});
+    result.extras = tinygltf::Value(
+        tinygltf::Value::Object{{"tool", tinygltf::Value(static_cast<int>(maker.tool))}});
     return result;
 }
 
@@ -235,7 +236,7 @@ tinygltf::Mesh mesh_of(const std::vector<Primitive>& primitives, const Palette& 
         tinygltf::Primitive to;
         to.mode = TINYGLTF_MODE_TRIANGLES;
         to.material = static_cast<int>(model.materials.size());
-        model.materials.push_back(material(from.tool, palette.colour({0, from.tool})));
+        model.materials.push_back(material(from.maker, palette.colour(from.maker)));
         to.indices = packer.pack_indices(from.indices);
         to.attributes["POSITION"] = packer.pack_positions(from.positions);
         to.attributes["NORMAL"] = packer.pack_points(from.normals);

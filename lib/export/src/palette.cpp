@@ -20,6 +20,8 @@ constexpr std::array<Rgba8, 8> kToolColours{{{126, 182, 226},
                                              {172, 156, 222},
                                              {226, 124, 98},
                                              {104, 192, 194}}};
+// A brown that none of them comes near.
+constexpr Rgba8 kUnnumberedColour{164, 122, 90};
 
 constexpr std::array<Rgba8, 5> kScale{
     {{248, 222, 112}, {122, 200, 122}, {52, 152, 156}, {62, 96, 160}, {78, 48, 118}}};
@@ -51,22 +53,32 @@ LinearColour scale_colour(double t) {
     return (1.0F - share) * to_linear(kScale[below]) + share * to_linear(kScale[below + 1]);
 }
 
-Palette::Palette(const Provenance& provenance) : tools_{0} {
+std::string Maker::name() const {
+    if (!is_tool) return "stock";
+    std::string text(1, 'T');
+    text += std::to_string(tool);
+    return text;
+}
+
+Palette::Palette(const Provenance& provenance) : makers_{Maker({})} {
     for (const Provenance::Entry& entry : provenance.entries)
-        tools_.push_back(entry.tool);
-    std::sort(tools_.begin(), tools_.end());
-    tools_.erase(std::unique(tools_.begin(), tools_.end()), tools_.end());
+        makers_.emplace_back(entry);
+    std::sort(makers_.begin(), makers_.end());
+    makers_.erase(std::unique(makers_.begin(), makers_.end()), makers_.end());
+    if (makers_.size() > 1 && makers_[1].tool == 0) first_numbered_ = 2;
 }
 
-std::size_t Palette::rank(std::uint32_t tool) const {
-    const auto found = std::lower_bound(tools_.begin(), tools_.end(), tool);
-    const bool known = found != tools_.end() && *found == tool;
-    return known ? static_cast<std::size_t>(found - tools_.begin()) : 0;
+std::size_t Palette::rank(Maker maker) const {
+    const auto found = std::lower_bound(makers_.begin(), makers_.end(), maker);
+    const bool known = found != makers_.end() && *found == maker;
+    return known ? static_cast<std::size_t>(found - makers_.begin()) : 0;
 }
 
-Rgba8 Palette::colour(Provenance::Entry entry) const {
-    const std::size_t position = rank(entry.tool);
-    return position == 0 ? kStockColour : kToolColours[(position - 1) % kToolColours.size()];
+Rgba8 Palette::colour(Maker maker) const {
+    const std::size_t position = rank(maker);
+    if (position == 0) return kStockColour;
+    if (position < first_numbered_) return kUnnumberedColour;
+    return kToolColours[(position - first_numbered_) % kToolColours.size()];
 }
 
 }  // namespace ncsim::exporter

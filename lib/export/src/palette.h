@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which colour a face has: one for uncut stock, one for each tool, the same in every format.
+// Which colour a face has: one for uncut stock, one for each tool, one for the tool of a program
+// that calls none; the same in every format.
 #pragma once
 
 #include "ncsim/export/image.h"
 #include "ncsim/export/provenance.h"
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ncsim::exporter {
@@ -36,21 +40,36 @@ inline double unit_share(std::uint8_t channel) {
 /// can be seen without telling hues apart. Numbers beyond are clamped.
 LinearColour scale_colour(double t);
 
-/// The tools of a program, each with a colour. Tools are coloured by their rank among the tools
-/// used, so neighbours in a program differ even where numbers are far apart; from the ninth tool
-/// on colours come again.
+/// Who left a face.
+struct Maker {
+    bool is_tool = false;    ///< Else nobody: it is the stock's own.
+    std::uint32_t tool = 0;  ///< Its number; 0 where the program calls none.
+
+    explicit Maker(Provenance::Entry entry) : is_tool(!entry.is_stock()), tool(entry.tool) {}
+    auto operator<=>(const Maker&) const = default;
+
+    /// "stock", "T3", "T0".
+    std::string name() const;
+};
+
+/// The stock and the tools of a program, each with a colour. Tools are coloured by their rank among
+/// the numbers used, so neighbours in a program differ even where numbers are far apart; from the
+/// ninth on colours come again. Tool 0 has a colour of its own.
 class Palette {
 public:
     explicit Palette(const Provenance& provenance);
 
-    Rgba8 colour(Provenance::Entry entry) const;
-    /// Tools in the order of their numbers; 0, the stock, always first.
-    const std::vector<std::uint32_t>& tools() const { return tools_; }
-    /// Position of the tool in `tools`; that of the stock for a tool that is not there.
-    std::size_t rank(std::uint32_t tool) const;
+    Rgba8 colour(Maker maker) const;
+    Rgba8 colour(Provenance::Entry entry) const { return colour(Maker(entry)); }
+    /// The stock, whether there is a face of it or not, then tools in the order of their numbers.
+    const std::vector<Maker>& makers() const { return makers_; }
+    /// Position of the maker in makers(); that of the stock for a tool that is not there.
+    std::size_t rank(Maker maker) const;
+    std::size_t rank(Provenance::Entry entry) const { return rank(Maker(entry)); }
 
 private:
-    std::vector<std::uint32_t> tools_;
+    std::vector<Maker> makers_;
+    std::size_t first_numbered_ = 1;  // in makers_
 };
 
 }  // namespace ncsim::exporter

@@ -173,7 +173,7 @@ public:
           provenance_(provenance),
           palette_(provenance),
           vertices_(boundary_.vertices.size()),
-          styles_(palette_.tools().size(), 0) {}
+          styles_(palette_.makers().size(), 0) {}
 
     void write() {
         header();
@@ -351,7 +351,7 @@ private:
 
     // The colour of a tool.
     Entity style(Provenance::Entry entry) {
-        Entity& made = styles_[palette_.rank(entry.tool)];
+        Entity& made = styles_[palette_.rank(entry)];
         if (made != 0) return made;
         const Rgba8 colour = palette_.colour(entry);
         std::string rgb;

@@ -64,16 +64,9 @@ void append_attribute(std::string& text, std::string_view name, std::size_t valu
 
 void append_materials(std::string& text, const Palette& palette) {
     text += "<basematerials id=\"1\">\n";
-    for (const std::uint32_t tool : palette.tools()) {
-        text += "<base name=\"";
-        if (tool == 0) {
-            text += "stock";
-        } else {
-            text += 'T';
-            text += std::to_string(tool);
-        }
-        text += "\" displaycolor=\"#";
-        const Rgba8 colour = palette.colour({0, tool});
+    for (const Maker& maker : palette.makers()) {
+        text += "<base name=\"" + maker.name() + "\" displaycolor=\"#";
+        const Rgba8 colour = palette.colour(maker);
         for (const std::uint8_t channel : {colour.r, colour.g, colour.b, colour.a}) {
             text += "0123456789ABCDEF"[channel >> 4];
             text += "0123456789ABCDEF"[channel & 0xF];
@@ -104,7 +97,7 @@ void append_object(std::string& text, const cda::Boundary& boundary, const Prove
         append_attribute(text, "v2", std::size_t{mesh.triangles[t][1]});
         append_attribute(text, "v3", std::size_t{mesh.triangles[t][2]});
         text += " pid=\"1\"";
-        append_attribute(text, "p1", palette.rank(provenance.of(origin).tool));
+        append_attribute(text, "p1", palette.rank(provenance.of(origin)));
         text += "/>\n";
     }
     text += "</triangles>\n</mesh>\n</object>\n";

@@ -36,7 +36,7 @@ public:
           provenance_(provenance),
           palette_(provenance),
           pieces_(boundary, Polygons::Simple),
-          is_defined_(palette_.tools().size(), false) {}
+          is_defined_(palette_.makers().size(), false) {}
 
     void write() {
         header();
@@ -143,9 +143,10 @@ private:
 
     // Written in full for the first shape of a tool, referred to by name after that.
     void appearance(Provenance::Entry by) {
-        const std::size_t rank = palette_.rank(by.tool);
-        const std::uint32_t tool = palette_.tools()[rank];
-        const std::string name = tool == 0 ? "STOCK_LOOK" : "TOOL_" + std::to_string(tool);
+        const std::size_t rank = palette_.rank(by);
+        const Maker& maker = palette_.makers()[rank];
+        const std::string name =
+            maker.is_tool ? "TOOL_" + std::to_string(maker.tool) : std::string("STOCK_LOOK");
         if (is_defined_[rank]) {
             text_ += "USE " + name;
             return;

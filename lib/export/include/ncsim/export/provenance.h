@@ -16,7 +16,9 @@ namespace ncsim::exporter {
 struct Provenance {
     struct Entry {
         std::uint32_t nc_line = 0;  ///< Line of the program, from 1; 0: uncut stock.
-        std::uint32_t tool = 0;     ///< Tool number; 0: uncut stock.
+        std::uint32_t tool = 0;     ///< Tool number; 0: none was called, or uncut stock.
+
+        bool is_stock() const { return nc_line == 0 && tool == 0; }
     };
     std::vector<Entry> entries;
     std::string program;  ///< File name without folders, as formats may quote it.

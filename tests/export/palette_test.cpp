@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "palette.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <tuple>
+
+namespace ncsim::exporter {
+namespace {
+
+using Entry = Provenance::Entry;
+
+Provenance cut_by(std::initializer_list<std::uint32_t> tools) {
+    Provenance provenance{{{}}, "a.nc"};
+    for (const std::uint32_t tool : tools)
+        provenance.entries.push_back({9, tool});
+    return provenance;
+}
+
+TEST(Palette, StockEightToolsAndATool0HaveColoursOfTheirOwn) {
+    const Palette palette(cut_by({0, 1, 2, 3, 4, 5, 6, 7, 8}));
+    std::set<std::tuple<int, int, int>> colours;
+    for (const Maker& maker : palette.makers()) {
+        const Rgba8 c = palette.colour(maker);
+        colours.insert({c.r, c.g, c.b});
+    }
+    EXPECT_EQ(colours.size(), 10U);
+}
+
+TEST(Palette, Tool0ChangesTheColourOfNoOtherTool) {
+    const Palette without(cut_by({3, 12}));
+    const Palette with(cut_by({0, 3, 12}));
+    for (const Entry entry : {Entry{}, Entry{9, 3}, Entry{9, 12}})
+        EXPECT_EQ(without.colour(entry), with.colour(entry));
+}
+
+TEST(Palette, NamesStockAndTools) {
+    const Palette palette(cut_by({7, 0}));
+    ASSERT_EQ(palette.makers().size(), 3U);
+    EXPECT_EQ(palette.makers()[0].name(), "stock");
+    EXPECT_EQ(palette.makers()[1].name(), "T0");
+    EXPECT_EQ(palette.makers()[2].name(), "T7");
+    EXPECT_EQ(palette.rank(Entry{}), 0U);
+    EXPECT_EQ(palette.rank(Entry{5, 0}), 1U);
+    EXPECT_EQ(palette.rank(Entry{5, 99}), 0U);
+}
+
+}  // namespace
+}  // namespace ncsim::exporter
