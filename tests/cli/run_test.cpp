@@ -214,6 +214,25 @@ TEST(Run, TakesPicturesOnTheWay) {
     EXPECT_TRUE(contains(bad.err, "slots.nc")) << bad.err;
 }
 
+TEST(Run, FramesAreOfOneSizeWhateverTheirCaptionsSay) {
+    Folder folder;
+    std::string program(kSlot);
+    program.insert(program.find("\nG0 Z5.\nM30"), " (" + std::string(90, 'M') + ")");
+    folder.write("slot.nc", program);
+    const Ran ran = folder.run({"run", "slot.nc", "-q", "--frames", "film", "--gif", "a.gif",
+                                "--every", "1", "--size", "480x360", "--caption"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    // Width and height: four bytes each, the highest first, in the first chunk of a PNG; two bytes
+    // each, the lowest first, in the head of a GIF.
+    const std::string size = folder.read("film/frame-00001.png").substr(16, 8);
+    for (const char* name :
+         {"film/frame-00002.png", "film/frame-00003.png", "film/frame-00004.png"})
+        EXPECT_EQ(folder.read(name).substr(16, 8), size) << name;
+    const std::string head = folder.read("a.gif").substr(6, 4);
+    EXPECT_EQ((std::string{head[1], head[0], head[3], head[2]}),
+              size.substr(2, 2) + size.substr(6, 2));
+}
+
 TEST(Run, ShowsPathAndToolOnlyIfAskedTo) {
     Folder folder;
     folder.write("slots.nc", kTwoSlots);

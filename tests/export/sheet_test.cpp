@@ -103,6 +103,27 @@ TEST(ContactSheet, ThereIsRoomForEachLineOfTheCaption) {
     EXPECT_EQ(one.at(0, one.height - 1), (Rgba8{30, 33, 38, 255}));
 }
 
+TEST(ContactSheet, IsAsLargeWhateverTheCaptionSays) {
+    const std::vector<LabelledImage> one{{"", plain(400, 300, {255, 255, 255})}};
+    const auto size = [&](const std::string& line) {
+        const Image sheet = contact_sheet(one, std::vector<std::string>{"pocket.nc", line});
+        return std::pair(sheet.width, sheet.height);
+    };
+    EXPECT_EQ(size("after line 7: " + std::string(60, 'M')), size("after line 7: G0"));
+    EXPECT_EQ(size(std::string(500, 'M')), size(""));
+}
+
+TEST(ContactSheet, ALongLineLeavesTheOthersAsTheyWere) {
+    const std::vector<LabelledImage> one{{"", plain(400, 300, {255, 255, 255})}};
+    const Image brief = contact_sheet(one, std::vector<std::string>{"pocket.nc", ""});
+    const Image full =
+        contact_sheet(one, std::vector<std::string>{"pocket.nc", std::string(60, 'M')});
+    const auto above = static_cast<std::ptrdiff_t>(std::size_t{400} * (300 + 26));
+    EXPECT_TRUE(
+        std::equal(brief.pixels.begin(), brief.pixels.begin() + above, full.pixels.begin()));
+    EXPECT_NE(brief, full);
+}
+
 TEST(ContactSheet, RefusesWhatCannotBe) {
     EXPECT_THROW(contact_sheet({}, {}), std::runtime_error);
     auto mixed = pictures(2);

@@ -39,16 +39,11 @@ std::uint32_t columns_for(std::size_t pictures) {
     return columns;
 }
 
-// Capitals are as high as the pictures ask for, less if a line would not fit.
-double caption_height(std::span<const std::string> caption, std::uint64_t width, double wanted) {
-    double height = wanted;
-    for (const std::string& line : caption) {
-        const double room = static_cast<double>(width) - 2.0 * kCaptionMargin * height;
-        const double needed = text_width(height, line);
-        if (needed > room)
-            height *= static_cast<double>(width) / (needed + 2.0 * kCaptionMargin * height);
-    }
-    return std::max(kLeastHeight, height);
+// Capitals of a line are as high as the pictures ask for, less if it would not fit.
+double line_height(const std::string& line, std::uint64_t width, double margin, double wanted) {
+    const double room = std::max(0.0, static_cast<double>(width) - 2.0 * margin);
+    const double needed = text_width(wanted, line);
+    return needed > room ? std::max(kLeastHeight, wanted * room / needed) : wanted;
 }
 
 void paste(Image& sheet, const Image& picture, std::uint32_t left, std::uint32_t top) {
@@ -72,8 +67,8 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
     }
     const std::uint32_t columns = columns_for(pictures.size());
     const auto rows = static_cast<std::uint32_t>((pictures.size() + columns - 1) / columns);
-    const double capitals =
-        caption_height(caption, std::uint64_t{width} * columns, kCaptionHeight * height);
+    // The room for the caption does not depend on what it says: frames of a film are of one size.
+    const double capitals = std::max(kLeastHeight, kCaptionHeight * height);
     const double margin = caption.empty() ? 0.0 : kLineSpacing * capitals;
     const double text_height =
         caption.empty()
@@ -103,8 +98,10 @@ Image contact_sheet(std::span<const LabelledImage> pictures, std::span<const std
     if (caption.empty()) return sheet;
     std::fill_n(&sheet.at(0, rows * height), sheet.width, colours.rule);
     double base_line = rows * height + margin + 0.5 * capitals;
+    const double left = kCaptionMargin * capitals;
     for (const std::string& line : caption) {
-        draw_text(sheet, kCaptionMargin * capitals, base_line, capitals, colours.text, line);
+        draw_text(sheet, left, base_line, line_height(line, sheet_width, left, capitals),
+                  colours.text, line);
         base_line += kLineSpacing * capitals;
     }
     return sheet;

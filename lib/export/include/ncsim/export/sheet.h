@@ -19,8 +19,9 @@ struct LabelledImage {
 
 /// Puts `pictures`, which must be equally large, side by side (up to three in a row, more in as
 /// square a grid as possible) and the lines of `caption` below them. Text is ASCII; other
-/// characters show as a box. The size of letters follows that of the pictures; those of the
-/// caption are smaller where a line would not fit.
+/// characters show as a box. The size of letters follows that of the pictures; a line of the
+/// caption that would not fit has smaller ones. The size of the sheet follows from that of the
+/// pictures and the number of lines.
 ///
 /// Throws std::runtime_error if there is no picture, if pictures differ in size, or if the sheet
 /// would have a side of more than kMaxImageSide.
