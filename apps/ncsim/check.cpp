@@ -82,9 +82,13 @@ int run(CheckOptions options) {
                                    design ? &*design : nullptr, threads);
         },
         [&](std::size_t i) {
-            put_out(options.github ? github_annotations(all[i]) : text_of(all[i], options));
+            if (options.github) {
+                put_out(github_annotations(all[i]));
+            } else {
+                put_text(text_of(all[i], options));
+            }
         });
-    if (!options.quiet && all.size() > 1) put_out(summary_of(all));
+    if (!options.quiet && all.size() > 1) put_text(summary_of(all));
 
     outputs.write(options.json, [&](std::ostream& out) { write_check_json(out, all); });
     outputs.write(options.sarif, [&](std::ostream& out) { write_sarif(out, all); });
@@ -101,7 +105,11 @@ int run(CheckOptions options) {
 }
 
 int run(const RulesOptions& options) {
-    put_out(options.json ? rules_json() : rules_text());
+    if (options.json) {
+        put_out(rules_json());
+    } else {
+        put_text(rules_text());
+    }
     return kClean;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_outputs.h"
+#include "findings.h"
 #include "version.h"
 
 #include <cmath>
@@ -144,7 +145,7 @@ void write_check_json(std::ostream& out, std::span<const Checked> all) {
     for (const Checked& checked : all)
         json["programs"].push_back(to_json(checked));
     // Bytes of a program that are no UTF-8 become U+FFFD.
-    out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << to_text(json);
 }
 
 }  // namespace ncsim::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_outputs.h"
 
-#include "sheet.h"
+#include "plain_text.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,11 @@ namespace ncsim::app {
 
 namespace {
 
-// Of workflow commands: data, and the properties before it.
+// Of workflow commands: data, and the properties before it. Printable, too: the log that shows
+// them is a terminal of a kind, and may be that of another service.
 std::string escaped(std::string_view text, bool property) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : printable(text)) {
         if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) {
             fmt::format_to(std::back_inserter(out), "%{:02X}", static_cast<unsigned char>(c));
         } else {
@@ -42,7 +43,8 @@ std::string number(std::optional<double> value) {
     return value ? fmt::format("{:.9g}", *value) : std::string();
 }
 
-std::string csv_text(const std::string& text) {
+std::string csv_path(const std::string& path) {
+    const std::string text = shown_path(path);
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) {
@@ -135,10 +137,10 @@ void write_ledger_csv(std::ostream& out, std::span<const Checked> all) {
            "mm3_per_minute,contact_min_x,contact_min_y,contact_min_z,contact_max_x,contact_max_y,"
            "contact_max_z\n";
     for (const Checked& checked : all) {
-        const std::string program = csv_text(relative_path(checked.path));
+        const std::string program = csv_path(relative_path(checked.path));
         for (const verify::LedgerRow& row : checked.verdict.ledger.rows) {
             out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", program,
-                               csv_text(file_of(checked, {row.file, {}})), row.line,
+                               csv_path(file_of(checked, {row.file, {}})), row.line,
                                row.first_motion, row.last_motion, row.tool, name_of(row.kind),
                                number(row.length_mm), number(row.removed_mm3), number(row.seconds),
                                number(row.removal_rate()));

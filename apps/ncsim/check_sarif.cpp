@@ -2,6 +2,7 @@
 //
 // Static Analysis Results Interchange Format (SARIF) Version 2.1.0, OASIS Standard, 2020.
 #include "check_outputs.h"
+#include "findings.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -228,7 +229,7 @@ void write_sarif(std::ostream& out, std::span<const Checked> all) {
     Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
              {"version", "2.1.0"},
              {"runs", {std::move(run)}}};
-    out << log.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << to_text(log);
 }
 
 }  // namespace ncsim::app

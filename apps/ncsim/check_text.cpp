@@ -3,7 +3,7 @@
 
 #include "check_outputs.h"
 #include "findings.h"
-#include "sheet.h"
+#include "plain_text.h"
 
 #include <fmt/format.h>
 
@@ -18,18 +18,18 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
-// The line, cut to what a terminal shows, with the span marked below.
+// The line, cut to what a terminal shows, with the span marked below; set off, so that nothing in
+// it is taken for a line of ours.
 void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan span) {
     constexpr std::size_t kWidth = 100;
     if (line.empty()) return;
     std::size_t column = std::min<std::size_t>(std::max(span.column, 1U) - 1, line.size());
     const std::size_t first = column > kWidth * 3 / 4 ? column - kWidth / 2 : 0;
-    const std::string shown = printable(std::string_view(line).substr(first, kWidth));
+    const std::string shown = one_line(std::string_view(line).substr(first, kWidth));
     column -= first;
     const std::size_t room = shown.size() > column ? shown.size() - column : 1;
-    text += shown;
-    text += '\n';
-    text.append(column, ' ').append(1, '^');
+    text.append(gcode::kQuoteMark).append(shown).append(1, '\n');
+    text.append(gcode::kQuoteMark).append(column, ' ').append(1, '^');
     text.append(std::clamp<std::size_t>(span.length, 1, room) - 1, '~').append(1, '\n');
 }
 
@@ -37,11 +37,11 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
                  const std::string& line) {
     auto out = std::back_inserter(text);
     // As it was given, so that a click in a terminal finds it.
-    text += f.place.file == 0 ? checked.path : file_of(checked, f.place);
+    text += shown_path(f.place.file == 0 ? checked.path : file_of(checked, f.place));
     if (f.place.span.line > 0) {
         fmt::format_to(out, ":{}:{}", f.place.span.line, f.place.span.column);
     }
-    fmt::format_to(out, ": {}: {}", verify::name_of(f.severity), headline(f));
+    fmt::format_to(out, ": {}: {}", verify::name_of(f.severity), one_line(headline(f)));
     fmt::format_to(out, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
     put_excerpt(text, line, f.place.span);
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {
@@ -58,16 +58,16 @@ void put_finding(std::string& text, const Checked& checked, const Finding& f,
         fmt::format_to(out, "  {} times, first here\n", f.count);
     }
     for (const std::string& assumption : f.assumptions)
-        fmt::format_to(out, "  assumed {}\n", assumption);
+        fmt::format_to(out, "  assumed {}\n", one_line(assumption));
     if (f.last_motion > 0) fmt::format_to(out, "  hint: {}\n", f.hint);
 }
 
 void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d) {
     auto out = std::back_inserter(text);
-    text += d.place.file == 0 ? checked.path : file_of(checked, d.place);
+    text += shown_path(d.place.file == 0 ? checked.path : file_of(checked, d.place));
     if (d.place.span.line > 0)
         fmt::format_to(out, ":{}:{}", d.place.span.line, d.place.span.column);
-    fmt::format_to(out, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", d.message);
+    fmt::format_to(out, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", one_line(d.message));
     if (d.count > 1) fmt::format_to(out, ", {} times", d.count);
     fmt::format_to(out, " [{}]\n", d.reason);
 }
@@ -100,7 +100,7 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
         for (const verify::Skipped& same : skipped) {
             if (same.reason == s.reason) rules += (rules.empty() ? "" : ", ") + same.rule;
         }
-        fmt::format_to(std::back_inserter(text), "  skipped  {}: {}\n", rules, s.reason);
+        fmt::format_to(std::back_inserter(text), "  skipped  {}: {}\n", rules, one_line(s.reason));
     }
 }
 
@@ -119,9 +119,10 @@ std::string counted(std::uint64_t n, const char* what) {
 std::string text_of(const Checked& checked, const CheckOptions& options) {
     std::string text;
     auto out = std::back_inserter(text);
+    const std::string path = shown_path(checked.path);
     if (!checked.failure.empty()) {
-        fmt::format_to(out, "{}: not verified: {}\n", checked.path, checked.failure);
-        return printable(text);
+        fmt::format_to(out, "{}: not verified: {}\n", path, one_line(checked.failure));
+        return text;
     }
     const verify::Verdict& v = checked.verdict;
     for (std::size_t i = 0; i < v.findings.size(); ++i) {
@@ -130,14 +131,13 @@ std::string text_of(const Checked& checked, const CheckOptions& options) {
         put_finding(text, checked, f, checked.lines[i]);
     }
     for (const auto& [rule, more] : v.unlisted) {
-        fmt::format_to(out, "{}: {} more findings of {} are not listed\n", checked.path, more,
-                       rule);
+        fmt::format_to(out, "{}: {} more findings of {} are not listed\n", path, more, rule);
     }
     for (const verify::Doubt& d : v.doubts) {
         if (!d.accepted || options.notes) put_doubt(text, checked, d);
     }
-    if (options.quiet) return printable(text);
-    fmt::format_to(out, "{}: {}: {}, {}, {}, {}", checked.path, name_of_verdict(checked),
+    if (options.quiet) return text;
+    fmt::format_to(out, "{}: {}: {}, {}, {}, {}", path, name_of_verdict(checked),
                    counted(v.count(Severity::Error), "error"),
                    counted(v.count(Severity::Warning), "warning"),
                    counted(v.count(Severity::Note), "note"), counted(v.open_doubts(), "doubt"));
@@ -146,10 +146,10 @@ std::string text_of(const Checked& checked, const CheckOptions& options) {
     if (v.suppressed() > 0) fmt::format_to(out, ", {} suppressed", v.suppressed());
     text += '\n';
     put_remedy(text, v.doubts);
-    if (!checked.stock.empty()) fmt::format_to(out, "  stock    {}\n", checked.stock);
-    if (checked.design) fmt::format_to(out, "  design   {}\n", text_of(*checked.design));
+    if (!checked.stock.empty()) fmt::format_to(out, "  stock    {}\n", one_line(checked.stock));
+    if (checked.design) fmt::format_to(out, "  design   {}\n", one_line(text_of(*checked.design)));
     put_skipped(text, v.skipped);
-    return printable(text);
+    return text;
 }
 
 std::string summary_of(std::span<const Checked> all) {

@@ -12,6 +12,7 @@
 #include "job.h"
 #include "output.h"
 #include "pipeline.h"
+#include "plain_text.h"
 #include "sheet.h"
 #include "survey.h"
 #include "version.h"
@@ -140,16 +141,19 @@ void put_side(std::string& text, const OneSided& side, const std::string& has,
 std::string text_of(const Difference& d, const DiffOptions& o, bool differs) {
     std::string text;
     auto out = std::back_inserter(text);
-    if (!d.stocks.empty()) fmt::format_to(out, "{}\n", d.stocks);
+    if (!d.stocks.empty()) fmt::format_to(out, "{}\n", one_line(d.stocks));
     if (d.same_motions) {
         text += "both programs make the same motions with the same tools\n";
     } else {
-        put_side(text, d.only_old, o.program, o.new_program);
-        put_side(text, d.only_new, o.new_program, o.program);
+        const std::string old_name = shown_path(o.program);
+        const std::string new_name = shown_path(o.new_program);
+        put_side(text, d.only_old, old_name, new_name);
+        put_side(text, d.only_new, new_name, old_name);
     }
-    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", o.program, d.old_mm3, o.new_program,
-                   d.new_mm3, differs ? "the parts differ" : "the same part");
-    return printable(text);
+    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", shown_path(o.program), d.old_mm3,
+                   shown_path(o.new_program), d.new_mm3,
+                   differs ? "the parts differ" : "the same part");
+    return text;
 }
 
 using Json = nlohmann::ordered_json;
@@ -193,7 +197,7 @@ void write_json(std::ostream& out, const Difference& d, const DiffOptions& o, bo
               {"only_in_old", to_json(d.only_old, o.new_program)},
               {"only_in_new", to_json(d.only_new, o.program)}};
     if (!d.stocks.empty()) json["stocks"] = d.stocks;
-    out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << to_text(json);
 }
 
 // Programs that cannot be cut cannot be compared: says why.
@@ -252,7 +256,7 @@ int run(const DiffOptions& options) {
     }
     const bool differs = !d.stocks.empty() || d.only_old.volume_mm3 > options.tolerance_mm3 ||
                          d.only_new.volume_mm3 > options.tolerance_mm3;
-    if (!options.quiet) put_out(text_of(d, options, differs));
+    if (!options.quiet) put_text(text_of(d, options, differs));
     outputs.write(options.json, [&](std::ostream& out) { write_json(out, d, options, differs); });
     outputs.commit();
     return differs ? kFindings : kClean;

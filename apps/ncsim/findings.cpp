@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "findings.h"
 
-#include "sheet.h"
+#include "plain_text.h"
 
 #include <fmt/format.h>
 
@@ -30,8 +30,9 @@ const char* name_of(toolpath::ToldBy by) {
     return "assumption";
 }
 
-void say(const std::string& text) {
-    std::fputs(text.c_str(), stderr);
+void say(std::string_view text) {
+    const std::string shown = printable(text);
+    std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
 void put_out(std::string_view text) {
@@ -41,9 +42,13 @@ void put_out(std::string_view text) {
     }
 }
 
+void put_text(std::string_view text) {
+    put_out(printable(text));
+}
+
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics) {
     for (const gcode::Diagnostic& d : diagnostics) {
-        say(printable(gcode::render(d, program)));
+        say(gcode::render(d, program));
     }
 }
 
@@ -75,7 +80,12 @@ std::string lines_text(const std::vector<verify::LineRange>& lines) {
 }
 
 std::string to_line(const nlohmann::ordered_json& json) {
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return shown_json(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+std::string to_text(const nlohmann::ordered_json& json) {
+    return shown_json(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
+           '\n';
 }
 
 }  // namespace ncsim::app

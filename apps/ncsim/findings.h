@@ -20,12 +20,15 @@ const char* name_of(gcode::Severity severity);
 /// "comment", "option" …
 const char* name_of(toolpath::ToldBy by);
 
-/// Text for people, to stderr.
-void say(const std::string& text);
-/// Results, to stdout. Throws std::runtime_error if they cannot be written.
+/// Text for people, to stderr, printable.
+void say(std::string_view text);
+/// Results as they are, to stdout: JSON, commands for a CI service. Throws std::runtime_error if
+/// they cannot be written.
 void put_out(std::string_view text);
+/// Results for people, to stdout, printable.
+void put_text(std::string_view text);
 
-/// Each with its line and a caret, to stderr, without what a terminal would obey.
+/// Each with its line and a caret, to stderr.
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics);
 /// An array of {severity, code, message, file, line, column, count}.
 nlohmann::ordered_json findings_json(const gcode::Diagnostics& diagnostics);
@@ -35,5 +38,7 @@ std::string lines_text(const std::vector<verify::LineRange>& lines);
 
 /// One line of JSON; bytes that are no UTF-8 become U+FFFD.
 std::string to_line(const nlohmann::ordered_json& json);
+/// JSON for files and for the standard output, a line for each thing; the same of bytes.
+std::string to_text(const nlohmann::ordered_json& json);
 
 }  // namespace ncsim::app

@@ -6,6 +6,7 @@
 
 #include "findings.h"
 #include "job.h"
+#include "plain_text.h"
 #include "sheet.h"
 #include "stock_file.h"
 #include "survey.h"
@@ -305,8 +306,7 @@ std::string triple(cda::Vec3 v) {
 
 // A remark of one line.
 std::string remark(const std::string& text) {
-    std::string line = printable(text);
-    std::replace(line.begin(), line.end(), '\n', ' ');
+    std::string line = one_line(text);
     // Comments must be UTF-8, too.
     line = to_line(nlohmann::ordered_json(line));
     return fmt::format("# {}\n", line.substr(1, line.size() - 2));

@@ -3,7 +3,9 @@
 // The ncsim program: argv in, an exit code out, and the one place that catches exceptions.
 #include "check.h"
 #include "diff.h"
+#include "findings.h"
 #include "options.h"
+#include "plain_text.h"
 #include "run.h"
 
 #include <cstdio>
@@ -18,7 +20,11 @@
 namespace {
 
 int run(const ncsim::app::Farewell& farewell) {
-    std::fputs(farewell.text.c_str(), farewell.exit_code == ncsim::app::kClean ? stdout : stderr);
+    if (farewell.exit_code == ncsim::app::kClean) {
+        ncsim::app::put_text(farewell.text);
+    } else {
+        ncsim::app::say(farewell.text);
+    }
     return farewell.exit_code;
 }
 
@@ -34,10 +40,10 @@ int main(int argc, char** argv) {
         std::fputs("ncsim: out of memory\n", stderr);
         return kEnvironment;
     } catch (const std::logic_error& e) {
-        std::fprintf(stderr, "ncsim: a bug of ours, please report it: %s\n", e.what());
+        say("ncsim: a bug of ours, please report it: " + one_line(e.what()) + '\n');
         return kBug;
     } catch (const std::exception& e) {
-        std::fprintf(stderr, "ncsim: %s\n", e.what());
+        say("ncsim: " + one_line(e.what()) + '\n');
         return kEnvironment;
     }
 }

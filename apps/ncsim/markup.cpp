@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "markup.h"
 
-#include "sheet.h"
+#include "plain_text.h"
 
 namespace ncsim::app {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 
+#include "plain_text.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -95,9 +96,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     } catch (const CLI::ParseError& e) {
         const std::string of = chosen() == &app ? "" : chosen()->get_name() + " ";
         return Farewell{kEnvironment,
-                        fmt::format("ncsim: {}\nTry: ncsim {}--help\n", e.what(), of)};
+                        fmt::format("ncsim: {}\nTry: ncsim {}--help\n", one_line(e.what()), of)};
     } catch (const Refusal& e) {
-        return Farewell{kEnvironment, fmt::format("ncsim: {}\n", e.text)};
+        return Farewell{kEnvironment, fmt::format("ncsim: {}\n", one_line(e.text))};
     }
 }
 

@@ -2,9 +2,10 @@
 #include "page.h"
 
 #include "check_outputs.h"
+#include "findings.h"
 #include "markup.h"
+#include "plain_text.h"
 #include "plot.h"
-#include "sheet.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -90,7 +91,7 @@ Json data_json(const Checked& checked) {
     Json data;
     data["source"] = Json::array();
     for (const std::string_view line : lines_of(look.source))
-        data["source"].push_back(printable(line));
+        data["source"].push_back(one_line(line));
     std::map<std::uint32_t, Severity> marks;
     for (const Finding& f : checked.verdict.findings) {
         if (f.suppressed || f.place.file != 0 || f.place.span.line == 0) continue;
@@ -114,7 +115,7 @@ Json data_json(const Checked& checked) {
 // JSON within a script element: what could end the element is escaped.
 std::string for_script(const Json& json) {
     std::string out;
-    for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    for (const char c : to_line(json)) {
         if (c == '<') {
             out += "\\u003c";
         } else {
@@ -269,7 +270,7 @@ void write_page(std::ostream& out, const Checked& checked) {
     }
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
-        << escaped(relative_path(checked.path)) << " · ncsim check</title>\n<style>\n"
+        << valid_utf8(escaped(relative_path(checked.path))) << " · ncsim check</title>\n<style>\n"
         << kPageStyle << "</style></head>\n<body>\n"
         << valid_utf8(body);
     if (verified) {

@@ -6,7 +6,7 @@
 
 #include "findings.h"
 #include "job.h"
-#include "sheet.h"
+#include "plain_text.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -227,7 +227,7 @@ gcode::Diagnostics show_blocks(const Job& job, bool as_json) {
         const std::size_t head = text.size();
         gcode::print(text, block);
         if (text.size() == head) continue;
-        out.add(printable(text) + '\n');
+        out.add(one_line(text) + '\n');
     }
     out.flush();
     return log.take();

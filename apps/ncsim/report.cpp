@@ -183,7 +183,7 @@ void write_report(std::ostream& out, const Outcome& o) {
     }
     json["findings"] = findings_json(o.survey.diagnostics);
     // Bytes of the program that are no UTF-8 become U+FFFD.
-    out << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << to_text(json);
 }
 
 }  // namespace ncsim::app

@@ -151,7 +151,7 @@ int run(Options options) {
     if (!survey.is_ready()) {
         say("ncsim: the program was not simulated\n");
     } else {
-        if (!o.quiet) put_out(summary(outcome));
+        if (!o.quiet) put_text(summary(outcome));
         if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
     }
     return faulty ? kFindings : kClean;

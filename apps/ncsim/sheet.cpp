@@ -2,6 +2,7 @@
 #include "sheet.h"
 
 #include "pipeline.h"
+#include "plain_text.h"
 #include "version.h"
 
 #include <fmt/format.h>
@@ -42,41 +43,27 @@ std::string dialect(const Survey& survey) {
     if (found.evidence.empty()) return text + ", assumed: nothing speaks for another";
     for (std::size_t i = 0; i < found.evidence.size() && i < 3; ++i) {
         text += fmt::format("{} {} (line {})", i == 0 ? ", because of" : ",",
-                            printable(found.evidence[i].text), found.evidence[i].line);
+                            one_line(found.evidence[i].text), found.evidence[i].line);
     }
     return text;
 }
 
 }  // namespace
 
-std::string printable(std::string_view text) {
-    std::string result(text);
-    unsigned char before = 0;
-    for (char& c : result) {
-        const auto byte = static_cast<unsigned char>(c);
-        // The control characters of ASCII, and those of Latin-1 as UTF-8 writes them.
-        const bool control =
-            byte < 0x20 || byte == 0x7f || (before == 0xc2 && byte >= 0x80 && byte < 0xa0);
-        if (control && byte != '\n') c = byte == '\t' ? ' ' : '?';
-        before = byte;
-    }
-    return result;
-}
-
 std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
                  const std::string& file, const char* option) {
     switch (by) {
         case toolpath::ToldBy::Comment:
-            return fmt::format("line {}: ({})", span.line, printable(text));
+            return fmt::format("line {}: ({})", span.line, one_line(text));
         case toolpath::ToldBy::Option: return fmt::format("from {}", option);
         case toolpath::ToldBy::Table: {
-            std::string where = "from " + printable(file);
+            std::string where = "from " + one_line(file);
             if (span.line > 0) where += fmt::format(", line {}", span.line);
-            return text.empty() ? where : fmt::format("{}: {}", where, printable(text));
+            return text.empty() ? where : fmt::format("{}: {}", where, one_line(text));
         }
         case toolpath::ToldBy::Assumption: break;
     }
-    return fmt::format("assumed: {}", printable(text));
+    return fmt::format("assumed: {}", one_line(text));
 }
 
 std::string describe(const cda::Box& box) {
@@ -92,12 +79,12 @@ std::string describe(const toolpath::Stock& stock) {
     if (!stock.from) return (stock.is_round ? kBars[stock.axis] : "") + describe(stock.box);
     std::string text = fmt::format("{} in {}", base_name(stock.from->path), describe(stock.box));
     if (!stock.from->turn.empty()) text += ", turned " + stock.from->turn;
-    return printable(text);
+    return one_line(text);
 }
 
 std::string assumption_sheet(const Job& job, const Survey& survey) {
     Sheet sheet;
-    sheet.title("ncsim {}: {}, {} lines, {} moves", kVersion, printable(job.program.name),
+    sheet.title("ncsim {}: {}, {} lines, {} moves", kVersion, one_line(job.program.name),
                 survey.interpretation.lines, survey.moves);
     sheet.line("dialect", "{}", dialect(survey));
     sheet.line("units", "{}", units(survey));

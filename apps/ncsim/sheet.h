@@ -18,10 +18,6 @@ std::string assumption_sheet(const Job& job, const Survey& survey);
 std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
                  const std::string& file, const char* option);
 
-/// `text` without what a terminal would obey: control characters other than line ends become '?'.
-/// What comes out of a program is shown through this.
-std::string printable(std::string_view text);
-
 /// "50 x 40 x 10 mm, X 0 to 50, Y 0 to 40, Z -10 to 0"
 std::string describe(const cda::Box& box);
 std::string describe(const toolpath::Stock& stock);

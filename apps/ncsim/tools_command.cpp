@@ -165,7 +165,7 @@ std::string sheet_json(const Job& job, const Survey& survey) {
                          {"told", told_json(stock.told_by, stock.span, stock.file, stock.text)}};
     }
     json["findings"] = findings_json(survey.diagnostics);
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return to_text(json);
 }
 
 }  // namespace
@@ -186,7 +186,11 @@ int run(const ToolsOptions& options) {
     const Job job = read_job(std::move(all));
     outputs.reserve(options.save_job);
     const Survey survey = app::survey(job);
-    put_out(options.json ? sheet_json(job, survey) : ToolSheet(job, survey).text());
+    if (options.json) {
+        put_out(sheet_json(job, survey));
+    } else {
+        put_text(ToolSheet(job, survey).text());
+    }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,
                   [&](std::ostream& out) { write_job_file(out, job, survey, options.save_job); });

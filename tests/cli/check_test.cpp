@@ -41,8 +41,8 @@ TEST(Check, ShowsTheLineWithACaretAndFails) {
     EXPECT_EQ(ran.out,
               "slot.nc:8:1: error: rapid move through material: removed 800 mm3 "
               "[rapid-in-material]\n"
-              "G0 X30.\n"
-              "^~\n"
+              "  | G0 X30.\n"
+              "  | ^~\n"
               "  assumed tool: length 30 mm\n"
               "  assumed path: rapid moves are straight (--rapid linear)\n"
               "  hint: Retract before the move, or make it at feed.\n");
@@ -212,7 +212,7 @@ TEST(Check, ComparesThePartWithItsDesign) {
         EXPECT_EQ(ran.exit_code, 1);
         EXPECT_TRUE(contains(ran.out,
                              "deeper.nc:8:1: error: the part is cut into the design: depth 0.1 mm "
-                             "[gouge]\nG1 X30. F500.\n^~\n  assumed design: 'design."))
+                             "[gouge]\n  | G1 X30. F500.\n  | ^~\n  assumed design: 'design."))
             << ran.out;
         EXPECT_TRUE(contains(ran.out, "gouged in 1 place, up to 0.1 mm, 40 mm3 in all")) << ran.out;
         EXPECT_TRUE(contains(folder.read("a.json"), "\"design\": {\n    \"file\": \"design."));

@@ -2,7 +2,6 @@
 #include "options.h"
 
 #include "progress.h"
-#include "sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -174,14 +173,6 @@ TEST(ProgressBar, TellsShareAndTimeLeft) {
               "[====================>                   ]  50 %  ETA 1:01");
     EXPECT_EQ(progress_bar(12, 10, 0.0), "[========================================] 100 %");
     EXPECT_EQ(progress_bar(0, 0, 0.0), "[========================================] 100 %");
-}
-
-TEST(Printable, KeepsTextAndTakesControlOverNothing) {
-    EXPECT_EQ(printable("fr\xc3\xa4ser \xc3\x84"), "fr\xc3\xa4ser \xc3\x84");
-    EXPECT_EQ(printable("\x1b[2J\t\x07\x7f"), "?[2J ??");
-    EXPECT_EQ(printable("\xc2\x9b"
-                        "2J"),
-              "\xc2?2J");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ if(TARGET ncsim)
       options_test.cpp
       output_test.cpp
       parse_test.cpp
+      plain_text_test.cpp
       run_program.cpp
       run_test.cpp
       samples_test.cpp

@@ -147,8 +147,24 @@ TEST(Diagnostic, IsRenderedWithItsLineAndACaret) {
     ASSERT_EQ(log.diagnostics().size(), 1U);
     EXPECT_EQ(render(log.diagnostics()[0], file),
               "pocket.nc:2:4: error: expected a number after X [number-expected]\n"
-              "G1 X Y2\n"
-              "   ^\n");
+              "  | G1 X Y2\n"
+              "  |    ^\n");
+}
+
+TEST(Diagnostic, BeginsNoLineWithWhatACiServiceObeys) {
+    const SourceFile file{"::add-mask::x.nc", "::stop-commands::pause\n##[error]X\n"};
+    BlockReader reader(file);
+    Block block;
+    DiagnosticLog log;
+    while (reader.next(block, log)) {
+    }
+    ASSERT_GE(log.diagnostics().size(), 2U);
+    for (const Diagnostic& d : log.diagnostics()) {
+        const std::string text = render(d, file);
+        EXPECT_TRUE(text.starts_with("./::add-mask::x.nc:")) << text;
+        EXPECT_EQ(text.find("\n:"), std::string::npos) << text;
+        EXPECT_EQ(text.find("\n#"), std::string::npos) << text;
+    }
 }
 
 TEST(Diagnostic, ThatSaysTheSameIsToldOnceWithACount) {

@@ -37,6 +37,14 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+/// The name of a file at the beginning of a line.
+std::string named(std::string_view name) {
+    const std::size_t begin = name.find_first_not_of(" \t");
+    const std::string_view rest = begin == std::string_view::npos ? "" : name.substr(begin);
+    const bool is_command = rest.starts_with("::") || rest.starts_with("##");
+    return (is_command ? "./" : "") + printable(name);
+}
+
 const char* name_of(Severity severity) {
     switch (severity) {
         case Severity::Note: return "note";
@@ -87,7 +95,7 @@ void DiagnosticLog::add(Severity severity, Message message, SourceSpan span,
 }
 
 std::string render(const Diagnostic& diagnostic, const SourceFile& file) {
-    std::string out = diagnostic.file.empty() ? file.name : diagnostic.file;
+    std::string out = named(diagnostic.file.empty() ? file.name : diagnostic.file);
     const SourceSpan& span = diagnostic.span;
     if (span.line > 0) {
         out += ':' + std::to_string(span.line) + ':' + std::to_string(span.column);
@@ -108,10 +116,11 @@ std::string render(const Diagnostic& diagnostic, const SourceFile& file) {
     const std::string_view shown = line.substr(first, kWidth);
     column -= first;
     if (shown.empty()) return out;
-    out += printable(shown) + '\n';
+    out.append(kQuoteMark).append(printable(shown)).append(1, '\n');
     const std::size_t room = shown.size() > column ? shown.size() - column : 1;
     const std::size_t length = std::clamp<std::size_t>(span.length, 1, room);
-    out.append(column, ' ').append(1, '^').append(length - 1, '~').append(1, '\n');
+    out.append(kQuoteMark).append(column, ' ').append(1, '^');
+    out.append(length - 1, '~').append(1, '\n');
     return out;
 }
 

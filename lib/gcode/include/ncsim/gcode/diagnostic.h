@@ -67,11 +67,17 @@ private:
     bool closed_ = false;
 };
 
+/// What stands before a line that is quoted, so that nothing in it is taken for a message, or for a
+/// command to the service whose log it ends in.
+inline constexpr std::string_view kQuoteMark = "  | ";
+
 /// The diagnostic as people read it, with the line and a caret, ending in a newline:
 ///
 ///     pocket.nc:3:5: error: G2 needs a centre (I J) or a radius (R) [arc-without-centre]
-///     N30 G2 X10 Y0
-///         ^~
+///       | N30 G2 X10 Y0
+///       |     ^~
+///
+/// A name that begins like a command ("::", "##") has "./" before it.
 std::string render(const Diagnostic& diagnostic, const SourceFile& file);
 
 }  // namespace ncsim::gcode
