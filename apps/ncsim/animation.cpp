@@ -3,7 +3,6 @@
 
 #include "ncsim/export/png.h"
 
-#include "output.h"
 #include "picture.h"
 
 #include <fmt/format.h>
@@ -27,7 +26,8 @@ constexpr int kLastFrameTime = 200;
 
 }  // namespace
 
-Animation::Animation(const Job& job, const Survey& survey) : options_(job.options) {
+Animation::Animation(const Job& job, const Survey& survey, OutputSet& outputs)
+    : options_(job.options), outputs_(outputs) {
     if (options_.frames.empty() && options_.gif.empty()) return;
     every_ = options_.every != 0 ? options_.every
                                  : std::max<std::uint64_t>(1, survey.moves / kUsualFrames);
@@ -47,10 +47,7 @@ void Animation::take(const Outcome& outcome) {
     if (!options_.frames.empty()) {
         const auto name = fmt::format("frame-{:05}.png", taken_);
         const std::string path = (std::filesystem::path(options_.frames) / name).string();
-        OutputSet file;
-        file.reserve(path);
-        file.write(path, [&](std::ostream& out) { exporter::write_png(out, image); });
-        file.commit();
+        outputs_.write_now(path, [&](std::ostream& out) { exporter::write_png(out, image); });
     }
     if (!gif_) return;
     if (last_) gif_->add(*last_, kFrameTime);

@@ -5,6 +5,7 @@
 
 #include "ncsim/export/gif.h"
 
+#include "output.h"
 #include "report.h"
 
 #include <cstdint>
@@ -16,7 +17,7 @@ namespace ncsim::app {
 class Animation {
 public:
     /// Makes the folder for frames if it is not there; throws std::runtime_error if that fails.
-    Animation(const Job& job, const Survey& survey);
+    Animation(const Job& job, const Survey& survey, OutputSet& outputs);
 
     /// Moves from one picture to the next; 0: none are asked for.
     std::uint64_t every() const { return every_; }
@@ -29,6 +30,7 @@ public:
 
 private:
     const Options& options_;
+    OutputSet& outputs_;
     std::uint64_t every_ = 0;
     std::uint32_t taken_ = 0;
     std::ostringstream bytes_;

@@ -59,14 +59,19 @@ bool is_better(int a, int b) {
 }  // namespace
 
 int run(CheckOptions options) {
-    OutputSet outputs;
+    InputSet inputs;
+    OutputSet outputs(inputs);
+    if (options.github) outputs.claim_standard_output("--github");
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
     for (const std::string& path : outputs_of(options))
         outputs.reserve(path);
     const MachineFile machine =
-        options.machine.empty() ? MachineFile{} : read_machine_file(options.machine);
+        options.machine.empty() ? MachineFile{} : read_machine_file(options.machine, inputs);
     std::optional<Design> design;
     if (!options.design.empty()) {
-        design = Design{options.design, read_mesh_file(options.design), options.design_tolerance};
+        design = Design{name_of_input(options.design), read_mesh_file(options.design, inputs),
+                        options.design_tolerance};
     }
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const auto count = static_cast<unsigned>(options.programs.size());
@@ -74,21 +79,22 @@ int run(CheckOptions options) {
     // Many programs share the cores; a single one has them all.
     const unsigned threads = jobs > 1 ? 1 : options.threads;
 
+    const bool aside = outputs.takes_standard_output();
     std::vector<Checked> all(options.programs.size());
     in_order(
         all.size(), jobs,
         [&](std::size_t i) {
             all[i] = check_program(options.programs[i], options, machine,
-                                   design ? &*design : nullptr, threads);
+                                   design ? &*design : nullptr, threads, inputs);
         },
         [&](std::size_t i) {
             if (options.github) {
                 put_out(github_annotations(all[i]));
             } else {
-                put_text(text_of(all[i], options));
+                put_text(text_of(all[i], options), aside);
             }
         });
-    if (!options.quiet && all.size() > 1) put_text(summary_of(all));
+    if (!options.quiet && all.size() > 1) put_text(summary_of(all), aside);
 
     outputs.write(options.json, [&](std::ostream& out) { write_check_json(out, all); });
     outputs.write(options.sarif, [&](std::ostream& out) { write_sarif(out, all); });

@@ -8,8 +8,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <set>
 
 namespace ncsim::app {
 
@@ -156,6 +154,15 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     return check;
 }
 
+std::vector<std::string> inputs_of(const CheckOptions& o) {
+    std::vector<std::string> paths = inputs_of(static_cast<const ProgramOptions&>(o));
+    paths.insert(paths.end(), o.programs.begin(), o.programs.end());
+    for (const std::string* path : {&o.machine, &o.design}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    return paths;
+}
+
 std::vector<std::string> outputs_of(const CheckOptions& o) {
     std::vector<std::string> paths;
     for (const std::string* path : {&o.json, &o.sarif, &o.junit, &o.csv, &o.html}) {
@@ -171,17 +178,6 @@ void complete(const CheckOptions& o) {
     }
     if (!o.html.empty() && o.programs.size() > 1) {
         throw Refusal{"--html: a page is about one program"};
-    }
-    std::set<std::string> seen;
-    for (const std::string& path : o.programs)
-        seen.insert(std::filesystem::path(path).lexically_normal().string());
-    for (const std::string& path : outputs_of(o)) {
-        if (path.starts_with("/dev/")) continue;
-        if (!seen.insert(std::filesystem::path(path).lexically_normal().string()).second) {
-            throw Refusal{fmt::format(
-                "'{}' is named twice: an output may overwrite neither a program nor another output",
-                path)};
-        }
     }
 }
 

@@ -37,6 +37,8 @@ struct RulesOptions {
 
 /// The paths of all files that were asked for.
 std::vector<std::string> outputs_of(const CheckOptions& options);
+/// The paths of all files that are named to be read.
+std::vector<std::string> inputs_of(const CheckOptions& options);
 
 /// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
 CLI::App* add_check(CLI::App& app, CheckOptions& options);

@@ -349,12 +349,13 @@ toolpath::RapidPath rapid_path(const CheckOptions& options,
 }
 
 Checked check_program(const std::string& path, const CheckOptions& options,
-                      const MachineFile& machine, const Design* design, unsigned threads) {
+                      const MachineFile& machine, const Design* design, unsigned threads,
+                      InputSet& inputs) {
     Checked checked;
-    checked.path = path;
+    checked.path = name_of_input(path);
     try {
-        verify_program(checked, read_job(options_for(path, options, threads)), options, machine,
-                       design);
+        verify_program(checked, read_job(options_for(path, options, threads), inputs), options,
+                       machine, design);
     } catch (const std::bad_alloc&) {
         checked.failure = "out of memory";
         checked.exit_code = kEnvironment;

@@ -47,7 +47,8 @@ struct Checked {
 /// Reads and verifies `path`. Never throws: what is wrong is in the result. The result depends on
 /// the file and the options only. `design` may be null. `threads` evaluate at a time.
 Checked check_program(const std::string& path, const CheckOptions& options,
-                      const MachineFile& machine, const Design* design, unsigned threads);
+                      const MachineFile& machine, const Design* design, unsigned threads,
+                      InputSet& inputs);
 
 /// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
 toolpath::RapidPath rapid_path(const CheckOptions& options,

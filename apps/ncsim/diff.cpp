@@ -38,7 +38,7 @@ struct Side {
 };
 
 Side read_side(const DiffOptions& diff, const std::string& path,
-               const std::optional<toolpath::Stock>& stock) {
+               const std::optional<toolpath::Stock>& stock, InputSet& inputs) {
     Options options;
     static_cast<ProgramOptions&>(options) = static_cast<const ProgramOptions&>(diff);
     static_cast<SimulationOptions&>(options) = static_cast<const SimulationOptions&>(diff);
@@ -46,7 +46,7 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     options.model = "cda";
     if (stock) options.stock = stock;
     Side side;
-    side.job = read_job(std::move(options));
+    side.job = read_job(std::move(options), inputs);
     side.survey = survey(side.job);
     return side;
 }
@@ -141,18 +141,17 @@ void put_side(std::string& text, const OneSided& side, const std::string& has,
 std::string text_of(const Difference& d, const DiffOptions& o, bool differs) {
     std::string text;
     auto out = std::back_inserter(text);
+    const std::string old_name = shown_path(name_of_input(o.program));
+    const std::string new_name = shown_path(name_of_input(o.new_program));
     if (!d.stocks.empty()) fmt::format_to(out, "{}\n", one_line(d.stocks));
     if (d.same_motions) {
         text += "both programs make the same motions with the same tools\n";
     } else {
-        const std::string old_name = shown_path(o.program);
-        const std::string new_name = shown_path(o.new_program);
         put_side(text, d.only_old, old_name, new_name);
         put_side(text, d.only_new, new_name, old_name);
     }
-    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", shown_path(o.program), d.old_mm3,
-                   shown_path(o.new_program), d.new_mm3,
-                   differs ? "the parts differ" : "the same part");
+    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name,
+                   d.new_mm3, differs ? "the parts differ" : "the same part");
     return text;
 }
 
@@ -187,15 +186,15 @@ Json to_json(const OneSided& side, const std::string& cut_by) {
 void write_json(std::ostream& out, const Difference& d, const DiffOptions& o, bool differs) {
     Json json{{"version", 1},
               {"ncsim", kVersion},
-              {"old", relative_path(o.program)},
-              {"new", relative_path(o.new_program)},
+              {"old", relative_path(name_of_input(o.program))},
+              {"new", relative_path(name_of_input(o.new_program))},
               {"differs", differs},
               {"tolerance_mm3", o.tolerance_mm3},
               {"same_motions", d.same_motions},
               {"old_mm3", tidy(d.old_mm3)},
               {"new_mm3", tidy(d.new_mm3)},
-              {"only_in_old", to_json(d.only_old, o.new_program)},
-              {"only_in_new", to_json(d.only_new, o.program)}};
+              {"only_in_old", to_json(d.only_old, name_of_input(o.new_program))},
+              {"only_in_new", to_json(d.only_new, name_of_input(o.program))}};
     if (!d.stocks.empty()) json["stocks"] = d.stocks;
     out << to_text(json);
 }
@@ -230,19 +229,20 @@ void complete(const DiffOptions& o) {
     if (!o.model.empty() && o.model != "cda") {
         throw Refusal{"--model: parts are compared with the model cda"};
     }
-    if (!o.json.empty() && (o.json == o.program || o.json == o.new_program)) {
-        throw Refusal{fmt::format("'{}' is named twice", o.json)};
-    }
 }
 
 int run(const DiffOptions& options) {
-    OutputSet outputs;
+    InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    inputs.expect(options.new_program);
     outputs.reserve(options.json);
-    const Side a = read_side(options, options.program, {});
+    const Side a = read_side(options, options.program, {}, inputs);
     if (!is_usable(a)) return kFindings;
-    const Side b_alone = read_side(options, options.new_program, {});
+    const Side b_alone = read_side(options, options.new_program, {}, inputs);
     const toolpath::Stock stock = static_cast<const toolpath::Stock&>(*a.survey.stock);
-    const Side b = read_side(options, options.new_program, stock);
+    const Side b = read_side(options, options.new_program, stock, inputs);
     if (!is_usable(b)) return kFindings;
 
     Difference d = difference(a, b);
@@ -256,7 +256,7 @@ int run(const DiffOptions& options) {
     }
     const bool differs = !d.stocks.empty() || d.only_old.volume_mm3 > options.tolerance_mm3 ||
                          d.only_new.volume_mm3 > options.tolerance_mm3;
-    if (!options.quiet) put_text(text_of(d, options, differs));
+    if (!options.quiet) put_text(text_of(d, options, differs), outputs.takes_standard_output());
     outputs.write(options.json, [&](std::ostream& out) { write_json(out, d, options, differs); });
     outputs.commit();
     return differs ? kFindings : kClean;

@@ -42,8 +42,12 @@ void put_out(std::string_view text) {
     }
 }
 
-void put_text(std::string_view text) {
-    put_out(printable(text));
+void put_text(std::string_view text, bool aside) {
+    if (aside) {
+        say(text);
+    } else {
+        put_out(printable(text));
+    }
 }
 
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics) {

@@ -25,8 +25,8 @@ void say(std::string_view text);
 /// Results as they are, to stdout: JSON, commands for a CI service. Throws std::runtime_error if
 /// they cannot be written.
 void put_out(std::string_view text);
-/// Results for people, to stdout, printable.
-void put_text(std::string_view text);
+/// Results for people, printable: to stdout, or `aside`, to stderr, where stdout is a file's.
+void put_text(std::string_view text, bool aside = false);
 
 /// Each with its line and a caret, to stderr.
 void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics);

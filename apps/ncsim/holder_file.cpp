@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "holder_file.h"
 
-#include "job.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
 
@@ -12,8 +11,8 @@
 
 namespace ncsim::app {
 
-std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path) {
-    const TomlReader r(path, read_text_file(path));
+std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputSet& inputs) {
+    const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes));
     std::map<std::string, std::vector<toolpath::ToolSegment>> holders;
     const auto read_holder = [&](const toml::node& node, const std::string& where) {
         std::string name;

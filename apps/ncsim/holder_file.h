@@ -18,6 +18,8 @@
 
 #include "ncsim/toolpath/tool_spec.h"
 
+#include "input.h"
+
 #include <string>
 #include <vector>
 
@@ -25,7 +27,7 @@ namespace ncsim::app {
 
 /// For each tool number what such a file tells. Throws std::runtime_error with file, line and
 /// column for what is not TOML, unknown keys and holders, and values that make no sense.
-std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path);
+std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputSet& inputs);
 
 /// Takes from `more` what `spec` does not tell of flutes, neck, shank and holder.
 void complete_assembly(toolpath::ToolSpec& spec, const toolpath::ToolSpec& more);

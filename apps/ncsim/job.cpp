@@ -9,13 +9,9 @@
 #include "stock_file.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -26,11 +22,6 @@
 namespace ncsim::app {
 
 namespace {
-
-[[noreturn]] void fail(const std::string& path, int error) {
-    throw std::runtime_error(
-        fmt::format("cannot read '{}': {}", path, std::generic_category().message(error)));
-}
 
 // No control reads a program with NUL bytes in its text; punched tape had them as leader, before
 // the first '%', and there they are harmless.
@@ -44,14 +35,14 @@ bool is_binary(std::string_view text) {
 // Subprograms live in files beside the program and where the user says: "O<probe>" in probe.ngc,
 // "M98 P1234" in O1234.nc.
 std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesystem::path>& folders,
-                                                 std::string_view name) {
+                                                 std::string_view name, InputSet& inputs) {
     const std::vector<std::string> files = gcode::subprogram_files(name);
     for (const std::filesystem::path& folder : folders) {
         for (const std::string& file : files) {
             const std::filesystem::path path = folder / file;
             std::error_code ignored;
             if (std::filesystem::is_regular_file(path, ignored)) {
-                return gcode::SourceFile{file, read_text_file(path.string())};
+                return gcode::SourceFile{file, inputs.read(path.string())};
             }
         }
     }
@@ -59,18 +50,20 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
 }
 
 // What the command line leaves open, and who said the rest.
-JobFile take_job_file(Options& options) {
-    JobFile file = parse_job_file({options.job, read_text_file(options.job)});
-    const std::filesystem::path folder = std::filesystem::path(options.job).parent_path();
+JobFile take_job_file(Options& options, InputSet& inputs) {
+    JobFile file =
+        parse_job_file({name_of_input(options.job), inputs.read(options.job, kMostSetUpBytes)});
+    const std::string folder = std::filesystem::path(options.job).parent_path().string();
     if (options.program.empty()) {
         if (file.program.empty()) {
-            throw std::runtime_error(fmt::format(
-                "'{}' names no program, and neither does the command line", options.job));
+            throw std::runtime_error(
+                fmt::format("'{}' names no program, and neither does the command line",
+                            name_of_input(options.job)));
         }
-        options.program = (folder / file.program).string();
+        options.program = seen_in(folder, file.program);
     }
     if (file.stock && file.stock->from) {
-        file.stock->from->path = (folder / file.stock->from->path).string();
+        file.stock->from->path = seen_in(folder, file.stock->from->path);
     }
     if (!options.inches) options.inches = file.inches;
     if (file.dialect && options.dialect == gcode::Dialect::Auto) options.dialect = *file.dialect;
@@ -86,20 +79,20 @@ JobFile take_job_file(Options& options) {
     if (!options.start) options.start = file.start;
     options.offsets = file.offsets;
     if (options.holders.empty() && !file.holders.empty())
-        options.holders = (folder / file.holders).string();
+        options.holders = seen_in(folder, file.holders);
     return file;
 }
 
 // CAMotics projects also tell the unit of programs that do not.
-std::vector<toolpath::ToolFile> read_tables(Options& options) {
+std::vector<toolpath::ToolFile> read_tables(Options& options, InputSet& inputs) {
     std::vector<toolpath::ToolFile> tables;
     for (const std::string& path : options.tool_tables) {
-        gcode::SourceFile file{base_name(path), read_text_file(path)};
+        gcode::SourceFile file{base_name(name_of_input(path)), inputs.read(path, kMostSetUpBytes)};
         tables.push_back(toolpath::read_tool_file(file, options.inches.value_or(false)));
         for (const gcode::Diagnostic& d : tables.back().diagnostics) {
             if (d.severity != gcode::Severity::Error) continue;
-            throw std::runtime_error(
-                fmt::format("{}:{}:{}: {}", path, d.span.line, d.span.column, d.message));
+            throw std::runtime_error(fmt::format("{}:{}:{}: {}", name_of_input(path), d.span.line,
+                                                 d.span.column, d.message));
         }
         if (!options.inches) options.inches = tables.back().inches;
     }
@@ -132,8 +125,8 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
 }
 
 // What holds the tools, for those of which nobody says it.
-void add_holders(Job& job, const std::string& path) {
-    for (const toolpath::ToolSpec& told : read_holder_file(path)) {
+void add_holders(Job& job, const std::string& path, InputSet& inputs) {
+    for (const toolpath::ToolSpec& told : read_holder_file(path, inputs)) {
         for (toolpath::ToolEntry& entry : job.tools) {
             if (entry.spec.number == told.number) complete_assembly(entry.spec, told);
         }
@@ -142,7 +135,8 @@ void add_holders(Job& job, const std::string& path) {
 
 std::optional<toolpath::StockEntry> choose_stock(const Options& options, const JobFile& file,
                                                  const std::vector<toolpath::ToolFile>& tables,
-                                                 std::optional<toolpath::StockEntry> noted) {
+                                                 std::optional<toolpath::StockEntry> noted,
+                                                 InputSet& inputs) {
     const bool is_placed = options.stock_turn || options.stock_move;
     if (is_placed && !(options.stock && options.stock->from)) {
         throw std::runtime_error("--stock-turn and --stock-move are for --stock FILE");
@@ -152,14 +146,14 @@ std::optional<toolpath::StockEntry> choose_stock(const Options& options, const J
         if (stock.from && !stock.shape) {
             if (options.stock_turn) stock.from->turn = *options.stock_turn;
             if (options.stock_move) stock.from->move = *options.stock_move;
-            stock = read_stock_file(*stock.from);
+            stock = read_stock_file(*stock.from, inputs);
         }
         return toolpath::StockEntry{stock, toolpath::ToldBy::Option, {}, {}};
     }
     if (file.stock) {
         toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
-        entry.file = base_name(options.job);
-        if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from);
+        entry.file = base_name(name_of_input(options.job));
+        if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from, inputs);
         return entry;
     }
     for (const toolpath::ToolFile& table : tables) {
@@ -185,39 +179,22 @@ void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origi
     }
 }
 
-std::string read_text_file(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) fail(path, errno);
-    if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                               std::fclose);
-    if (!file) fail(path, errno);
-    std::string text;
-    if (S_ISREG(status.st_mode)) text.reserve(static_cast<std::size_t>(status.st_size));
-    std::string chunk(1 << 16, '\0');
-    while (const std::size_t n = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
-        text.append(chunk, 0, n);
-    }
-    if (std::ferror(file.get()) != 0) fail(path, errno);
-    return text;
-}
-
 std::string base_name(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
-Job read_job(Options options) {
+Job read_job(Options options, InputSet& inputs) {
     Job job;
     job.budget = Budget(options.max_memory_gb, options.max_seconds);
     JobFile from_file;
-    if (!options.job.empty()) from_file = take_job_file(options);
-    job.program = {options.program, read_text_file(options.program)};
+    if (!options.job.empty()) from_file = take_job_file(options, inputs);
+    job.program = {name_of_input(options.program), inputs.read(options.program)};
     if (is_binary(job.program.text)) {
         throw std::runtime_error(
-            fmt::format("'{}' is not an NC program: it is binary data", options.program));
+            fmt::format("'{}' is not an NC program: it is binary data", job.program.name));
     }
-    const std::vector<toolpath::ToolFile> tables = read_tables(options);
+    const std::vector<toolpath::ToolFile> tables = read_tables(options, inputs);
     const bool inches = options.inches.value_or(false);
     job.interpreter.default_units =
         inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
@@ -229,8 +206,8 @@ Job read_job(Options options) {
     std::vector<std::filesystem::path> folders{
         std::filesystem::path(options.program).parent_path()};
     folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
-    job.interpreter.read_file = [folders](std::string_view name) {
-        return read_subprogram(folders, name);
+    job.interpreter.read_file = [folders, &inputs](std::string_view name) {
+        return read_subprogram(folders, name, inputs);
     };
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-kHomeHeight);
@@ -253,7 +230,7 @@ Job read_job(Options options) {
     }
     for (const toolpath::ToolEntry& entry : notes.tools)
         add_tool(job, entry);
-    if (!options.holders.empty()) add_holders(job, options.holders);
+    if (!options.holders.empty()) add_holders(job, options.holders, inputs);
     job.start = options.start ? options.start : notes.start;
     for (int axis = 0; axis < 3 && job.start; ++axis)
         job.interpreter.start[static_cast<std::size_t>(axis)] =
@@ -269,7 +246,7 @@ Job read_job(Options options) {
         if (entry.spec.diameter) known.diameter = gcode::Length::from_mm(*entry.spec.diameter);
         job.interpreter.tools.push_back(known);
     }
-    job.stock = choose_stock(options, from_file, tables, std::move(notes.stock));
+    job.stock = choose_stock(options, from_file, tables, std::move(notes.stock), inputs);
     job.options = std::move(options);
     return job;
 }

@@ -10,6 +10,7 @@
 #include "ncsim/toolpath/tool_table.h"
 
 #include "budget.h"
+#include "input.h"
 #include "run_options.h"
 
 #include <optional>
@@ -39,11 +40,9 @@ struct Job {
 void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin);
 
 /// Reads what `options` names. Throws std::runtime_error if a file cannot be read, the program is
-/// not text, or a job file or tool table is none.
-Job read_job(Options options);
-
-/// All bytes of a file. Throws std::runtime_error, naming the file and what the system said.
-std::string read_text_file(const std::string& path);
+/// not text, or a job file or tool table is none. `inputs`, from which subprograms are read later,
+/// must outlive the job.
+Job read_job(Options options, InputSet& inputs);
 
 /// The program's name without folders.
 std::string base_name(const std::string& path);

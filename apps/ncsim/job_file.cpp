@@ -386,8 +386,10 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
                     const std::string& path) {
     out << "# Written by ncsim " << kVersion
         << ": what a program stood on. Lengths in mm, angles in degrees.\n"
-        << "version = 1\nprogram = " << quoted(seen_from(path, job.options.program))
-        << "\nunits = \"" << (job.options.inches.value_or(false) ? "inch" : "mm")
+        << "version = 1\n";
+    if (job.options.program != "-")
+        out << "program = " << quoted(seen_from(path, job.options.program)) << '\n';
+    out << "units = \"" << (job.options.inches.value_or(false) ? "inch" : "mm")
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
         << gcode::name_of(survey.interpretation.dialect.dialect) << "\"\n";
     if (job.options.strict) out << "strict = true\n";

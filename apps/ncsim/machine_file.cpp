@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machine_file.h"
 
-#include "job.h"
 #include "mesh_file.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
@@ -37,7 +36,7 @@ void read_axes(const TomlReader& r, const toml::node& node, const std::string& k
     r.each(r.table(node, key), key, keys);
 }
 
-verify::Fixture read_fixture(const TomlReader& r, const std::filesystem::path& folder,
+verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
                              const toml::node& node, const std::string& key) {
     verify::Fixture fixture;
     r.each(r.table(node, key), key,
@@ -45,8 +44,7 @@ verify::Fixture read_fixture(const TomlReader& r, const std::filesystem::path& f
             {"stl",
              [&](const auto& n, const auto& k) {
                  // As seen from the file that names it.
-                 const std::filesystem::path named(r.text(n, k));
-                 fixture.mesh = read_mesh_file((folder / named).string());
+                 fixture.mesh = read_mesh_file(seen_in(folder, r.text(n, k)), inputs);
                  for (const cda::Vec3& v : fixture.mesh.vertices)
                      fixture.box.add(v);
              }},
@@ -105,11 +103,11 @@ void read_tool_limits(const TomlReader& r, const toml::node& node, const std::st
 
 }  // namespace
 
-MachineFile read_machine_file(const std::string& path) {
+MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     MachineFile file;
     MachineDescription& m = file.machine;
-    const TomlReader r(path, read_text_file(path));
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes));
+    const std::string folder = std::filesystem::path(path).parent_path().string();
     const auto positive = [&r](const auto& n, const auto& k) { return r.positive(n, k); };
     const auto point = [&r](std::optional<cda::Vec3>& into) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
@@ -175,7 +173,7 @@ MachineFile read_machine_file(const std::string& path) {
              [&](const toml::node& n, const std::string& k) {
                  m.fixtures_told = true;
                  r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
-                     m.fixtures.push_back(read_fixture(r, folder, element, key));
+                     m.fixtures.push_back(read_fixture(r, folder, inputs, element, key));
                  });
              }},
             {"tool", [&](const toml::node& n, const std::string& k) {

@@ -52,6 +52,8 @@
 #include "ncsim/verify/machine.h"
 #include "ncsim/verify/setup.h"
 
+#include "input.h"
+
 #include <map>
 #include <optional>
 #include <string>
@@ -69,6 +71,6 @@ struct MachineFile {
 
 /// Reads and judges `path`. Throws std::runtime_error, naming file, line and column, for what is
 /// not TOML, unknown keys, wrong types and values that make no sense.
-MachineFile read_machine_file(const std::string& path);
+MachineFile read_machine_file(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::app

@@ -3,8 +3,6 @@
 
 #include "ncsim/cda/check.h"
 
-#include "job.h"
-
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
@@ -229,6 +227,15 @@ std::vector<Vec3> read_gltf(std::string_view bytes) {
     loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
                           nullptr);
+    // All is in the one file: what it names elsewhere is not read.
+    tinygltf::FsCallbacks no_files{};
+    no_files.FileExists = [](const std::string&, void*) { return false; };
+    no_files.ExpandFilePath = [](const std::string& path, void*) { return path; };
+    no_files.ReadWholeFile = [](std::vector<unsigned char>*, std::string*, const std::string&,
+                                void*) { return false; };
+    no_files.WriteWholeFile = [](std::string*, const std::string&,
+                                 const std::vector<unsigned char>&, void*) { return false; };
+    loader.SetFsCallbacks(no_files);
     tinygltf::Model model;
     std::string error, warning;
     if (!loader.LoadBinaryFromMemory(&model, &error, &warning,
@@ -300,8 +307,8 @@ std::vector<Vec3> corners_in(std::string_view bytes) {
 
 }  // namespace
 
-cda::TriangleMesh read_mesh_file(const std::string& path) {
-    const std::string bytes = read_text_file(path);
+cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs) {
+    const std::string bytes = inputs.read(path);
     try {
         cda::TriangleMesh mesh = weld(corners_in(bytes));
         if (mesh.triangles.empty()) throw Refused{"it has no triangles"};
@@ -315,7 +322,7 @@ cda::TriangleMesh read_mesh_file(const std::string& path) {
             throw Refused{"its surface is turned inside out: what is inside of it?"};
         return mesh;
     } catch (const Refused& refused) {
-        throw std::runtime_error(fmt::format("'{}': {}", path, refused.reason));
+        throw std::runtime_error(fmt::format("'{}': {}", name_of_input(path), refused.reason));
     }
 }
 

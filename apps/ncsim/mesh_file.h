@@ -5,6 +5,8 @@
 
 #include "ncsim/cda/mesh.h"
 
+#include "input.h"
+
 #include <string>
 
 namespace ncsim::app {
@@ -17,6 +19,6 @@ namespace ncsim::app {
 /// Throws std::runtime_error, naming the file, if it cannot be read, is neither of them, uses what
 /// is not understood (compressed meshes), or if its surface is not closed (every edge has as many
 /// triangles on one side as on the other; surfaces may touch) or turned inside out.
-cda::TriangleMesh read_mesh_file(const std::string& path);
+cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::app

@@ -22,6 +22,11 @@ Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest
         DdxH (top at Z0) or DdxH@x,y,z (lower end), along X or Y: DXdxL, DYdxL
 )";
 
+constexpr const char* kFiles = R"(
+Files:  - is the standard input, where a file is read, or the standard output, where one is written;
+        what people read goes to the standard error then. An output that is an input is refused.
+)";
+
 constexpr const char* kExitCodes = R"(
 Exit codes: 0 clean, 1 the NC program has faults, 2 wrong usage, unreadable input or a failing
 world (disk full, no such folder), 3 a bug of ours, 4 not proven: no fault was found, but something
@@ -30,7 +35,7 @@ that nobody told stands before "clean" (check).
 )";
 
 std::string footer(const char* example) {
-    return fmt::format("{}{}Example: {}", kNotation, kExitCodes, example);
+    return fmt::format("{}{}{}Example: {}", kNotation, kFiles, kExitCodes, example);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <ostream>
 #include <stdexcept>
@@ -72,6 +73,15 @@ constexpr std::size_t kMaxFiles = 16;
 constexpr std::size_t kMaxPath = 4096;
 char pending[kMaxFiles][kMaxPath];
 
+// Does `stream` of ours lead to a file of this `status`? Whoever writes into a device that is no
+// terminal (/dev/null) is not in the way of another one.
+bool leads_to(int stream, const struct stat& status) {
+    struct stat ours {};
+    if (::fstat(stream, &ours) != 0) return false;
+    if (S_ISCHR(ours.st_mode) && ::isatty(stream) == 0) return false;
+    return id_of(ours) == id_of(status);
+}
+
 extern "C" void remove_pending_files(int signal_number) {
     for (auto& path : pending) {
         if (path[0] != 0) ::unlink(path);
@@ -83,8 +93,9 @@ extern "C" void remove_pending_files(int signal_number) {
 }  // namespace
 
 struct OutputSet::File {
-    std::string path;
-    std::string temporary;  // empty: `path` is written directly
+    std::string path;       // as it was named
+    std::string target;     // without links
+    std::string temporary;  // empty: it is written directly
     int descriptor = -1;
     bool written = false;
     std::size_t slot = kMaxFiles;
@@ -112,7 +123,7 @@ struct OutputSet::File {
     }
 };
 
-OutputSet::OutputSet() {
+OutputSet::OutputSet(InputSet& inputs) : inputs_(&inputs) {
     for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction old {};
         ::sigaction(signal_number, nullptr, &old);
@@ -124,28 +135,79 @@ OutputSet::OutputSet() {
 
 OutputSet::~OutputSet() = default;
 
-void OutputSet::reserve(const std::string& path) {
-    if (path.empty()) return;
+void OutputSet::claim_standard_output(const std::string& what) {
+    if (!standard_output_.empty()) {
+        throw std::runtime_error(fmt::format("the standard output can be one of them: '{}' or '{}'",
+                                             standard_output_, what));
+    }
+    standard_output_ = what;
+}
+
+void OutputSet::add(const std::string& path, const FileId& id) {
+    if (!ids_.insert(id).second) {
+        throw std::runtime_error(fmt::format(
+            "'{}' is named twice: an output may overwrite neither an input nor another output",
+            path));
+    }
+    inputs_->forbid(path, id);
+}
+
+// Takes the descriptor, which is written to as it is.
+void OutputSet::open_directly(File& file, int descriptor) {
+    if (descriptor < 0) fail(file.path, "write", errno);
+    file.descriptor = descriptor;
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) fail(file.path, "write", errno);
+    if (S_ISDIR(status.st_mode)) fail(file.path, "write", EISDIR);
+    if (leads_to(STDOUT_FILENO, status)) {
+        claim_standard_output(file.path);
+        takes_standard_output_ = true;
+    }
+    if (S_ISREG(status.st_mode)) add(file.path, id_of(status));
+}
+
+std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
     auto file = std::make_unique<File>();
     file->path = path;
-    struct stat status {};
-    const bool exists = ::stat(path.c_str(), &status) == 0;
-    if (exists && S_ISDIR(status.st_mode)) fail(path, "write", EISDIR);
-    if (exists && !S_ISREG(status.st_mode)) {
-        file->descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (path == "-") {
+        // It may be a device that nobody would take for the standard output.
+        claim_standard_output(path);
+        takes_standard_output_ = true;
+        file->descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
         if (file->descriptor < 0) fail(path, "write", errno);
-        files_.push_back(std::move(file));
-        return;
+        struct stat status {};
+        if (::fstat(file->descriptor, &status) == 0 && S_ISREG(status.st_mode))
+            add(path, id_of(status));
+        return file;
     }
-    if (exists && ::access(path.c_str(), W_OK) != 0) fail(path, "overwrite", errno);
+    file->target = without_links(path);
+    const std::string& target = file->target;
+    struct stat status {};
+    const bool exists = ::stat(target.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) fail(path, "write", EISDIR);
+    if (const int ours = descriptor_named(target); ours >= 0) {
+        open_directly(*file, ::fcntl(ours, F_DUPFD_CLOEXEC, 3));
+        return file;
+    }
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+        if (!exists || !leads_to(stream, status)) continue;
+        open_directly(*file, ::fcntl(stream, F_DUPFD_CLOEXEC, 3));
+        return file;
+    }
+    if (exists && !S_ISREG(status.st_mode)) {
+        open_directly(*file, ::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+        return file;
+    }
+    if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, "overwrite", errno);
 
-    const std::size_t slash = path.rfind('/');
+    const std::size_t slash = target.rfind('/');
     const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
-    if (name == path.size()) fail(path, "write", EISDIR);
+    if (name == target.size()) fail(path, "write", EISDIR);
+    add(path, exists ? id_of(status) : id_of_new(target));
     // The process id tells runs apart; O_EXCL makes sure.
     for (int attempt = 0;; ++attempt) {
-        file->temporary = fmt::format("{}.{}.{}-{}.tmp", path.substr(0, name), path.substr(name),
-                                      ::getpid(), attempt);
+        file->temporary = fmt::format("{}.{}.{}-{}.tmp", target.substr(0, name),
+                                      target.substr(name), ::getpid(), attempt);
         file->remember();
         file->descriptor =
             ::open(file->temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -157,15 +219,17 @@ void OutputSet::reserve(const std::string& path) {
     }
     // What is overwritten keeps its permissions.
     if (exists) (void)::fchmod(file->descriptor, status.st_mode & 07777);
-    files_.push_back(std::move(file));
+    return file;
 }
 
-void OutputSet::write(const std::string& path, const std::function<void(std::ostream&)>& writer) {
-    if (path.empty()) return;
-    const auto found = std::find_if(files_.begin(), files_.end(),
-                                    [&path](const auto& f) { return f->path == path; });
-    if (found == files_.end()) throw std::logic_error("an output was not reserved: " + path);
-    File& file = **found;
+void OutputSet::reserve(const std::string& path) {
+    if (!path.empty()) files_.push_back(opened(path));
+}
+
+void OutputSet::fill(File& file, const std::function<void(std::ostream&)>& writer) {
+    const std::string& path = file.path;
+    // What was said before stays before it.
+    (void)std::fflush(stdout);
     DescriptorBuffer buffer(file.descriptor);
     std::ostream out(&buffer);
     try {
@@ -182,16 +246,37 @@ void OutputSet::write(const std::string& path, const std::function<void(std::ost
     file.written = true;
 }
 
+void OutputSet::name(File& file) {
+    if (!file.written || file.temporary.empty()) return;
+    if (::rename(file.temporary.c_str(), file.target.c_str()) != 0) fail(file.path, "write", errno);
+    file.temporary.clear();
+    file.forget();
+}
+
+void OutputSet::write(const std::string& path, const std::function<void(std::ostream&)>& writer) {
+    if (path.empty()) return;
+    // A device may be named twice.
+    const auto found = std::find_if(files_.begin(), files_.end(), [&path](const auto& f) {
+        return f->path == path && !f->written;
+    });
+    if (found == files_.end()) throw std::logic_error("an output was not reserved: " + path);
+    inputs_->check();
+    fill(**found, writer);
+}
+
 void OutputSet::commit() {
-    for (auto& file : files_) {
-        if (!file->written || file->temporary.empty()) continue;
-        if (::rename(file->temporary.c_str(), file->path.c_str()) != 0) {
-            fail(file->path, "write", errno);
-        }
-        file->temporary.clear();
-        file->forget();
-    }
+    inputs_->check();
+    for (auto& file : files_)
+        name(*file);
     files_.clear();
+}
+
+void OutputSet::write_now(const std::string& path,
+                          const std::function<void(std::ostream&)>& writer) {
+    const std::unique_ptr<File> file = opened(path);
+    fill(*file, writer);
+    inputs_->check();
+    name(*file);
 }
 
 }  // namespace ncsim::app

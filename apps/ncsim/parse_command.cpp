@@ -268,7 +268,10 @@ CLI::App* add_parse(CLI::App& app, ParseOptions& options) {
 int run(const ParseOptions& options) {
     Options all;
     static_cast<ProgramOptions&>(all) = static_cast<const ProgramOptions&>(options);
-    const Job job = read_job(std::move(all));
+    InputSet inputs;
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    const Job job = read_job(std::move(all), inputs);
     const gcode::Diagnostics diagnostics =
         options.canonical ? show_motions(job, options.json) : show_blocks(job, options.json);
     print_findings(job.program, diagnostics);

@@ -112,6 +112,19 @@ void complete(const ProgramOptions& options) {
     if (options.program.empty() && options.job.empty()) {
         throw Refusal{"an NC program is needed, or a job file that names one (--job)"};
     }
+    if (!options.save_job.empty() && options.stock && options.stock->from &&
+        options.stock->from->path == "-") {
+        throw Refusal{"--save-job: stock from the standard input has no name that could be kept"};
+    }
+}
+
+std::vector<std::string> inputs_of(const ProgramOptions& o) {
+    std::vector<std::string> paths = o.tool_tables;
+    for (const std::string* path : {&o.program, &o.job, &o.holders}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    if (o.stock && o.stock->from) paths.push_back(o.stock->from->path);
+    return paths;
 }
 
 void add_language_options(CLI::App& command, ProgramOptions& options) {

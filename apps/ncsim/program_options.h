@@ -80,6 +80,8 @@ void add_program_options(CLI::App& command, ProgramOptions& options);
 void add_language_options(CLI::App& command, ProgramOptions& options);
 /// The stock and the assumed tool, which matter only where something is cut.
 void add_setup_options(CLI::App& command, ProgramOptions& options);
+/// The paths of all files that are named to be read; none of them is empty.
+std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// What can be judged only when all options were read: throws Refusal if no program is named.
 void complete(const ProgramOptions& options);
 void add_simulation_options(CLI::App& command, SimulationOptions& options);

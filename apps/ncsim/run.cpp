@@ -99,8 +99,11 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
 }  // namespace
 
 int run(Options options) {
-    OutputSet outputs;
-    const Job job = read_job(std::move(options));
+    InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    const Job job = read_job(std::move(options), inputs);
     const Options& o = job.options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
@@ -119,7 +122,7 @@ int run(Options options) {
     std::optional<exporter::Simplified> simplified;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
-        Animation animation(job, survey);
+        Animation animation(job, survey, outputs);
         const auto take_frame = [&](const Simulation& so_far) {
             Outcome now{job, survey, &so_far};
             if (so_far.boundary) now.boundary = &*so_far.boundary;
@@ -151,7 +154,7 @@ int run(Options options) {
     if (!survey.is_ready()) {
         say("ncsim: the program was not simulated\n");
     } else {
-        if (!o.quiet) put_text(summary(outcome));
+        if (!o.quiet) put_text(summary(outcome), outputs.takes_standard_output());
         if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
     }
     return faulty ? kFindings : kClean;

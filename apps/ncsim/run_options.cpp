@@ -6,8 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <set>
 
 namespace ncsim::app {
 
@@ -71,24 +69,6 @@ exporter::Colouring read_colouring(const std::string& name) {
 double read_simplify(double tolerance) {
     if (tolerance == 0.0 || (tolerance >= 1e-6 && tolerance <= 1.0)) return tolerance;
     throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
-}
-
-// No two outputs may be one file, and none the program itself.
-void check_paths(const Options& o) {
-    std::set<std::string> seen{std::filesystem::path(o.program).lexically_normal().string()};
-    std::vector<std::string> inputs = o.tool_tables;
-    if (o.stock && o.stock->from) inputs.push_back(o.stock->from->path);
-    for (const std::string& input : inputs)
-        seen.insert(std::filesystem::path(input).lexically_normal().string());
-    for (const std::string& path : outputs_of(o)) {
-        if (path.rfind("/dev/", 0) == 0) continue;
-        if (!seen.insert(std::filesystem::path(path).lexically_normal().string()).second) {
-            throw Refusal{
-                fmt::format("'{}' is named twice: an output may overwrite neither an input nor "
-                            "another output",
-                            path)};
-        }
-    }
 }
 
 // The thesis' model where its own views are asked for, else the one that scales.
@@ -194,7 +174,6 @@ CLI::App* add_run(CLI::App& app, Options& options) {
 void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
-    check_paths(options);
     if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
         throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stock_file.h"
 
-#include "job.h"
 #include "mesh_file.h"
 
 #include <fmt/format.h>
@@ -25,20 +24,26 @@ bool ends_with(const std::string& text, std::string_view end) {
         [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-cda::Shape read_saved(const toolpath::StockFile& file, cda::Placement placement) {
-    std::istringstream in(read_text_file(file.path));
+bool is_saved(const toolpath::StockFile& file, InputSet& inputs) {
+    if (file.path != "-") return ends_with(file.path, ".ncstock");
+    return inputs.read(file.path).starts_with("ncsim stock");
+}
+
+cda::Shape read_saved(const toolpath::StockFile& file, cda::Placement placement, InputSet& inputs) {
+    std::istringstream in(inputs.read(file.path));
     cda::Shape shape;
     try {
         shape = cda::read_shape(in);
     } catch (const std::runtime_error& e) {
-        throw std::runtime_error(fmt::format("{}:{}", file.path, e.what()));
+        throw std::runtime_error(fmt::format("{}:{}", name_of_input(file.path), e.what()));
     }
     placement.shift = shape.lattice.round(file.move);
     return cda::placed(shape, placement);
 }
 
-cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& placement) {
-    cda::TriangleMesh mesh = read_mesh_file(file.path);
+cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& placement,
+                        InputSet& inputs) {
+    cda::TriangleMesh mesh = read_mesh_file(file.path, inputs);
     cda::Box box;
     for (cda::Vec3& p : mesh.vertices) {
         cda::Vec3 turned = file.move;
@@ -57,7 +62,8 @@ cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& p
 }  // namespace
 
 bool is_stock_file(const std::string& text) {
-    return ends_with(text, ".ncstock") || ends_with(text, ".stl") || ends_with(text, ".glb");
+    return text == "-" || ends_with(text, ".ncstock") || ends_with(text, ".stl") ||
+           ends_with(text, ".glb");
 }
 
 cda::Placement parse_turn(const std::string& text) {
@@ -82,14 +88,14 @@ cda::Placement parse_turn(const std::string& text) {
     return placement;
 }
 
-toolpath::Stock read_stock_file(const toolpath::StockFile& file) {
+toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs) {
     toolpath::Stock stock;
     stock.from = file;
     try {
         const cda::Placement placement = parse_turn(file.turn);
-        stock.shape = std::make_shared<const cda::Shape>(ends_with(file.path, ".ncstock")
-                                                             ? read_saved(file, placement)
-                                                             : read_surface(file, placement));
+        stock.shape = std::make_shared<const cda::Shape>(
+            is_saved(file, inputs) ? read_saved(file, placement, inputs)
+                                   : read_surface(file, placement, inputs));
     } catch (const std::invalid_argument& e) {
         throw std::runtime_error(fmt::format("stock '{}': {}", file.path, e.what()));
     }

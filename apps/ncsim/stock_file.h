@@ -7,13 +7,15 @@
 #include "ncsim/cda/shape.h"
 #include "ncsim/toolpath/stock.h"
 
+#include "input.h"
+
 #include <iosfwd>
 #include <span>
 #include <string>
 
 namespace ncsim::app {
 
-/// Does `text` name such a file? By its end: .stl, .glb or .ncstock.
+/// Does `text` name such a file? By its end, .stl, .glb or .ncstock, or as "-", the standard input.
 bool is_stock_file(const std::string& text);
 
 /// "X180", "X90,Z-90": turns by right angles about the axes of the program, one after the other.
@@ -23,7 +25,7 @@ cda::Placement parse_turn(const std::string& text);
 /// Reads it, turns it and moves it. Surfaces as read_mesh_file() does, in mm, on the finest lattice
 /// that reaches them; .ncstock as --save-stock writes it, exactly, on the lattice it has. Throws
 /// std::runtime_error, naming the file, if it is neither or is too far from the origin.
-toolpath::Stock read_stock_file(const toolpath::StockFile& file);
+toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs);
 
 /// What is left of `stock` after `carved`, for read_stock_file().
 void write_stock_file(std::ostream& out, const cda::Shape& stock,

@@ -182,14 +182,18 @@ CLI::App* add_tools(CLI::App& app, ToolsOptions& options) {
 int run(const ToolsOptions& options) {
     Options all;
     static_cast<ProgramOptions&>(all) = options;
-    OutputSet outputs;
-    const Job job = read_job(std::move(all));
+    InputSet inputs;
+    OutputSet outputs(inputs);
+    if (options.json) outputs.claim_standard_output("--json");
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    const Job job = read_job(std::move(all), inputs);
     outputs.reserve(options.save_job);
     const Survey survey = app::survey(job);
     if (options.json) {
         put_out(sheet_json(job, survey));
     } else {
-        put_text(ToolSheet(job, survey).text());
+        put_text(ToolSheet(job, survey).text(), outputs.takes_standard_output());
     }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,

@@ -132,7 +132,6 @@ TEST(Options, RefuseWhatMakesNoSense) {
         {"run", "part.nc", "--at-line", "0"},
         {"run", "part.nc", "--every", "10"},
         {"run", "part.nc", "--gif", "a.gif", "--every", "0"},
-        {"run", "part.nc", "--gif", "a", "--png", "a"},
         {"run", "part.nc", "--units", "furlong"},
         {"run", "part.nc", "--model", "voxel"},
         {"run", "part.nc", "--model", "cda", "--stats", "a.csv"},
@@ -140,8 +139,6 @@ TEST(Options, RefuseWhatMakesNoSense) {
         {"run", "part.nc", "--stock", "1e12x1x1"},
         {"run", "part.nc", "--tool", "T1=flat"},
         {"run", "part.nc", "--tool", "T1=flat:D1", "--tool", "T1=flat:D2"},
-        {"run", "part.nc", "--png", "a", "--stl", "./a"},
-        {"run", "part.nc", "--report", "part.nc"},
     };
     for (const auto& arguments : table) {
         std::string all;

@@ -19,10 +19,11 @@ protected:
     std::string at(const char* name) const { return (folder.path() / name).string(); }
     static void hello(std::ostream& out) { out << "hello"; }
     Folder folder;
+    InputSet inputs;
 };
 
 TEST_F(Outputs, AppearAllAtOnceWhenCommitted) {
-    OutputSet outputs;
+    OutputSet outputs(inputs);
     outputs.reserve(at("a"));
     outputs.write(at("a"), hello);
     EXPECT_FALSE(folder.has("a"));
@@ -34,7 +35,7 @@ TEST_F(Outputs, AppearAllAtOnceWhenCommitted) {
 TEST_F(Outputs, LeaveWhatWasThereWhenTheyAreNot) {
     folder.write("a", "old");
     {
-        OutputSet outputs;
+        OutputSet outputs(inputs);
         outputs.reserve(at("a"));
         outputs.write(at("a"), hello);
     }
@@ -43,7 +44,7 @@ TEST_F(Outputs, LeaveWhatWasThereWhenTheyAreNot) {
 }
 
 TEST_F(Outputs, ThatWereReservedButNotWrittenDisappear) {
-    OutputSet outputs;
+    OutputSet outputs(inputs);
     outputs.reserve(at("a"));
     outputs.commit();
     EXPECT_TRUE(folder.files().empty());
@@ -51,7 +52,7 @@ TEST_F(Outputs, ThatWereReservedButNotWrittenDisappear) {
 
 TEST_F(Outputs, ThatFailHalfwayLeaveNothing) {
     {
-        OutputSet outputs;
+        OutputSet outputs(inputs);
         outputs.reserve(at("a"));
         EXPECT_THROW(outputs.write(at("a"),
                                    [](std::ostream& out) {
@@ -66,7 +67,7 @@ TEST_F(Outputs, ThatFailHalfwayLeaveNothing) {
 TEST_F(Outputs, KeepThePermissionsOfWhatTheyReplace) {
     folder.write("a", "old");
     std::filesystem::permissions(at("a"), std::filesystem::perms::owner_all);
-    OutputSet outputs;
+    OutputSet outputs(inputs);
     outputs.reserve(at("a"));
     outputs.write(at("a"), hello);
     outputs.commit();
@@ -74,7 +75,7 @@ TEST_F(Outputs, KeepThePermissionsOfWhatTheyReplace) {
 }
 
 TEST_F(Outputs, LargerThanTheirBufferArriveWhole) {
-    OutputSet outputs;
+    OutputSet outputs(inputs);
     outputs.reserve(at("a"));
     outputs.write(at("a"), [](std::ostream& out) {
         for (int i = 0; i < 100000; ++i)
@@ -85,7 +86,7 @@ TEST_F(Outputs, LargerThanTheirBufferArriveWhole) {
 }
 
 TEST_F(Outputs, WithoutAPathAreNotWanted) {
-    OutputSet outputs;
+    OutputSet outputs(inputs);
     outputs.reserve("");
     outputs.write("", [](std::ostream&) { FAIL(); });
 }

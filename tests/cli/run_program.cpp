@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace ncsim::cli_test {
 
@@ -55,13 +56,21 @@ std::vector<std::string> Folder::files() const {
 }
 
 Ran Folder::run(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> words{NCSIM_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return execute(std::move(words));
+}
+
+Ran Folder::shell(const std::string& script) const {
+    return execute({"/bin/sh", "-c", script, NCSIM_PROGRAM});
+}
+
+Ran Folder::execute(std::vector<std::string> words) const {
     // Beside the folder, not in it, so that files() shows what the program made.
     const std::string out = path_.string() + ".out";
     const std::string err = path_.string() + ".err";
     const pid_t child = ::fork();
     if (child == 0) {
-        std::vector<std::string> words{NCSIM_PROGRAM};
-        words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> argv;
         for (std::string& word : words)
             argv.push_back(word.data());

@@ -30,8 +30,12 @@ public:
     std::vector<std::string> files() const;
     /// Runs `ncsim arguments…` here, with a standard input that is empty.
     Ran run(const std::vector<std::string>& arguments) const;
+    /// The same for a script of sh, in which "$0" is ncsim.
+    Ran shell(const std::string& script) const;
 
 private:
+    Ran execute(std::vector<std::string> words) const;
+
     std::filesystem::path path_;
 };
 

@@ -441,7 +441,7 @@ TEST(Run, RefusesStockFilesThatAreNone) {
     EXPECT_TRUE(contains(refusal({"--stock", "none.ncstock"}), "none.ncstock"));
     EXPECT_TRUE(contains(refusal({"--stock", "bad.ncstock"}), "bad.ncstock:4: a normal that was"));
     EXPECT_TRUE(contains(refusal({"--stock", "bad.stl"}), "bad.stl"));
-    EXPECT_TRUE(contains(refusal({"--stock", "new.ncstock"}), "named twice"));
+    EXPECT_TRUE(contains(refusal({"--stock", "new.ncstock"}), "new.ncstock': No such file"));
     EXPECT_TRUE(contains(refusal({"--stock-turn", "X180"}), "--stock FILE"));
     EXPECT_TRUE(
         contains(refusal({"--stock", "40x30x10", "--stock-move", "1,2,3"}), "--stock FILE"));

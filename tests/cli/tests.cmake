@@ -7,6 +7,7 @@ if(TARGET ncsim)
       bad_input_test.cpp
       check_test.cpp
       diff_test.cpp
+      files_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp

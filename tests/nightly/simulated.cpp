@@ -36,7 +36,8 @@ app::Simulation ProgramFile::run(const Program& program,
     if (const auto* farewell = std::get_if<app::Farewell>(&command)) {
         throw std::runtime_error("the options are refused: " + farewell->text);
     }
-    const app::Job job = app::read_job(std::get<app::Options>(command));
+    app::InputSet inputs;
+    const app::Job job = app::read_job(std::get<app::Options>(command), inputs);
     const app::Survey survey = app::survey(job);
     for (const gcode::Diagnostic& d : survey.diagnostics) {
         if (d.severity != gcode::Severity::Error) continue;

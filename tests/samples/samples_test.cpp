@@ -42,6 +42,7 @@ using cda::Vec3;
 
 // A sample, run once with both models.
 struct Sample {
+    app::InputSet inputs;
     app::Job job;
     app::Survey survey;
     app::Simulation tree, flat;
@@ -57,7 +58,7 @@ const Sample& sample(const std::string& name) {
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/" + name + ".nc";
         options.model = "cda";
         options.save_stock = "kept.ncstock";  // Keeps the cells; nothing is written here.
-        slot->job = app::read_job(options);
+        slot->job = app::read_job(options, slot->inputs);
         slot->survey = app::survey(slot->job);
         slot->tree = app::simulate(slot->job, slot->survey, {}, {});
         slot->job.options.model = "cda-flat";
