@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -15,6 +17,9 @@ public:
     Budget() = default;
     /// 10^9 bytes and seconds from now on; 0: as much as there is.
     Budget(double memory_gb, double seconds);
+
+    /// Gives up when it is asked to.
+    void stop_with(std::stop_token stop) { stop_ = std::move(stop); }
 
     /// Which of them is used up, in words; nothing: neither. Looks at the system only once in a
     /// while, so it may be asked for every motion.
@@ -26,6 +31,7 @@ private:
     double memory_gb_ = 0.0;
     double seconds_ = 0.0;
     std::chrono::steady_clock::time_point start_;
+    std::stop_token stop_;
     mutable std::uint32_t asked_ = 0;
 };
 

@@ -5,50 +5,21 @@
 #include "check_text.h"
 #include "checked.h"
 #include "findings.h"
+#include "in_order.h"
 #include "mesh_file.h"
 #include "output.h"
 #include "page.h"
 
 #include <algorithm>
-#include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <ostream>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
 namespace ncsim::app {
 
 namespace {
-
-// Verifies programs on several threads and hands each result to `done` in the order of the
-// programs, on the thread of the caller.
-template <class Work, class Done>
-void in_order(std::size_t count, unsigned jobs, const Work& work, const Done& done) {
-    std::vector<bool> ready(count, false);
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::atomic<std::size_t> next{0};
-    std::vector<std::jthread> workers;
-    for (unsigned j = 0; j < jobs; ++j) {
-        workers.emplace_back([&] {
-            for (std::size_t i = next++; i < count; i = next++) {
-                work(i);
-                const std::lock_guard lock(mutex);
-                ready[i] = true;
-                changed.notify_one();
-            }
-        });
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        {
-            std::unique_lock lock(mutex);
-            changed.wait(lock, [&] { return ready[i]; });
-        }
-        done(i);
-    }
-}
 
 // Not proven stands between clean and faulty.
 bool is_better(int a, int b) {
@@ -83,9 +54,9 @@ int run(CheckOptions options) {
     std::vector<Checked> all(options.programs.size());
     in_order(
         all.size(), jobs,
-        [&](std::size_t i) {
+        [&](std::size_t i, const std::stop_token& stop) {
             all[i] = check_program(options.programs[i], options, machine,
-                                   design ? &*design : nullptr, threads, inputs);
+                                   design ? &*design : nullptr, threads, inputs, stop);
         },
         [&](std::size_t i) {
             if (options.github) {

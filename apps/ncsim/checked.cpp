@@ -23,6 +23,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -350,12 +351,13 @@ toolpath::RapidPath rapid_path(const CheckOptions& options,
 
 Checked check_program(const std::string& path, const CheckOptions& options,
                       const MachineFile& machine, const Design* design, unsigned threads,
-                      InputSet& inputs) {
+                      InputSet& inputs, std::stop_token stop) {
     Checked checked;
     checked.path = name_of_input(path);
     try {
-        verify_program(checked, read_job(options_for(path, options, threads), inputs), options,
-                       machine, design);
+        Job job = read_job(options_for(path, options, threads), inputs);
+        job.budget.stop_with(std::move(stop));
+        verify_program(checked, std::move(job), options, machine, design);
     } catch (const std::bad_alloc&) {
         checked.failure = "out of memory";
         checked.exit_code = kEnvironment;

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,10 +46,11 @@ struct Checked {
 };
 
 /// Reads and verifies `path`. Never throws: what is wrong is in the result. The result depends on
-/// the file and the options only. `design` may be null. `threads` evaluate at a time.
+/// the file and the options only. `design` may be null. `threads` evaluate at a time. Gives up when
+/// it is asked to `stop`.
 Checked check_program(const std::string& path, const CheckOptions& options,
                       const MachineFile& machine, const Design* design, unsigned threads,
-                      InputSet& inputs);
+                      InputSet& inputs, std::stop_token stop);
 
 /// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
 toolpath::RapidPath rapid_path(const CheckOptions& options,

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 namespace ncsim::app {
 
@@ -38,7 +40,8 @@ void say(std::string_view text) {
 void put_out(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
         std::fflush(stdout) != 0) {
-        throw std::runtime_error("cannot write to the standard output");
+        throw std::runtime_error(fmt::format("cannot write to the standard output: {}",
+                                             std::generic_category().message(errno)));
     }
 }
 

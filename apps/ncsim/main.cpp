@@ -8,6 +8,9 @@
 #include "plain_text.h"
 #include "run.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -28,11 +31,21 @@ int run(const ncsim::app::Farewell& farewell) {
     return farewell.exit_code;
 }
 
+// A stream that the caller has closed stays closed: no file that is opened may take its place.
+void keep_closed_streams_closed() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) != -1) continue;
+        // Readable where it is written and the other way round: an error, as before.
+        (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     using namespace ncsim::app;
     try {
+        keep_closed_streams_closed();
         Command command =
             parse_options(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
         return std::visit([](auto& chosen) { return run(std::move(chosen)); }, command);
