@@ -7,6 +7,7 @@ if(TARGET ncsim)
       bad_input_test.cpp
       check_test.cpp
       diff_test.cpp
+      doubts_test.cpp
       files_test.cpp
       in_order_test.cpp
       options_test.cpp
