@@ -51,6 +51,19 @@ TEST(RapidInMaterial, IsFoundAtItsLineWithTheVolumeItTakes) {
     EXPECT_EQ(f.box, (cda::Box{{-20, -5, -2}, {20, 5, 0}}));
 }
 
+TEST(RapidInMaterial, IsFoundOnTheWayUpOutOfATunnel) {
+    // Flutes of 5 mm at Z-9 leave a roof of 4 mm.
+    verify::Setup setup = plain_setup();
+    setup.tools.at(1).tool = toolpath::flat_end_mill(10.0, 5.0);
+    const auto verdict = verdict_of(kStart + "G0 Z-9\nG1 X0\nG0 Z5\n", setup);
+    const Finding f = only(verdict, "rapid-in-material");
+    EXPECT_EQ(f.place.span.line, 4U);
+    EXPECT_NEAR(f.quantity->value, 4 * 3.14159 * 25, 5.0);
+    // Of a hole nothing is left above it.
+    const auto hole = verdict_of(kStart + "G0 X0\nG1 Z-9\nG0 Z5\n", setup);
+    EXPECT_TRUE(findings_of(hole, "rapid-in-material").empty());
+}
+
 TEST(RapidInMaterial, IsNotFoundWhereTheToolOnlyTouches) {
     // Beside the block, on top of it, and back through the slot that was cut at feed.
     const auto verdict = verdict_of(kStart +

@@ -37,6 +37,13 @@ bool ascends(const Step& step) {
            dot(step.X_WB.translation - step.X_WA.translation, axis_of(step.X_WA)) > 0.0;
 }
 
+// Straight down along an axis that is upright.
+bool falls_straight(const Step& step) {
+    const Vec3 way = step.X_WB.translation - step.X_WA.translation;
+    return step.X_WA.rows == toolpath::Pose{}.rows && step.X_WB.rows == step.X_WA.rows &&
+           way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
+}
+
 // Of an arc, which may be a spiral; mm.
 double smallest_radius(const gcode::Arc& arc) {
     const auto radius = [&arc](const gcode::Position& p) {
@@ -150,11 +157,15 @@ public:
         }
         if (!now_->too_high.empty() && move_.motion->kind == MoveKind::Feed)
             meet_too_high(step, part);
-        if (!now_->uncertain.empty()) meet_uncertain(step, part);
+        const bool goes_on = has_cut_at(step.X_WA);
+        const bool only_up = goes_on && goes_back_up(step);
+        // Going straight down, what is certain cuts ahead of what is not.
+        const bool only_down = goes_on && now_->straight_above && falls_straight(step);
+        if (!now_->uncertain.empty() && !only_up && !only_down) meet_uncertain(step, part);
         meets_now_ = false;
         if (!move_.asked || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
-            meet_rapidly(step, part);
+            if (!only_up || volumes_) meet_rapidly(step, part);
         } else if (!volumes_ || rounding_now(step) > 0.0) {
             // One step that meets material answers for its motion, if nobody asks how much it is.
             meet_at_feed(step, part);
@@ -162,6 +173,7 @@ public:
     }
 
     void look_back(const Step& step, const cda::TreeCda& part, double removed) {
+        cut_at_ = CutAt{move_.motion->tool, step.X_WB};
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
             // Cells that are exact meet material if they remove some; of the others slivers may be
             // left where they were before.
@@ -416,6 +428,20 @@ private:
         }
         if (move_.after_probe && now_)
             log_.doubt("probe-guess", "moves after a probe stand on what it met", place());
+    }
+
+    // Has this tool just been there, with all that cuts?
+    bool has_cut_at(const toolpath::Pose& X_WT) const {
+        return cut_at_ && cut_at_->tool == move_.motion->tool && cut_at_->X_WT == X_WT;
+    }
+
+    // Up out of its own cut, where there is nothing: it is nowhere narrower above, and the stock
+    // ends below its upper end.
+    bool goes_back_up(const Step& step) const {
+        const Vec3 way = step.X_WB.translation - step.X_WA.translation;
+        return now_->widens && step.X_WA.rows == toolpath::Pose{}.rows &&
+               step.X_WB.rows == step.X_WA.rows && way.x == 0.0 && way.y == 0.0 && way.z > 0.0 &&
+               step.X_WA.translation.z + toolpath::cutting_height_of(tool_now()) >= stock_.max.z;
     }
 
     // How far the cutter's cells of this step may lie off for rounding alone.
@@ -780,6 +806,11 @@ private:
     Move move_;
     Watched* now_ = nullptr;
     bool meets_now_ = false;  // this step meets material
+    struct CutAt {
+        int tool = 0;
+        toolpath::Pose X_WT;
+    };
+    std::optional<CutAt> cut_at_;  // where the last step ended
     // Steps of faulty motions of which the volume was measured, each as dear as ten that are only
     // cut, and how many that may be: one fault has a number, thousands have "at least".
     std::uint64_t measured_ = 0;

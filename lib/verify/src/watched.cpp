@@ -30,6 +30,31 @@ void add_probes(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
         probes_T.push_back(middle + 0.999 * (lattice.to_mm(p) - middle));
 }
 
+// Is what cuts nowhere narrower above? Then going up along its axis it meets nothing new but what
+// is above it.
+bool widens(const toolpath::Tool& tool) {
+    double radius = 0.0;
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        for (const toolpath::ProfilePoint& p : piece.profile) {
+            if (p.radius < radius) return false;
+            radius = p.radius;
+        }
+        if (piece.profile.back().fillet != 0.0) return false;
+    }
+    return true;
+}
+
+// Is what cuts a cylinder of its largest radius from `low` mm on?
+bool is_straight_above(const toolpath::Tool& tool, double low) {
+    const double radius = toolpath::cutting_diameter_of(tool) / 2;
+    return std::ranges::all_of(tool.pieces, [&](const toolpath::ToolPiece& piece) {
+        if (!piece.cutting) return true;
+        const toolpath::ToolPiece above = toolpath::slice(piece, low, kAll);
+        return above.profile.empty() || (is_prism(above) && above.profile.front().radius == radius);
+    });
+}
+
 // What of the cutting pieces lies between two heights.
 std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
                          const cda::Lattice& lattice, const toolpath::ToolAccuracy& accuracy) {
@@ -63,7 +88,9 @@ Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lat
     if (facts.certain_flutes && *facts.certain_flutes < height) {
         w.uncertain = slices(facts.tool, *facts.certain_flutes, kAll, lattice, accuracy);
         w.certain = slices(facts.tool, 0.0, *facts.certain_flutes, lattice, accuracy);
+        w.straight_above = is_straight_above(facts.tool, *facts.certain_flutes);
     }
+    w.widens = widens(facts.tool);
     toolpath::ToolAccuracy inner = accuracy;
     inner.side = toolpath::Side::Inscribed;
     w.inscribed.emplace(facts.tool, lattice, inner);

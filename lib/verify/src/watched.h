@@ -31,6 +31,9 @@ struct Watched {
     Place uncertain_place;                 ///< and where first.
     std::vector<cda::Vec3> probes_T;       ///< Points strictly inside the cutting pieces.
     bool prism = true;                     ///< All of what cuts.
+    bool widens = true;                    ///< What cuts is nowhere narrower above.
+    /// What cuts is a cylinder above the flutes that there certainly are.
+    bool straight_above = false;
     std::optional<toolpath::Cutter> inscribed;  ///< The cutter, for certainty.
 };
 
