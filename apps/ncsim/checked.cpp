@@ -286,6 +286,11 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
     verifier.add(survey.diagnostics);
     for (std::string& what : not_used)
         verifier.add_doubt("told-not-used", std::move(what));
+    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
+        if (survey.untold[axis])
+            verifier.add_doubt("start-unknown",
+                               fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
+    }
     job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
                                                 const gcode::ProgramFrame& frame) {
         verifier.set_frame(frame);

@@ -5,6 +5,7 @@
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
 
+#include "sheet.h"
 #include "tool_body.h"
 
 #include <fmt/format.h>
@@ -115,18 +116,39 @@ std::vector<std::string> caption(const Outcome& outcome) {
     return lines;
 }
 
+// What a first look guessed.
+void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
+    const Survey& survey = outcome.survey;
+    for (const auto& [number, used] : survey.tools) {
+        if (used.told_by == toolpath::ToldBy::Assumption)
+            lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));
+    }
+    if (survey.stock->told_by == toolpath::ToldBy::Assumption)
+        lines.push_back("guessed: stock " + describe(*survey.stock));
+    if (!survey.interpretation.units_stated) {
+        lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
+                                                             : "guessed: millimetres");
+    }
+    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
+        if (survey.untold[axis]) lines.push_back(fmt::format("guessed: {} 0", "XYZ"[axis]));
+    }
+}
+
 }  // namespace
 
 exporter::Image picture(const Outcome& outcome) {
     const std::vector<exporter::View>& views = outcome.job.options.views;
-    const bool has_caption = outcome.job.options.has_caption;
-    if (views.size() == 1 && !has_caption) return view_of(outcome, views.front());
+    const Options& o = outcome.job.options;
+    std::vector<std::string> lines;
+    if (views.size() > 1 || o.has_caption) lines = caption(outcome);
+    if (o.draft) add_guesses(outcome, lines);
+    if (views.size() == 1 && lines.empty()) return view_of(outcome, views.front());
     std::vector<exporter::LabelledImage> pictures;
     for (const exporter::View view : views) {
         const std::string label(views.size() == 1 ? "" : exporter::name(view));
         pictures.push_back({label, view_of(outcome, view)});
     }
-    return exporter::contact_sheet(pictures, caption(outcome), outcome.job.options.background);
+    return exporter::contact_sheet(pictures, lines, o.background);
 }
 
 }  // namespace ncsim::app

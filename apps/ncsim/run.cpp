@@ -103,12 +103,13 @@ int run(Options options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    const Job job = read_job(std::move(options), inputs);
+    Job job = read_job(std::move(options), inputs);
     const Options& o = job.options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
 
     Survey survey = app::survey(job);
+    if (survey.is_flat()) job.options.shows_path = true;
     if (!o.quiet) say(assumption_sheet(job, survey));
     print_findings(job.program, survey.diagnostics);
 

@@ -167,7 +167,16 @@ CLI::App* add_run(CLI::App& app, Options& options) {
         ->type_name("WxH");
     run->add_flag("!--no-block-volumes", o.block_volumes,
                   "Report without what each block removed: faster with --model cda");
+    run->add_flag("--draft", o.draft,
+                  "A first look: guess tools that nobody describes, say so in the picture, and be "
+                  "quick");
     run->add_flag("--quiet,-q", o.quiet, "Only errors and warnings");
+    run->parse_complete_callback([run, &o] {
+        if (!o.draft) return;
+        constexpr double kCoarser = 4.0;
+        if (run->count("--tolerance") == 0) o.tolerance *= kCoarser;
+        if (run->count("--tool-tolerance") == 0) o.tool_tolerance *= kCoarser;
+    });
     return run;
 }
 

@@ -36,6 +36,8 @@ struct Options : ProgramOptions, SimulationOptions {
     std::optional<double> simplify;
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     bool quiet = false;
+    /// A first look: tools that nobody describes are guessed, round shapes are coarser.
+    bool draft = false;
     /// In the report: what each block removed. With the model "cda" ten times the work.
     bool block_volumes = true;
 };

@@ -94,6 +94,10 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
     } else {
         sheet.line("start", "known");
     }
+    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
+        if (survey.untold[axis])
+            sheet.line("", "assumed: {} 0, since the program never tells it", "XYZ"[axis]);
+    }
     if (survey.uses_machine_coordinates) {
         sheet.line(
             "home",

@@ -7,12 +7,15 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/trace.h"
 
+#include "tool_clues.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -84,6 +87,7 @@ public:
         cda::Box cutting_tips;  // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
         cda::Vec3 farthest_tip;  // from the axes X, Y and Z
+        ToolClues clues;
     };
 
     void take(const gcode::Motion& motion) {
@@ -97,6 +101,9 @@ public:
         result_.turns[0] |= to->a.degrees() != 0.0;
         result_.turns[1] |= to->b.degrees() != 0.0;
         result_.turns[2] |= to->c.degrees() != 0.0;
+        told_[0] |= motion.known_end.x;
+        told_[1] |= motion.known_end.y;
+        told_[2] |= motion.known_end.z;
         if (!toolpath::has_known_start(motion)) {
             if (toolpath::has_known_end(motion)) track_of(motion);
             ++result_.moves_from_nowhere;
@@ -108,6 +115,7 @@ public:
         }
         ToolTrack& track = track_of(motion);
         if (feed) result_.cutting_tools.insert(motion.tool);
+        if (feed) track.clues.take(motion);
         const toolpath::Samples samples = coarse_samples(motion);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
@@ -126,6 +134,8 @@ public:
     }
 
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
+    // Which of X, Y, Z some move tells.
+    const std::array<bool, 3>& told() const { return told_; }
     gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
 
 private:
@@ -137,6 +147,7 @@ private:
 
     Survey& result_;
     std::map<int, ToolTrack> tracks_;
+    std::array<bool, 3> told_{};
     gcode::SourceSpan first_cut_from_nowhere_;
 };
 
@@ -168,6 +179,11 @@ const toolpath::ToolEntry* entry_for(const Job& job, int number, bool is_only_to
     return nullptr;
 }
 
+// A path at Z0 that cuts nothing, whatever the tool is.
+bool touches_only(const Job& job, const Survey& result) {
+    return result.is_flat() && (!job.stock || job.stock->box.max.z <= 0.0);
+}
+
 void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
     const double length = assumed_length(result, motions, job.stock);
     for (const auto& [number, track] : motions.tracks()) {
@@ -186,14 +202,25 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
             used.text = spec.description;
         } else if (track.cutting_tips.is_empty()) {
             continue;  // only positioned: for a picture, what it looks like does not matter
+        } else if (const std::string guess = track.clues.guess(result.interpretation.uses_inches);
+                   job.options.draft || touches_only(job, result)) {
+            std::string message;
+            spec = toolpath::parse_tool_option("T1=" + guess, message).value();
+            spec.description = guess;
+            used.told_by = ToldBy::Assumption;
+            used.text = guess + ", a guess from its moves";
         } else {
             const std::string how =
                 number == 0
-                    ? "no tool is called before this cut; describe one with --assume-tool flat:D10"
+                    ? fmt::format(
+                          "no tool is called before this cut; for a first look: "
+                          "--assume-tool {}, a guess from the moves",
+                          guess)
                     : fmt::format(
-                          "tool {0} is not described; say what it is with --tool T{0}=flat:D10 "
-                          "or in a comment such as (T{0} D=10. CR=0. - flat end mill)",
-                          number);
+                          "tool {0} is not described; say what it is with --tool T{0}={1} "
+                          "or in a comment such as (T{0} D=10. CR=0. - flat end mill); for a "
+                          "first look: --assume-tool {1}, a guess from its moves",
+                          number, guess);
             tell(result, Severity::Error, "tool-unknown", how, track.first);
             result.ready = false;
             result.unknown_tools.emplace(number, track.first);
@@ -212,6 +239,7 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
 toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
                                     const MotionSurvey::ToolTrack& all) {
     const auto& turns = survey.turns;
+    if (survey.is_flat()) return toolpath::derive_sheet(all.cutting_tips);
     // A table that turns about Z leaves what is above it above.
     if (!turns[0] && !turns[1]) return toolpath::derive_stock(swept, all.highest_tip);
     if (turns[0] && turns[1]) return toolpath::derive_block(all.cutting_tips);
@@ -264,18 +292,41 @@ Distances total_distances(const Survey& survey) {
     return total;
 }
 
-Survey survey(const Job& job) {
-    Survey result;
+namespace {
+
+void tell_untold(Survey& result) {
+    std::string names;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (result.untold[axis]) names.append(names.empty() ? "" : ", ").append(1, "XYZ"[axis]);
+    }
+    if (names.empty()) return;
+    tell(result, Severity::Note, "axis-untold",
+         fmt::format("the program never tells {}; taken as 0 (--start){}", names,
+                     result.is_flat() ? ", and the program is drawn as a path" : ""),
+         result.first_move);
+}
+
+struct Look {
+    Survey survey;
+    std::array<bool, 3> told;  // X, Y, Z, by some move or by the start
+};
+
+Look look_at(const Job& job, const std::array<bool, 3>& untold) {
+    Look look;
+    Survey& result = look.survey;
+    result.untold = untold;
     MotionSurvey motions(result);
     result.interpretation = gcode::interpret(job.program, job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
+    look.told = motions.told();
     result.diagnostics = result.interpretation.diagnostics;
     result.diagnostics.insert(result.diagnostics.end(), job.diagnostics.begin(),
                               job.diagnostics.end());
+    tell_untold(result);
 
-    if (result.interpretation.refused) return result;  // and the interpreter said why
+    if (result.interpretation.refused) return look;  // and the interpreter said why
     // What did not end once does not have to be cut to be known not to end.
-    if (hits_step_limit(result.diagnostics)) return result;
+    if (hits_step_limit(result.diagnostics)) return look;
     result.ready = true;
     if (result.moves == 0 || (result.feed_moves == 0 && !job.stock)) {
         result.only_rapid = result.moves > 0;
@@ -285,7 +336,7 @@ Survey survey(const Job& job) {
              result.first_move);
         if (result.only_rapid) choose_tools(job, motions, result);
         result.ready = false;
-        return result;
+        return look;
     }
     if (result.cuts_from_nowhere) {
         tell(result, Severity::Warning, "start-unknown",
@@ -294,13 +345,13 @@ Survey survey(const Job& job) {
              motions.first_cut_from_nowhere());
     }
     choose_tools(job, motions, result);
-    if (!result.ready) return result;
+    if (!result.ready) return look;
     choose_stock(job, motions, result);
     if (!result.stock) {
         tell(result, Severity::Error, "no-motion",
              "no cutting move starts at a place that the program tells", result.first_move);
         result.ready = false;
-        return result;
+        return look;
     }
     const cda::Box& box = result.stock->box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -316,7 +367,22 @@ Survey survey(const Job& job) {
             break;
         }
     }
-    return result;
+    return look;
+}
+
+}  // namespace
+
+Survey survey(Job& job) {
+    Look look = look_at(job, {});
+    const Survey& first = look.survey;
+    if (first.interpretation.refused || first.feed_moves == 0) return std::move(look.survey);
+    std::array<bool, 3> untold{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        untold[axis] = !look.told[axis];
+        if (untold[axis]) job.interpreter.start[axis] = gcode::Length();
+    }
+    if (untold != std::array<bool, 3>{}) look = look_at(job, untold);
+    return std::move(look.survey);
 }
 
 void cut_nothing(Survey& survey) {

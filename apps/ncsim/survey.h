@@ -52,6 +52,10 @@ struct Survey {
     /// It has only rapid moves, and nobody says what stands there: then it is not ready.
     bool only_rapid = false;
     std::array<bool, 3> turns{};  ///< About X, Y, Z: A, B, C.
+    /// Axes X, Y, Z that the program never tells, though it cuts: taken as 0.
+    std::array<bool, 3> untold{};
+    /// It never tells Z: a plotter's, a laser's or an engraver's, of which only the path is known.
+    bool is_flat() const { return untold[2]; }
     bool uses_machine_coordinates = false;
     gcode::SourceSpan first_move;
     cda::Box tip_positions;              ///< Of all moves with a known start, mm, in W.
@@ -76,7 +80,9 @@ void add(Distances& distances, const gcode::Motion& motion);
 /// Sum over all tools.
 Distances total_distances(const Survey& survey);
 
-Survey survey(const Job& job);
+/// Reads the program once, or twice where it never tells an axis: then `job` is told that it starts
+/// at 0 there.
+Survey survey(Job& job);
 
 /// Makes one that is `only_rapid` ready, with a stock that is empty: for those who ask what else
 /// the tools meet.

@@ -187,7 +187,7 @@ int run(const ToolsOptions& options) {
     if (options.json) outputs.claim_standard_output("--json");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    const Job job = read_job(std::move(all), inputs);
+    Job job = read_job(std::move(all), inputs);
     outputs.reserve(options.save_job);
     const Survey survey = app::survey(job);
     if (options.json) {

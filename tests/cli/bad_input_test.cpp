@@ -47,7 +47,7 @@ std::vector<Case> cases() {
          called + "G0 X0 Y0 Z5\nG1 Z-1 F10\nM30\n",
          {},
          1,
-         "tool 1 is not described; say what it is with --tool T1=flat:D10"},
+         "tool 1 is not described; say what it is with --tool T1="},
         {"no tool",
          "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F10\nM30\n",
          {},

@@ -8,6 +8,7 @@ if(TARGET ncsim)
       check_test.cpp
       diff_test.cpp
       doubts_test.cpp
+      draft_test.cpp
       files_test.cpp
       in_order_test.cpp
       options_test.cpp

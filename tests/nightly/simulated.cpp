@@ -37,7 +37,7 @@ app::Simulation ProgramFile::run(const Program& program,
         throw std::runtime_error("the options are refused: " + farewell->text);
     }
     app::InputSet inputs;
-    const app::Job job = app::read_job(std::get<app::Options>(command), inputs);
+    app::Job job = app::read_job(std::get<app::Options>(command), inputs);
     const app::Survey survey = app::survey(job);
     for (const gcode::Diagnostic& d : survey.diagnostics) {
         if (d.severity != gcode::Severity::Error) continue;

@@ -182,6 +182,19 @@ DerivedStock derive_stock(const cda::Box& swept, double highest_tip) {
     return derived;
 }
 
+DerivedStock derive_sheet(const cda::Box& tips) {
+    DerivedStock derived;
+    if (tips.is_empty()) return derived;
+    cda::Box box = tips;
+    widen(box, 0);
+    widen(box, 1);
+    box.max.z = tips.min.z;
+    box.min.z = box.max.z - kLeastHeight;
+    derived.stock.box = box;
+    derived.rule = "derived: a sheet below the path, with 5 % (at least 2 mm) more on all sides";
+    return derived;
+}
+
 DerivedStock derive_bar(const cda::Box& swept, int axis, double radius) {
     DerivedStock derived;
     if (swept.is_empty()) return derived;

@@ -64,6 +64,8 @@ struct DerivedStock {
 /// programs put it there; else the highest cutting position of a tool tip, `highest_tip`. At least
 /// 1 mm thick.
 DerivedStock derive_stock(const cda::Box& swept, double highest_tip);
+/// For a path of which nobody tells the height: a sheet of 1 mm right below it.
+DerivedStock derive_sheet(const cda::Box& tips);
 /// For a part that turns about `axis` (0, 1, 2) through the program's zero: a bar about it, as
 /// thick as the tips are far out where they cut, `radius`. Its ends stand away as above.
 DerivedStock derive_bar(const cda::Box& swept, int axis, double radius);

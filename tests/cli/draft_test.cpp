@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A first look at programs that tell little: guesses are asked for, named, and never a verdict.
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+const std::string kHead = "G21 G90 G17 S1000 M3 F500\nT3 M6\nG0 X0 Y0 Z5\n";
+
+// What the refusal of a program that describes no tool names.
+std::string guess_for(const std::string& cuts) {
+    Folder folder;
+    folder.write("a.nc", cuts + "M30\n");
+    const Ran ran = folder.run({"run", "a.nc", "-q", "--png", "a.png"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_FALSE(folder.has("a.png"));
+    const std::string option = "--assume-tool ";
+    const std::size_t at = ran.err.find(option);
+    EXPECT_NE(at, std::string::npos) << ran.err;
+    if (at == std::string::npos) return {};
+    const std::size_t begin = at + option.size();
+    return ran.err.substr(begin, ran.err.find(',', begin) - begin);
+}
+
+TEST(Guess, OfAToolFollowsFromItsMoves) {
+    const std::string down = "G1 Z-3\n";
+    EXPECT_EQ(guess_for(kHead + down + "X100\nY80\nX0\nY0\n"), "flat:D6");
+    EXPECT_EQ(guess_for(kHead + down + "X100\nG2 X102 Y-2 J-2\nG1 Y80\nX0\n"), "flat:D4") << "arc";
+    EXPECT_EQ(guess_for(kHead + down + "X12\nY8\nX0\nY0\n"), "flat:D2") << "a quarter of 8 mm";
+    std::string pocket = kHead + down;
+    std::string surface = kHead + "G1 Z0\n";
+    std::string letters = kHead;
+    for (int i = 0; i < 20; ++i) {
+        const std::string y = "Y" + std::to_string(1.2 * i);
+        pocket += y + (i % 2 == 0 ? " \nX100\n" : " \nX0\n");
+        for (int x = 1; x < 20; ++x) {
+            const std::string at = std::to_string(i % 2 == 0 ? 3 * x : 60 - 3 * x);
+            surface += "X" + at + " " + y + " Z-" + std::to_string(x % 7) + "\n";
+            letters += "G1 Z-0.4\nX" + std::to_string(0.5 * x) + " " + y + "\n";
+        }
+    }
+    EXPECT_EQ(guess_for(pocket), "flat:D3") << "steps of 1.2 mm";
+    EXPECT_EQ(guess_for(surface), "ball:D5") << "a quarter of 22.8 mm";
+    EXPECT_EQ(guess_for(letters), "v:D6:A60");
+    EXPECT_EQ(guess_for(kHead + "G81 X10 Y10 Z-5 R1\nX20\nX30\nG80\n"), "drill:D5");
+    EXPECT_EQ(guess_for("G20 G90 S1000 M3 F20\nT3 M6\nG0 X0 Y0 Z0.2\nG1 Z-0.1\nX4\nY4\nX0\n"),
+              "flat:D1/4in");
+}
+
+TEST(Draft, MakesAPictureAndSaysWhatItGuessed) {
+    Folder folder;
+    folder.write("a.nc", kHead + "G1 Z-3\nX100\nY80\nX0\nY0\nG0 Z5\nM30\n");
+    const Ran ran = folder.run({"run", "a.nc", "--draft", "--png", "a.png", "--size", "400x300"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "flat end mill D6")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "assumed: flat:D6, a guess from its moves")) << ran.err;
+    // Below the picture the guesses are told.
+    const std::string png = folder.read("a.png");
+    ASSERT_GT(png.size(), 24U);
+    const auto byte = [&png](std::size_t i) { return static_cast<unsigned char>(png[i]); };
+    const unsigned height = 256U * byte(22) + byte(23);
+    EXPECT_GT(height, 300U);
+    // A tool that somebody describes is not guessed.
+    const Ran told = folder.run({"run", "a.nc", "--draft", "--tool", "T3=flat:D8"});
+    EXPECT_FALSE(contains(told.err, "a guess")) << told.err;
+    // What --draft takes, check takes for nothing.
+    EXPECT_EQ(folder.run({"check", "a.nc", "-q"}).exit_code, 1);
+}
+
+TEST(UntoldAxis, IsTakenAsZeroAndNamed) {
+    Folder folder;
+    folder.write("wrap.nc",
+                 "G21 G90 T1 M6 S1000 M3\nG0 X0 Z30\nG0 A0\nG1 Z20 F500\nX40\nZ18\nX0 A20\nG0 Z30\n"
+                 "M30\n");
+    const Ran ran =
+        folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--report", "r.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "the program never tells Y; taken as 0")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "assumed: Y 0, since the program never tells it")) << ran.err;
+    EXPECT_GT(json::parse(folder.read("r.json"))["model"]["hulls"], 3);
+    const Ran check = folder.run({"check", "wrap.nc", "--assume-tool", "flat:D6"});
+    EXPECT_TRUE(contains(check.out, "doubt: the program never tells Y; taken as 0")) << check.out;
+    EXPECT_NE(check.exit_code, 0);
+    // Told, it is not assumed.
+    const Ran told =
+        folder.run({"run", "wrap.nc", "--assume-tool", "flat:D6", "--start", "0,3,100"});
+    EXPECT_FALSE(contains(told.err, "never tells")) << told.err;
+}
+
+TEST(UntoldAxis, OfHeightMakesADrawing) {
+    Folder folder;
+    folder.write("plot.nc", "G21 G90 M3 S200 F1000\nG0 X10 Y10\nG1 X50\nY40\nX10 Y10\nM5\nM2\n");
+    const Ran ran = folder.run({"run", "plot.nc", "--png", "a.png"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "and the program is drawn as a path")) << ran.err;
+    EXPECT_TRUE(folder.has("a.png"));
+    EXPECT_TRUE(contains(ran.out, " 0.000 cm3 removed")) << ran.out;
+    // Another path, another picture.
+    const std::string before = folder.read("a.png");
+    folder.write("plot.nc", "G21 G90 M3 S200 F1000\nG0 X10 Y10\nG1 X50\nX10 Y40\nX50 Y40\nM2\n");
+    folder.run({"run", "plot.nc", "--png", "a.png", "-q"});
+    EXPECT_NE(folder.read("a.png"), before);
+    EXPECT_EQ(folder.run({"check", "plot.nc", "-q"}).exit_code, 4);
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
