@@ -114,6 +114,7 @@ Json to_json(const Checked& checked) {
     json["simulated"] = checked.simulated;
     if (!checked.not_simulated.empty()) json["not_simulated"] = checked.not_simulated;
     if (!checked.stock.empty()) json["stock"] = checked.stock;
+    if (!checked.time.empty()) json["time"] = checked.time;
     json["moves"] = checked.moves;
     json["counts"] = {{"error", v.count(Severity::Error)},
                       {"warning", v.count(Severity::Warning)},

@@ -147,6 +147,7 @@ std::string text_of(const Checked& checked, const CheckOptions& options) {
     text += '\n';
     put_remedy(text, v.doubts);
     if (!checked.stock.empty()) fmt::format_to(out, "  stock    {}\n", one_line(checked.stock));
+    if (!checked.time.empty()) fmt::format_to(out, "  time     {}\n", checked.time);
     if (checked.design) fmt::format_to(out, "  design   {}\n", one_line(text_of(*checked.design)));
     put_skipped(text, v.skipped);
     return text;

@@ -9,6 +9,7 @@
 
 #include "cut_free.h"
 #include "job.h"
+#include "machining_time.h"
 #include "pipeline.h"
 #include "refine.h"
 #include "sheet.h"
@@ -321,6 +322,8 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         });
         checked.verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
     }
+    checked.time = time_line(checked.verdict.ledger);
+    if (checked.time.empty() && survey.moves > 0) checked.time = time_line(total_distances(survey));
     if (!options.html.empty()) {
         if (!checked.look) checked.look.emplace();
         checked.look->source = job.program.text;

@@ -40,6 +40,7 @@ struct Checked {
     bool simulated = false;
     std::string not_simulated;  ///< Why not.
     std::string stock;          ///< What it was verified against, in words.
+    std::string time;           ///< How long it takes, in words; empty: it does not move.
     std::uint64_t moves = 0;
     std::optional<DesignFacts> design;  ///< Only where the part was compared with one.
     std::optional<Look> look;           ///< Only where a page was asked for.

@@ -239,6 +239,7 @@ std::string header_html(const Checked& checked) {
         kVersion);
     if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
     if (!checked.stock.empty()) text += "<p>stock " + escaped(checked.stock) + "</p>";
+    if (!checked.time.empty()) text += "<p>time " + escaped(checked.time) + "</p>";
     if (!checked.not_simulated.empty()) {
         text += "<p>not simulated: " + escaped(checked.not_simulated) + "</p>";
     }

@@ -5,6 +5,7 @@
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
 
+#include "machining_time.h"
 #include "sheet.h"
 #include "tool_body.h"
 
@@ -101,7 +102,7 @@ std::vector<std::string> caption(const Outcome& outcome) {
     const double removed = s.stock_volume - s.part_volume;
     const Distances& path = s.distances;
     std::string travelled = fmt::format("{:.1f} mm at feed", path.feed_mm);
-    if (path.feed_seconds) travelled += " in " + time_text(*path.feed_seconds);
+    if (const auto total = time_of(path).total()) travelled = time_text(*total) + ", " + travelled;
     std::vector<std::string> lines{
         fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", base_name(outcome.job.program.name), size.x,
                     size.y, size.z),

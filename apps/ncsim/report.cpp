@@ -2,6 +2,7 @@
 #include "report.h"
 
 #include "findings.h"
+#include "machining_time.h"
 #include "sheet.h"
 #include "version.h"
 
@@ -42,6 +43,20 @@ Json source(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text
     return json;
 }
 
+// null: a feed is not told.
+Json time_json(const Distances& distances) {
+    const MachiningTime time = time_of(distances);
+    const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
+    return {{"model", "constant feeds, no acceleration"},
+            {"total_seconds", known(time.total())},
+            {"feed_seconds", known(time.feed)},
+            {"rapid_seconds", tidy(time.rapid)},
+            {"rapid_mm_per_min", kAssumedRapid},
+            {"tool_changes", distances.tool_changes},
+            {"tool_change_seconds", tidy(time.tool_changes)},
+            {"dwell_seconds", tidy(time.dwells)}};
+}
+
 Json tools_json(const Outcome& o) {
     Json tools = Json::array();
     for (const auto& [number, used] : o.survey.tools) {
@@ -54,6 +69,7 @@ Json tools_json(const Outcome& o) {
         if (const auto d = o.survey.distances.find(number); d != o.survey.distances.end()) {
             tool["rapid_mm"] = tidy(d->second.rapid_mm);
             tool["feed_mm"] = tidy(d->second.feed_mm);
+            tool["time"] = time_json(d->second);
         }
         if (o.simulation) {
             const auto removed = o.simulation->removed_by_tool.find(number);
@@ -72,12 +88,6 @@ Json tools_json(const Outcome& o) {
 
 std::string volume_text(double mm3) {
     return fmt::format("{:.3f} cm3", mm3 / 1000);
-}
-
-std::string time_text(double seconds) {
-    const auto whole = static_cast<std::uint64_t>(std::llround(seconds));
-    if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
-    return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 std::string summary(const Outcome& o) {
@@ -110,9 +120,9 @@ std::string summary(const Outcome& o) {
     if (o.simulation && o.job.options.at_line)
         fmt::format_to(out, "stopped   after line {}\n", *o.job.options.at_line);
     const Distances distances = o.simulation ? o.simulation->distances : total_distances(o.survey);
-    fmt::format_to(out, "path      {:.1f} mm at feed{}, {:.1f} mm rapid\n", distances.feed_mm,
-                   distances.feed_seconds ? " (" + time_text(*distances.feed_seconds) + ")" : "",
+    fmt::format_to(out, "path      {:.1f} mm at feed, {:.1f} mm rapid\n", distances.feed_mm,
                    distances.rapid_mm);
+    fmt::format_to(out, "time      {}\n", time_line(distances));
     return text;
 }
 
@@ -169,6 +179,7 @@ void write_report(std::ostream& out, const Outcome& o) {
     }
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);
+    json["time"] = time_json(distances);
     json["tip_extents"] = to_json(o.survey.tip_positions);
     json["tools"] = tools_json(o);
     if (o.simulation && !o.simulation->removed_by_block.empty()) {

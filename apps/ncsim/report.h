@@ -28,8 +28,6 @@ struct Outcome {
 
 /// "1.250 cm3".
 std::string volume_text(double mm3);
-/// To the second: "2:05 min", "1:00:05 h".
-std::string time_text(double seconds);
 
 /// A few lines for people.
 std::string summary(const Outcome& outcome);

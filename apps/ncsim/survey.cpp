@@ -16,6 +16,7 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <variant>
 
 namespace ncsim::app {
 
@@ -77,6 +78,13 @@ void add_length(Distances& distances, const gcode::Motion& motion,
     distances.feed_seconds = sum(distances.feed_seconds, seconds_of(motion, length));
 }
 
+// Of what does not move.
+void add_rest(Distances& distances, const gcode::Motion& motion) {
+    if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.what))
+        distances.dwell_seconds += dwell->seconds;
+    if (std::holds_alternative<gcode::ToolChange>(motion.what)) ++distances.tool_changes;
+}
+
 // What the motions alone tell, gathered in one pass.
 class MotionSurvey {
 public:
@@ -93,7 +101,13 @@ public:
     void take(const gcode::Motion& motion) {
         const gcode::Position* from = start_of(motion);
         const gcode::Position* to = end_of(motion);
-        if (!from || !to) return;
+        if (!from || !to) {
+            const auto* change = std::get_if<gcode::ToolChange>(&motion.what);
+            const int tool = change ? change->tool : motion.tool;
+            if (change || std::holds_alternative<gcode::Dwell>(motion.what))
+                add_rest(result_.distances[tool], motion);
+            return;
+        }
         if (result_.moves++ == 0) result_.first_move = motion.span;
         const bool feed = motion.kind == gcode::MoveKind::Feed;
         if (feed) ++result_.feed_moves;
@@ -278,6 +292,7 @@ bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
 }  // namespace
 
 void add(Distances& distances, const gcode::Motion& motion) {
+    add_rest(distances, motion);
     if (start_of(motion) && toolpath::has_known_start(motion))
         add_length(distances, motion, coarse_samples(motion));
 }
@@ -288,6 +303,8 @@ Distances total_distances(const Survey& survey) {
         total.rapid_mm += d.rapid_mm;
         total.feed_mm += d.feed_mm;
         total.feed_seconds = sum(total.feed_seconds, d.feed_seconds);
+        total.dwell_seconds += d.dwell_seconds;
+        total.tool_changes += d.tool_changes;
     }
     return total;
 }

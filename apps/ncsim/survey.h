@@ -40,6 +40,8 @@ struct Distances {
     /// Of the moves at feed, as if every one kept its feed from end to end. Empty if a feed is
     /// not told, or no spindle speed where it counts.
     std::optional<double> feed_seconds = 0.0;
+    double dwell_seconds = 0.0;
+    std::uint64_t tool_changes = 0;  ///< To this tool.
 };
 
 struct Survey {
@@ -74,7 +76,7 @@ struct Survey {
     bool turns_tools() const { return turns[0] || turns[1] || turns[2]; }
 };
 
-/// Adds those of a motion with a known start.
+/// Adds those of a motion with a known start, of a dwell or of a tool change.
 void add(Distances& distances, const gcode::Motion& motion);
 
 /// Sum over all tools.

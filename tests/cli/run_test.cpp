@@ -270,13 +270,40 @@ TEST(Run, TellsHowLongItCutsIfEveryFeedIsTold) {
     folder.write("slot.nc", kSlot);
     const Ran told = folder.run({"run", "slot.nc", "--report", "a.json"});
     // 60 mm at 500 mm/min
-    EXPECT_TRUE(contains(told.out, "60.0 mm at feed (0:07 min)")) << told.out;
+    EXPECT_TRUE(contains(told.out, "feed 0:07 min, rapid")) << told.out;
     EXPECT_DOUBLE_EQ(json::parse(folder.read("a.json"))["feed_seconds"], 7.2);
     std::string text(kSlot);
     text.erase(text.find(" F500."), 6);
     folder.write("slot.nc", text);
     folder.run({"run", "slot.nc", "--report", "a.json"});
     EXPECT_FALSE(json::parse(folder.read("a.json")).contains("feed_seconds"));
+}
+
+TEST(Run, TellsHowLongAllOfItTakesAndByWhatModel) {
+    Folder folder;
+    std::string text(kSlot);  // 60 mm at 500 mm/min, and 7 + 7 mm or more at rapid
+    folder.write("slot.nc", text.replace(text.find("M30"), 3, "G4 P2.5\nM30"));
+    const Ran ran = folder.run({"run", "slot.nc", "--report", "a.json"});
+    EXPECT_TRUE(contains(ran.out,
+                         "time      0:18 min: feed 0:07 min, rapid 0:01 min at 10 m/min, "
+                         "1 tool change of 8 s, dwells 0:03 min; without acceleration"))
+        << ran.out;
+    const json report = json::parse(folder.read("a.json"));
+    const json& time = report["time"];
+    EXPECT_EQ(time["feed_seconds"], 7.2);
+    EXPECT_EQ(time["dwell_seconds"], 2.5);
+    EXPECT_EQ(time["tool_change_seconds"], 8.0);
+    const double rapid = report["distance_mm"]["rapid"].get<double>() / 10'000.0 * 60.0;
+    EXPECT_NEAR(time["rapid_seconds"].get<double>(), rapid, 1e-6);
+    EXPECT_NEAR(time["total_seconds"].get<double>(), 7.2 + 2.5 + 8.0 + rapid, 1e-6);
+    EXPECT_EQ(report["tools"][0]["time"]["feed_seconds"], 7.2);
+    EXPECT_TRUE(contains(folder.run({"check", "slot.nc"}).out, "\n  time     0:18 min: feed"));
+    // With a machine its rates count.
+    folder.write("m.toml",
+                 "[rapid]\nx = 6000\ny = 6000\nz = 6000\n[acceleration]\nx = 1000\ny = "
+                 "1000\nz = 1000\n[time]\ntool_change = 20\n");
+    const Ran told = folder.run({"check", "slot.nc", "--machine", "m.toml"});
+    EXPECT_TRUE(contains(told.out, "the rest 0:23 min; as the machine is described")) << told.out;
 }
 
 TEST(Run, ReportsVolumesByToolAndByBlock) {
