@@ -510,6 +510,26 @@ TEST(OverTravel, OfArcsIsFoundHoweverSmall) {
     }
 }
 
+TEST(OverTravel, IsNotWhatASumOfDecimalFractionsLeaves) {
+    verify::Setup setup = not_simulated();
+    setup.machine.work_zero = cda::Vec3{0, -257.033, 0};
+    setup.machine.travel[1] = {-287.686, 0};
+    const std::string program = "G21 G90 S1 M3 F1\nG0 X0 Y0 Z0\nG0 Y-30.653\nM2\n";
+    ASSERT_LT(-257.033 + -30.653, -287.686);
+    EXPECT_TRUE(findings_of(verdict_of(program, setup), "over-travel").empty());
+    setup.machine.travel[1]->min = -287.685999;
+    expect_at(only(verdict_of(program, setup), "over-travel"), 3, 1e-6, 1e-9);
+}
+
+TEST(OverTravel, IsNotCertainInASystemThatNobodyPlaced) {
+    verify::Setup setup = plain_setup();
+    setup.machine.travel[0] = {-100, 0};
+    setup.machine.work_zero = cda::Vec3{-60, 0, -40};
+    const auto verdict = verdict_of(kStart + "G1 X1\nG55\nG0 X60.5\n", setup);
+    EXPECT_EQ(only(verdict, "over-travel").severity, Severity::Warning);
+    EXPECT_EQ(verdict.outcome(), verify::Outcome::NotProven);
+}
+
 TEST(OverTravel, ComparesTheWayWhereTheZeroIsUnknown) {
     verify::Setup setup = plain_setup();
     setup.machine.travel[0] = {-100, 0};

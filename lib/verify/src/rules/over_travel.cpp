@@ -23,6 +23,18 @@ std::optional<std::string> needs_travel(const Setup& setup) {
 
 namespace {
 
+constexpr double kRounding = 1e-9;  // 1 pm: what sums of decimal fractions leave
+
+// A move in a system that nobody placed, or by increments from anywhere, ends where it is taken to.
+// Stock and tool have no part in it.
+std::vector<std::string_view> guesses_of_place(const Setup& setup, const Move& move) {
+    std::vector<std::string_view> guesses = guesses_of(setup, move);
+    std::erase_if(guesses, [](std::string_view reason) {
+        return reason != "offset-guess" && reason != "start-unknown";
+    });
+    return guesses;
+}
+
 // Where the work zero is not known: a way longer than the travel fits nowhere.
 void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -30,12 +42,13 @@ void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
         if (!travel) continue;
         const double way = move.way.size()[axis];
         const double beyond = way - (travel->max - travel->min);
-        if (beyond <= 0.0 || way <= move.way_before.size()[axis]) continue;
+        if (beyond <= kRounding || way <= move.way_before.size()[axis]) continue;
         Sighting s{fmt::format("the way in {} is longer than the travel of {:.6g} mm", "XYZ"[axis],
                                travel -> max - travel -> min)};
         s.lasts = true;
         s.quantity = Quantity{"by", beyond, "mm"};
         s.box = move.path;
+        s.rests_on = guesses_of_place(setup, move);
         log.add("over-travel", move, std::move(s));
     }
 }
@@ -53,12 +66,13 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
         if (!travel) continue;
         const double below = travel->min - move.machine_path->min[axis];
         const double above = move.machine_path->max[axis] - travel->max;
-        if (below <= 0.0 && above <= 0.0) continue;
+        if (below <= kRounding && above <= kRounding) continue;
         Sighting s{fmt::format("{} runs beyond its {} end at {:.6g}", "XYZ"[axis],
-                               above > 0.0 ? "upper" : "lower",
-                               above > 0.0 ? travel->max : travel->min)};
+                               above > kRounding ? "upper" : "lower",
+                               above > kRounding ? travel->max : travel->min)};
         s.quantity = Quantity{"by", std::max(below, above), "mm"};
         s.box = move.path;
+        s.rests_on = guesses_of_place(setup, move);
         if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
             s.assumptions.push_back("home: " + setup.home_assumption);
         }
