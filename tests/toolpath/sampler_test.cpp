@@ -159,6 +159,21 @@ TEST(Sample, TurnsAddFullCircles) {
     EXPECT_EQ(sampled(3).poses.back().translation, (Vec3{0, 10, -6}));
 }
 
+TEST(Sample, TurnsOfAHelixStandAboveEachOther) {
+    const Motion helix =
+        arc(at(76.468, 35.766, 0), at(76.468, 35.766, -12), gcode::Plane::XY, 72.891, 35.766, 3);
+    const Samples samples = sample(helix, kTool, {});
+    ASSERT_EQ((samples.poses.size() - 1) % 3, 0U);
+    const std::size_t turn = (samples.poses.size() - 1) / 3;
+    for (std::size_t i = turn; i < samples.poses.size(); ++i) {
+        const Vec3 above = samples.poses[i - turn].translation;
+        const Vec3 here = samples.poses[i].translation;
+        EXPECT_NEAR(here.x, above.x, 1e-9);
+        EXPECT_NEAR(here.y, above.y, 1e-9);
+        EXPECT_NEAR(here.z, above.z - 4.0, 1e-9);
+    }
+}
+
 TEST(Sample, HelicesDescendInStepWithTheAngle) {
     const Samples s =
         sample(arc(at(10, 0, 0), at(-10, 0, -4), gcode::Plane::XY, 0, 0, 1), kTool, {});

@@ -56,6 +56,28 @@ TEST(ToolPolytope, FlatEndMillHasItsNominalWidthInXAndY) {
     }
 }
 
+TEST(ToolPolytope, OfAShankAsThickAsWhatIsBelowHasItsCorners) {
+    const ToolPiece shank{{{5.188 / 2, 6.0, 0}, {5.188 / 2, 30.0, 0}}, false};
+    const ToolPiece ball = ball_end_mill(5.188, 6.0).pieces[0];
+    for (const Side side : {Side::Circumscribed, Side::Inscribed}) {
+        ToolAccuracy accuracy;
+        accuracy.side = side;
+        const PiecePolytope below = approximate(ball, kLattice, accuracy);
+        const PiecePolytope above = approximate_above(ball, shank, kLattice, accuracy);
+        EXPECT_EQ(above.points_T.size(), 2 * static_cast<std::size_t>(below.sides));
+        for (const cda::LatticePoint& p : above.points_T) {
+            EXPECT_TRUE(p.z == 600000 || p.z == 3000000);
+            EXPECT_TRUE(std::ranges::any_of(below.points_T, [&p](const cda::LatticePoint& q) {
+                return p.x == q.x && p.y == q.y;
+            }));
+        }
+        // One that is thicker has corners of its own.
+        const ToolPiece thick{{{3.0, 6.0, 0}, {3.0, 30.0, 0}}, false};
+        EXPECT_EQ(approximate_above(ball, thick, kLattice, accuracy).points_T,
+                  approximate(thick, kLattice, accuracy).points_T);
+    }
+}
+
 TEST(ToolPolytope, StaysWithinTheToleranceItReports) {
     for (const double diameter : {1.0, 6.0, 10.0, 25.4, 80.0}) {
         for (const double tolerance : {0.2, 0.05, 0.01}) {

@@ -349,6 +349,38 @@ TEST(NonCuttingContact, FindsAHolderThatFollowsTheCutterDown) {
               "material");
 }
 
+TEST(NonCuttingContact, IsNotFoundWhereAShankAsThickAsARoundToolFollowsIt) {
+    // A ball is another polygon than a cylinder of its diameter; corners stood out of it by less
+    // than the tolerance, however fine that was.
+    for (toolpath::Tool tool :
+         {toolpath::ball_end_mill(5.188, 3.0), toolpath::bull_nose_end_mill(5.188, 1.297, 3.0),
+          toolpath::bull_nose_end_mill(9.2456, 1.53924, 4.3434)}) {
+        toolpath::add_holder_segment(tool, 2 * tool.pieces[0].profile.back().radius,
+                                     2 * tool.pieces[0].profile.back().radius, 20.0);
+        verify::Setup setup = plain_setup();
+        setup.tools.at(1).tool = tool;
+        const auto verdict = verdict_of(kStart + "G0 X0\nG1 Z-9\nG1 Z5\n", setup);
+        EXPECT_TRUE(findings_of(verdict, "non-cutting-contact").empty());
+        // It still does not cut: across, it has to stand above the rest of the block.
+        const auto across = verdict_of(kStart + "G0 X0\nG1 Z-9\nG1 X5\n", setup);
+        const Finding f = only(across, "non-cutting-contact");
+        EXPECT_EQ(f.place.span.line, 4U);
+        EXPECT_EQ(f.certainty, Certainty::Certain);
+    }
+}
+
+TEST(NonCuttingContact, IsNotFoundInTheTurnsOfAHelixThatTheCutterMadeBefore) {
+    verify::Setup setup = plain_setup();
+    toolpath::Tool tool = toolpath::flat_end_mill(7.43, 3.0);
+    toolpath::add_holder_segment(tool, 7.43, 7.43, 20.0);
+    setup.tools.at(1).tool = tool;
+    const auto verdict = verdict_of(
+        kStart + "G0 X3.577\nG0 Z0\nG3 X3.577 Y0 Z-8.5 I-3.577 J0 P3\nG3 I-3.577 J0\nG0 Z5\n",
+        setup);
+    EXPECT_TRUE(findings_of(verdict, "non-cutting-contact").empty());
+    EXPECT_TRUE(findings_of(verdict, "rapid-in-material").empty());
+}
+
 TEST(NonCuttingContact, SeesTheShankOfAToolThatRisesBeforeItsCutter) {
     // Upwards and sideways out of a hole: the shank meets the wall before the cutter does.
     const auto verdict = verdict_of(kStart + "G0 X0\nG1 Z-8\nG1 X5 Z-7\n", setup_with_holder());

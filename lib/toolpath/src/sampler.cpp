@@ -169,10 +169,22 @@ std::uint32_t steps_for(const Course& c, const ToolExtent& tool, const SamplingO
     return high;
 }
 
+// The turns of a helix are divided alike, and as a circle of its radius: then the chords of one
+// turn stand above those of the last, and a shank as thick as its cutter meets no cusps between
+// them.
+std::uint32_t whole_turns(const Course& c, std::uint32_t steps, const SamplingOptions& o) {
+    const double turns = std::round(c.sweep_rad / (2 * std::numbers::pi));
+    constexpr double kRounding = 1e-9;
+    if (turns < 2.0 || std::abs(c.sweep_rad - 2 * std::numbers::pi * turns) > kRounding * turns)
+        return steps;
+    const double even = std::ceil(steps / turns) * turns;
+    return even <= o.max_steps ? static_cast<std::uint32_t>(even) : steps;
+}
+
 template <typename PositionAt>
 Samples sample_course(const Course& course, const ToolExtent& tool, const SamplingOptions& options,
                       const PositionAt& position_at) {
-    const std::uint32_t steps = steps_for(course, tool, options);
+    const std::uint32_t steps = whole_turns(course, steps_for(course, tool, options), options);
     const StepBounds b = bounds_of(course, tool, steps);
     Samples samples;
     samples.bounds = {b.chord_mm + b.missed_by_turning_mm, b.chord_mm + b.gained_by_turning_mm};

@@ -458,4 +458,30 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
     return best;
 }
 
+PiecePolytope approximate_above(const ToolPiece& below, const ToolPiece& piece,
+                                const cda::Lattice& lattice, const ToolAccuracy& accuracy) {
+    const auto as_thick = [&](const ProfilePoint& p) {
+        return p.fillet == 0.0 && !below.profile.empty() && p.radius == below.profile.back().radius;
+    };
+    const bool goes_on = !piece.profile.empty() && std::ranges::all_of(piece.profile, as_thick) &&
+                         below.profile.back().fillet == 0.0;
+    PiecePolytope polytope = approximate(goes_on ? below : piece, lattice, accuracy);
+    if (!goes_on || polytope.points_T.empty()) return polytope;
+    const std::int64_t top =
+        std::ranges::max(polytope.points_T, {}, [](const LatticePoint& p) { return p.z; }).z;
+    std::erase_if(polytope.points_T, [top](const LatticePoint& p) { return p.z != top; });
+    const bool outside = accuracy.side == Side::Circumscribed;
+    const double low = piece.profile.front().height / lattice.unit_mm;
+    const double high = piece.profile.back().height / lattice.unit_mm;
+    const std::vector<LatticePoint> ring = polytope.points_T;
+    for (LatticePoint& p : polytope.points_T)
+        p.z = outside ? round_down(low) : round_up(low);
+    for (LatticePoint p : ring) {
+        p.z = outside ? round_up(high) : round_down(high);
+        polytope.points_T.push_back(p);
+    }
+    polytope.cutting = piece.cutting;
+    return polytope;
+}
+
 }  // namespace ncsim::toolpath

@@ -16,14 +16,16 @@ constexpr std::size_t kCachedOrientations = 8;
 
 }  // namespace
 
-Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy)
+Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy,
+               const ToolPiece* below)
     : lattice_(lattice),
       rounding_(accuracy.side == Side::Circumscribed ? cda::Rounding::Outward
                                                      : cda::Rounding::Inward),
       extent_(extent_of(tool)) {
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
-        PiecePolytope polytope = approximate(piece, lattice, accuracy);
+        PiecePolytope polytope = below ? approximate_above(*below, piece, lattice, accuracy)
+                                       : approximate(piece, lattice, accuracy);
         if (polytope.points_T.empty()) continue;
         error_mm_ = std::max(error_mm_, polytope.error_mm);
         sides_ = std::max(sides_, polytope.sides);

@@ -125,11 +125,11 @@ Box intersection(const Box& a, const Box& b) {
 }
 
 Body::Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
-           toolpath::ToolAccuracy accuracy)
+           toolpath::ToolAccuracy accuracy, const toolpath::ToolPiece* below)
     : lattice_(lattice),
       prism_(is_prism(piece)),
-      outer_(tool_of(piece), lattice, with_side(accuracy, Side::Circumscribed)),
-      inner_(tool_of(piece), lattice, with_side(accuracy, Side::Inscribed)) {}
+      outer_(tool_of(piece), lattice, with_side(accuracy, Side::Circumscribed), below),
+      inner_(tool_of(piece), lattice, with_side(accuracy, Side::Inscribed), below) {}
 
 std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
     std::vector<Cell> cells;

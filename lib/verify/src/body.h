@@ -45,8 +45,9 @@ cda::Box intersection(const cda::Box& a, const cda::Box& b);
 
 class Body {
 public:
+    /// `below`: what cuts before it, whose corners it has if it is as thick.
     Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
-         toolpath::ToolAccuracy accuracy);
+         toolpath::ToolAccuracy accuracy, const toolpath::ToolPiece* below = nullptr);
 
     /// rounding_of() this body.
     double rounding(const toolpath::Step& step) const;

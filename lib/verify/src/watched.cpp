@@ -72,10 +72,12 @@ std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
 Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lattice& lattice,
               const toolpath::ToolAccuracy& accuracy) {
     Watched w;
+    const toolpath::ToolPiece* cutting = nullptr;
     for (std::size_t i = 0; i < facts.tool.pieces.size(); ++i) {
         const toolpath::ToolPiece& piece = facts.tool.pieces[i];
+        if (piece.cutting) cutting = &piece;
         if (!piece.cutting && selection.includes("non-cutting-contact"))
-            w.bodies.push_back({i, Body(piece, lattice, accuracy)});
+            w.bodies.push_back({i, Body(piece, lattice, accuracy, cutting)});
     }
     const double height = toolpath::cutting_height_of(facts.tool);
     if (facts.blind_diameter && *facts.blind_diameter > 0.0 && selection.includes("plunge")) {

@@ -50,4 +50,10 @@ struct PiecePolytope {
 PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
                           const ToolAccuracy& accuracy);
 
+/// The polytope of `piece`, a cylinder, if it is as thick as the upper end of `below`: with the
+/// corners that approximate() gives that, so that the one goes where the other has been without
+/// touching more than the walls. Else approximate().
+PiecePolytope approximate_above(const ToolPiece& below, const ToolPiece& piece,
+                                const cda::Lattice& lattice, const ToolAccuracy& accuracy);
+
 }  // namespace ncsim::toolpath

@@ -21,7 +21,9 @@ namespace ncsim::toolpath {
 /// The cutting pieces of a tool as polytopes on a lattice, ready to be moved.
 class Cutter {
 public:
-    Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy);
+    /// `below`: what the only piece follows, if it is as thick as that: see approximate_above().
+    Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy,
+           const ToolPiece* below = nullptr);
 
     /// Appends to `cells` the convex hull of each piece at X_WA and at X_WB. Poses that differ in
     /// their translation only make exact hulls; turned ones are rounded to the lattice corner by
