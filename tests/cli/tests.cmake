@@ -18,9 +18,11 @@ if(TARGET ncsim)
       run_program.cpp
       run_test.cpp
       samples_test.cpp
+      set_ups_test.cpp
       tools_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp
+      ../support/set_ups.cpp
       ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
   add_dependencies(ncsim_cli_tests ncsim)
