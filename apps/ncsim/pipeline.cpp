@@ -61,6 +61,7 @@ public:
           verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
+          most_steps_(verification.most_steps.value_or(std::numeric_limits<std::uint64_t>::max())),
           shows_path_(job.options.shows_path),
           measured_(job.options.model == "cda-flat" ||
                     (!job.options.report.empty() && job.options.block_volumes) ||
@@ -99,6 +100,7 @@ public:
         if (verifier) verifier->begin(motion);
         const toolpath::SampleBounds bounds =
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
+                if (++result_.steps > most_steps_) throw StepLimit{};
                 follow(motion, step);
                 met_stock |= !step.cells.empty();
                 if (verifier) verifier->look(step, *verified_);
@@ -208,6 +210,7 @@ private:
     cda::TreeCda* verified_;  // the part, if it is verified
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
+    std::uint64_t most_steps_;
     std::uint64_t motions_ = 0;
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
     bool shows_path_;

@@ -53,6 +53,7 @@ struct Simulation {
     double stock_volume = 0.0;              ///< mm³
     double part_volume = 0.0;
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
+    std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
     std::map<int, double> removed_by_tool;  ///< mm³; not where a program is verified.
     /// mm³. Only where it was asked for (a report) or costs nothing
     /// (cda-flat).
@@ -95,7 +96,12 @@ struct Verification {
     bool keep_cuts = false;
     /// Verify this motion alone, and stop after it; from 1, in the order of execution.
     std::optional<std::uint64_t> only_motion;
+    /// More steps of the tools, wherever they are, throw StepLimit.
+    std::optional<std::uint64_t> most_steps;
 };
+
+/// A simulation would take more than Verification::most_steps.
+struct StepLimit {};
 
 /// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may
 /// be empty. Where options.at_line is set, what comes after that line is not done.

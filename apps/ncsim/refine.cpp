@@ -38,7 +38,10 @@ toolpath::Stock within(const toolpath::Stock& stock, const cda::Box& box, double
 }  // namespace
 
 Refiner::Refiner(const Job& job, const Survey& survey, const verify::Setup& setup)
-    : job_(&job), survey_(&survey), setup_(&setup) {}
+    : job_(&job),
+      survey_(&survey),
+      setup_(&setup),
+      steps_left_(std::max(kLeastSteps, 4 * survey.moves)) {}
 
 std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
     bool is_open = false;
@@ -90,7 +93,13 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     verification.verifier = &verifier;
     verification.rapid = setup_->rapid;
     verification.only_motion = contact.motion;
-    const Simulation simulation = simulate(job, survey, verification, {});
+    verification.most_steps = steps_left_;
+    try {
+        steps_left_ -= simulate(job, survey, verification, {}).steps;
+    } catch (const StepLimit&) {
+        steps_left_ = 0;
+        return Certainty::Within;
+    }
     const verify::Verdict verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
     std::optional<Certainty> seen;
     for (const verify::Finding& f : verdict.findings) {

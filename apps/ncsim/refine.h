@@ -20,11 +20,13 @@ public:
 
     /// Tools sixteen times as fine, then once more so. Certain as soon as one of the boxes is,
     /// nothing if none of them is open any more. Costs a simulation of the boxes each; after
-    /// kMostLooks of them everything stays open. The result depends on what was asked so far.
+    /// kMostLooks of them, or as many steps as a few simulations of the program take, everything
+    /// stays open. The result depends on what was asked so far.
     std::optional<verify::Certainty> decide(const verify::OpenContact& contact);
 
 private:
     static constexpr int kMostLooks = 64;
+    static constexpr std::uint64_t kLeastSteps = 100'000;
 
     std::optional<verify::Certainty> look(const verify::OpenContact& contact, const cda::Box& box,
                                           double factor);
@@ -33,6 +35,7 @@ private:
     const Survey* survey_;
     const verify::Setup* setup_;
     int looks_ = 0;
+    std::uint64_t steps_left_;
 };
 
 }  // namespace ncsim::app
