@@ -2,11 +2,14 @@
 #include "options.h"
 
 #include "plain_text.h"
+#include "suggestion.h"
 #include "version.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -36,6 +39,52 @@ that nobody told stands before "clean" (check).
 
 std::string footer(const char* example) {
     return fmt::format("{}{}{}Example: {}", kNotation, kFiles, kExitCodes, example);
+}
+
+// `ncsim help run`, `ncsim version`: as people try, whatever the options are called.
+std::vector<std::string> as_options(std::vector<std::string> words) {
+    if (words.empty()) return words;
+    if (words[0] == "version" || words[0] == "-V") words[0] = "--version";
+    if (words[0] == "help") {
+        words.erase(words.begin());
+        if (words.size() > 1) words.resize(1);
+        words.emplace_back("--help");
+    }
+    return words;
+}
+
+// What was mistyped, and what may have been meant; empty if all words are known.
+std::string mistyped(const CLI::App& app, const std::vector<std::string>& words) {
+    if (words.empty()) return {};
+    std::vector<std::string> commands;
+    const CLI::App* command = nullptr;
+    for (const CLI::App* c : app.get_subcommands([](const CLI::App*) { return true; })) {
+        commands.push_back(c->get_name());
+        if (words[0] == c->get_name()) command = c;
+    }
+    const auto meant = [](const std::string& nearest) {
+        return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
+    };
+    if (!command) {
+        if (words[0].starts_with("-")) return {};
+        std::string list;
+        for (const std::string& name : commands)
+            list += (list.empty() ? "" : ", ") + name;
+        return fmt::format("there is no command '{}'{} ({})", words[0],
+                           meant(nearest(words[0], commands)), list);
+    }
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames())
+            options.push_back("--" + name);
+    }
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (!name.starts_with("--") || name.size() == 2) continue;
+        if (std::ranges::find(options, name) == options.end())
+            return fmt::format("there is no option {}{}", name, meant(nearest(name, options)));
+    }
+    return {};
 }
 
 }  // namespace
@@ -72,9 +121,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         const auto commands = app.get_subcommands();
         return commands.empty() ? &app : commands.front();
     };
+    const std::vector<std::string> words = as_options(arguments);
     try {
         // CLI11 takes them last first.
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         if (chosen() == run) {
             complete(run_options);
             return run_options;
@@ -100,8 +150,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         return Farewell{kClean, fmt::format("ncsim {}\n", kVersion)};
     } catch (const CLI::ParseError& e) {
         const std::string of = chosen() == &app ? "" : chosen()->get_name() + " ";
+        std::string what = mistyped(app, words);
+        if (what.empty()) what = e.what();
         return Farewell{kEnvironment,
-                        fmt::format("ncsim: {}\nTry: ncsim {}--help\n", one_line(e.what()), of)};
+                        fmt::format("ncsim: {}\nTry: ncsim {}--help\n", one_line(what), of)};
     } catch (const Refusal& e) {
         return Farewell{kEnvironment, fmt::format("ncsim: {}\n", one_line(e.text))};
     }

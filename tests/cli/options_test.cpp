@@ -150,6 +150,29 @@ TEST(Options, RefuseWhatMakesNoSense) {
     }
 }
 
+TEST(Options, AreGuessedWhereSomebodyMistypes) {
+    const auto said = [](std::vector<std::string> words) {
+        const Command command = parse_options(words);
+        const auto* farewell = std::get_if<Farewell>(&command);
+        return farewell ? farewell->text : "accepted";
+    };
+    EXPECT_EQ(
+        said({"rnu", "a.nc"}),
+        "ncsim: there is no command 'rnu'; did you mean run? (run, parse, tools, check, diff, "
+        "rules)\nTry: ncsim --help\n");
+    EXPECT_EQ(said({"run", "a.nc", "--pgn", "a.png"}),
+              "ncsim: there is no option --pgn; did you mean --png?\nTry: ncsim run --help\n");
+    EXPECT_EQ(said({"check", "a.nc", "--machin=m.toml"}),
+              "ncsim: there is no option --machin; did you mean --machine?\nTry: ncsim check "
+              "--help\n");
+    EXPECT_EQ(said({"run", "a.nc", "--frobnicate"}),
+              "ncsim: there is no option --frobnicate\nTry: ncsim run --help\n");
+    EXPECT_EQ(said({"version"}), said({"--version"}));
+    EXPECT_EQ(said({"-V"}), said({"--version"}));
+    EXPECT_EQ(said({"help"}), said({"--help"}));
+    EXPECT_EQ(said({"help", "check"}), said({"check", "--help"}));
+}
+
 TEST(Options, HelpNamesTheExitCodesAndEndsWithAnExample) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                       {"run", "--help"},

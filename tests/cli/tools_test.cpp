@@ -53,7 +53,7 @@ TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
     EXPECT_TRUE(contains(ran.out, "T2        not described\n  used    from line 10, ")) << ran.out;
     EXPECT_TRUE(contains(ran.out, "T3        ball end mill D4\n")) << ran.out;
     EXPECT_TRUE(contains(ran.out, "  used    no\n")) << ran.out;
-    EXPECT_TRUE(contains(ran.err, "--tool T2=flat:D10")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "--tool T2=drill:D6")) << ran.err;
 
     const json sheet = json::parse(folder.run({"tools", "two.nc", "--json"}).out);
     ASSERT_EQ(sheet["tools"].size(), 3U);
