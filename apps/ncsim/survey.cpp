@@ -95,6 +95,7 @@ public:
         cda::Box cutting_tips;  // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
         cda::Vec3 farthest_tip;  // from the axes X, Y and Z
+        cda::Vec3 travelled;     // along X, Y and Z at feed, there and back
         ToolClues clues;
     };
 
@@ -137,6 +138,8 @@ public:
             if (!feed) continue;
             track.cutting_tips.add(p);
             if (i == 0) continue;
+            for (int axis = 0; axis < 3; ++axis)
+                track.travelled[axis] += std::abs((p - samples.poses[i - 1].translation)[axis]);
             track.highest_tip = std::max(track.highest_tip, p.z);
             for (int axis = 0; axis < 3; ++axis) {
                 cda::Vec3 out = p;
@@ -262,6 +265,14 @@ toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
     return toolpath::derive_bar(swept, axis, all.farthest_tip[axis]);
 }
 
+// A face mill comes from beside the block and leaves it whole: along its way, what it covers is a
+// diameter longer than the block at both ends.
+void leave_out_runs(cda::Box& covered, int along, double diameter) {
+    if (covered.size()[along] <= 3 * diameter) return;
+    covered.min[along] += diameter;
+    covered.max[along] -= diameter;
+}
+
 void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
     result.stock = job.stock;
     if (result.stock) return;
@@ -272,8 +283,15 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
         if (used == result.tools.end() || track.cutting_tips.is_empty()) continue;
         const double r = toolpath::cutting_diameter_of(used->second.tool) / 2;
         const double height = toolpath::cutting_height_of(used->second.tool);
-        swept.add(track.cutting_tips.min - cda::Vec3{r, r, 0});
-        swept.add(track.cutting_tips.max + cda::Vec3{r, r, height});
+        cda::Box covered = track.cutting_tips;
+        for (int axis = 0; axis < 2; ++axis) {
+            covered.min[axis] -= r;
+            covered.max[axis] += r;
+        }
+        covered.max.z += height;
+        if (used->second.tool.kind == toolpath::ToolKind::FaceMill)
+            leave_out_runs(covered, track.travelled.x < track.travelled.y ? 1 : 0, 2 * r);
+        swept.add(covered);
         all.cutting_tips.add(track.cutting_tips);
         all.highest_tip = std::max(all.highest_tip, track.highest_tip);
         for (int axis = 0; axis < 3; ++axis)

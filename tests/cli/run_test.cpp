@@ -488,6 +488,23 @@ TEST(Run, DerivesAStockThatNobodyTells) {
         << ran.err;
 }
 
+TEST(Run, DerivesAStockWithoutTheRunsOfFaceMills) {
+    // A block of 120 x 80 mm, faced by D50 from 6 mm beside it to 6 mm beyond.
+    Folder folder;
+    folder.write("face.nc",
+                 "G21 G90 G17 T1 M6 S900 M3\nG0 X-91 Y-19 Z10\nG0 Z-1\nG1 X91 F500\nG0 Z10\n"
+                 "G0 X-91 Y19\nG0 Z-1\nG1 X91\nG0 Z10\nM30\n");
+    const auto stock_of = [&](const char* tool) {
+        folder.run({"run", "face.nc", "-q", "--tool", tool, "--report", "a.json"});
+        return json::parse(folder.read("a.json"))["stock"];
+    };
+    const json faced = stock_of("T1=face:D50:L10");
+    EXPECT_NEAR(faced["max"][0].get<double>(), 66.0 + 6.6, 1.0) << faced.dump();
+    EXPECT_NEAR(faced["max"][1].get<double>(), 44.0 + 4.4, 1.0);
+    const json slotted = stock_of("T1=flat:D50:L10");
+    EXPECT_GT(slotted["max"][0].get<double>(), 116.0) << slotted.dump();
+}
+
 TEST(Run, AToolWhoseLengthIsUnknownLeavesNothingStandingAboveIt) {
     Folder folder;
     folder.write("part.nc",

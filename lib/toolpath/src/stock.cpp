@@ -173,9 +173,8 @@ DerivedStock derive_stock(const cda::Box& swept, double highest_tip) {
     box.min.z = std::floor(swept.min.z - margin(box.max.z - swept.min.z));
     derived.stock.box = box;
     derived.rule =
-        "derived: what the tools sweep in cutting moves, with 5 % (at least 2 mm) more on all "
-        "sides "
-        "and below; top at ";
+        "derived: what the tools sweep in cutting moves (face mills without run-in and run-out), "
+        "with 5 % (at least 2 mm) more on all sides and below; top at ";
     derived.rule += from_zero
                         ? "Z0, since cuts go below it"
                         : "the highest cutting position of a tool tip, since no cut goes below Z0";
