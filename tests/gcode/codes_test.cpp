@@ -191,10 +191,27 @@ const std::vector<Case>& codes() {
         {"G68.3", By::Fanuc, "G68.3 X0", " ! error tilted-plane"},
         {"G69", By::Fanuc, "G68 X0 Y0 R90~G69~G0 X1", "rapid X1 Y0 Z0"},
         {"G70", By::Default, "G70~G0 X1", "rapid X25.4 Y0 Z0"},
-        {"G70", By::Haas, "G81 Z-1 R1 L0~G70 I20. J0. L6~G80~G0 X1",
+        {"G70", By::Haas, "G99 G81 Z-1 R1 L0~G70 X10. Y20. I5. J90. L3~G80",
+         "rapid X0 Y0 Z1; rapid X10 Y25 Z1; feed X10 Y25 Z-1 F100; rapid X10 Y25 Z1; rapid "
+         "X5.669872981 Y17.5 Z1; feed X5.669872981 Y17.5 Z-1 F100; rapid X5.669872981 Y17.5 Z1; "
+         "rapid X14.330127019 Y17.5 Z1; feed X14.330127019 Y17.5 Z-1 F100; rapid X14.330127019 "
+         "Y17.5 Z1"},
+        {"G70", By::Fanuc, "G0 Z3~G98 G81 G70 Z-1 R1 I-5. J90. L2",
+         "rapid X0 Y0 Z3; rapid X0 Y5 Z3; rapid X0 Y5 Z1; feed X0 Y5 Z-1 F100; rapid X0 Y5 Z3; "
+         "rapid X0 Y-5 Z3; rapid X0 Y-5 Z1; feed X0 Y-5 Z-1 F100; rapid X0 Y-5 Z3"},
+        {"G70", By::Fanuc, "G81 Z-1 R1 K0~G70 I20. L6~G80~G0 X1",
          "rapid X1 Y0 Z0 ! error not-simulated"},
         {"G70", By::Default, "G70 I20. J0. L6~G0 X1", "rapid X1 Y0 Z0 ! error not-simulated"},
         {"G70", By::Fanuc, "G70~G0 X1", "rapid X1 Y0 Z0 ! error not-simulated"},
+        {"G71", By::Haas, "G99 G81 Z-1 R1 L0~G71 I10. J30. K60. L2",
+         "rapid X0 Y0 Z1; rapid X8.660254038 Y5 Z1; feed X8.660254038 Y5 Z-1 F100; rapid "
+         "X8.660254038 Y5 Z1; rapid X0 Y10 Z1; feed X0 Y10 Z-1 F100; rapid X0 Y10 Z1"},
+        {"G71", By::Haas, "G99 G81 Z-1 R1 L0~G71 I10. J0. K-90. L2",
+         "rapid X0 Y0 Z1; rapid X10 Y0 Z1; feed X10 Y0 Z-1 F100; rapid X10 Y0 Z1; rapid X0 Y-10 "
+         "Z1; feed X0 Y-10 Z-1 F100; rapid X0 Y-10 Z1"},
+        {"G72", By::Haas, "G99 G81 Z-1 R1 L0~G91 G72 X1. Y1. I4. J90. L2",
+         "rapid X0 Y0 Z1; rapid X1 Y1 Z1; feed X1 Y1 Z0 F100; rapid X1 Y1 Z1; rapid X1 Y5 Z1; "
+         "feed X1 Y5 Z0 F100; rapid X1 Y5 Z1"},
         {"G70.1", By::Default, "G70.1 Q1", " ! error lathe-cycle"},
         {"G71", By::Default, "G71~G0 X1", "rapid X1 Y0 Z0"},
         {"G71.1", By::Default, "G71.1 Q1 X1", " ! error lathe-cycle"},
@@ -460,6 +477,33 @@ TEST(Traps, AreNotSteppedInto) {
         {"unknown M", By::Default, "M123", " ! unknown-m"},
         {"M13 starts the spindle", By::Default, "S100 M13~G1 X1", "feed X1 Y0 Z0 F100 S100"},
         {"corner rounding", By::Default, "G1 X1 ,R2~X3", "rapid X3 Y0 Z0 ! error corner-word"},
+        {"holes under a rotation", By::Haas,
+         "G68 X0 Y0 R90~G99 G81 Z-1 R1 L0~G72 X1. Y0 I4. J0. L2~X7",
+         "rapid X0 Y0 Z1; rapid X0 Y1 Z1; feed X0 Y1 Z-1 F100; rapid X0 Y1 Z1; rapid X0 Y5 Z1; "
+         "feed X0 Y5 Z-1 F100; rapid X0 Y5 Z1; rapid X0 Y7 Z1; feed X0 Y7 Z-1 F100; rapid X0 Y7 "
+         "Z1"},
+        {"holes want a cycle", By::Haas, "G70 I5. J0. L4", " ! error hole-pattern"},
+        {"holes want a cycle that is on", By::Haas, "G81 Z-1 R1 L0~G80~G70 I5. J0. L4",
+         " ! error hole-pattern"},
+        {"holes want the depth of the cycle", By::Haas, "G81 R1~G70 I5. J0. L4",
+         " ! error cycle-word-missing"},
+        {"holes want a radius", By::Haas, "G81 Z-1 R1 L0~G70 J0. L4", " ! error hole-pattern"},
+        {"holes want an angle", By::Haas, "G81 Z-1 R1 L0~G70 I5. L4", " ! error hole-pattern"},
+        {"holes want a number", By::Haas, "G81 Z-1 R1 L0~G70 I5. J0.", " ! error hole-pattern"},
+        {"holes want their spacing", By::Haas, "G81 Z-1 R1 L0~G71 I5. J0. L3",
+         " ! error hole-pattern"},
+        {"no hole", By::Haas, "G81 Z-1 R1 L0~G70 I5. J0. L0", " ! error hole-pattern"},
+        {"half a hole", By::Haas, "G81 Z-1 R1 L0~G70 I5. J0. L2.5", " ! error hole-pattern"},
+        {"too many holes", By::Haas, "G81 Z-1 R1 L0~G70 I5. J0. L1000000", " ! error hole-pattern"},
+        {"fewer than no holes", By::Haas, "G81 Z-1 R1 L0~G70 I5. J0. L-4", " ! error hole-pattern"},
+        {"all holes in one", By::Haas, "G81 Z-1 R1 L0~G71 I5. J0. K0. L3", " ! error hole-pattern"},
+        {"no radius", By::Haas, "G81 Z-1 R1 L0~G70 I0. J0. L3", " ! error hole-pattern"},
+        {"holes in another plane", By::Haas, "G18 G81 Y-1 R1 L0~G70 I5. J0. L3",
+         " ! error hole-pattern"},
+        {"two patterns", By::Haas, "G81 Z-1 R1 L0~G70 G71 I5. J0. K3. L3",
+         " ! error codes-exclude"},
+        {"holes beside G28", By::Haas, "G81 Z-1 R1 L0~G28 G72 X5 I5. J0. L3",
+         "rapid X5 Y0 Z0; rapid X0 Y0 Z0 machine ! error hole-pattern"},
         {"endless loop", By::Default, "o1 while [1]~G91 G0 X0~o1 endwhile",
          "rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 "
          "Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0 ! error "

@@ -29,11 +29,12 @@ enum class Group : std::uint8_t {
     Mirror,
     Polar,
     Macro,
+    HolePattern,   ///< G70, G71, G72 of Haas: where the cycle drills.
     Unsupported,   ///< Known, and not simulated: after it every place would be wrong.
     NotSimulated,  ///< Known, and not simulated: a cut would be missing.
     Ignored,       ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 22;
+constexpr std::size_t kGroups = 23;
 
 struct GCode {
     std::int16_t number;  ///< Times ten.

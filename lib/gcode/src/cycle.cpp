@@ -74,9 +74,6 @@ bool Machine::cycle(const Command& command, int motion) {
     }
     if (!needs_feed(command, name) || !cycle_words(command, motion)) return false;
 
-    const PlaneAxes axes = axes_of(state_.plane);
-    const std::size_t depth_axis = axes.third;
-    CycleState& cycle = state_.cycle;
     double repeats = 1.0;
     if (command.has('L')) {
         repeats = command['L'];
@@ -87,58 +84,75 @@ bool Machine::cycle(const Command& command, int motion) {
     if (repeats < 1.0) return true;  // L0, K0: define only
     if (repeats > 100'000.0) return fail(Message::CycleRepeats, span_of(command, 'L'));
 
-    // The place of the (first) hole, without the depth word, which means the bottom here.
-    Command in_plane = command;
-    in_plane.present &= ~(1U << letter_index(kAxisLetters9[depth_axis]));
-    in_plane.axis_words = in_plane.has_any(kAxisLetters);
     Axes hole{};
     AxisMask mask = 0;
-    if (!find_ends(in_plane, hole, mask)) return false;
+    if (!hole_place(command, hole, mask)) return false;
     Axes step{};
     for (std::size_t i = 0; i < step.size(); ++i) {
         step[i] = state_.incremental ? hole[i] - state_.position[i] : 0.0;
     }
-
-    double height = state_.position[depth_axis];
-    double r = cycle.r;
-    double bottom = cycle.z;
-    if (state_.incremental) {
-        r += cycle.initial;
-        bottom += r;
-    }
-    if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {name})) return false;
-    const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
-
-    const AxisMask depth_mask = 1U << depth_axis;
-    if (rules_.strict ? cycle.initial < r : height < r) {
-        Axes up = state_.position;
-        up[depth_axis] = height = r;
-        path_.straight(state_, up, MoveKind::Rapid, depth_mask);
-    }
+    const std::optional<Drilling> drilling = begin_drilling(command, motion);
+    if (!drilling) return false;
     for (int i = 0; i < static_cast<int>(repeats); ++i) {
-        Axes above = state_.position;
-        for (std::size_t a = 0; a < above.size(); ++a) {
-            if (a != depth_axis) above[a] = hole[a];
-        }
-        path_.straight(state_, above, MoveKind::Rapid, mask);
-        if (above[depth_axis] != r) {
-            above[depth_axis] = r;
-            path_.straight(state_, above, MoveKind::Rapid, depth_mask);
-        }
-        if (!drill(motion, above, depth_axis, r, bottom, clear)) return false;
+        if (!hole_at(*drilling, hole, mask)) return false;
         for (std::size_t a = 0; a < hole.size(); ++a)
             hole[a] += step[a];
     }
     return true;
 }
 
+/// The place of the (first) hole, without the depth word, which means the bottom here.
+bool Machine::hole_place(const Command& command, Axes& hole, AxisMask& mask) {
+    const std::size_t depth_axis = axes_of(state_.plane).third;
+    Command in_plane = command;
+    in_plane.present &= ~(1U << letter_index(kAxisLetters9[depth_axis]));
+    in_plane.axis_words = in_plane.has_any(kAxisLetters);
+    return find_ends(in_plane, hole, mask);
+}
+
+/// The heights, and the move up to R where the tool is below it.
+std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command, int motion) {
+    const std::size_t depth_axis = axes_of(state_.plane).third;
+    const CycleState& cycle = state_.cycle;
+    const double height = state_.position[depth_axis];
+    double r = cycle.r;
+    double bottom = cycle.z;
+    if (state_.incremental) {
+        r += cycle.initial;
+        bottom += r;
+    }
+    if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {motion_name(motion)})) {
+        return std::nullopt;
+    }
+    const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
+    if (rules_.strict ? cycle.initial < r : height < r) {
+        Axes up = state_.position;
+        up[depth_axis] = r;
+        path_.straight(state_, up, MoveKind::Rapid, 1U << depth_axis);
+    }
+    return Drilling{motion, depth_axis, r, bottom, clear};
+}
+
+/// At the height of now over the hole, down to R, and one hole drilled.
+bool Machine::hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask) {
+    const std::size_t depth_axis = drilling.depth_axis;
+    Axes above = hole;
+    above[depth_axis] = state_.position[depth_axis];
+    path_.straight(state_, above, MoveKind::Rapid, mask);
+    if (above[depth_axis] != drilling.r) {
+        above[depth_axis] = drilling.r;
+        path_.straight(state_, above, MoveKind::Rapid, 1U << depth_axis);
+    }
+    return drill(drilling, above);
+}
+
 /// From above the hole at R down to `bottom` and back to `clear`.
-bool Machine::drill(int motion, const Axes& above, std::size_t depth_axis, double r, double bottom,
-                    double clear) {
+bool Machine::drill(const Drilling& drilling, const Axes& above) {
+    const auto [motion, depth_axis, r, bottom, clear] = drilling;
     const AxisMask mask = 1U << depth_axis;
     const auto to = [&](double height, MoveKind kind) {
         Axes end = above;
-        end[depth_axis] = height;
+        end[drilling.depth_axis] = height;
         path_.straight(state_, end, kind, mask);
     };
     const CycleState& cycle = state_.cycle;

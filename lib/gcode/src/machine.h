@@ -4,7 +4,8 @@
 // execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
 //
 // One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
-// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, cycle.cpp, spline.cpp, probe.cpp.
+// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, cycle.cpp,
+// hole_pattern.cpp, spline.cpp, probe.cpp.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -100,8 +101,17 @@ private:
     bool probe(const Command& command, int motion);
     bool cycle(const Command& command, int motion);
     bool cycle_words(const Command& command, int motion);
-    bool drill(int motion, const Axes& above, std::size_t depth_axis, double r, double bottom,
-               double clear);
+    /// What is the same for all holes of a block.
+    struct Drilling {
+        int motion = 0;
+        std::size_t depth_axis = kZ;
+        double r = 0.0, bottom = 0.0, clear = 0.0;
+    };
+    std::optional<Drilling> begin_drilling(const Command& command, int motion);
+    bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
+    bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
+    bool drill(const Drilling& drilling, const Axes& above);
+    bool hole_pattern(const Command& command, int code, bool words_taken);
 
     /// Where the axis words point to, in program coordinates, and which axes they name.
     bool find_ends(const Command& command, Axes& end, AxisMask& mask);

@@ -70,6 +70,12 @@ bool is_hole_pattern(const Block& block) {
     return find_word(block, 'I') || find_word(block, 'J') || find_word(block, 'L');
 }
 
+/// Nothing else than holes can be meant.
+bool is_whole_hole_pattern(const Block& block, int code) {
+    return find_word(block, 'I') && find_word(block, 'J') && find_word(block, 'L') &&
+           (code != 710 || find_word(block, 'K'));
+}
+
 }  // namespace
 
 bool Resolver::take_g(const Block& block, const Word& word, double value, Command& command) {
@@ -83,6 +89,20 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
     if (code && code->number >= 700 && code->number <= 720 && code->number % 10 == 0) {
         if (rules_.strict) {
             command.g[static_cast<std::size_t>(Group::Unsupported)] = code->number;
+            return true;
+        }
+        const bool haas = rules_.dialect == Dialect::Haas;
+        if (rules_.hole_patterns &&
+            (haas ? is_hole_pattern(block) : is_whole_hole_pattern(block, code->number))) {
+            std::int16_t& pattern = command.g[static_cast<std::size_t>(Group::HolePattern)];
+            if (pattern != kNone && pattern != code->number) {
+                std::string other = "G";
+                print_number(other, pattern / 10.0);
+                log_.add(Severity::Error, Message::GroupTwice, word.span,
+                         {other, text_of(word, value)});
+                return false;
+            }
+            pattern = code->number;
             return true;
         }
         if (is_hole_pattern(block) || (code->number != 720 && !rules_.g70_is_units)) {

@@ -19,6 +19,9 @@ struct Rules {
     bool home_cancels_length = false;
     /// G70 and G71 alone select inch and millimetre; else they are cycles.
     bool g70_is_units = true;
+    /// G70, G71 and G72 with I, J, K, L are holes on a circle, an arc and a line (Haas). A program
+    /// without a sign of its control is read as Fanuc's, so there, too, where all words are told.
+    bool hole_patterns = false;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
@@ -36,6 +39,7 @@ struct Rules {
         rules.dwell_milliseconds = fanuc;
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;
+        rules.hole_patterns = fanuc;
         rules.macro_b = fanuc;
         rules.g70_is_units = !strict && !fanuc;
         return rules;

@@ -142,11 +142,13 @@ bool has_point(const Block& block, const Word& word) {
 void Runner::scale_increments() {
     const int units = command_.group(Group::Units);
     const bool inches = units == kNone ? machine_.state().inches : units == 200 || units == 700;
+    const bool pattern = command_.group(Group::HolePattern) != kNone;  // J and K are angles there
     const bool dwells = command_.group(Group::OneShot) == 40;
     for (const Word& word : block_.words) {
         const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
         if (!counts || word.comma || dwells || has_point(block_, word)) continue;
-        const bool is_angle = word.letter >= 'A' && word.letter <= 'C';
+        const bool is_angle = (word.letter >= 'A' && word.letter <= 'C') ||
+                              (pattern && (word.letter == 'J' || word.letter == 'K'));
         command_.value[letter_index(word.letter)] *= inches && !is_angle ? 1e-4 : 1e-3;
     }
 }
