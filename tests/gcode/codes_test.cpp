@@ -112,6 +112,21 @@ const std::vector<Case>& codes() {
         {"G10", By::Default, "G10 L1 P1 R3 Z5", ""},
         {"G10", By::Default, "G10 L7 P1", " ! g10-form"},
         {"G11", By::Fanuc, "G11~G0 X1", "rapid X1 Y0 Z0"},
+        {"G12", By::Haas, "T1 M6~G12 I5 Z-1 D1 F50.",
+         "tool 1 at X0 Y0 Z0; feed X0 Y0 Z-1 F50 T1; arc XY X3 Y0 Z-1 centre 1.5 0 turns -1 F50 "
+         "T1; arc XY X3 Y0 Z-1 centre 0 0 turns -1 F50 T1; arc XY X0 Y0 Z-1 centre 1.5 0 turns -1 "
+         "F50 T1"},
+        {"G12", By::Fanuc, "G12 X7 I5. Z-1 D0",
+         "rapid X7 Y0 Z0; feed X7 Y0 Z-1 F100; arc XY X12 Y0 Z-1 centre 9.5 0 turns -1 F100; arc "
+         "XY X12 Y0 Z-1 centre 7 0 turns -1 F100; arc XY X7 Y0 Z-1 centre 9.5 0 turns -1 F100"},
+        {"G12", By::Fanuc, "G12 I5. Z-1~X1", "rapid X1 Y0 Z0 ! error not-simulated"},
+        {"G13", By::Haas, "T1 M6~G91 G13 I3. K5.5 Q2. Z-1. L2 D1 F50.",
+         "tool 1 at X0 Y0 Z0; feed X0 Y0 Z-1 F50 T1; arc XY X1 Y0 Z-1 centre 0.5 0 turns 1 F50 T1; "
+         "arc XY X1 Y0 Z-1 centre 0 0 turns 1 F50 T1; arc XY X-3 Y0 Z-1 centre -1 0 turns 1 F50 "
+         "T1; arc XY X-3 Y0 Z-1 centre 0 0 turns 1 F50 T1; arc XY X3.5 Y0 Z-1 centre 0.25 0 turns "
+         "1 F50 T1; arc XY X3.5 Y0 Z-1 centre 0 0 turns 1 F50 T1; arc XY X0 Y0 Z-1 centre 1.75 0 "
+         "turns 1 F50 T1; feed X0 Y0 Z-2 F50 T1; arc XY X1 Y0 Z-2 centre 0.5 0 turns 1 F50 T1"},
+        {"G13", By::Default, "G13 I5. Z-1 D1~X1", "rapid X1 Y0 Z0 ! error not-simulated"},
         {"G15", By::Default, "G15~G0 X1", "rapid X1 Y0 Z0"},
         {"G16", By::Default, "G16~G0 X10 Y90~G15", "rapid X0 Y10 Z0"},
         {"G17", By::Default, "G17 G2 X2 I1", "arc XY X2 Y0 Z0 centre 1 0 turns -1 F100"},
@@ -504,6 +519,36 @@ TEST(Traps, AreNotSteppedInto) {
          " ! error codes-exclude"},
         {"holes beside G28", By::Haas, "G81 Z-1 R1 L0~G28 G72 X5 I5. J0. L3",
          "rapid X5 Y0 Z0; rapid X0 Y0 Z0 machine ! error hole-pattern"},
+        {"pocket under a rotation", By::Haas, "G68 X0 Y0 R90~G13 X2 I5. D0",
+         "rapid X0 Y2 Z0; arc XY X0 Y7 Z0 centre 0 4.5 turns 1 F100; arc XY X0 Y7 Z0 centre 0 2 "
+         "turns 1 F100; arc XY X0 Y2 Z0 centre 0 4.5 turns 1 F100"},
+        {"pocket at the depth that there is", By::Haas, "G13 I5. D0~X1",
+         "arc XY X5 Y0 Z0 centre 2.5 0 turns 1 F100; arc XY X5 Y0 Z0 centre 0 0 turns 1 F100; arc "
+         "XY X0 Y0 Z0 centre 2.5 0 turns 1 F100; rapid X1 Y0 Z0"},
+        {"pocket of a cutter that nobody told", By::Haas, "G13 I5. D9",
+         "arc XY X5 Y0 Z0 centre 2.5 0 turns 1 F100; arc XY X5 Y0 Z0 centre 0 0 turns 1 F100; arc "
+         "XY X0 Y0 Z0 centre 2.5 0 turns 1 F100 ! compensation-radius-unknown"},
+        {"pocket wants a radius", By::Haas, "G13 Z-1 D1", " ! error pocket-word"},
+        {"pocket of no radius", By::Haas, "G13 I0. Z-1 D1", " ! error pocket-word"},
+        {"pocket of a radius below 0", By::Haas, "G13 I-5. Z-1 D1", " ! error pocket-word"},
+        {"pocket without steps", By::Haas, "G13 I3. K5. Z-1 D1", " ! error pocket-word"},
+        {"pocket with steps of nothing", By::Haas, "G13 I3. K5. Q0 Z-1 D1", " ! error pocket-word"},
+        {"pocket with steps to nowhere", By::Haas, "G13 I3. Q1. Z-1 D1", " ! error pocket-word"},
+        {"pocket that ends within", By::Haas, "G13 I3. K2. Q1. Z-1 D1", " ! error pocket-word"},
+        {"pocket of a million circles", By::Haas, "G13 I3. K5. Q0.000001 Z-1 D1",
+         " ! error pocket-word"},
+        {"pocket of a million passes", By::Haas, "G91 G13 I3. Z-1 D1 L1000000",
+         " ! error pocket-word"},
+        {"pocket of no pass", By::Haas, "G91 G13 I3. Z-1 D1 L0", " ! error pocket-word"},
+        {"pocket as wide as the cutter", By::Haas, "G13 I2. Z-1 D1", " ! error compensation-arc"},
+        {"pocket in another plane", By::Haas, "G18 G13 I5. Y-1 D1", " ! error pocket-word"},
+        {"pocket within a cycle", By::Haas, "G81 Z-1 R1 L0~G13 I5. Z-1 D1", " ! error pocket-word"},
+        {"pocket within compensation", By::Haas, "G41 D1~G13 I5. Z-1 D1",
+         " ! error forbidden-with-compensation"},
+        {"pocket in inverse time", By::Haas, "G93 G13 I5. Z-1 D1 F1.",
+         " ! error cycle-inverse-time"},
+        {"pocket beside G28", By::Haas, "G28 G13 X5 I5. D1",
+         "rapid X5 Y0 Z0; rapid X0 Y0 Z0 machine ! error pocket-word"},
         {"endless loop", By::Default, "o1 while [1]~G91 G0 X0~o1 endwhile",
          "rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 "
          "Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0; rapid X0 Y0 Z0 ! error "

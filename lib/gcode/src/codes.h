@@ -29,12 +29,13 @@ enum class Group : std::uint8_t {
     Mirror,
     Polar,
     Macro,
+    Pocket,        ///< G12, G13 of Haas.
     HolePattern,   ///< G70, G71, G72 of Haas: where the cycle drills.
     Unsupported,   ///< Known, and not simulated: after it every place would be wrong.
     NotSimulated,  ///< Known, and not simulated: a cut would be missing.
     Ignored,       ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 23;
+constexpr std::size_t kGroups = 24;
 
 struct GCode {
     std::int16_t number;  ///< Times ten.

@@ -243,7 +243,8 @@ bool Machine::check_unused_words(const Command& command) {
                                 command.group(MGroup::ToolChange) != kNone || motion == 310 ||
                                 command.group(Group::Polar) != kNone || is_cycle || knots_open_ ||
                                 command.group(Group::Diameter) != kNone ||
-                                command.group(Group::HolePattern) != kNone);
+                                command.group(Group::HolePattern) != kNone ||
+                                command.group(Group::Pocket) != kNone);
     const bool centre = is_arc || is_spline || g10 || motion == 760 || motion == 870;
     const Use uses[] = {
         {'D', lax || side == 410 || side == 420 || side == 411 || side == 421 ||
@@ -451,6 +452,9 @@ bool Machine::move(const Command& command, int motion) {
     if (is_speed_mode(command, motion)) return true;
     if (const int code = command.group(Group::HolePattern); code != kNone) {
         return hole_pattern(command, code, words_taken);
+    }
+    if (const int code = command.group(Group::Pocket); code != kNone) {
+        return pocket(command, code, words_taken);
     }
     if (motion != kNone) {
         state_.motion = motion;

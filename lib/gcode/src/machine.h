@@ -5,7 +5,7 @@
 //
 // One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
 // (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, cycle.cpp,
-// hole_pattern.cpp, spline.cpp, probe.cpp.
+// hole_pattern.cpp, pocket.cpp, spline.cpp, probe.cpp.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -24,6 +24,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -112,6 +113,10 @@ private:
     bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
     bool drill(const Drilling& drilling, const Axes& above);
     bool hole_pattern(const Command& command, int code, bool words_taken);
+    bool pocket(const Command& command, int code, bool words_taken);
+    void mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
+                      AxisMask mask);
+    double radius_of_register(const Command& command, SourceSpan span);
 
     /// Where the axis words point to, in program coordinates, and which axes they name.
     bool find_ends(const Command& command, Axes& end, AxisMask& mask);

@@ -320,6 +320,20 @@ bool Machine::set_tool_length(const Command& command) {
     return true;
 }
 
+/// Of D, else of the tool in the spindle, in active units; 0, with a warning, where it is not told.
+double Machine::radius_of_register(const Command& command, SourceSpan span) {
+    const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+    const auto entry = std::ranges::find(store_.tools, d, &ToolTableEntry::number);
+    if (entry != store_.tools.end() && entry->diameter) {
+        return entry->diameter->mm() / 2.0 / state_.unit_mm();
+    }
+    if (!rules_.strict && d != 0) {
+        warn(Message::CompensationRadiusUnknown, span,
+             {std::string("D").append(std::to_string(d))});
+    }
+    return 0.0;
+}
+
 bool Machine::set_cutter_side(const Command& command) {
     const int code = command.group(Group::CutterSide);
     if (code == kNone) return true;
@@ -344,14 +358,7 @@ bool Machine::set_cutter_side(const Command& command) {
     if (stated) {
         radius = command.get('D', 0.0) / 2.0;
     } else {
-        const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
-        const auto entry = std::ranges::find(store_.tools, d, &ToolTableEntry::number);
-        if (entry != store_.tools.end() && entry->diameter) {
-            radius = entry->diameter->mm() / 2.0 / state_.unit_mm();
-        } else if (!rules_.strict && d != 0) {
-            warn(Message::CompensationRadiusUnknown, span,
-                 {std::string("D").append(std::to_string(d))});
-        }
+        radius = radius_of_register(command, span);
     }
     const bool left = (code < 420) == (radius >= 0.0);  // a negative radius is the other side
     if (compensation_.is_on()) compensation_.end(state_);

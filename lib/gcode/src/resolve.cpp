@@ -111,6 +111,14 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         }
     }
     if (code && rules_.strict && !code->in_rs274) code = nullptr;
+    if (code && code->group == Group::Pocket) {
+        const bool haas = rules_.dialect == Dialect::Haas;
+        const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
+        if (!rules_.circular_pockets || !told) {
+            command.g[static_cast<std::size_t>(Group::NotSimulated)] = code->number;
+            return true;
+        }
+    }
     if (!code) {
         command.has_others = true;
         if (is_allowed('G', value)) return true;

@@ -22,6 +22,8 @@ struct Rules {
     /// G70, G71 and G72 with I, J, K, L are holes on a circle, an arc and a line (Haas). A program
     /// without a sign of its control is read as Fanuc's, so there, too, where all words are told.
     bool hole_patterns = false;
+    /// G12 and G13 mill circular pockets (Haas); on Fanuc where I and D tell that they are meant.
+    bool circular_pockets = false;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
@@ -40,6 +42,7 @@ struct Rules {
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;
         rules.hole_patterns = fanuc;
+        rules.circular_pockets = fanuc;
         rules.macro_b = fanuc;
         rules.g70_is_units = !strict && !fanuc;
         return rules;
