@@ -5,6 +5,7 @@ ncsim_add_test(toolpath
     machine_test.cpp
     sampler_test.cpp
     stock_test.cpp
+    tool_comment_test.cpp
     tool_file_test.cpp
     tool_polytope_test.cpp
     tool_table_test.cpp

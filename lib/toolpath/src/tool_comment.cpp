@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tool_comment.h"
 
+#include "tool_phrase.h"
+#include "tool_words.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,69 +48,13 @@ int tool_number_at(std::string_view s, std::size_t at) {
     return whole ? number : 0;
 }
 
-// T4 …, TOOL 4 …, TOOL - 4 …, TOOL #4, TOOL NUMBER: 4, 4 = …
-int tool_number(std::string_view s) {
-    if (s.size() > 1 && s[0] == 'T' && text::is_digit(s[1])) return tool_number_at(s, 1);
-    for (const std::string_view key : {"TOOL NUMBER", "TOOL NO", "TOOL"}) {
-        const std::size_t at = text::find_word(s, key);
-        if (at == kNone) continue;
-        const std::size_t digits = skip(s, at + key.size(), " .#-:=");
-        const int number = tool_number_at(s, digits);
-        // `TOOL 2mm` is a size.
-        const auto q = text::quantity_at(s, digits);
-        if (number > 0 && q && q->unit == Unit::None) return number;
-    }
-    const std::size_t digits_end = s.find_first_not_of("0123456789");
-    if (digits_end != kNone && digits_end > 0 && s[skip(s, digits_end, " ")] == '=') {
-        return tool_number_at(s, 0);
-    }
-    const std::size_t t = text::find_word(s, "T");
-    if (t != kNone && t + 1 < s.size() && text::is_digit(s[t + 1])) return tool_number_at(s, t + 1);
-    return 0;
-}
-
-std::optional<ToolKind> kind_named(std::string_view s) {
-    const auto any = [s](std::initializer_list<std::string_view> names) {
-        return std::any_of(names.begin(), names.end(),
-                           [s](std::string_view name) { return s.find(name) != kNone; });
-    };
-    // From the special to the general: a "tapered ball end mill" is tapered first.
-    if (any({"TAPER MILL", "TAPERED", "TAPER END"})) return ToolKind::TaperedEndMill;
-    if (any({"V-BIT", "V BIT", "VBIT", "VEE BIT", "V-CUT", "CHAMFER", "ENGRAV", "SPOT DRILL",
-             "CENTER DRILL", "CENTRE DRILL", "COUNTERSINK", "COUNTER SINK", "DOVETAIL V"})) {
-        return ToolKind::VCutter;
-    }
-    if (any({"LOLLIPOP"})) return ToolKind::LollipopMill;
-    if (any({"DOVETAIL"})) return ToolKind::DovetailMill;
-    if (any({"T-SLOT", "T SLOT", "TSLOT", "KEYSEAT", "WOODRUFF"})) return ToolKind::SlotMill;
-    if (any({"BALL"})) return ToolKind::BallEndMill;
-    if (any({"BULL", "RADIUS MILL", "RADIUSED", "CORNER RADIUS"})) return ToolKind::BullNoseEndMill;
-    if (any({"FACE MILL", "FACEMILL", "SHELL MILL", "SHELLMILL"})) return ToolKind::FaceMill;
-    if (any({"REAMER", " TAP", "THREAD MILL"}) && !any({"TAPER"})) return ToolKind::FlatEndMill;
-    if (any({"DRILL"})) return ToolKind::Drill;
-    if (any({"END MILL", "ENDMILL", "FLAT", "SLOT MILL", "SLOT CUTTER", "SQUARE", "UPCUT",
-             "DOWNCUT", "ROUTER", "BORING BAR"})) {
-        return ToolKind::FlatEndMill;
-    }
-    return std::nullopt;
-}
-
 // The types of Fusion 360, which are names and no prose: its slot mill is a disc on a neck.
 std::optional<ToolKind> fusion_kind_named(std::string_view s) {
     if (s.find("SLOT MILL") != kNone) return ToolKind::SlotMill;
     if (s.find("DOVETAIL") != kNone) return ToolKind::DovetailMill;
     if (s.find("LOLLIPOP") != kNone) return ToolKind::LollipopMill;
     if (s.find("FORM MILL") != kNone) return ToolKind::Other;
-    return kind_named(s);
-}
-
-bool names_something_else(std::string_view s) {
-    for (const std::string_view word :
-         {"STOCK", "HOLE", "HOLES", "THREAD", "BORE", "POCKET", "FEED", "HOLDER", "PITCH", "DEPTH",
-          "DEEP", "OFFSET", "CHANGE TO"}) {
-        if (text::has_word(s, word)) return true;
-    }
-    return false;
+    return words::kind_named(s);
 }
 
 // Angles: TAPER is per side for mills, the whole point for drills, in Fusion's words.
@@ -129,7 +76,8 @@ std::optional<ToolRemark> read_fusion(std::string_view s) {
     const std::size_t d = s.find(" D=");
     if (d == kNone) return std::nullopt;
     const auto diameter = text::quantity_at(s, d + 3);
-    if (!diameter) return std::nullopt;
+    const std::size_t type = s.rfind(" - ");
+    if (!diameter || type == kNone || type < d) return std::nullopt;
     const bool numbered = s[0] == 'T' && s.size() > 1 && text::is_digit(s[1]);
     if (!numbered && s[0] != '"') return std::nullopt;
     ToolRemark remark;
@@ -137,8 +85,7 @@ std::optional<ToolRemark> read_fusion(std::string_view s) {
     remark.unit = diameter->unit;
     if (numbered) remark.spec.number = tool_number_at(s, 1);
     remark.spec.diameter = diameter->value;
-    const std::size_t type = s.rfind(" - ");
-    if (type != kNone && type > d) remark.spec.kind = fusion_kind_named(s.substr(type));
+    remark.spec.kind = fusion_kind_named(s.substr(type));
     if (const auto cr = value_after(s, "CR", "= ")) {
         if (cr->value > 0) remark.spec.corner_radius = cr->value;
     }
@@ -227,7 +174,7 @@ std::optional<ToolRemark> read_piped(std::string_view s) {
         const std::string_view value = part.substr(equals + 1);
         const auto q = text::quantity_at(value, 0);
         if (key == "NUMBER") spec.number = tool_number_at(value, 0);
-        if (key == "TYPE") spec.kind = kind_named(value);
+        if (key == "TYPE") spec.kind = words::kind_named(value);
         if (!q || q->value <= 0) continue;
         if (key == "DIAMETER") spec.diameter = q->value;
         if (key == "TIPDIAMETER") spec.tip_diameter = q->value;
@@ -255,81 +202,6 @@ std::optional<ToolRemark> read_kiri(std::string_view s) {
     }
     if (s.find("UNIT=METRIC") != kNone) remark.unit = Unit::Millimetre;
     if (s.find("UNIT=IMPERIAL") != kNone) remark.unit = Unit::Inch;
-    return remark;
-}
-
-// The first number that can be a size: one with a unit of length, or a fraction.
-std::optional<Quantity> size_in_name(std::string_view s) {
-    for (std::size_t at = 0; at < s.size(); ++at) {
-        const bool starts = (text::is_digit(s[at]) || s[at] == '.') &&
-                            (at == 0 || (!text::is_letter(s[at - 1]) && s[at - 1] != '#'));
-        if (!starts) continue;
-        const auto q = text::quantity_at(s, at);
-        if (!q) continue;
-        const bool length = q->unit == Unit::Millimetre || q->unit == Unit::Inch ||
-                            (q->is_fraction && q->unit == Unit::None);
-        if (length && q->value > 0) return q;
-        at = std::max(at, q->end - 1);
-    }
-    return std::nullopt;
-}
-
-std::optional<double> angle_in_name(std::string_view s) {
-    for (std::size_t at = 0; at < s.size(); ++at) {
-        if (!text::is_digit(s[at])) continue;
-        const auto q = text::quantity_at(s, at);
-        if (q && q->unit == Unit::Degree) return q->value;
-        if (q) at = std::max(at, q->end - 1);
-    }
-    return std::nullopt;
-}
-
-// Everything else that names a tool and its size.
-std::optional<ToolRemark> read_free_text(std::string_view s) {
-    ToolRemark remark;
-    ToolSpec& spec = remark.spec;
-    spec.number = tool_number(s);
-    spec.kind = kind_named(s);
-    const bool says_tool = spec.kind || text::has_word(s, "TOOL") || text::has_word(s, "CUTTER");
-    if (!says_tool || names_something_else(s)) return std::nullopt;
-
-    std::optional<Quantity> diameter;
-    for (const std::string_view key : {"DIA", "DIAMETER", "D"}) {
-        // DIA. OFF. - 14 is a register: its number does not follow the key directly. D1 beside it,
-        // too.
-        const auto q = value_after(s, key, key == "D" ? "= " : " .:=-");
-        if (q && q->value > 0 && !(key == "D" && s.find("D=") == kNone && s.find("D =") == kNone)) {
-            diameter = q;
-            break;
-        }
-    }
-    remark.certain = diameter.has_value();
-    if (!diameter) diameter = size_in_name(s);
-    if (!diameter && spec.kind && s.find('=') != kNone) {  // Tool 8 = .250 Vee bit
-        const auto q = text::quantity_at(s, skip(s, s.find('=') + 1, " "));
-        if (q && q->value > 0) diameter = q;
-    }
-    if (!diameter) return std::nullopt;
-    spec.diameter = diameter->value;
-    remark.unit =
-        diameter->is_fraction && diameter->unit == Unit::None ? Unit::Inch : diameter->unit;
-    if (const auto cr = value_after(s, "CR", "= ")) {
-        if (cr->value > 0) spec.corner_radius = cr->value;
-    }
-    if (const auto angle = angle_in_name(s)) {
-        if (spec.kind == ToolKind::VCutter || spec.kind == ToolKind::Drill) spec.angle = *angle;
-        if (spec.kind == ToolKind::TaperedEndMill) spec.taper = *angle;
-    }
-    // (12 MM END MILL LOC 22 SHANK 12 STICKOUT 40)
-    for (const auto& [key, into] : {std::pair{"LOC", &ToolSpec::length},
-                                    {"FLUTE LENGTH", &ToolSpec::length},
-                                    {"SHANK", &ToolSpec::shank_diameter},
-                                    {"STICKOUT", &ToolSpec::stick_out},
-                                    {"STICK OUT", &ToolSpec::stick_out},
-                                    {"STICK-OUT", &ToolSpec::stick_out}}) {
-        const auto value = value_after(s, key, " .:=-");
-        if (value && value->value > 0 && value->unit == diameter->unit) spec.*into = value->value;
-    }
     return remark;
 }
 
@@ -376,7 +248,8 @@ std::optional<Triple> triple_at(std::string_view s) {
 std::optional<ToolRemark> read_tool_remark(std::string_view comment) {
     const std::string upper = text::upper(text::trimmed(comment));
     if (upper.size() < 3) return std::nullopt;
-    for (const auto& form : {read_fusion, read_cutviewer, read_piped, read_kiri, read_free_text}) {
+    for (const auto& form :
+         {read_fusion, read_cutviewer, read_piped, read_kiri, read_tool_phrase}) {
         if (auto remark = form(upper)) {
             remark->spec.description = std::string(text::trimmed(comment));
             return remark;
@@ -463,7 +336,7 @@ std::optional<KeyedRemark> read_keyed_remark(std::string_view comment) {
     const std::string_view rest = text::trimmed(s.substr(colon + 1));
     KeyedRemark remark{found->second, 0.0, Unit::None, std::nullopt};
     if (remark.key == Key::ToolType) {
-        remark.kind = kind_named(rest);
+        remark.kind = words::kind_named(rest);
         return remark;
     }
     const auto q = rest.empty() ? std::nullopt : text::quantity_at(rest, 0);

@@ -26,10 +26,18 @@ constexpr double kDovetailTaper = 30.0;
 // Of undercutting mills that tell no neck, over their diameter.
 constexpr double kNeck = 0.6;
 
+// Cones for engraving are sold by their angle and their tip, on a shank of an eighth of an inch.
+constexpr double kEngraverShank = 3.175;
+
+double diameter_of(const ToolSpec& spec) {
+    if (spec.diameter) return *spec.diameter;
+    return spec.tip_diameter ? std::max(kEngraverShank, 2 * *spec.tip_diameter) : 0.0;
+}
+
 // The length of the cutting part where nobody tells it.
 double length_of(const ToolSpec& spec, ToolKind kind, double assumed) {
     if (spec.length) return *spec.length;
-    const double d = spec.diameter.value_or(0.0);
+    const double d = diameter_of(spec);
     if (kind == ToolKind::LollipopMill) return d;
     // The wider a disc is, the more it would cut away.
     if (kind == ToolKind::SlotMill) return 0.25 * d;
@@ -39,7 +47,7 @@ double length_of(const ToolSpec& spec, ToolKind kind, double assumed) {
 
 std::optional<double> neck_of(const ToolSpec& spec, ToolKind kind) {
     if (spec.neck_diameter) return spec.neck_diameter;
-    const double d = spec.diameter.value_or(0.0);
+    const double d = diameter_of(spec);
     if (!is_undercutting(kind) || !spec.shaft.empty()) return std::nullopt;
     if (spec.shank_diameter && *spec.shank_diameter < d) return std::nullopt;  // it is the neck
     return kNeck * d;
@@ -88,7 +96,7 @@ double angle_of(const ToolSpec& spec, ToolKind kind) {
 }
 
 Tool shaped(const ToolSpec& spec, double length) {
-    const double d = spec.diameter.value_or(0.0);
+    const double d = diameter_of(spec);
     const double corner = spec.corner_radius.value_or(0.0);
     const ToolKind kind = kind_of(spec);
     switch (kind) {
@@ -119,7 +127,9 @@ Tool shaped(const ToolSpec& spec, double length) {
 }  // namespace
 
 bool is_complete(const ToolSpec& spec) {
-    return !spec.pieces.empty() || (spec.diameter && text::is_sane_length(*spec.diameter));
+    if (!spec.pieces.empty()) return true;
+    if (!spec.diameter && kind_of(spec) != ToolKind::VCutter) return false;
+    return text::is_sane_length(diameter_of(spec));
 }
 
 Tool make_tool(const ToolSpec& spec, double assumed_length) {
@@ -147,6 +157,7 @@ ToolSpec filled(const ToolSpec& spec, double assumed_length) {
     ToolSpec result = spec;
     if (!spec.pieces.empty()) return result;
     result.kind = kind_of(spec);
+    if (!spec.diameter) result.diameter = diameter_of(spec);
     if (*result.kind == ToolKind::Drill || *result.kind == ToolKind::VCutter) {
         result.angle = angle_of(spec, *result.kind);
     }
@@ -158,7 +169,7 @@ bool guesses_shape(const ToolSpec& spec) {
     if (!spec.pieces.empty()) return false;
     const ToolKind kind = kind_of(spec);
     switch (kind) {
-        case ToolKind::VCutter: return !spec.angle;
+        case ToolKind::VCutter: return !spec.angle || !spec.diameter;
         case ToolKind::TaperedEndMill: return !spec.taper;
         case ToolKind::SlotMill: return !spec.length;
         case ToolKind::DovetailMill: return !spec.length || !spec.taper;
@@ -220,6 +231,7 @@ std::string filled_in(const ToolSpec& spec, double assumed_length) {
     };
     const ToolKind kind = kind_of(spec);
     if (!spec.kind) add("kind " + std::string(name_of(kind)));
+    if (!spec.diameter) add("diameter " + text::number(diameter_of(spec)) + " mm");
     if (kind == ToolKind::Other) add("the shape of a flat end mill");
     if ((kind == ToolKind::Drill || kind == ToolKind::VCutter) && !spec.angle) {
         add("angle " + text::number(angle_of(spec, kind)) + " deg");

@@ -41,12 +41,14 @@ struct ToolSpec {
     bool operator==(const ToolSpec&) const = default;
 };
 
-/// Can a tool be made of it? It needs a positive diameter, or pieces.
+/// Can a tool be made of it? It needs a positive diameter, or pieces; of V-cutters the diameter of
+/// the tip is enough.
 bool is_complete(const ToolSpec& spec);
 
 /// The tool with all that is told of shank and holder. Requires is_complete(). What was not said is
 /// filled in as a machinist would: a kind from the corner radius and the angles (none of them: a
-/// flat end mill), 118 degrees for drills, 90 for V-cutters; `assumed_length` for a missing length,
+/// flat end mill), 118 degrees for drills, 90 for V-cutters, for those of which only the tip is told
+/// a shank of 3.175 mm, or twice the tip; `assumed_length` for a missing length,
 /// which should be more than the depth of any cut. A shank of which the length is not told reaches
 /// to the holder; where the stick-out is not told either, the holder begins right above, as low as
 /// it can be, and without a holder the shank is three diameters long. Flutes that are longer than

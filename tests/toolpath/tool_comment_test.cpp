@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How many of the comments that describe a tool are read, and how many of those that are read
+// describe one: over a labelled set, in the forms that programs have.
+#include "ncsim/toolpath/tool_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ncsim::toolpath {
+namespace {
+
+struct Labelled {
+    std::string expected, unit, comment;
+    int line = 0;
+};
+
+std::vector<Labelled> labelled_comments() {
+    std::ifstream file(NCSIM_SOURCE_DIR "/tests/toolpath/tool_comments.tsv");
+    std::vector<Labelled> all;
+    std::string line;
+    for (int number = 1; std::getline(file, line); ++number) {
+        const std::size_t unit = line.find('\t');
+        if (line.empty() || line.front() == '#' || unit == std::string::npos) continue;
+        const std::size_t comment = line.find('\t', unit + 1);
+        all.push_back({line.substr(0, unit), line.substr(unit + 1, comment - unit - 1),
+                       line.substr(comment + 1), number});
+    }
+    return all;
+}
+
+std::string rounded(double value) {
+    std::string text = std::to_string(std::round(value * 1e4) / 1e4);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+const char* name_of_kind(const ToolSpec& spec) {
+    static const std::map<ToolKind, const char*> kNames = {{ToolKind::FlatEndMill, "flat"},
+                                                           {ToolKind::BallEndMill, "ball"},
+                                                           {ToolKind::BullNoseEndMill, "bull"},
+                                                           {ToolKind::FaceMill, "face"},
+                                                           {ToolKind::VCutter, "v"},
+                                                           {ToolKind::Drill, "drill"},
+                                                           {ToolKind::TaperedEndMill, "taper"},
+                                                           {ToolKind::SlotMill, "slot"},
+                                                           {ToolKind::DovetailMill, "dovetail"},
+                                                           {ToolKind::LollipopMill, "lollipop"}};
+    if (!spec.kind && spec.corner_radius.value_or(0.0) <= 0.0) return "any";
+    const auto name = kNames.find(*filled(spec, 50).kind);
+    return name == kNames.end() ? "other" : name->second;
+}
+
+// What a program that has this comment and nothing else knows of its tool.
+std::string said_by(const Labelled& labelled) {
+    std::string program = labelled.unit == "in" ? "G20\n;" : "G21\n;";
+    program.append(labelled.comment).append("\nG0 X0\n");
+    const ProgramNotes notes = read_notes({"test.nc", program});
+    if (notes.tools.empty()) return "none";
+    const ToolSpec& spec = notes.tools.front().spec;
+    std::string text = "T";
+    text.append(std::to_string(spec.number)).append(" ").append(name_of_kind(spec));
+    const auto add = [&text](const char* name, const std::optional<double>& value) {
+        if (value) text.append(" ").append(name).append(rounded(*value));
+    };
+    add("D", filled(spec, 50).diameter);
+    add("R", spec.corner_radius);
+    add("A", spec.angle);
+    add("taper", spec.taper);
+    add("P", spec.tip_diameter);
+    add("L", spec.length);
+    add("S", spec.shank_diameter);
+    add("E", spec.stick_out);
+    return text;
+}
+
+TEST(ToolComments, AreFoundAndNothingElseIs) {
+    int tools = 0, found = 0, right = 0, others = 0;
+    for (const Labelled& labelled : labelled_comments()) {
+        const std::string said = said_by(labelled);
+        const bool is_tool = labelled.expected != "none";
+        ++(is_tool ? tools : others);
+        if (said != "none") ++found;
+        if (is_tool && said == labelled.expected) ++right;
+        if (said != labelled.expected) {
+            std::cout << "tool_comments.tsv:" << labelled.line << ": " << labelled.comment
+                      << "\n    expected " << labelled.expected << ", read " << said << "\n";
+        }
+    }
+    ASSERT_GE(tools + others, 400);
+    ASSERT_GE(others, 150);
+    ASSERT_GT(found, 0);
+    const double precision = 100.0 * right / found, recall = 100.0 * right / tools;
+    std::cout << tools << " comments describe a tool, " << others << " do not: precision "
+              << precision << " %, recall " << recall << " %\n";
+    EXPECT_GE(precision, 99.0);
+    EXPECT_GE(recall, 95.0);
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath
