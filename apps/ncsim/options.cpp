@@ -22,7 +22,8 @@ Tools:  T1=flat:D10:L22:S12x30:H28x15,40x25  kinds flat, ball, bull, face, v, ch
         length), E from the tip to the holder, H holder from below (diameter x height, or
         lower-upper x height); mm, or inches: D1/4in
 Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest corner); bars
-        DdxH (top at Z0) or DdxH@x,y,z (lower end), along X or Y: DXdxL, DYdxL
+        DdxH (top at Z0) or DdxH@x,y,z (lower end), along X or Y: DXdxL, DYdxL;
+        mm, or inches: 4x2x1/2in
 )";
 
 constexpr const char* kFiles = R"(

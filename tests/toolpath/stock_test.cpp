@@ -38,6 +38,20 @@ TEST(StockOption, TakesSizes) {
     EXPECT_EQ(stock("50x40x10@0,0,-10"), (Box{{0, 0, -10}, {50, 40, 0}}));
 }
 
+TEST(StockOption, TakesInches) {
+    const Box block{{-50.8, -25.4, -12.7}, {50.8, 25.4, 0}};
+    EXPECT_EQ(stock("4x2x0.5in"), block);
+    EXPECT_EQ(stock("4x2x1/2in"), block);
+    EXPECT_EQ(stock("4inx2inx1/2in"), block);
+    EXPECT_EQ(stock("4\"x2\"x0.5\""), block);
+    EXPECT_EQ(stock("4 x 2 x 0.5 inch"), block);
+    EXPECT_EQ(stock("4inx50.8mmx12.7mm"), block);
+    EXPECT_EQ(stock("101.6x50.8x1/2"), block);
+    EXPECT_EQ(stock("4x2x0.5@-2,-1,-0.5in"), block);
+    EXPECT_EQ(stock("4x2x10deg"), std::nullopt);
+    EXPECT_EQ(stock("4x2x0.5furlongs"), std::nullopt);
+}
+
 TEST(StockOption, TakesBars) {
     EXPECT_EQ(parsed("D60x30"), (Stock{{{-30, -30, -30}, {30, 30, 0}}, true}));
     EXPECT_EQ(parsed("d60x30@100,50,-5"), (Stock{{{70, 20, -5}, {130, 80, 25}}, true}));

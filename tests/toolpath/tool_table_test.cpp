@@ -157,6 +157,29 @@ TEST(ToolComments, OfPowerMillTellOneThingEach) {
     EXPECT_EQ(describe(make_tool(n.tools[1].spec, 50)), "ball end mill D6 L50");
 }
 
+TEST(ToolComments, OfPyCamTellOneThingEach) {
+    const auto tool = [](const char* shape) {
+        const ProgramNotes n = notes(std::string(";torus_radius = 0.5\n;speed = 900.0\n;shape = ")
+                                         .append(shape)
+                                         .append("\n;tool_radius = 3.0\nG21\nG0 X0\n"));
+        return n.tools.empty() ? "nothing" : describe(make_tool(n.tools[0].spec, 50));
+    };
+    EXPECT_EQ(tool("CylindricalCutter"), "flat end mill D6 L50");
+    EXPECT_EQ(tool("SphericalCutter"), "ball end mill D6 L50");
+    EXPECT_EQ(tool("ToroidalCutter"), "bull nose end mill D6 R0.5 L50");
+}
+
+TEST(ToolComments, OfEngraversTellAngleAndTip) {
+    const ProgramNotes n = notes("G21\n(\"30degree0.2mm\")\nT1 M6\n");
+    ASSERT_EQ(n.tools.size(), 1U);
+    const ToolSpec& spec = n.tools[0].spec;
+    EXPECT_FALSE(spec.diameter);
+    EXPECT_EQ(spec.tip_diameter, 0.2);
+    EXPECT_EQ(filled(spec, 30).diameter, 3.175);
+    EXPECT_EQ(filled_in(spec, 30), "diameter 3.175 mm, length 30 mm");
+    EXPECT_TRUE(guesses_shape(spec));
+}
+
 TEST(ToolComments, OfEstlcamsListAreInTheOrderOfTheCalls) {
     const char* list = "(Required tools:)\n(End mill 3mm)\n(Ball nose 6mm)\n\n";
     const ProgramNotes n = notes(std::string("G21\n") + list + "T5 M6\nG0 X0\nT6 M6\nG0 X0\n");
@@ -189,6 +212,28 @@ TEST(StockComments, OfVectricAreASizeAndAPlace) {
     EXPECT_EQ(right.stock->box.min, (cda::Vec3{-80, -40, -10}));
     EXPECT_FALSE(notes("( Material Size)\n( soft wood)\n( X= 80, Y= 40, Z= 10)\n").stock);
     EXPECT_FALSE(notes("( X= 80, Y= 40, Z= 10)\n").stock) << "extents of something";
+}
+
+TEST(StockComments, OfSimulatorsAndPostsAreRead) {
+    const cda::Box block{{0, 0, -10}, {80, 40, 0}};
+    const auto box = [](const char* text) {
+        const auto stock = notes(text).stock;
+        return stock ? stock->box : cda::Box{};
+    };
+    EXPECT_EQ(box("($SetPartSize(80,40,10,1))\nG21\n"), block);
+    EXPECT_EQ(box("$SetPartSize(80,40,0)\n"), cda::Box{});
+    EXPECT_EQ(box("(BLK FORM 0.1 Z X+0 Y+0 Z-10)\n(BLK FORM 0.2 X+80 Y+40 Z+0)\nG21\n"), block);
+    EXPECT_EQ(box("(BLK FORM 0.2 X+80 Y+40 Z+0)\nG21\n"), cda::Box{});
+    EXPECT_EQ(box("( X Min = 0.000   Y Min = 0.000  Z Min = -10.000)\n"
+                  "( X Max = 80.000   Y Max = 40.000  Z Max = 0.000)\nG21\n"),
+              block);
+    EXPECT_EQ(box("; Material Size: X80.0 Y40.0 Z10.0\n; Material Origin: X0.0 Y0.0 Z0.0\nG21\n"),
+              block);
+    // Where it lies then, nobody says here.
+    EXPECT_EQ(box("; Material Size: X80 Y40 Z10\n; Material Origin: X5 Y0 Z0\nG21\n"), cda::Box{});
+    // Extents of a tool path.
+    EXPECT_EQ(box("(X Min: 0 - X Max: 80)\n(Y Min: 0 - Y Max: 40)\n(Z Min: -10 - Z Max: 0)\n"),
+              cda::Box{});
 }
 
 TEST(StockComments, OfKiriAreASize) {

@@ -16,40 +16,44 @@ namespace ncsim::toolpath {
 
 namespace {
 
-// Exactly `count` numbers, three at most, between separators.
-std::optional<cda::Vec3> numbers(std::string_view s, char separator, int count) {
+// Exactly `count` numbers, three at most, between separators. With `unit` they are lengths that may
+// have units, in mm; those without one are times `unit`.
+std::optional<cda::Vec3> numbers(std::string_view s, char separator, int count,
+                                 std::optional<double> unit) {
+    using text::Unit;
     const auto parts = text::split(s, separator);
     if (parts.size() != static_cast<std::size_t>(count)) return std::nullopt;
     cda::Vec3 v;
     for (int axis = 0; axis < count; ++axis) {
         const std::string_view part = text::trimmed(parts[static_cast<std::size_t>(axis)]);
         const auto q = text::quantity_at(part, 0);
-        if (!q || q->end != part.size() || q->unit != text::Unit::None) return std::nullopt;
+        if (!q || q->end != part.size() || q->unit == Unit::Degree) return std::nullopt;
+        if (!unit && q->unit != Unit::None) return std::nullopt;
         v[axis] = q->value;
+        if (!unit || q->unit == Unit::Millimetre) continue;
+        const bool inch = q->unit == Unit::Inch || q->is_fraction;
+        v[axis] *= inch ? 25.4 : *unit;
     }
     return v;
-}
-
-std::optional<cda::Vec3> three_numbers(std::string_view s, char separator) {
-    return numbers(s, separator, 3);
 }
 
 }  // namespace
 
 std::optional<cda::Vec3> parse_triple(std::string_view text) {
-    return three_numbers(text, ',');
+    return numbers(text, ',', 3, std::nullopt);
 }
 
 std::optional<Stock> parse_stock_option(std::string_view option, std::string& message) {
     const std::string upper = text::upper(text::trimmed(option));
     std::string_view s = upper;
+    // The unit behind the last number is that of all that have none.
     double scale = 1.0;
-    for (const std::string_view unit : {std::string_view("MM"), std::string_view("IN")}) {
-        if (s.size() > 2 && s.substr(s.size() - 2) == unit) {
-            scale = unit == "IN" ? 25.4 : 1.0;
-            s = text::trimmed(s.substr(0, s.size() - 2));
-        }
+    for (const std::string_view unit : {"IN", "INCH", "INCHES", "\""}) {
+        if (s.size() > unit.size() && s.substr(s.size() - unit.size()) == unit) scale = 25.4;
     }
+    const auto three = [scale](std::string_view part, char separator) {
+        return numbers(part, separator, 3, scale);
+    };
     cda::Box box;
     const bool is_round = s.substr(0, 1) == "D";
     int axis = 2;
@@ -60,10 +64,11 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
     const std::size_t colon = s.find(':');
     const std::size_t at = s.find('@');
     if (is_round) {
-        const auto size = numbers(s.substr(1, at == std::string_view::npos ? at : at - 1), 'X', 2);
+        const auto size =
+            numbers(s.substr(1, at == std::string_view::npos ? at : at - 1), 'X', 2, scale);
         std::optional<cda::Vec3> foot;
         if (at != std::string_view::npos) {
-            foot = three_numbers(s.substr(at + 1), ',');
+            foot = three(s.substr(at + 1), ',');
         } else if (size) {
             foot.emplace();
             (*foot)[axis] = axis == 2 ? -size->y : -size->y / 2;
@@ -72,22 +77,22 @@ std::optional<Stock> parse_stock_option(std::string_view option, std::string& me
             const double r = size->x / 2;
             cda::Vec3 below{-r, -r, -r}, above{r, r, r};
             below[axis] = 0.0, above[axis] = size->y;
-            box.add(scale * (*foot + below));
-            box.add(scale * (*foot + above));
+            box.add(*foot + below);
+            box.add(*foot + above);
         }
     } else if (colon != std::string_view::npos) {
-        const auto a = three_numbers(s.substr(0, colon), ',');
-        const auto b = three_numbers(s.substr(colon + 1), ',');
-        if (a && b) box.add(scale * *a), box.add(scale * *b);
-    } else if (const auto size = three_numbers(s.substr(0, at), 'X')) {
+        const auto a = three(s.substr(0, colon), ',');
+        const auto b = three(s.substr(colon + 1), ',');
+        if (a && b) box.add(*a), box.add(*b);
+    } else if (const auto size = three(s.substr(0, at), 'X')) {
         std::optional<cda::Vec3> corner;
         if (at != std::string_view::npos) {
-            corner = three_numbers(s.substr(at + 1), ',');
+            corner = three(s.substr(at + 1), ',');
         } else {
             corner = cda::Vec3{-size->x / 2, -size->y / 2, -size->z};
         }
         if (corner && size->x > 0 && size->y > 0 && size->z > 0) {
-            box.add(scale * *corner), box.add(scale * (*corner + *size));
+            box.add(*corner), box.add(*corner + *size);
         }
     }
     const auto refuse = [&](std::string_view why) {

@@ -210,13 +210,21 @@ std::optional<Triple> named_triple(std::string_view s) {
     Triple t;
     for (int axis = 0; axis < 3; ++axis) {
         const char name = static_cast<char>('X' + axis);
-        const auto q = value_after(s, {&name, 1}, "=: ");
+        auto q = value_after(s, {&name, 1}, "=: ");
+        const std::size_t glued = text::find_word(s, {&name, 1});  // X76.2
+        if (!q && glued != kNone && glued + 1 < s.size()) q = text::quantity_at(s, glued + 1);
         if (!q || std::abs(q->value) > 1e6) return std::nullopt;
         t.value[axis] = q->value;
         if (q->unit != Unit::None) t.unit = q->unit;
     }
-    const bool is_size = t.value.x > 0 && t.value.y > 0 && t.value.z > 0;
-    return is_size ? std::optional(t) : std::nullopt;
+    return t;
+}
+
+std::optional<Triple> named_size(std::string_view s) {
+    const auto t = named_triple(s);
+    if (!t) return std::nullopt;
+    const bool is_size = t->value.x > 0 && t->value.y > 0 && t->value.z > 0;
+    return is_size ? t : std::nullopt;
 }
 
 // Vectric's words for where the zero is: "Bottom Left Corner", "Center".
@@ -283,11 +291,52 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         remark.what = What::Heading;
         return remark;
     }
-    if (starts("STOCK X:") || starts("STOCK X=")) {
-        const auto size = named_triple(s);
+    if (starts("STOCK X:") || starts("STOCK X=") || starts("MATERIAL SIZE: X")) {
+        const auto size = named_size(s);
         if (!size) return std::nullopt;
         remark.what = What::Size;
         remark.first = *size;
+        return remark;
+    }
+    if (starts("MATERIAL ORIGIN:")) {
+        const auto origin = named_triple(s.substr(16));
+        if (origin && origin->value == cda::Vec3{}) return std::nullopt;  // as everybody takes it
+        remark.what = What::Elsewhere;
+        return remark;
+    }
+    if (starts("$SETPARTSIZE(")) {  // of CNCSimulator
+        const auto size = triple_at(s.substr(13, s.find(')') - 13));
+        if (!size || size->value.x <= 0 || size->value.y <= 0 || size->value.z <= 0) {
+            return std::nullopt;
+        }
+        remark.what = What::Size;
+        remark.first = *size;
+        return remark;
+    }
+    // Heidenhain's words, as simulators have them in comments: BLK FORM 0.1 Z X+0 Y+0 Z-20.
+    for (const auto& [key, what] :
+         {std::pair{"BLK FORM 0.1", What::Min}, {"BLK FORM 0.2", What::Max}}) {
+        if (!starts(key)) continue;
+        std::string_view corner = text::trimmed(s.substr(12));
+        if (corner.substr(0, 2) == "Z ") corner.remove_prefix(2);  // the axis of the tool
+        const auto at = named_triple(corner);
+        if (!at) return std::nullopt;
+        remark.what = what;
+        remark.first = *at;
+        return remark;
+    }
+    if (starts("X MIN =") || starts("X MAX =")) {  // of Vectric: the corners of the material
+        const std::string_view end = s.substr(1, 5);
+        Triple corner;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string key = std::string(1, static_cast<char>('X' + axis)).append(end);
+            const auto q = value_after(s, key, "= ");
+            if (!q || std::abs(q->value) > 1e6) return std::nullopt;
+            corner.value[axis] = q->value;
+            if (q->unit != Unit::None) corner.unit = q->unit;
+        }
+        remark.what = end == " MIN " ? What::Min : What::Max;
+        remark.first = corner;
         return remark;
     }
     if (starts("Z ORIGIN FOR MATERIAL") && equals != kNone) {
@@ -314,22 +363,26 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
 
 std::optional<Triple> read_size_remark(std::string_view comment) {
     const std::string upper = text::upper(text::trimmed(comment));
-    return upper.empty() || upper.front() != 'X' ? std::nullopt : named_triple(upper);
+    return upper.empty() || upper.front() != 'X' ? std::nullopt : named_size(upper);
 }
 
 std::optional<KeyedRemark> read_keyed_remark(std::string_view comment) {
     using Key = KeyedRemark::Key;
     static constexpr std::pair<std::string_view, Key> kKeys[] = {
-        {"TOOL NUMBER", Key::ToolNumber},  {"TOOL NO", Key::ToolNumber},
-        {"DIAMETER", Key::Diameter},       {"TOOL DIAMETER", Key::Diameter},
-        {"TIP RADIUS", Key::TipRadius},    {"TOOL TIP RADIUS", Key::TipRadius},
-        {"CORNER RADIUS", Key::TipRadius}, {"TAPER ANGLE", Key::Taper},
-        {"TOOL TYPE", Key::ToolType}};
+        {"TOOL NUMBER", Key::ToolNumber},   {"TOOL NO", Key::ToolNumber},
+        {"DIAMETER", Key::Diameter},        {"TOOL DIAMETER", Key::Diameter},
+        {"TIP RADIUS", Key::TipRadius},     {"TOOL TIP RADIUS", Key::TipRadius},
+        {"CORNER RADIUS", Key::TipRadius},  {"TAPER ANGLE", Key::Taper},
+        {"TOOL TYPE", Key::ToolType},       {"SHAPE", Key::ToolType},
+        {"TORUS_RADIUS", Key::TorusRadius}, {"TOOL_RADIUS", Key::Diameter}};
     const std::string upper = text::upper(text::trimmed(comment));
     const std::string_view s = upper;
-    const std::size_t colon = s.find(':');
+    const std::size_t colon = s.find_first_of(":=");
     if (colon == kNone) return std::nullopt;
     const std::string_view key = text::trimmed(s.substr(0, colon));
+    const bool is_radius = key == "TOOL_RADIUS";
+    const bool of_pycam = is_radius || key == "SHAPE" || key == "TORUS_RADIUS";
+    if (of_pycam != (s[colon] == '=')) return std::nullopt;
     const auto* found = std::find_if(std::begin(kKeys), std::end(kKeys),
                                      [key](const auto& k) { return k.first == key; });
     if (found == std::end(kKeys)) return std::nullopt;
@@ -341,7 +394,7 @@ std::optional<KeyedRemark> read_keyed_remark(std::string_view comment) {
     }
     const auto q = rest.empty() ? std::nullopt : text::quantity_at(rest, 0);
     if (!q || q->end != rest.size() || q->value < 0) return std::nullopt;
-    remark.value = q->value;
+    remark.value = is_radius ? 2 * q->value : q->value;
     remark.unit = q->is_fraction && q->unit == Unit::None ? Unit::Inch : q->unit;
     return remark;
 }

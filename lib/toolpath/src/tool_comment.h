@@ -42,6 +42,7 @@ struct StockRemark {
         ZeroAtTop,  ///< Z0 is on top of the material …
         ZeroAtBed,  ///< … or below it.
         ZeroXY,     ///< Where X0 Y0 is: `first.value` counts from the middle, -1, 0 or 1.
+        Elsewhere,  ///< The size lies where nobody here knows.
     } what = What::Block;
     Triple first;
     Triple second;
@@ -53,9 +54,17 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment);
 std::optional<Triple> read_size_remark(std::string_view comment);
 
 /// PowerMill tells a tool in several comments, each one thing: "Tool Number: 3", "DIAMETER: 6.0",
-/// "TIP RADIUS: 0.5". The key, upper case, and its value.
+/// "TIP RADIUS: 0.5"; so does PyCAM: "shape = ToroidalCutter", "tool_radius = 3.0", "torus_radius =
+/// 0.5". The key and its value.
 struct KeyedRemark {
-    enum class Key : unsigned char { ToolNumber, Diameter, TipRadius, Taper, ToolType } key;
+    enum class Key : unsigned char {
+        ToolNumber,
+        Diameter,
+        TipRadius,
+        Taper,
+        ToolType,
+        TorusRadius  ///< The corner of a tool, if its type has one.
+    } key;
     double value = 0.0;
     text::Unit unit = text::Unit::None;
     std::optional<ToolKind> kind;  ///< Of ToolType.

@@ -163,7 +163,9 @@ private:
             return take_letter(word.text.front());  // F DRILL
         }
         const bool is_first = words_seen_++ == 0;
-        if (word.rank > rank_) kind_ = word.kind, rank_ = word.rank;
+        // #1 DRILL - 6MM SLIDE REAMER DRILL: the second part says what the first is for.
+        const bool is_aside = has_noun_ && word.role == Role::Noun && segment_ != noun_segment_;
+        if (word.rank > rank_ && !is_aside) kind_ = word.kind, rank_ = word.rank;
         switch (word.role) {
             case Role::Noun:
                 if (!has_noun_) noun_at_ = at_, noun_segment_ = segment_;

@@ -86,7 +86,7 @@ public:
             box.add(factor(min_->unit, inches_first_) * min_->value);
             box.add(factor(max_->unit, inches_first_) * max_->value);
             set_stock(box, block_span_, block_text_);
-        } else if (size_) {
+        } else if (size_ && !size_is_elsewhere_) {
             // Vectric's usual zero, unless it says another: the lower left corner, on top.
             const cda::Vec3 size = factor(size_->unit, inches_first_) * size_->value;
             cda::Vec3 min{-(zero_xy_.x + 1) / 2 * size.x, -(zero_xy_.y + 1) / 2 * size.y,
@@ -162,12 +162,17 @@ private:
                 if (keyed.value > 0) spec.taper = std::min(keyed.value, 80.0);
                 break;
             case Key::ToolType: spec.kind = keyed.kind; break;
+            case Key::TorusRadius: torus_radius_ = keyed.value; break;
         }
     }
 
     void end_keyed() {
         if (keys_seen_ == 0) return;
         keys_seen_ = 0;
+        const double torus = std::exchange(torus_radius_, 0.0);
+        if (keyed_.remark.spec.kind == ToolKind::BullNoseEndMill && torus > 0) {
+            keyed_.remark.spec.corner_radius = torus;
+        }
         if (!keyed_.remark.spec.diameter) return;
         keyed_.remark.certain = true;
         keyed_.remark.spec.description = keyed_.text;
@@ -200,6 +205,7 @@ private:
             case What::ZeroAtTop: zero_at_bed_ = false; return;
             case What::ZeroAtBed: zero_at_bed_ = true; return;
             case What::ZeroXY: zero_xy_ = remark.first.value; return;
+            case What::Elsewhere: size_is_elsewhere_ = true; return;
             case What::Size:
                 if (!size_) size_ = remark.first;
                 break;
@@ -300,11 +306,13 @@ private:
     std::optional<Triple> size_;  // without a place: Vectric, Kiri:Moto
     cda::Vec3 zero_xy_{-1, -1, 0};
     bool zero_at_bed_ = false;
+    bool size_is_elsewhere_ = false;
     bool size_expected_ = false;  // behind "Material Size"
     bool in_list_ = false;        // behind "Required tools:"
     std::vector<PlacedRemark> listed_;
     std::vector<int> calls_;  // tool numbers in the order of their first call
     PlacedRemark keyed_;
+    double torus_radius_ = 0.0;
     unsigned keys_seen_ = 0;  // a bit for each KeyedRemark::Key
     gcode::SourceSpan block_span_;
     std::string block_text_;

@@ -40,8 +40,9 @@ struct Stock {
 /// `LxWxH@x,y,z` (sizes and the corner with the smallest coordinates), for a bar `DdxH` (diameter
 /// and height; the top at Z0, the axis in X0 Y0) or `DdxH@x,y,z` (the middle of its lower end); for
 /// one that lies along X or Y `DXdxL` or `DYdxL` (centred on the program's zero), with `@`
-/// likewise. In mm, or in inches where the text ends in `in`. Nothing if it is of none of these
-/// forms or encloses no volume; the message then says why.
+/// likewise. In mm, or in inches where the text ends in `in` or `"`; a number may have a unit of
+/// its own (`4inx2inx12mm`), and fractions are inches (`100x50x1/2`). Nothing if it is of none of
+/// these forms or encloses no volume; the message then says why.
 std::optional<Stock> parse_stock_option(std::string_view text, std::string& message);
 
 /// "x,y,z"

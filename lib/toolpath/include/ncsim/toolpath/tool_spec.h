@@ -47,12 +47,12 @@ bool is_complete(const ToolSpec& spec);
 
 /// The tool with all that is told of shank and holder. Requires is_complete(). What was not said is
 /// filled in as a machinist would: a kind from the corner radius and the angles (none of them: a
-/// flat end mill), 118 degrees for drills, 90 for V-cutters, for those of which only the tip is told
-/// a shank of 3.175 mm, or twice the tip; `assumed_length` for a missing length,
-/// which should be more than the depth of any cut. A shank of which the length is not told reaches
-/// to the holder; where the stick-out is not told either, the holder begins right above, as low as
-/// it can be, and without a holder the shank is three diameters long. Flutes that are longer than
-/// the stick-out are in the holder.
+/// flat end mill), 118 degrees for drills, 90 for V-cutters, for those of which only the tip is
+/// told a shank of 3.175 mm, or twice the tip; `assumed_length` for a missing length, which should
+/// be more than the depth of any cut. A shank of which the length is not told reaches to the
+/// holder; where the stick-out is not told either, the holder begins right above, as low as it can
+/// be, and without a holder the shank is three diameters long. Flutes that are longer than the
+/// stick-out are in the holder.
 Tool make_tool(const ToolSpec& spec, double assumed_length);
 
 /// Is the shape of the cutting part a guess? Nobody says what kind of tool it is, the angle of a

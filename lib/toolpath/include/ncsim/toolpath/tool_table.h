@@ -48,15 +48,21 @@ struct ProgramNotes {
 ///
 /// Understood for tools: Fusion 360 and its relatives (`T1 D=10. CR=0. TAPER=118deg - ZMIN=-5. -
 /// flat end mill`), CutViewer (`TOOL/MILL,Dia,CornerR,Height,Taper`, also DRILL, CHAMFER, CDRILL),
-/// Mastercam (`TOOL - 1 … DIA. - .0625`), Vectric (`T4 = End Mill {.75 inches}`), SolidCAM (`TOOL 1
-/// - DIA 3.`), FreeCAD, Makera and Carvera (`@MKR|TOOL|number=7|…`), Kiri:Moto (`tool#=1 flute=6
-/// len=20 unit=metric`), PowerMill (`Tool Number: 3`, `DIAMETER: 6.0`, `TIP RADIUS: 0.5`, each in a
-/// comment), Estlcam (`Required tools:` with a list in the order of the calls), and free text that
-/// names a kind of tool and a size. For the stock: `STOCK/BLOCK,L,W,H,Ox,Oy,Oz` (sizes, and the
-/// program's zero seen from the block's smallest corner), `stockMin:x, y, z` with `stockMax:x, y,
-/// z`, Vectric (`Material Size`, then `X= 76., Y= 5.5, Z= 1.`; `XY Origin for Material = …`, `Z
-/// Origin for Material = …`, without which the zero is the lower left corner on top), Kiri:Moto
-/// (`Stock X:76 Y:5.5 Z:1`).
+/// FreeCAD, Makera and Carvera (`@MKR|TOOL|number=7|…`), Kiri:Moto (`tool#=1 flute=6 len=20
+/// unit=metric`), PowerMill (`Tool Number: 3`, `DIAMETER: 6.0`, `TIP RADIUS: 0.5`) and PyCAM
+/// (`shape = ToroidalCutter`, `tool_radius = 3.0`), each thing in a comment; Estlcam (`Required
+/// tools:` with a list in the order of the calls); and whatever is shaped like the description of a
+/// tool, as Mastercam, Vectric, SolidCAM and people write it: number, size, kind and what else
+/// belongs to one, in any order, in English, German, French, Spanish or Italian (`T3 | 1/2 FLAT
+/// ENDMILL | H3`, `NO. 7 DRILL`, `Kugelfräser D6`). Not understood on purpose: prose, names of
+/// operations, and comments where more than one number could be the size.
+///
+/// For the stock: `STOCK/BLOCK,L,W,H,Ox,Oy,Oz` (sizes, and the program's zero seen from the block's
+/// smallest corner), `stockMin:x, y, z` with `stockMax:x, y, z`, `BLK FORM 0.1 Z X+0 Y+0 Z-10` with
+/// `BLK FORM 0.2 X+80 Y+40 Z+0`, Vectric (`X Min = 0. Y Min = 0. Z Min = -10.` with `X Max = …`;
+/// `Material Size`, then `X= 76., Y= 5.5, Z= 1.`; `XY Origin for Material = …`, `Z Origin for
+/// Material = …`, without which the zero is the lower left corner on top), `Material Size: X76.
+/// Y5.5 Z1.`, Kiri:Moto (`Stock X:76 Y:5.5 Z:1`), CNCSimulator (`$SetPartSize(76,5.5,1)`).
 ///
 /// A comment that names a number speaks of that tool; one that does not, of the tool called next
 /// before any move, else of the tool called last; without any call, of tool 0. A stated diameter
