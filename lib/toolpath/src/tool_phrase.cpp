@@ -23,9 +23,6 @@ bool is_whole(const Quantity& q) {
     return q.value == std::floor(q.value) && !q.is_fraction && q.unit == Unit::None;
 }
 
-// A drill is ground to what it is, and named after what it is sold as.
-constexpr double kSameSize = 0.02;
-
 bool is_length(const Quantity& q) {
     return q.unit != Unit::Degree;
 }
@@ -520,30 +517,13 @@ private:
         return q.is_fraction && q.unit == Unit::None ? Unit::Inch : q.unit;
     }
 
-    // DIA-0.1969 of a 5MM DRILL is in inches, whatever the program is in.
-    Unit stated_unit() const {
-        const Unit unit = unit_of(*size_);
-        if (unit != Unit::None) return unit;
-        for (const Size& other : sizes_) {
-            if (!other.is_explicit()) continue;
-            Quantity name = other.quantity;
-            name.unit = unit_of(name);
-            const double mm = in_unit(name, Unit::Millimetre);
-            for (const Unit candidate : {Unit::Millimetre, Unit::Inch}) {
-                const double stated = size_->value * (candidate == Unit::Inch ? 25.4 : 1.0);
-                if (std::abs(stated - mm) <= kSameSize * mm) return candidate;
-            }
-        }
-        return unit;
-    }
-
     ToolRemark remark() const {
         ToolRemark result;
         ToolSpec& spec = result.spec;
         spec.number = number_;
         spec.kind = kind_;
         spec.diameter = size_->value;
-        result.unit = stated_unit();
+        result.unit = unit_of(*size_);
         result.certain = diameter_.has_value();
         const auto length = [&result](const std::optional<Quantity>& q) -> std::optional<double> {
             if (!q) return std::nullopt;
