@@ -1,12 +1,12 @@
 %
-(G70 of Haas, which is inch elsewhere)
+(holes on a circle, G70 of Haas)
 (STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
 G21 G90 G17 G54 G40 G49 G80
 G91 G28 Z0.
 G90
 T1 M6
 S5000 M3
-G0 X-50. Y0.
+G0 X0. Y0.
 G43 H1 Z50.
 G0 Z5.
 G81 Z-10. R3. F200. L0
