@@ -27,6 +27,9 @@ struct Command {
     std::array<std::int16_t, kGroups> g;  ///< Times ten; kNone.
     std::array<std::int16_t, kMGroups> m;
     double next_tool = -1.0;  ///< The second T of "T1 T2 M6": it waits in the magazine.
+    char corner = 0;          ///< 'R' or 'C' of ",R2", ",C2": the corner at the end of the line.
+    double corner_size = 0.0;
+    SourceSpan corner_span;
     bool has_m = false;       ///< Any M word, known or not.
     bool has_others = false;  ///< A G code without effect here, not known, or declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.

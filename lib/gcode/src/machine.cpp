@@ -81,6 +81,7 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
 }
 
 void Machine::execute(const Command& command) {
+    if (corner_ && !goes_on_from_corner(command)) settle_corner();
     let_out(command);
     const MachineState before = state_;
     const int one_shot = command.group(Group::OneShot);
@@ -91,9 +92,11 @@ void Machine::execute(const Command& command) {
     std::optional<Compensation::State> compensation;
     if (compensation_.is_on() || command.group(Group::CutterSide) != kNone)
         compensation = compensation_.state();
+    const std::optional<HeldCorner> corner = corner_;
     const std::uint64_t motions = path_.count();
     if (act(command) || path_.count() != motions) return;
     state_ = before;
+    corner_ = corner;
     if (store) store_ = std::move(*store);
     if (compensation) compensation_.set_state(std::move(*compensation));
 }
@@ -123,6 +126,9 @@ bool Machine::act(const Command& command) {
         return fail(Message::NotSimulated, span_of_g(command, code), {motion_name(code)});
     motion_was_named_ = command.group(Group::Motion) != kNone;
     if (!check(command)) return false;
+    if (command.corner != 0 && !ends_in_corner(command)) {
+        return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
+    }
     // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
     const int units = command.group(Group::Units);
     const auto switch_units = [&] {
@@ -609,6 +615,11 @@ bool Machine::straight(const Command& command, MoveKind kind) {
     }
     if (!find_ends(command, end, mask)) return false;
     const bool machine = command.group(Group::OneShot) == 530;
+    if (corner_) {
+        if (!cut_corner(end)) return false;
+        if (end == state_.position && command.corner == 0) return true;  // the corner ends there
+    }
+    if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
     if (!machine) return feed_straight(end, kind, mask);
     path_.set_machine_coordinates(true);
     path_.straight(state_, end, kind, mask);

@@ -4,7 +4,7 @@
 // execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
 //
 // One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
-// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, cycle.cpp,
+// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp,
 // hole_pattern.cpp, pocket.cpp, spline.cpp, probe.cpp.
 #pragma once
 
@@ -42,8 +42,11 @@ public:
     const MachineState& state() const { return state_; }
     MachineState& state() { return state_; }
 
-    /// Lets out what waits for the next move (cutter compensation).
-    void flush() { compensation_.flush(state_); }
+    /// Lets out what waits for the next move (a corner, cutter compensation).
+    void flush() {
+        if (corner_) settle_corner();
+        compensation_.flush(state_);
+    }
     /// Where the following motions come from.
     void set_origin(SourceSpan span, std::uint32_t file);
 
@@ -113,6 +116,25 @@ private:
     bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
     bool drill(const Drilling& drilling, const Axes& above);
     bool hole_pattern(const Command& command, int code, bool words_taken);
+    /// A line with ,R or ,C: how it ends, only the next one tells.
+    struct HeldCorner {
+        MachineState state;  ///< As it was at the start of the line.
+        Axes end{};          ///< As programmed: the corner.
+        AxisMask mask = 0;
+        char letter = 'R';
+        double size = 0.0;
+        SourceSpan span, word;
+        std::uint32_t file = 0;
+    };
+    static std::string_view corner_name(char letter) { return letter == 'R' ? ",R" : ",C"; }
+    bool is_line(const Command& command) const;
+    bool ends_in_corner(const Command& command) const;
+    bool goes_on_from_corner(const Command& command) const;
+    bool stays_in_plane(const Axes& from, const Axes& to) const;
+    bool hold_corner(const Command& command, const Axes& end, AxisMask mask);
+    bool cut_corner(const Axes& next);
+    bool make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc);
+    void settle_corner();
     bool pocket(const Command& command, int code, bool words_taken);
     void mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
                       AxisMask mask);
@@ -152,6 +174,7 @@ private:
     Parameters& parameters_;
 
     Compensation compensation_;
+    std::optional<HeldCorner> corner_;
     SourceSpan span_;
     std::uint32_t file_ = 0;
     MachineState state_;

@@ -177,6 +177,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.g.fill(kNone);
     command.m.fill(kNone);
     command.next_tool = -1.0;
+    command.corner = 0;
     command.has_m = false;
     command.has_others = false;
     unknown_g_ = false;
@@ -199,6 +200,13 @@ bool Resolver::resolve(const Block& block, Command& command) {
         if (word.letter == 'M') {
             command.has_m = true;
             if (!take_m(word, value, command)) return false;
+            continue;
+        }
+        const bool is_corner = word.comma && (word.letter == 'R' || word.letter == 'C');
+        if (is_corner && rules_.corner_words && command.corner == 0) {
+            command.corner = word.letter;
+            command.corner_size = value;
+            command.corner_span = word.span;
             continue;
         }
         if (word.comma) {

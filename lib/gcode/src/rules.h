@@ -24,6 +24,8 @@ struct Rules {
     bool hole_patterns = false;
     /// G12 and G13 mill circular pockets (Haas); on Fanuc where I and D tell that they are meant.
     bool circular_pockets = false;
+    /// ,R and ,C round and chamfer the corner to the next line (Fanuc, Haas, Mazak).
+    bool corner_words = false;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
@@ -41,6 +43,7 @@ struct Rules {
         rules.dwell_milliseconds = fanuc;
         rules.home_cancels_length = !strict && dialect == Dialect::Haas;
         rules.k_repeats = fanuc;
+        rules.corner_words = fanuc;
         rules.hole_patterns = fanuc;
         rules.circular_pockets = fanuc;
         rules.macro_b = fanuc;

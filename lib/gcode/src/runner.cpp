@@ -146,7 +146,11 @@ void Runner::scale_increments() {
     const bool dwells = command_.group(Group::OneShot) == 40;
     for (const Word& word : block_.words) {
         const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
-        if (!counts || word.comma || dwells || has_point(block_, word)) continue;
+        if (!counts || dwells || has_point(block_, word)) continue;
+        if (word.comma) {
+            command_.corner_size *= inches ? 1e-4 : 1e-3;  // the only one: two are an error
+            continue;
+        }
         const bool is_angle = (word.letter >= 'A' && word.letter <= 'C') ||
                               (pattern && (word.letter == 'J' || word.letter == 'K'));
         command_.value[letter_index(word.letter)] *= inches && !is_angle ? 1e-4 : 1e-3;

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ,R and ,C of Fanuc and its kin: an arc or a chamfer in the corner between a line and the next.
+// The line is held back, because only the next one tells where it ends.
+#include "machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+/// Lengths that differ by less are one, in units of the program: rounding.
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
+/// A G1 with axis words of its own.
+bool Machine::is_line(const Command& command) const {
+    const int named = command.group(Group::Motion);
+    if ((named == kNone ? state_.motion : named) != 10 || !command.axis_words) return false;
+    for (const Group group : {Group::OneShot, Group::Rotation, Group::Scaling, Group::Mirror,
+                              Group::Macro, Group::Pocket, Group::HolePattern}) {
+        if (command.group(group) != kNone) return false;
+    }
+    return command.group(Group::ToolLength) != 431;
+}
+
+bool Machine::ends_in_corner(const Command& command) const {
+    return is_line(command) && command.group(MGroup::Stop) == kNone;
+}
+
+/// A line in the coordinates of the one before, with nothing between them.
+bool Machine::goes_on_from_corner(const Command& command) const {
+    for (const Group group :
+         {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
+          Group::Polar, Group::Feed, Group::Diameter, Group::NotSimulated, Group::Unsupported}) {
+        if (command.group(group) != kNone) return false;
+    }
+    return is_line(command) && command.group(MGroup::Stop) == kNone &&
+           command.group(MGroup::ToolChange) == kNone && command.group(MGroup::Kinematics) == kNone;
+}
+
+bool Machine::stays_in_plane(const Axes& from, const Axes& to) const {
+    const PlaneAxes axes = axes_of(state_.plane);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        if (i != axes.first && i != axes.second && std::abs(from[i] - to[i]) > kRounding)
+            return false;
+    }
+    return true;
+}
+
+bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask) {
+    const std::string_view name = corner_name(command.corner);
+    if (command.corner_size < 0.0) return fail(Message::NegativeValue, command.corner_span, {name});
+    if (state_.feed_mode == FeedMode::InverseTime) {
+        return fail(Message::CycleInverseTime, command.corner_span, {name});
+    }
+    if (!stays_in_plane(state_.position, end)) {
+        log_.add(Severity::Error, Message::CornerForm, command.corner_span,
+                 {name, "a line in the plane (G17, G18, G19)"});
+        return feed_straight(end, MoveKind::Feed, mask);
+    }
+    double size = command.corner_size;
+    if (state_.programmed.scaled) {
+        size *= std::abs(state_.programmed.scale[axes_of(state_.plane).first % 3]);
+    }
+    corner_ =
+        HeldCorner{state_, end, mask, command.corner, size, span_, command.corner_span, file_};
+    set_knowledge(state_, after_move(state_, mask, false));
+    state_.position = end;
+    return true;
+}
+
+/// The held line up to its corner, and the corner itself, now that the next line goes to `next`.
+bool Machine::cut_corner(const Axes& next) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const HeldCorner& held = *corner_;
+    const auto refuse = [&](std::string_view what) {
+        log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
+        return make_held_line(held.end, nullptr, nullptr);
+    };
+    if (!stays_in_plane(held.end, next)) return refuse("a line in the plane after it");
+    const Axes& from = held.state.position;
+    const double x1 = held.end[axes.first] - from[axes.first];
+    const double y1 = held.end[axes.second] - from[axes.second];
+    const double x2 = next[axes.first] - held.end[axes.first];
+    const double y2 = next[axes.second] - held.end[axes.second];
+    const double length_1 = std::hypot(x1, y1);
+    const double length_2 = std::hypot(x2, y2);
+    if (std::min(length_1, length_2) <= kRounding) return refuse("two lines that have a length");
+    const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
+    const double cross = (x1 * y2 - y1 * x2) / (length_1 * length_2);
+    if (std::abs(cross) <= kRounding) {
+        if (dot < 0.0) return refuse("a next line that does not turn back");
+        return make_held_line(held.end, nullptr, nullptr);  // straight on: no corner
+    }
+    // How much of each line the corner takes away.
+    const double cut = held.letter == 'R' ? held.size * std::abs(cross) / (1.0 + dot) : held.size;
+    if (cut > std::min(length_1, length_2) + kRounding) {
+        return refuse("lines that are long enough for it");
+    }
+    Axes first = held.end;
+    first[axes.first] -= cut * (x1 / length_1);
+    first[axes.second] -= cut * (y1 / length_1);
+    if (length_1 - cut <= kRounding) first = from;  // nothing of the line is left
+    Axes second = held.end;
+    second[axes.first] += cut * (x2 / length_2);
+    second[axes.second] += cut * (y2 / length_2);
+    if (length_2 - cut <= kRounding) second = next;
+    if (held.letter == 'C') return make_held_line(first, &second, nullptr);
+    const double side = cross > 0.0 ? held.size : -held.size;  // left of the line: to the left
+    const ProgramArc arc{second, first[axes.first] - side * (y1 / length_1),
+                         first[axes.second] + side * (x1 / length_1), cross > 0.0 ? 1 : -1};
+    return make_held_line(first, nullptr, &arc);
+}
+
+/// The held line to `end`, then a chamfer to `second` or an arc, as the block of the line had them
+/// made. Puts `state_.position` where they end.
+bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc) {
+    const HeldCorner held = *corner_;
+    corner_.reset();
+    const SourceSpan span = span_;
+    const std::uint32_t file = file_;
+    MachineState now = state_;
+    state_ = held.state;
+    set_origin(held.span, held.file);
+    bool made = end == state_.position || feed_straight(end, MoveKind::Feed, held.mask);
+    if (made && second) made = feed_straight(*second, MoveKind::Feed, held.mask);
+    if (made && arc) {
+        if (compensation_.is_on()) {
+            made = compensation_.arc(state_, *arc, held.mask, span_, file_);
+        } else {
+            path_.arc(state_, *arc, held.mask);
+            state_.just_left_compensation = false;
+        }
+    }
+    set_origin(span, file);
+    now.position = state_.position;
+    now.just_left_compensation = state_.just_left_compensation;
+    state_ = now;
+    return made;
+}
+
+/// What comes after the held line makes no corner with it.
+void Machine::settle_corner() {
+    log_.add(Severity::Error, Message::CornerForm, corner_->word,
+             {corner_name(corner_->letter), "a line (G1) in the next block"});
+    make_held_line(Axes(corner_->end), nullptr, nullptr);
+}
+
+}  // namespace ncsim::gcode
