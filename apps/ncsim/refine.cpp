@@ -41,7 +41,7 @@ Refiner::Refiner(const Job& job, const Survey& survey, const verify::Setup& setu
     : job_(&job),
       survey_(&survey),
       setup_(&setup),
-      steps_left_(std::max(kLeastSteps, 4 * survey.moves)) {}
+      steps_left_(std::max(kLeastSteps, kStepsPerMove * survey.moves)) {}
 
 std::optional<Certainty> Refiner::decide(const verify::OpenContact& contact) {
     bool is_open = false;
