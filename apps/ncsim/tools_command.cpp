@@ -24,11 +24,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The numbers of all tools that are called or described, in order.
+// How far a tool moves; null if it does not.
+const Distances* distances_of(const Survey& survey, int number) {
+    const auto found = survey.distances.find(number);
+    if (found == survey.distances.end()) return nullptr;
+    const Distances& d = found->second;
+    return d.rapid_mm > 0.0 || d.feed_mm > 0.0 ? &d : nullptr;
+}
+
+// The numbers of all tools that move or are described, in order.
 std::set<int> numbers_of(const Job& job, const Survey& survey) {
     std::set<int> numbers;
-    for (const auto& [number, distances] : survey.distances)
-        numbers.insert(number);
+    for (const auto& [number, distances] : survey.distances) {
+        if (distances_of(survey, number)) numbers.insert(number);
+    }
     for (const auto& [number, used] : survey.tools)
         numbers.insert(number);
     for (const auto& [number, first] : survey.unknown_tools)
@@ -87,8 +96,8 @@ private:
         } else if (const auto* entry = toolpath::find_tool(job_.tools, number)) {
             add("  told", told(entry->told_by, entry->span, entry->text, entry->file, "--tool"));
         }
-        const auto distances = survey_.distances.find(number);
-        if (distances == survey_.distances.end()) {
+        const Distances* distances = distances_of(survey_, number);
+        if (!distances) {
             add("  used", survey_.unknown_tools.contains(number) ? "yes" : "no");
         } else {
             const auto unknown = survey_.unknown_tools.find(number);
@@ -98,7 +107,7 @@ private:
                                            : 0;
             const std::string from = line > 0 ? fmt::format("from line {}, ", line) : "";
             add("  used", fmt::format("{}{:.1f} mm cutting, {:.1f} mm in rapid moves", from,
-                                      distances->second.feed_mm, distances->second.rapid_mm));
+                                      distances->feed_mm, distances->rapid_mm));
         }
     }
 
@@ -137,9 +146,9 @@ std::string sheet_json(const Job& job, const Survey& survey) {
         Json tool{{"number", number}};
         const auto used = survey.tools.find(number);
         const auto* entry = toolpath::find_tool(job.tools, number);
-        const auto distances = survey.distances.find(number);
+        const Distances* distances = distances_of(survey, number);
         tool["described"] = used != survey.tools.end() || entry != nullptr;
-        tool["used"] = distances != survey.distances.end() || survey.unknown_tools.contains(number);
+        tool["used"] = distances != nullptr || survey.unknown_tools.contains(number);
         if (used != survey.tools.end()) {
             const UsedTool& u = used->second;
             add_spec(tool, u.spec);
@@ -150,9 +159,9 @@ std::string sheet_json(const Job& job, const Survey& survey) {
             add_spec(tool, entry->spec);
             tool["told"] = told_json(entry->told_by, entry->span, entry->file, entry->text);
         }
-        if (distances != survey.distances.end()) {
-            tool["feed_mm"] = tidy(distances->second.feed_mm);
-            tool["rapid_mm"] = tidy(distances->second.rapid_mm);
+        if (distances) {
+            tool["feed_mm"] = tidy(distances->feed_mm);
+            tool["rapid_mm"] = tidy(distances->rapid_mm);
         }
         tools.push_back(std::move(tool));
     }

@@ -62,6 +62,13 @@ TEST(Tools, ThatAreNotDescribedOrNotUsedAreToldAndExitWithOne) {
     EXPECT_EQ(sheet["tools"][1]["described"], false);
     EXPECT_EQ(sheet["tools"][2]["used"], false);
     EXPECT_EQ(sheet["findings"][0]["code"], "tool-unknown");
+    // A tool that is called and never moved is not used; T0 is none.
+    folder.write("called.nc",
+                 "(T1 D=10. - flat end mill)\nG21 G90 T1 M6 S1 M3\nG0 X0 Y0 Z5\nG1 Z-1 "
+                 "F100\nG0 Z5\nT7 M6\nT0 M6\nM30\n");
+    const json called = json::parse(folder.run({"tools", "called.nc", "--json"}).out);
+    ASSERT_EQ(called["tools"].size(), 1U) << called.dump(1);
+    EXPECT_EQ(called["tools"][0]["number"], 1);
 }
 
 TEST(Tools, ComeFromTablesAndContradictionsAreReported) {
