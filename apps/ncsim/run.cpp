@@ -36,6 +36,8 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace ncsim::app {
 
@@ -46,9 +48,10 @@ std::map<std::uint32_t, std::string> text_of_lines(const Job& job, const Survey&
                                                    const exporter::Provenance& provenance) {
     std::map<std::uint32_t, std::string> text;
     if (survey.interpretation.files.size() > 1) return text;
+    const std::vector<std::string_view> lines = gcode::lines_of(job.program);
     for (const auto& entry : provenance.entries) {
-        if (entry.nc_line == 0) continue;
-        text.try_emplace(entry.nc_line, gcode::line_text(job.program, entry.nc_line));
+        if (entry.nc_line == 0 || entry.nc_line > lines.size()) continue;
+        text.try_emplace(entry.nc_line, lines[entry.nc_line - 1]);
     }
     return text;
 }

@@ -218,6 +218,16 @@ TEST(Spindle, StandsStillAfterAStopWhereTheMachineStopsIt) {
 
 // --- Messages -----------------------------------------------------------------------------------
 
+TEST(Lines, AreTheSameOneByOneAndAllAtOnce) {
+    for (const char* text :
+         {"", "\n", "G0", "G0 X1\nG1 Y2\n", "\xEF\xBB\xBFG0\r\n\r\nM30\r\n", "a\rb\rc", "\n\nM2"}) {
+        const SourceFile file{"t.nc", text};
+        const auto lines = lines_of(file);
+        for (std::uint32_t n = 1; n <= lines.size() + 2; ++n)
+            EXPECT_EQ(n <= lines.size() ? lines[n - 1] : "", line_text(file, n)) << n;
+    }
+}
+
 TEST(Messages, QuoteTheProgram) {
     const Made made = run("%\nO2345 (PART)\nG0 X1 Y1 Z1\nM30\n%\n");
     ASSERT_FALSE(made.result.diagnostics.empty());

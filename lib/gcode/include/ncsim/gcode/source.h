@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -35,5 +36,7 @@ struct SourceFile {
 /// Line `line` (from 1) of `file` without its line end; empty if there is no such line.
 /// O(size of file).
 std::string_view line_text(const SourceFile& file, std::uint32_t line);
+/// All of them, from line 1, in one pass: line_text() reads from the beginning each time.
+std::vector<std::string_view> lines_of(const SourceFile& file);
 
 }  // namespace ncsim::gcode
