@@ -335,10 +335,11 @@ void tell_untold(Survey& result) {
         if (result.untold[axis]) names.append(names.empty() ? "" : ", ").append(1, "XYZ"[axis]);
     }
     if (names.empty()) return;
-    tell(result, Severity::Note, "axis-untold",
-         fmt::format("the program never tells {}; taken as 0 (--start){}", names,
-                     result.is_flat() ? ", and the program is drawn as a path" : ""),
-         result.first_move);
+    tell(
+        result, Severity::Note, "axis-untold",
+        fmt::format("the program never tells {}; taken as 0 (--start){}", names,
+                    result.is_flat() && result.ready ? ", and the program is drawn as a path" : ""),
+        result.first_move);
 }
 
 struct Look {
@@ -357,7 +358,6 @@ Look look_at(const Job& job, const std::array<bool, 3>& untold) {
     result.diagnostics = result.interpretation.diagnostics;
     result.diagnostics.insert(result.diagnostics.end(), job.diagnostics.begin(),
                               job.diagnostics.end());
-    tell_untold(result);
 
     if (result.interpretation.refused) return look;  // and the interpreter said why
     // What did not end once does not have to be cut to be known not to end.
@@ -417,6 +417,7 @@ Survey survey(Job& job) {
         if (untold[axis]) job.interpreter.start[axis] = gcode::Length();
     }
     if (untold != std::array<bool, 3>{}) look = look_at(job, untold);
+    tell_untold(look.survey);
     return std::move(look.survey);
 }
 

@@ -99,6 +99,16 @@ TEST(UntoldAxis, IsTakenAsZeroAndNamed) {
     EXPECT_FALSE(contains(told.err, "never tells")) << told.err;
 }
 
+TEST(UntoldAxis, PromisesNoDrawingWhereThereIsNone) {
+    Folder folder;
+    folder.write("steps.nc", "G21 G91 F100\nG1 X1\nG1 Y1\nM2\n");
+    const Ran ran = folder.run({"run", "steps.nc", "--draft", "--png", "a.png"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_FALSE(folder.has("a.png"));
+    EXPECT_TRUE(contains(ran.err, "the program never tells Z; taken as 0")) << ran.err;
+    EXPECT_FALSE(contains(ran.err, "drawn as a path")) << ran.err;
+}
+
 TEST(UntoldAxis, OfHeightMakesADrawing) {
     Folder folder;
     folder.write("plot.nc", "G21 G90 M3 S200 F1000\nG0 X10 Y10\nG1 X50\nY40\nX10 Y10\nM5\nM2\n");
