@@ -6,6 +6,7 @@
 #include "ncsim/export/stl.h"
 
 #include "polytope_part.h"
+#include "support/cube.h"
 #include "support/random_shapes.h"
 #include "support/written_mesh.h"
 
@@ -26,18 +27,8 @@ namespace {
 
 using cda::TriangleMesh;
 using cda::Vec3;
+using ncsim::test::cube;
 using ncsim::test::Soundness;
-
-// A cube of 1 mm, two triangles a face: bottom, top, and the four sides in order.
-TriangleMesh cube() {
-    TriangleMesh mesh;
-    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                     {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
-                      {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
-    mesh.face = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5};
-    return mesh;
-}
 
 TriangleMesh placed(TriangleMesh mesh, double scale, Vec3 shift) {
     for (Vec3& v : mesh.vertices)

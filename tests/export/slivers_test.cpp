@@ -4,6 +4,7 @@
 #include "ncsim/cda/check.h"
 
 #include "polytope_part.h"
+#include "support/cube.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ namespace {
 
 using cda::TriangleMesh;
 using cda::Vec3;
+using ncsim::test::cube;
 
 // Triangles that are lower than that.
 std::size_t low(const TriangleMesh& mesh, double least) {
@@ -26,17 +28,6 @@ std::size_t low(const TriangleMesh& mesh, double least) {
             const double longest = std::max({cda::norm(ab), cda::norm(ac), cda::norm(bc)});
             return cda::norm(cda::cross(ab, ac)) < least * longest;
         }));
-}
-
-// A cube of 1 mm, two triangles a face: bottom, top, and the four sides in order.
-TriangleMesh cube() {
-    TriangleMesh mesh;
-    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                     {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
-                      {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
-    mesh.face = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5};
-    return mesh;
 }
 
 TEST(Slivers, ACapIsCutIntoItsNeighbour) {
