@@ -165,7 +165,6 @@ private:
             ++result_.hulls;
             if (keeps_cells_) {
                 result_.carved.push_back(cell);
-                result_.carved.back().hints = {};  // not written
             }
             if (measured_) {
                 // A difference of sums: rounding may leave less than nothing.

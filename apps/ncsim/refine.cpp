@@ -25,7 +25,7 @@ toolpath::Stock within(const toolpath::Stock& stock, const cda::Box& box, double
         if (std::ranges::find(shape->outer.planes, plane) == shape->outer.planes.end())
             shape->outer.planes.push_back(plane);
     }
-    shape->outer.hints.clear();
+    shape->outer.normals.reset();
     shape->outer.bounds = sides.bounds;
     std::erase_if(shape->carved,
                   [&sides](const cda::Cell& cell) { return !cell.bounds.overlaps(sides.bounds); });

@@ -87,6 +87,7 @@ void measure(const std::string& name, std::uint32_t threads) {
         if (batch.size() == 1024) flush();
     });
     flush();
+    part.settle();
     const double inserting = cpu_seconds() - start - sweeping;
 
     start = cpu_seconds();

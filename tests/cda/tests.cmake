@@ -11,6 +11,7 @@ ncsim_add_test(cda
     intersect_test.cpp
     lattice_test.cpp
     loops_test.cpp
+    normal_table_test.cpp
     polytope_test.cpp
     predicates_test.cpp
     shape_test.cpp

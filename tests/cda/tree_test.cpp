@@ -216,6 +216,66 @@ TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
     }
 }
 
+// Two boxes and a cone, mostly on floors and walls of each other.
+std::vector<Cell> passes_of_several_tools(std::uint64_t seed, int count) {
+    std::vector<TranslationSweep> tools;
+    for (const std::int64_t size : {30000, 50000}) {
+        std::vector<LatticePoint> corners;
+        for (const std::int64_t x : {-size, size}) {
+            for (const std::int64_t y : {-size, size}) {
+                corners.push_back({x, y, 0});
+                corners.push_back({x, y, 400000});
+            }
+        }
+        tools.push_back(TranslationSweep::of(corners, kLattice).value());
+    }
+    const std::vector<LatticePoint> cone{{0, 0, 0},
+                                         {40000, 0, 37000},
+                                         {-20000, 34641, 37000},
+                                         {-20000, -34641, 37000},
+                                         {40000, 0, 400000},
+                                         {-20000, 34641, 400000},
+                                         {-20000, -34641, 400000}};
+    tools.push_back(TranslationSweep::of(cone, kLattice).value());
+    Random random(seed);
+    const auto place = [&] {
+        return LatticePoint{50000 * random.between(-5, 5), 50000 * random.between(-5, 5),
+                            100000 + 40000 * random.between(0, 4)};
+    };
+    std::vector<Cell> passes;
+    LatticePoint at = place();
+    for (int i = 0; i < count; ++i) {
+        const LatticePoint to = place();
+        passes.push_back(tools[random.next() % tools.size()](
+            at, random.one_in(3) ? LatticePoint{to.x, at.y, at.z} : to,
+            Origin{static_cast<std::uint32_t>(i + 1)}));
+        at = to;
+    }
+    return passes;
+}
+
+// Normals that cells share save work, and change nothing; nor do normals that are not theirs.
+TEST(TreeCda, IsTheSameWhetherNormalsAreSharedOrNot) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        const auto passes = passes_of_several_tools(seed, 150);
+        auto alone = passes;
+        auto wrong = passes;
+        for (std::size_t i = 0; i < passes.size(); ++i) {
+            ASSERT_TRUE(passes[i].normals);
+            alone[i].normals.reset();
+            if (i % 2 == 0) wrong[i].normals = passes[(i + 7) % passes.size()].normals;
+        }
+        for (const std::uint32_t leaf : {12U, 80U}) {
+            const Boundary shared = milled(TreeCda(kStock, kLattice, {.leaf = leaf}), passes);
+            expect_same(shared, milled(TreeCda(kStock, kLattice, {.leaf = leaf}), alone));
+            expect_same(shared, milled(TreeCda(kStock, kLattice, {.leaf = leaf}), wrong));
+            expect_same(shared,
+                        milled(TreeCda(kStock, kLattice, {.leaf = leaf, .batch = 7}), passes));
+        }
+    }
+}
+
 TEST(TreeCda, HasContactWhereThereIsVolumeInCommon) {
     // Passes on, below and above each other: many lie in one that was cut before, which contact()
     // looks at first and common_volume() does not.
@@ -237,7 +297,7 @@ TEST(TreeCda, HasContactWhereThereIsVolumeInCommon) {
                     20 * (std::abs(plane.nx) + std::abs(plane.ny) + std::abs(plane.nz));
                 plane = canonical(plane.nx, plane.ny, plane.nz, plane.d - inwards);
             }
-            pass.hints.clear();
+            pass.normals.reset();
             const bool inner = part.common_volume(pass) > 0.0;
             EXPECT_EQ(part.contact(pass).has_value(), inner);
             inner_contacts += inner ? 1 : 0;

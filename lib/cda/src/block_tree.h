@@ -9,37 +9,56 @@
 
 #include "ncsim/cda/cell.h"
 
-#include "domination.h"
 #include "half_box.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ncsim::cda {
 
-/// The total order of cells: by the motion that made them, then by number.
-class CellOrder {
+/// What is known of all cells by number: who made them, and which normals they share.
+class CellTable {
 public:
-    explicit CellOrder(std::span<const Origin> origins) : origins_(origins) {}
-    bool operator()(std::uint32_t a, std::uint32_t b) const {
-        return std::pair{origins_[a], a} < std::pair{origins_[b], b};
+    static constexpr std::uint32_t kNoFamily = ~std::uint32_t{0};
+
+    void add(Origin origin, const std::shared_ptr<const FacetNormals>& normals);
+    std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
+    Origin origin(std::uint32_t cell) const { return cells_[cell].origin; }
+    /// Index for normals(), or kNoFamily.
+    std::uint32_t family(std::uint32_t cell) const { return cells_[cell].family; }
+    const FacetNormals& normals(std::uint32_t family) const { return *families_[family]; }
+    std::size_t families() const { return families_.size(); }
+    /// The total order of cells: by the motion that made them, then by number.
+    bool comes_before(std::uint32_t a, std::uint32_t b) const {
+        return std::pair{cells_[a].origin, a} < std::pair{cells_[b].origin, b};
     }
-    Origin origin(std::uint32_t cell) const { return origins_[cell]; }
+    /// Bytes held.
+    std::size_t memory() const;
 
 private:
-    std::span<const Origin> origins_;
+    struct Entry {
+        Origin origin;
+        std::uint32_t family;
+    };
+    std::vector<Entry> cells_;
+    std::vector<std::shared_ptr<const FacetNormals>> families_;
+    std::unordered_map<const FacetNormals*, std::uint32_t> family_of_;
 };
 
 /// A cell on its way into the tree.
 struct IncomingCell {
     std::uint32_t number = 0;
     std::span<const Plane> planes;
-    std::span<const FacetHint> hints;    ///< One per plane, or none at all.
-    std::vector<HalfPlane> half_planes;  ///< The same planes.
-    std::vector<std::uint16_t> cutting;  ///< Indices of those that cut the stock.
+    /// Twice the distance of the planes that are the family's, in their order; beyond everything
+    /// where such a plane does not cut the stock.
+    std::vector<double> facets;
+    std::vector<std::uint16_t> loose;    ///< Indices of the other planes that cut the stock.
     std::array<double, 3> min{}, max{};  ///< Encloses it, in half units.
 };
 
@@ -53,9 +72,10 @@ public:
     /// Takes cells away. Expected O(surface of the cells in the block that is left in the end):
     /// what one of them covers is not looked at for the others. A leaf whose cells are cut by more
     /// than `leaf` planes is split.
-    void insert(std::span<const IncomingCell> cells, const CellOrder& order, std::uint32_t leaf);
-    /// False: none of the cells is anywhere near, by their boxes.
-    bool meets_any(std::span<const IncomingCell> cells) const;
+    void insert(std::span<const IncomingCell* const> cells, const CellTable& table,
+                std::uint32_t leaf);
+    /// False: the cell is nowhere near, by its box.
+    bool meets(const IncomingCell& cell) const;
 
     /// One cell of a leaf: its number and the planes that cut the leaf (indices for plane()).
     struct Entry {
@@ -92,21 +112,9 @@ private:
         void set_box(const HalfBox& box);
     };
     static constexpr std::size_t kHead = 2;
-    struct Work;
-    struct Cut {
-        std::size_t axis = 3;  // 3: none
-        bool parts = false;    // less than half of the cells are in both halves
-    };
+    static constexpr std::uint16_t kLoose = 0xFFFF;
+    class Insertion;
 
-    void insert_at(std::uint32_t number, const HalfBox& within, std::size_t begin, std::size_t end,
-                   Work& work, int fruitless, std::size_t parent_load);
-    void take_out(std::uint32_t number, Work& work) const;
-    static bool settle(HalfBox& box, std::size_t begin, Work& work);
-    void build(std::uint32_t number, HalfBox box, std::size_t begin, Work& work, int fruitless,
-               std::size_t parent_load);
-    void drop_redundant(const BoxFrame& frame, std::size_t begin, Work& work) const;
-    static Cut best_cut(const HalfBox& box, std::size_t begin, const Work& work);
-    void store(std::uint32_t number, std::size_t begin, Work& work);
     void become_empty(std::uint32_t number);
     void enclose_children(std::uint32_t number);
     void release(std::uint32_t number);
@@ -115,6 +123,7 @@ private:
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> free_children_;
     std::vector<Plane> planes_;
+    std::vector<std::uint16_t> facets_;  // for each plane its number in the family, or kLoose
     std::size_t planes_after_drop_ = 0;
 };
 

@@ -6,6 +6,8 @@
 // each other, the rule of the facets holds once more, a dimension lower.
 #include "evaluation.h"
 
+#include "domination.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -156,9 +158,9 @@ private:
                     continue;
                 }
                 // Opposite walls both go; of equal ones the first stays.
-                finish(input_.order.origin(local.cell), true, &local,
+                finish(input_.cells.origin(local.cell), true, &local,
                        [&](const Local& other, bool same) {
-                           return !same || input_.order(other.cell, local.cell);
+                           return !same || input_.cells.comes_before(other.cell, local.cell);
                        });
             }
         }

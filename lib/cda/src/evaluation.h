@@ -21,7 +21,7 @@ struct EvaluationInput {
     /// If not null: the surface of what these have in common with the part, instead of that of the
     /// part.
     const std::vector<Plane>* window = nullptr;
-    CellOrder order;
+    const CellTable& cells;
     Vec3 centre;  ///< Volumes are summed about it, in lattice units: best near the middle.
     bool only_first = false;  ///< Stop at the first piece of surface.
 };

@@ -149,52 +149,11 @@ std::int64_t facet_distance(const LatticeHull& hull, std::size_t facet,
     return d;
 }
 
-// Where some of `points` are; neighbours are left to the caller.
-template <class Indices>
-FacetHint around(const Indices& corners, std::span<const LatticePoint> points) {
-    FacetHint hint;
-    bool is_first = true;
-    for (const std::uint32_t corner : corners) {
-        const LatticePoint& p = points[corner];
-        const std::array<float, 3> at{static_cast<float>(p.x), static_cast<float>(p.y),
-                                      static_cast<float>(p.z)};
-        for (std::size_t i = 0; i < 3; ++i) {
-            hint.min[i] = is_first ? at[i] : std::min(hint.min[i], at[i]);
-            hint.max[i] = is_first ? at[i] : std::max(hint.max[i], at[i]);
-        }
-        is_first = false;
-    }
-    return hint;
-}
-
-void unite(FacetHint& hint, const FacetHint& with) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        hint.min[i] = std::min(hint.min[i], with.min[i]);
-        hint.max[i] = std::max(hint.max[i], with.max[i]);
-    }
-}
-
-// To where it is on the way between a and b.
-void move(FacetHint& hint, LatticePoint a, LatticePoint b) {
-    const std::array<std::int64_t, 3> p{a.x, a.y, a.z};
-    const std::array<std::int64_t, 3> q{b.x, b.y, b.z};
-    for (std::size_t i = 0; i < 3; ++i) {
-        hint.min[i] += static_cast<float>(std::min(p[i], q[i]));
-        hint.max[i] += static_cast<float>(std::max(p[i], q[i]));
-    }
-}
-
 // None stands twice: facets in one plane share it. Its index.
-std::size_t add(std::vector<Plane>& planes, std::vector<FacetHint>& hints, const Plane& plane,
-                const FacetHint& hint) {
+std::size_t add(std::vector<Plane>& planes, const Plane& plane) {
     const auto same = std::find(planes.begin(), planes.end(), plane);
     const auto index = static_cast<std::size_t>(same - planes.begin());
-    if (same == planes.end()) {
-        planes.push_back(plane);
-        hints.push_back(hint);
-    } else {
-        unite(hints[index], hint);
-    }
+    if (same == planes.end()) planes.push_back(plane);
     return index;
 }
 
@@ -211,28 +170,10 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
     if (!hull) return std::nullopt;
     Cell cell;
     cell.origin = origin;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> facet_at;  // directed edge
-    for (std::size_t i = 0; i < hull->loops.size(); ++i) {
-        const auto& loop = hull->loops[i];
-        const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
-        const FacetHint hint = around(loop, points);
-        const std::size_t index = add(cell.planes, cell.hints, plane, hint);
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            const std::uint32_t tail = loop[k];
-            const std::uint32_t head = loop[(k + 1) % loop.size()];
-            facet_at[{tail, head}] = index;
-            const auto beside = facet_at.find({head, tail});
-            if (beside == facet_at.end()) continue;
-            cell.hints[index].add_neighbour(beside->second);
-            cell.hints[beside->second].add_neighbour(index);
-        }
-    }
-    for (const Normal& n : kBoxNormals) {
-        const Plane plane = plane_of(n, support(n, points));
-        if (std::find(cell.planes.begin(), cell.planes.end(), plane) != cell.planes.end()) continue;
-        cell.planes.push_back(plane);
-        cell.hints.push_back(FacetHint::anywhere());
-    }
+    for (std::size_t i = 0; i < hull->loops.size(); ++i)
+        add(cell.planes, plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding)));
+    for (const Normal& n : kBoxNormals)
+        add(cell.planes, plane_of(n, support(n, points)));
     const Extent e = extent(points);
     cell.bounds = {lattice.to_mm(e.min), lattice.to_mm(e.max)};
     return cell;
@@ -265,13 +206,10 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
         sweep.vertices_.push_back(points[corner]);
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> facet_at;  // directed edge
-    std::vector<std::uint32_t> facet_of;                                        // by loop
     for (std::size_t i = 0; i < hull->loops.size(); ++i) {
         const auto& loop = hull->loops[i];
         const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
-        const auto index = static_cast<std::uint32_t>(
-            add(sweep.facets_, sweep.hints_, plane, around(loop, points)));
-        facet_of.push_back(index);
+        const auto index = static_cast<std::uint32_t>(add(sweep.facets_, plane));
         for (std::size_t k = 0; k < loop.size(); ++k)
             facet_at[{renumbered[loop[k]], renumbered[loop[(k + 1) % loop.size()]]}] = index;
     }
@@ -281,32 +219,16 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
         if (right == facet_at.end()) continue;  // qhull merged across it
         if (right->second == left) continue;    // quantised to one plane
         sweep.edges_.push_back({left, right->second, edge.first, edge.second});
-        sweep.hints_[left].add_neighbour(right->second);
-        sweep.hints_[right->second].add_neighbour(left);
     }
-    for (const Normal& n : kBoxNormals) {
-        const Plane plane = plane_of(n, support(n, points));
-        if (std::find(sweep.facets_.begin(), sweep.facets_.end(), plane) != sweep.facets_.end()) {
-            continue;
-        }
-        // It touches a corner, or an edge; facets there are its neighbours.
-        FacetHint hint;
-        std::vector<std::uint32_t> touched;
-        for (std::size_t i = 0; i < hull->loops.size(); ++i) {
-            const auto& loop = hull->loops[i];
-            const auto touches = [&](std::uint32_t corner) {
-                return dot(n, points[corner]) == plane.d;
-            };
-            if (std::none_of(loop.begin(), loop.end(), touches)) continue;
-            std::copy_if(loop.begin(), loop.end(), std::back_inserter(touched), touches);
-            hint.add_neighbour(facet_of[i]);
-        }
-        const FacetHint where = around(touched, points);
-        hint.min = where.min;
-        hint.max = where.max;
-        sweep.facets_.push_back(plane);
-        sweep.hints_.push_back(hint);
+    for (const Normal& n : kBoxNormals)
+        add(sweep.facets_, plane_of(n, support(n, points)));
+    auto normals = std::make_shared<FacetNormals>();
+    for (const Plane& facet : sweep.facets_) {
+        normals->x.push_back(facet.nx);
+        normals->y.push_back(facet.ny);
+        normals->z.push_back(facet.nz);
     }
+    sweep.normals_ = std::move(normals);
     return sweep;
 }
 
@@ -314,7 +236,6 @@ Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin ori
     Cell cell;
     cell.origin = origin;
     cell.planes.reserve(facets_.size() + 32);
-    cell.hints.reserve(facets_.size() + 32);
     const LatticePoint t = to - from;
     const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };
     for (std::size_t i = 0; i < facets_.size(); ++i) {
@@ -322,9 +243,8 @@ Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin ori
         const std::int64_t at_from = dot(n, from);
         const std::int64_t at_to = dot(n, to);
         cell.planes.push_back(plane_of(n, facets_[i].d + std::max(at_from, at_to)));
-        cell.hints.push_back(hints_[i]);
-        move(cell.hints.back(), at_from > at_to ? from : to, at_to > at_from ? to : from);
     }
+    cell.normals = normals_;
     if (t != LatticePoint{}) add_sides(cell, from, to);
     const Extent e = extent(vertices_);
     const auto low = [](std::int64_t a, std::int64_t b) { return std::min(a, b); };
@@ -341,11 +261,6 @@ Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin ori
 void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to) const {
     const LatticePoint t = to - from;
     const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };
-    struct SidePlane {
-        std::size_t plane;
-        const Edge* edge;
-    };
-    std::vector<SidePlane> sides;
     for (const Edge& edge : edges_) {
         const std::int64_t left = dot(normal(facets_[edge.left]), t);
         const std::int64_t right = dot(normal(facets_[edge.right]), t);
@@ -361,22 +276,7 @@ void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to)
             d = std::min(dot(n, vertices_[edge.tail]), dot(n, vertices_[edge.head])) +
                 std::min(dot(n, from), dot(n, to));
         }
-        const Plane plane = plane_of(n, d);
-        FacetHint hint = around(std::array{edge.tail, edge.head}, vertices_);
-        move(hint, from, to);
-        const std::size_t index = add(cell.planes, cell.hints, plane, hint);
-        for (const std::uint32_t facet : {edge.left, edge.right}) {
-            cell.hints[index].add_neighbour(facet);
-            cell.hints[facet].add_neighbour(index);
-        }
-        for (const SidePlane& other : sides) {
-            const bool meet = other.edge->tail == edge.tail || other.edge->tail == edge.head ||
-                              other.edge->head == edge.tail || other.edge->head == edge.head;
-            if (!meet || other.plane == index) continue;
-            cell.hints[index].add_neighbour(other.plane);
-            cell.hints[other.plane].add_neighbour(index);
-        }
-        sides.push_back({index, &edge});
+        add(cell.planes, plane_of(n, d));
     }
 }
 

@@ -418,7 +418,7 @@ namespace {
 Cell placed(const Cell& cell, const Placement& placement, const Lattice& lattice) {
     const auto& rows = placement.rows;
     Cell result = cell;
-    result.hints.clear();
+    result.normals.reset();
     const LatticePoint s = placement.shift;
     for (Plane& plane : result.planes) {
         const std::array<std::int32_t, 3> n{plane.nx, plane.ny, plane.nz};

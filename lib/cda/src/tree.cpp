@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -39,15 +40,34 @@ bool stands_once(std::vector<Plane> planes) {
 }
 #endif
 
+// Are the first planes of the cell those of the normals it claims to have?
+bool has_its_normals(const Cell& cell) {
+    if (!cell.normals || cell.normals->size() > cell.planes.size()) return false;
+    const FacetNormals& n = *cell.normals;
+    bool is_so = true;
+    for (std::size_t i = 0; i < n.size(); ++i) {
+        const Plane& p = cell.planes[i];
+        is_so &= n.x[i] == p.nx && n.y[i] == p.ny && n.z[i] == p.nz;
+    }
+    return is_so;
+}
+
 double cube(double x) {
     return x * x * x;
 }
 
 }  // namespace
 
+// A cell that some blocks have not taken in yet.
+struct TreeCda::WaitingCell {
+    Cell cell;
+    IncomingCell incoming;
+};
+
 // A part of the tree and its share of the volume.
 struct TreeCda::Block {
     std::shared_ptr<BlockTree> tree;
+    std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in the order they came
     mutable std::optional<double> volume;  // cubic units; of what is there now, once asked for
 
     // To change it: not what others see.
@@ -58,10 +78,14 @@ struct TreeCda::Block {
     }
 };
 
-TreeCda::TreeCda(TreeParameters parameters) : parameters_(parameters) {}
+TreeCda::TreeCda(TreeParameters parameters)
+    : parameters_(parameters), cells_(std::make_unique<CellTable>()) {}
 
 TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters)
-    : parameters_(parameters), lattice_(lattice), stock_(stock) {
+    : parameters_(parameters),
+      lattice_(lattice),
+      stock_(stock),
+      cells_(std::make_unique<CellTable>()) {
     const auto body = ConvexPolytope::of(stock, lattice);
     if (!body) throw std::invalid_argument("the stock has no volume");
     stock_box_ = body->bounds();
@@ -72,8 +96,21 @@ TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters param
 }
 
 TreeCda::~TreeCda() = default;
-TreeCda::TreeCda(const TreeCda&) = default;
-TreeCda& TreeCda::operator=(const TreeCda&) = default;
+TreeCda::TreeCda(const TreeCda& other)
+    : parameters_(other.parameters_),
+      lattice_(other.lattice_),
+      stock_(other.stock_),
+      centre_(other.centre_),
+      stock_box_(other.stock_box_),
+      stock_planes_(other.stock_planes_),
+      cells_(std::make_unique<CellTable>(*other.cells_)),
+      blocks_(other.blocks_),
+      waiting_(other.waiting_),
+      counts_(other.counts_) {}
+TreeCda& TreeCda::operator=(const TreeCda& other) {
+    if (this != &other) *this = TreeCda(other);
+    return *this;
+}
 TreeCda::TreeCda(TreeCda&&) noexcept = default;
 TreeCda& TreeCda::operator=(TreeCda&&) noexcept = default;
 
@@ -96,7 +133,7 @@ void TreeCda::split_into_blocks() {
         boxes = std::move(halves);
     }
     for (const HalfBox& box : boxes)
-        blocks_.push_back({std::make_shared<BlockTree>(box), std::nullopt});
+        blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt});
 }
 
 std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice& lattice) const {
@@ -109,88 +146,112 @@ std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
 }
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
-    if (waiting_.empty() && cells.size() >= parameters_.batch) return insert(cells);
     for (const Cell& cell : cells) {
-        waiting_.push_back(cell);
-        if (waiting_.size() >= parameters_.batch) settle();
+        take_in(cell);
+        if (waiting_ >= parameters_.batch) settle();
     }
 }
 
-void TreeCda::settle() const {
-    if (waiting_.empty()) return;
-    insert(waiting_);
-    waiting_.clear();
+// Hands a cell to the blocks that it may meet.
+void TreeCda::take_in(const Cell& cell) {
+    assert(stands_once(cell.planes));
+    // What is not below here does not cut the stock.
+    constexpr double kBeyond = std::numeric_limits<double>::infinity();
+    const std::size_t facets = has_its_normals(cell) ? cell.normals->size() : 0;
+    auto taken = std::make_shared<WaitingCell>();
+    IncomingCell& here = taken->incoming;
+    here.facets.reserve(facets);
+    for (std::size_t i = 0; i < cell.planes.size(); ++i) {
+        const Side side = classify_box(stock_box_, cell.planes[i]);
+        if (side == Side::Above) return;
+        if (i < facets) {
+            here.facets.push_back(side == Side::On ? 2.0 * static_cast<double>(cell.planes[i].d)
+                                                   : kBeyond);
+        } else if (side == Side::On) {
+            here.loose.push_back(static_cast<std::uint16_t>(i));
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        // Four half units for the rounding to millimetres and back.
+        const int axis = static_cast<int>(i);
+        here.min[i] = 2.0 * cell.bounds.min[axis] / lattice_.unit_mm - 4.0;
+        here.max[i] = 2.0 * cell.bounds.max[axis] / lattice_.unit_mm + 4.0;
+    }
+    here.number = cells_->size();
+    cells_->add(cell.origin, facets > 0 ? cell.normals : nullptr);
+    ++counts_.cells;
+    counts_.planes += here.loose.size() +
+                      std::ranges::count_if(here.facets, [](double d) { return d < kBeyond; });
+    taken->cell = cell;
+    here.planes = taken->cell.planes;
+    for (Block& block : blocks_) {
+        if (block.tree->meets(here)) block.waiting.push_back(taken);
+    }
+    ++waiting_;
 }
 
-// Might a cell that waits change what is asked here?
-bool TreeCda::is_waited_for(const Box& bounds) const {
+void TreeCda::settle(Block& block) const {
+    std::vector<const IncomingCell*> cells;
+    cells.reserve(block.waiting.size());
+    for (const auto& cell : block.waiting)
+        cells.push_back(&cell->incoming);
+    block.own().insert(cells, *cells_, parameters_.leaf);
+    block.waiting.clear();
+}
+
+void TreeCda::settle() const {
+    std::vector<Block*> changing;
+    for (Block& block : blocks_) {
+        if (!block.waiting.empty()) changing.push_back(&block);
+    }
+    if (waiting_ < kCellsWorthThreads) {
+        for (Block* block : changing)
+            settle(*block);
+    } else if (!changing.empty()) {
+        for_each(changing.size(), [&](std::size_t i) { settle(*changing[i]); });
+    }
+    waiting_ = 0;
+}
+
+// Lets no cell wait that might change what is asked here.
+void TreeCda::settle_near(const Box& bounds) const {
     // Bounds are rounded to millimetres.
     const double margin = 2.0 * lattice_.unit_mm;
     const Vec3 more{margin, margin, margin};
     const Box near{bounds.min - more, bounds.max + more};
-    return std::ranges::any_of(waiting_,
-                               [&](const Cell& cell) { return cell.bounds.overlaps(near); });
+    for (Block& block : blocks_) {
+        if (std::ranges::any_of(block.waiting,
+                                [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
+            settle(block);
+    }
 }
 
-// The same of a point (mm), which is rounded, and what is right beside it.
+// Might a cell that waits take away a point (mm), which is rounded, and what is right beside it?
 bool TreeCda::is_waited_for_near(Vec3 point) const {
     constexpr double kNear = 4.0;  // units
     const Vec3 at = (1.0 / lattice_.unit_mm) * point;
-    return std::ranges::any_of(waiting_, [&](const Cell& cell) {
-        return std::ranges::all_of(cell.planes, [&](const Plane& p) {
+    const auto is_near = [&](const auto& waiting) {
+        return std::ranges::all_of(waiting->cell.planes, [&](const Plane& p) {
             const Vec3 normal{static_cast<double>(p.nx), static_cast<double>(p.ny),
                               static_cast<double>(p.nz)};
             return dot(normal, at) - static_cast<double>(p.d) <= kNear * norm(normal);
         });
+    };
+    return std::ranges::any_of(blocks_, [&](const Block& block) {
+        const HalfBox box = block.tree->box();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double x = 2.0 * at[static_cast<int>(i)];
+            if (x < static_cast<double>(box.min[i]) - 2.0 * kNear ||
+                x > static_cast<double>(box.max[i]) + 2.0 * kNear) {
+                return false;
+            }
+        }
+        return std::ranges::any_of(block.waiting, is_near);
     });
 }
 
-void TreeCda::insert(std::span<const Cell> cells) const {
-    std::vector<IncomingCell> kept;
-    kept.reserve(cells.size());
-    for (const Cell& cell : cells) {
-        assert(stands_once(cell.planes));
-        IncomingCell here;
-        const bool has_hints = cell.hints.size() == cell.planes.size();
-        here.planes = cell.planes;
-        if (has_hints) here.hints = cell.hints;
-        here.half_planes.reserve(cell.planes.size());
-        here.cutting.reserve(cell.planes.size());
-        bool is_outside = false;
-        for (std::size_t i = 0; i < cell.planes.size() && !is_outside; ++i) {
-            const Side side = classify_box(stock_box_, cell.planes[i]);
-            is_outside = side == Side::Above;
-            if (side == Side::On) here.cutting.push_back(static_cast<std::uint16_t>(i));
-            here.half_planes.emplace_back(cell.planes[i]);
-        }
-        if (is_outside) continue;
-        here.number = static_cast<std::uint32_t>(origins_.size());
-        for (std::size_t i = 0; i < 3; ++i) {
-            // Four half units for the rounding to millimetres and back.
-            const int axis = static_cast<int>(i);
-            here.min[i] = 2.0 * cell.bounds.min[axis] / lattice_.unit_mm - 4.0;
-            here.max[i] = 2.0 * cell.bounds.max[axis] / lattice_.unit_mm + 4.0;
-        }
-        origins_.push_back(cell.origin);
-        ++counts_.cells;
-        counts_.planes += here.cutting.size();
-        kept.push_back(std::move(here));
-    }
-    const CellOrder order(origins_);
-    const auto take = [&](std::size_t i) {
-        Block& block = blocks_[i];
-        if (block.tree->meets_any(kept)) block.own().insert(kept, order, parameters_.leaf);
-    };
-    if (kept.size() < kCellsWorthThreads) {
-        for (std::size_t i = 0; i < blocks_.size(); ++i)
-            take(i);
-    } else {
-        for_each(blocks_.size(), take);
-    }
-}
-
 double TreeCda::subtract(const Cell& cell) {
-    if (is_waited_for(cell.bounds)) settle();
+    settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
     // Whether they have anything in common is decided by pieces of surface, exactly; the sum is
     // rounded, and may come out as less than nothing.
@@ -234,7 +295,7 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
     }
     const Vec3 middle = 0.5 * (cell.bounds.min + cell.bounds.max);
     const Vec3 centre = (1.0 / lattice_.unit_mm) * middle;
-    const EvaluationInput input{stock_planes_, &window, CellOrder(origins_), centre, only_first};
+    const EvaluationInput input{stock_planes_, &window, *cells_, centre, only_first};
     for (const Block& block : blocks_) {
         Evaluation here = evaluate(*block.tree, input);
         sum.volume += here.volume;
@@ -245,7 +306,7 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
 }
 
 double TreeCda::common_volume(const Cell& cell) const {
-    if (is_waited_for(cell.bounds)) settle();
+    settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
     return result.outlines.pieces().empty() ? 0.0
                                             : std::max(0.0, result.volume * cube(lattice_.unit_mm));
@@ -255,7 +316,7 @@ std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
     // What waits can only take away: where there is nothing without it, there is nothing.
     const std::optional<Vec3> found = contact_as_it_is(cell);
     if (!found || !is_waited_for_near(*found)) return found;
-    settle();
+    settle_near(cell.bounds);
     return contact_as_it_is(cell);
 }
 
@@ -269,7 +330,7 @@ std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
 
 void TreeCda::evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const {
     settle();
-    const EvaluationInput input{stock_planes_, nullptr, CellOrder(origins_), centre_, false};
+    const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     results.resize(blocks_.size());
     for_each(blocks_.size(), [&](std::size_t i) {
         if (!keep_outlines && blocks_[i].volume) return;
@@ -307,7 +368,7 @@ TreeCounts TreeCda::counts() const {
     settle();
     TreeCounts counts = counts_;
     counts.nodes = 0;
-    counts.bytes = origins_.capacity() * sizeof(Origin);
+    counts.bytes = cells_->memory();
     for (const Block& block : blocks_) {
         counts.nodes += block.tree->nodes();
         counts.bytes += block.tree->memory();
@@ -334,15 +395,7 @@ bool TreeCda::contains(Vec3 point) const {
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
     }
-    // Of a cell in the tree, planes that do not cut the stock are not asked for.
-    const bool is_taken = std::ranges::any_of(waiting_, [&](const Cell& cell) {
-        return std::ranges::all_of(cell.planes, [&](const Plane& h) {
-            const Side side = query.side_of(h);
-            return side == Side::Below ||
-                   (side == Side::On && classify_box(stock_box_, h) == Side::Below);
-        });
-    });
-    if (is_taken) return false;
+    settle();
     std::vector<BlockTree::Entry> cells;
     const auto block = std::find_if(blocks_.begin(), blocks_.end(),
                                     [&](const Block& b) { return b.tree->find(query.at, cells); });

@@ -82,7 +82,7 @@ double rounding_of(const Step& step, bool prism, const cda::Lattice& lattice) {
 
 Cell clipped(const Cell& cell, const Box& box, const cda::Lattice& lattice) {
     Cell result = cell;
-    result.hints.clear();
+    result.normals.reset();
     result.bounds = intersection(cell.bounds, box);
     const Cell sides = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
     for (const cda::Plane& plane : sides.planes) {

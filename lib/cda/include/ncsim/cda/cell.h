@@ -7,31 +7,18 @@
 #include "ncsim/cda/plane.h"
 #include "ncsim/cda/vec.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ncsim::cda {
 
-/// About where the facet in a plane is, in lattice units, and in which planes facets beside it are:
-/// a hint where to look first, which decides nothing and may be wrong.
-struct FacetHint {
-    static constexpr std::size_t kNeighbours = 8;
-    std::array<float, 3> min{}, max{};
-    std::array<std::uint16_t, kNeighbours> neighbours{};  ///< Indices of planes of the cell.
-    std::uint16_t count = 0;                              ///< Of neighbours.
+/// Directions of facets that many cells share: those of one body that moved without turning. Which
+/// facets of such cells can be what is seen in a box is found for all of them at once.
+struct FacetNormals {
+    std::vector<double> x, y, z;  ///< Whole numbers, as in the planes.
 
-    static FacetHint anywhere() {
-        constexpr float kFar = 3e38F;
-        FacetHint hint;
-        hint.min = {-kFar, -kFar, -kFar};
-        hint.max = {kFar, kFar, kFar};
-        return hint;
-    }
-    void add_neighbour(std::size_t plane) {
-        if (count < kNeighbours) neighbours[count++] = static_cast<std::uint16_t>(plane);
-    }
+    std::size_t size() const { return x.size(); }
 };
 
 /// The intersection of halfspaces; bounded. Redundant planes are allowed, but none stands twice.
@@ -40,8 +27,9 @@ struct Cell {
     std::vector<Plane> planes;
     Box bounds;
     Origin origin = kStockOrigin;
-    /// One per plane, or none at all.
-    std::vector<FacetHint> hints;
+    /// Of the first planes, in their order; null if they are nobody else's. Who changes planes
+    /// resets it.
+    std::shared_ptr<const FacetNormals> normals;
 };
 
 /// The box with the corners `min` and `max`, in lattice units.

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,7 +56,7 @@ private:
     TranslationSweep() = default;
     void add_sides(Cell& cell, LatticePoint from, LatticePoint to) const;
     std::vector<Plane> facets_;
-    std::vector<FacetHint> hints_;  // of facets_, at rest
+    std::shared_ptr<const FacetNormals> normals_;  // of facets_
     std::vector<Edge> edges_;
     std::vector<LatticePoint> vertices_;
     Lattice lattice_;

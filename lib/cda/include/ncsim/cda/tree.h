@@ -17,6 +17,7 @@
 namespace ncsim::cda {
 
 class BlockTree;
+class CellTable;
 struct Evaluation;
 
 /// What work was done, counted: the same on every machine.
@@ -33,9 +34,9 @@ struct TreeCounts {
 
 /// How the tree works; none of it changes a result.
 struct TreeParameters {
-    std::uint32_t leaf = 80;    ///< Planes in a leaf before it is split.
-    std::uint32_t threads = 0;  ///< 0: as many as the machine has.
-    std::uint32_t batch = 1024;  ///< Cells that may wait.
+    std::uint32_t leaf = 80;     ///< Planes in a leaf before it is split.
+    std::uint32_t threads = 0;   ///< 0: as many as the machine has.
+    std::uint32_t batch = 8192;  ///< Cells that may wait.
 };
 
 /// Cells that were taken away may wait until somebody asks about the part where they are: many at a
@@ -82,10 +83,12 @@ public:
 
 private:
     struct Block;
+    struct WaitingCell;
 
     void split_into_blocks();
-    void insert(std::span<const Cell> cells) const;
-    bool is_waited_for(const Box& bounds) const;
+    void take_in(const Cell& cell);
+    void settle(Block& block) const;
+    void settle_near(const Box& bounds) const;
     bool is_waited_for_near(Vec3 point) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
@@ -98,9 +101,9 @@ private:
     Vec3 centre_;    // of the stock, in units
     Box stock_box_;  // in units
     std::vector<Plane> stock_planes_;
+    std::unique_ptr<CellTable> cells_;
     mutable std::vector<Block> blocks_;
-    mutable std::vector<Origin> origins_;  // of cells
-    mutable std::vector<Cell> waiting_;    // in the order they came
+    mutable std::size_t waiting_ = 0;  // cells since the last time that none waited
     mutable TreeCounts counts_;
 };
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normal_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Rows are this many entries, or twice as many, …: no loop over them has a remainder.
+constexpr std::size_t kLanes = 8;
+// Multipliers above this need more margin than there is; they tell little.
+constexpr float kSteepest = 4.0F;
+
+Bound bound_from(float length, float across_1, float across_2, float m, float m_1, float m_2) {
+    const float slope = length / m;
+    const bool tells = slope > 0.0F && slope <= kSteepest;
+    const float offset = std::abs(across_1 - slope * m_1) + std::abs(across_2 - slope * m_2);
+    return {tells ? slope : 0.0F, tells ? offset : row::kUnknown};
+}
+
+}  // namespace
+
+std::size_t ScaledNormal::longest_axis() const {
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::abs(n[i]) > std::abs(n[axis])) axis = i;
+    }
+    return axis;
+}
+
+Bound bound_along(const ScaledNormal& p, const ScaledNormal& m) {
+    const std::size_t k = p.longest_axis();
+    const std::size_t u = k == 2 ? 0 : k + 1;
+    const std::size_t v = k == 0 ? 2 : k - 1;
+    return bound_from(p.n[k], p.n[u], p.n[v], m.n[k], m.n[u], m.n[v]);
+}
+
+void NormalTable::assign(std::span<const ScaledNormal> normals) {
+    std::array<std::size_t, 3> sizes{};
+    for (const ScaledNormal& normal : normals)
+        ++sizes[normal.longest_axis()];
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        groups_[k] = {begin, begin};
+        begin += sizes[k];
+    }
+    stride_ = (begin + kLanes - 1) / kLanes * kLanes;
+    length_.assign(stride_, 0.0F);
+    across_[0].assign(stride_, 0.0F);
+    across_[1].assign(stride_, 0.0F);
+    columns_.resize(normals.size());
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const ScaledNormal& normal = normals[i];
+        const std::size_t k = normal.longest_axis();
+        const std::size_t column = groups_[k].end++;
+        columns_[i] = static_cast<std::uint32_t>(column);
+        length_[column] = normal.n[k];
+        across_[0][column] = normal.n[k == 2 ? 0 : k + 1];
+        across_[1][column] = normal.n[k == 0 ? 2 : k - 1];
+    }
+    slopes_.assign(stride_ * normals.size(), 0.0F);
+    offsets_.assign(stride_ * normals.size(), row::kUnknown);
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const std::size_t first = columns_[i] * stride_;
+        slopes_and_offsets(normals[i], &slopes_[first], &offsets_[first]);
+        // Of itself a plane tells nothing but itself.
+        slopes_[first + columns_[i]] = 0.0F;
+        offsets_[first + columns_[i]] = row::kUnknown;
+    }
+}
+
+void NormalTable::slopes_and_offsets(const ScaledNormal& m, float* slopes, float* offsets) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float along = m.n[k];
+        const float m_1 = m.n[k == 2 ? 0 : k + 1];
+        const float m_2 = m.n[k == 0 ? 2 : k - 1];
+        for (std::size_t i = groups_[k].begin; i < groups_[k].end; ++i) {
+            const Bound bound =
+                bound_from(length_[i], across_[0][i], across_[1][i], along, m_1, m_2);
+            slopes[i] = bound.slope;
+            offsets[i] = bound.offset;
+        }
+    }
+}
+
+void NormalTable::bound_by(std::uint32_t column, float e, float* row) const {
+    const float* const slopes = &slopes_[column * stride_];
+    const float* const offsets = &offsets_[column * stride_];
+    for (std::size_t i = 0; i < stride_; ++i)
+        row[i] = std::min(row[i], slopes[i] * e + offsets[i]);
+}
+
+void NormalTable::bound_by(const ScaledNormal& m, float e, float* row) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float along = m.n[k];
+        const float m_1 = m.n[k == 2 ? 0 : k + 1];
+        const float m_2 = m.n[k == 0 ? 2 : k - 1];
+        for (std::size_t i = groups_[k].begin; i < groups_[k].end; ++i) {
+            const Bound bound =
+                bound_from(length_[i], across_[0][i], across_[1][i], along, m_1, m_2);
+            row[i] = std::min(row[i], bound.slope * e + bound.offset);
+        }
+    }
+}
+
+bool is_below(const float* a, const float* b, std::size_t size) {
+    int above = 0;
+    for (std::size_t i = 0; i < size; ++i)
+        above |= static_cast<int>(a[i] > b[i]);
+    return above == 0;
+}
+
+}  // namespace ncsim::cda
