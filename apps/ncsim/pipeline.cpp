@@ -63,9 +63,7 @@ public:
           only_motion_(verification.only_motion),
           most_steps_(verification.most_steps.value_or(std::numeric_limits<std::uint64_t>::max())),
           shows_path_(job.options.shows_path),
-          measured_(job.options.model == "cda-flat" ||
-                    (!job.options.report.empty() && job.options.block_volumes) ||
-                    (verifier_ && verifier_->measures_all())),
+          measured_(job.options.block_volumes || (verifier_ && verifier_->measures_all())),
           keep_cuts_(verification.keep_cuts),
           keeps_cells_(!job.options.save_stock.empty()),
           budget_(job.budget),
@@ -163,9 +161,7 @@ private:
         double removed = 0.0;
         for (const cda::Cell& cell : step.cells) {
             ++result_.hulls;
-            if (keeps_cells_) {
-                result_.carved.push_back(cell);
-            }
+            if (keeps_cells_) result_.carved.push_back(cell);
             if (measured_) {
                 // A difference of sums: rounding may leave less than nothing.
                 removed += std::max(0.0, result_.part->subtract(cell));

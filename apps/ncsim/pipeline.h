@@ -55,8 +55,7 @@ struct Simulation {
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
     std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
     std::map<int, double> removed_by_tool;  ///< mm³; not where a program is verified.
-    /// mm³. Only where it was asked for (a report) or costs nothing
-    /// (cda-flat).
+    /// mm³. Only where it was asked for.
     std::map<BlockPlace, double> removed_by_block;
     std::vector<cda::Cell> carved;  ///< What was taken away, if it is to be written (--save-stock).
     std::map<int, CutterFacts> cutters;

@@ -135,7 +135,8 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "Merge faces and edges in meshes and solids within TOL mm; the deviation is "
            "reported")
         ->type_name("TOL");
-    run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
+    CLI::Option* const report =
+        run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
     run->add_option("--save-stock", o.save_stock,
                     "What is left, for --stock of another program: file.ncstock")
         ->type_name("FILE");
@@ -165,8 +166,9 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option_function<std::string>(
            "--size", [&o](Text size) { read_size(size, o); }, "Of each view, pixels [1280x960]")
         ->type_name("WxH");
-    run->add_flag("!--no-block-volumes", o.block_volumes,
-                  "Report without what each block removed: faster with --model cda");
+    run->add_flag("--block-volumes", o.block_volumes,
+                  "Report what each block removed, too: more work")
+        ->needs(report);
     run->add_flag("--draft", o.draft,
                   "A first look: guess tools that nobody describes, say so in the picture, and be "
                   "quick");

@@ -38,8 +38,8 @@ struct Options : ProgramOptions, SimulationOptions {
     bool quiet = false;
     /// A first look: tools that nobody describes are guessed, round shapes are coarser.
     bool draft = false;
-    /// In the report: what each block removed. With the model "cda" ten times the work.
-    bool block_volumes = true;
+    /// In the report: what each block removed, which is several times the work.
+    bool block_volumes = false;
 };
 
 /// Is the surface of the part needed as faces, for what was asked for?

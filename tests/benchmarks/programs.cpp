@@ -18,10 +18,11 @@ constexpr double kSize = 100.0;  // of the block, mm
 
 class Program {
 public:
-    Program(std::string_view title, std::string_view tool) {
+    Program(std::string_view title, std::string_view tool,
+            std::string_view stock = "BLOCK,100.,100.,40.,0.,0.,40.") {
         line("({})", title);
         line("(T1 {})", tool);
-        line("(STOCK/BLOCK,{0},{0},40.,0.,0.,40.)", kSize);
+        line("(STOCK/{})", stock);
         line("G21 G90 G17 G94 G40");
         line("T1 M6");
         line("S12000 M3");
@@ -130,6 +131,81 @@ std::string contour_program(std::size_t moves) {
     return std::move(program).end();
 }
 
+std::string finish_program(std::size_t moves) {
+    Program program("finishing over steps", "D=2. CR=1. - ball end mill");
+    const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(moves)));
+    const std::size_t columns = moves / rows;
+    constexpr double kPatch = 30.0;  // mm, so that rows are close
+    program.line("G0 X20. Y20. Z20.");
+    program.line("G1 F1500.");
+    for (std::size_t row = 0; row < rows; ++row) {
+        const double y = kPatch * static_cast<double>(row) / static_cast<double>(rows);
+        for (std::size_t k = 0; k <= columns; ++k) {
+            const std::size_t at = row % 2 == 0 ? k : columns - k;
+            const double x = kPatch * static_cast<double>(at) / static_cast<double>(columns);
+            // Every fifth millimetre a step of one, up and down again.
+            const bool is_high = static_cast<int>(x / 5.0) % 2 == 1;
+            program.line("X{:.3f} Y{:.3f} Z{:.3f}", 20.0 + x, 20.0 + y, is_high ? -1.0 : -2.0);
+        }
+    }
+    return std::move(program).end();
+}
+
+std::string passes_program(std::size_t passes) {
+    Program program("a contour in many passes", "D=8. CR=0. - flat end mill");
+    constexpr std::size_t kTurn = 80;
+    program.line("G0 X90. Y50. Z5.");
+    for (std::size_t pass = 1; pass <= passes; ++pass) {
+        const double z = -20.0 * static_cast<double>(pass) / static_cast<double>(passes);
+        program.line("G1 Z{:.3f} F300.", z);
+        program.line("F1500.");
+        for (std::size_t i = 1; i <= kTurn; ++i) {
+            const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / kTurn;
+            const double radius = 40.0 + 3.0 * std::sin(5.0 * turn);
+            program.line("X{:.3f} Y{:.3f}", 50.0 + radius * std::cos(turn),
+                         50.0 + radius * std::sin(turn));
+        }
+    }
+    return std::move(program).end();
+}
+
+std::string bores_program(std::size_t bores) {
+    Program program("helical bores", "D=6. CR=0. - flat end mill");
+    const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(bores))));
+    const double pitch = kSize / static_cast<double>(side);
+    const double radius = 0.2 * pitch;
+    for (std::size_t bore = 0; bore < bores; ++bore) {
+        const double x = pitch * (0.5 + static_cast<double>(bore % side));
+        const double y = pitch * (0.5 + static_cast<double>(bore / side));
+        program.line("G0 X{:.3f} Y{:.3f} Z1.", x + radius, y);
+        for (std::size_t turn = 1; turn <= 3; ++turn)
+            program.line("G3 X{:.3f} Y{:.3f} Z{:.3f} I{:.3f} J0. F400.", x + radius, y,
+                         -2.0 * static_cast<double>(turn), -radius);
+        program.line("G3 X{:.3f} Y{:.3f} I{:.3f} J0.", x + radius, y, -radius);
+        program.line("G0 Z5.");
+    }
+    return std::move(program).end();
+}
+
+std::string rotary_program(std::size_t moves) {
+    Program program("a raster around a bar", "D=6. CR=3. - ball end mill",
+                    "BLOCK,100.,60.,60.,0.,30.,30.");
+    const auto columns = static_cast<std::size_t>(std::sqrt(static_cast<double>(moves)));
+    const std::size_t turns = moves / columns;
+    program.line("G0 X0. Y0. Z60. A0.");
+    program.line("G1 F1500.");
+    for (std::size_t k = 0; k < columns; ++k) {
+        const double x = kSize * static_cast<double>(k) / static_cast<double>(columns);
+        for (std::size_t i = 0; i < turns; ++i) {
+            const double a = 360.0 * static_cast<double>(i) / static_cast<double>(turns);
+            const double turn = a * std::numbers::pi / 180.0;
+            program.line("X{:.3f} A{:.3f} Z{:.3f}", x, a, 25.0 + 3.0 * std::sin(4.0 * turn));
+        }
+        program.line("A0.");
+    }
+    return std::move(program).end();
+}
+
 std::string program_named(std::string_view name) {
     const std::size_t dash = name.rfind('-');
     std::size_t moves = 0;
@@ -143,8 +219,14 @@ std::string program_named(std::string_view name) {
     if (moves > 0 && kind == "pocket") return pocket_program(moves);
     if (moves > 0 && kind == "drill") return drill_program(moves);
     if (moves > 0 && kind == "contour") return contour_program(moves);
+    if (moves > 0 && kind == "finish") return finish_program(moves);
+    if (moves > 0 && kind == "passes") return passes_program(moves);
+    if (moves > 0 && kind == "bores") return bores_program(moves);
+    if (moves > 0 && kind == "rotary") return rotary_program(moves);
     throw std::invalid_argument(
-        fmt::format("no such program: '{}' (wave-N, pocket-N, drill-N, contour-N)", name));
+        fmt::format("no such program: '{}' (wave-N, pocket-N, drill-N, contour-N, finish-N, "
+                    "passes-N, bores-N, rotary-N)",
+                    name));
 }
 
 }  // namespace ncsim::bench

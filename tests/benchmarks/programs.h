@@ -24,6 +24,18 @@ std::string drill_program(std::size_t moves);
 /// moves).
 std::string contour_program(std::size_t moves);
 
+/// finish-N: a raster with a ball nose of 2 mm over steps with upright walls, N moves.
+std::string finish_program(std::size_t moves);
+
+/// passes-N: the same contour, 80 moves around, N times, each deeper by the Nth of 20 mm.
+std::string passes_program(std::size_t passes);
+
+/// bores-N: N helical bores of three turns, a flat end mill of 6 mm.
+std::string bores_program(std::size_t bores);
+
+/// rotary-N: a raster of N moves around a bar: A turns, the ball nose goes along X.
+std::string rotary_program(std::size_t moves);
+
 /// "wave-10000" and so on. Throws std::invalid_argument if there is no such program.
 std::string program_named(std::string_view name);
 

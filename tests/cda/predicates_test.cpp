@@ -74,6 +74,41 @@ TEST(Classify, TellsPlanesApartThatAreOneUnitOfDistanceApart) {
     }
 }
 
+// Planes of few bits, as those of tools, through a point or a few units of distance beside it.
+TEST(Classify, IsTheSameForPointsThatAreKnownToBeNear) {
+    Random random(3);
+    int in_64_bits = 0;
+    int on = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const std::int64_t size = std::int64_t{1} << random.between(1, kNormalBits);
+        const auto at = test::random_point(random, std::int64_t{1} << kCoordinateBits);
+        const auto plane_near = [&] {
+            LatticePoint n;
+            while (n == LatticePoint{})
+                n = test::random_point(random, size);
+            Plane plane = canonical(n.x, n.y, n.z, n.x * at.x + n.y * at.y + n.z * at.z);
+            if (random.one_in(3)) plane.d += random.between(-3, 3);
+            return plane;
+        };
+        const Plane a = plane_near();
+        const Plane b = plane_near();
+        const Plane c = plane_near();
+        const Plane h = plane_near();
+        const auto p = meet(a, b, c);
+        if (!p || !in_range(*p)) continue;
+        const double height = std::abs(p->approx.x * h.nx + p->approx.y * h.ny +
+                                       p->approx.z * h.nz - static_cast<double>(h.d));
+        const double most = 2.0 * height + 16.0;
+        const Side side = classify_exact(*p, h);
+        EXPECT_EQ(classify_near(a, b, c, h, most), side);
+        EXPECT_EQ(classify_near(a, b, c, h.opposite(), most), opposite(side));
+        in_64_bits += static_cast<double>(p->w) * most < 0x1p58 ? 1 : 0;
+        on += side == Side::On ? 1 : 0;
+    }
+    EXPECT_GT(in_64_bits, 5000);
+    EXPECT_GT(on, 2000);
+}
+
 TEST(Reduced, MakesThePointIndependentOfThePlanesThatMadeIt) {
     const auto p = meet({3, 1, 0, 30}, {0, 1, 0, 0}, {0, 0, 1, 7});
     const auto q = meet({1, 0, 0, 10}, {0, 2, 2, 14}, {0, 3, 1, 7});

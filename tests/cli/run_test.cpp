@@ -311,7 +311,10 @@ TEST(Run, ReportsVolumesByToolAndByBlock) {
         SCOPED_TRACE(model);
         Folder folder;
         folder.write("slot.nc", kSlot);
-        folder.run({"run", "slot.nc", "-q", "--report", "a.json", "--model", model});
+        folder.run({"run", "slot.nc", "-q", "--report", "b.json", "--model", model});
+        EXPECT_FALSE(json::parse(folder.read("b.json")).contains("blocks")) << "nobody asked";
+        folder.run(
+            {"run", "slot.nc", "-q", "--report", "a.json", "--block-volumes", "--model", model});
         const json report = json::parse(folder.read("a.json"));
         EXPECT_DOUBLE_EQ(report["volume_mm3"]["stock"], 12000.0);
         EXPECT_DOUBLE_EQ(report["volume_mm3"]["part"], 11200.0);
@@ -550,7 +553,7 @@ TEST(Run, FindsSubprogramsInFilesBesideTheProgram) {
     text.replace(text.find("G1 X30. F500."), 13, "O<slot> call");
     folder.write("part.nc", text);
     folder.write("slot.ngc", "O<slot> sub\nG1 X30. F500.\nO<slot> endsub\n");
-    const Ran ran = folder.run({"run", "part.nc", "--report", "a.json"});
+    const Ran ran = folder.run({"run", "part.nc", "--report", "a.json", "--block-volumes"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "0.800 cm3 removed")) << ran.out;
     const json report = json::parse(folder.read("a.json"));

@@ -68,8 +68,8 @@ TEST(Samples, ComplexIsAboutAHundredAndTwentyHullsAndItsDiagonalMeetsThemAll) {
 TEST(Samples, BothModelsAgreeOnTheVolumeOfEach) {
     for (const char* name : {"simple.nc", "complex.nc"}) {
         SCOPED_TRACE(name);
-        const json tree = report_of(name, {"--model", "cda"});
-        const json flat = report_of(name, {"--model", "cda-flat"});
+        const json tree = report_of(name, {"--model", "cda", "--block-volumes"});
+        const json flat = report_of(name, {"--model", "cda-flat", "--block-volumes"});
         EXPECT_NEAR(tree["volume_mm3"]["part"].get<double>(),
                     flat["volume_mm3"]["part"].get<double>(), 1e-3);
         EXPECT_EQ(tree["blocks"].size(), flat["blocks"].size());
@@ -77,7 +77,7 @@ TEST(Samples, BothModelsAgreeOnTheVolumeOfEach) {
 }
 
 TEST(Samples, WaveIsMoreThanNineHundredShortMovesOfABall) {
-    const json report = report_of("wave.nc", {"--no-block-volumes"});
+    const json report = report_of("wave.nc", {});
     EXPECT_GE(report["program"]["feed_moves"], 930);
     EXPECT_GE(report["model"]["hulls"], 930);
     EXPECT_EQ(report["tools"][0]["shape"], "ball end mill D6 L30");

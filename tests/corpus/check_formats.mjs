@@ -71,7 +71,7 @@ for (const [i, program] of programs.entries()) {
   const outputs = Object.entries(formats).flatMap(([option, type]) => [`--${option}`, `${stem}.${type}`]);
   const ran = spawnSync(
     join(build, "ncsim"),
-    ["run", program, "-q", "--no-block-volumes", "--assume-tool", "flat:D6", ...outputs, ...options],
+    ["run", program, "-q", "--assume-tool", "flat:D6", ...outputs, ...options],
     { timeout: 1000 * limit, encoding: "utf8" },
   );
   if (ran.error) {

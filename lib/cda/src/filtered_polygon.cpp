@@ -3,10 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace ncsim::cda {
 
 namespace {
+
+// As many as every machine of the kind takes at once.
+constexpr std::size_t kLanes = 2;
+using Doubles = double __attribute__((vector_size(kLanes * sizeof(double))));
+
+Doubles load(const double* from) {
+    Doubles result;
+    std::memcpy(&result, from, sizeof result);
+    return result;
+}
 
 // Error of a corner computed by one division from planes of 24 bits, coordinates below 2^26: a few
 // ulp.
@@ -16,15 +27,25 @@ constexpr double kLargestError = 1e-2;
 // Rounding of n·p − d itself: products below 2^50, |d| below 2^52.
 constexpr double kHeightError = 4.0;
 
-// On which side of `cut` the point lies where the planes a, b and c meet; how far, in units of its
-// normal.
+// On which side of `cut` the point lies where the planes a, b and c meet, which doubles found to be
+// within `most` of it. Hulls that follow each other have many planes in common, by the pose they
+// have in common: corners of one lie in planes of the other.
+Side side_exactly(const FilterPlane& a, const FilterPlane& b, const FilterPlane& c,
+                  const FilterPlane& cut, double most) {
+    for (const FilterPlane* plane : {&a, &b, &c}) {
+        if (plane->exact == cut.exact) return Side::On;
+    }
+    return classify_near(a.exact, b.exact, c.exact, cut.exact, most);
+}
+
+// The same, in doubles first; and how far, in units of its normal.
 Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane& b,
              const FilterPlane& c, const FilterPlane& cut, double& height) {
     height = point.p.x * cut.nx + point.p.y * cut.ny + point.p.z * cut.nz - cut.d;
     const double bound = kHeightError + cut.one_norm * point.error;
     if (height > bound) return Side::Above;
     if (height < -bound) return Side::Below;
-    const Side side = classify_exact(*meet(a.exact, b.exact, c.exact), cut.exact);
+    const Side side = side_exactly(a, b, c, cut, 2.0 * bound);
     if (side == Side::On) height = 0.0;
     return side;
 }
@@ -50,6 +71,28 @@ FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const 
     return c;
 }
 
+// How many corners are certainly above a plane, and how many below.
+struct Found {
+    std::int64_t above = 0, below = 0;
+};
+
+// Requires that `count` is a multiple of kLanes.
+Found heights_above(const FilterPlane& cut, double bound, const double* x, const double* y,
+                    const double* z, std::size_t count, double* heights) {
+    using Lanes = decltype(Doubles{} > Doubles{});
+    Lanes certainly_above{};
+    Lanes certainly_below{};
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Doubles height =
+            load(x + i) * cut.nx + load(y + i) * cut.ny + load(z + i) * cut.nz - cut.d;
+        std::memcpy(heights + i, &height, sizeof height);
+        // All bits of a lane are set where it is so: -1.
+        certainly_above -= height > bound;
+        certainly_below -= height < -bound;
+    }
+    return {certainly_above[0] + certainly_above[1], certainly_below[0] + certainly_below[1]};
+}
+
 }  // namespace
 
 FilteredSegment::Clipped FilteredSegment::clip(const FilterPlane& cut) {
@@ -71,6 +114,25 @@ FilteredSegment::Clipped FilteredSegment::clip(const FilterPlane& cut) {
     return Clipped::Head;
 }
 
+void FilteredPolygon::Corners::clear(std::size_t most) {
+    size = 0;
+    const std::size_t room = most + kLanes;
+    if (x.size() >= room) return;
+    x.resize(room);
+    y.resize(room);
+    z.resize(room);
+}
+
+std::size_t FilteredPolygon::Corners::pad() {
+    std::size_t padded = size;
+    for (; padded % kLanes != 0; ++padded) {
+        x[padded] = x[0];
+        y[padded] = y[0];
+        z[padded] = z[0];
+    }
+    return padded;
+}
+
 bool FilteredPolygon::assign_section(const FilterPlane& plane,
                                      const std::array<std::int64_t, 3>& min,
                                      const std::array<std::int64_t, 3>& max,
@@ -86,62 +148,58 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
     std::size_t v = (axis + 2) % 3;
     if (n[axis] < 0) std::swap(u, v);
     edges_.assign({&walls[2 * v], &walls[2 * u + 1], &walls[2 * v + 1], &walls[2 * u]});
-    corners_.clear();
+    corners_.clear(4);
+    error_ = kCornerError;
     const auto corner = [&](const std::array<std::int64_t, 3>& at_u,
                             const std::array<std::int64_t, 3>& at_v) {
         const double cu = 0.5 * static_cast<double>(at_u[u]);
         const double cv = 0.5 * static_cast<double>(at_v[v]);
-        FilteredPoint c;
-        c.p[static_cast<int>(u)] = cu;
-        c.p[static_cast<int>(v)] = cv;
-        c.p[static_cast<int>(axis)] = (plane.d - n[u] * cu - n[v] * cv) / n[axis];
-        c.error = kCornerError;
-        corners_.push_back(c);
+        Vec3 p;
+        p[static_cast<int>(u)] = cu;
+        p[static_cast<int>(v)] = cv;
+        p[static_cast<int>(axis)] = (plane.d - n[u] * cu - n[v] * cv) / n[axis];
+        corners_.add(p);
     };
-    has_box_ = false;
     corner(min, min);
     corner(max, min);
     corner(max, max);
     corner(min, max);
+    padded_ = corners_.pad();
     return clip(walls[2 * axis + 1]) && clip(walls[2 * axis]);
 }
 
-Side FilteredPolygon::side_of(std::size_t corner, const FilterPlane& cut, double& height) const {
-    const std::size_t before = (corner + corners_.size() - 1) % corners_.size();
-    return cda::side_of(corners_[corner], *plane_, *edges_[before], *edges_[corner], cut, height);
-}
-
-void FilteredPolygon::update_box() const {
-    Vec3 min = corners_[0].p;
-    Vec3 max = min;
-    error_ = 0.0;
-    for (const FilteredPoint& c : corners_) {
-        min = {std::min(min.x, c.p.x), std::min(min.y, c.p.y), std::min(min.z, c.p.z)};
-        max = {std::max(max.x, c.p.x), std::max(max.y, c.p.y), std::max(max.z, c.p.z)};
-        error_ = std::max(error_, c.error);
-    }
-    centre_ = 0.5 * (min + max);
-    half_ = 0.5 * (max - min);
-    has_box_ = true;
-}
-
 int FilteredPolygon::classify_corners(const FilterPlane& cut) const {
-    const std::size_t n = corners_.size();
-    if (!has_box_) update_box();
-    const double height = centre_.x * cut.nx + centre_.y * cut.ny + centre_.z * cut.nz - cut.d;
-    const double reach = half_.x * std::abs(cut.nx) + half_.y * std::abs(cut.ny) +
-                         half_.z * std::abs(cut.nz) + 2.0 * kHeightError +
-                         cut.one_norm * (error_ + kCornerError);
-    if (height > reach) return -1;
-    if (height < -reach) return 1;
-    sides_.resize(n);
-    heights_.resize(n);
+    if (heights_.size() < padded_) heights_.resize(2 * padded_);
+    const double bound = kHeightError + cut.one_norm * error_;
+    const Found found = heights_above(cut, bound, corners_.x.data(), corners_.y.data(),
+                                      corners_.z.data(), padded_, heights_.data());
+    if (found.below + found.above < static_cast<std::int64_t>(padded_))
+        return classify_doubtful(cut, bound);
+    if (found.below == 0) return -1;
+    if (found.above == 0) return 1;
+    sides_.resize(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        sides_[i] = heights_[i] > 0.0 ? Side::Above : Side::Below;
+    return 0;
+}
+
+// The same where doubles do not tell for some corners.
+int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) const {
+    sides_.resize(size());
     bool any_below = false;
     bool any_above = false;
-    for (std::size_t i = 0; i < n; ++i) {
-        sides_[i] = side_of(i, cut, heights_[i]);
-        any_below |= sides_[i] == Side::Below;
-        any_above |= sides_[i] == Side::Above;
+    for (std::size_t i = 0; i < size(); ++i) {
+        Side& side = sides_[i];
+        if (heights_[i] > bound) {
+            side = Side::Above;
+        } else if (heights_[i] < -bound) {
+            side = Side::Below;
+        } else {
+            side = side_exactly(*plane_, *edges_[before(i)], *edges_[i], cut, 2.0 * bound);
+            if (side == Side::On) heights_[i] = 0.0;
+        }
+        any_below |= side == Side::Below;
+        any_above |= side == Side::Above;
     }
     return !any_below ? -1 : any_above ? 0 : 1;
 }
@@ -149,28 +207,33 @@ int FilteredPolygon::classify_corners(const FilterPlane& cut) const {
 bool FilteredPolygon::clip(const FilterPlane& cut) {
     const int where = classify_corners(cut);
     if (where != 0) return where > 0;
-    kept_corners_.clear();
+    const std::size_t n = size();
+    kept_corners_.clear(n + 2);
     kept_edges_.clear();
-    const std::size_t n = corners_.size();
+    double error = error_;
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t k = after(i);
         const bool enters = sides_[i] == Side::Above && sides_[k] == Side::Below;
         const bool leaves = sides_[i] == Side::Below && sides_[k] == Side::Above;
         if (sides_[i] != Side::Above) {
-            kept_corners_.push_back(corners_[i]);
+            kept_corners_.add(corners_.at(i));
             kept_edges_.push_back(sides_[i] == Side::On && sides_[k] != Side::Below ? &cut
                                                                                     : edges_[i]);
         }
         if (enters || leaves) {
-            kept_corners_.push_back(crossing(*plane_, *edges_[i], cut, corners_[i], corners_[k],
-                                             heights_[i], heights_[k]));
+            const FilteredPoint at =
+                crossing(*plane_, *edges_[i], cut, corner(i), corner(k), heights_[i], heights_[k]);
+            error = std::max(error, at.error);
+            kept_corners_.add(at.p);
             kept_edges_.push_back(enters ? edges_[i] : &cut);
         }
     }
-    corners_.swap(kept_corners_);
+    std::swap(corners_, kept_corners_);
     edges_.swap(kept_edges_);
-    has_box_ = false;
-    return corners_.size() >= 3;
+    error_ = error;
+    if (size() < 3) return false;
+    padded_ = corners_.pad();
+    return true;
 }
 
 Overlap FilteredPolygon::overlap(std::span<const FilterPlane* const> cuts,
@@ -185,9 +248,7 @@ Overlap FilteredPolygon::overlap(std::span<const FilterPlane* const> cuts,
 }
 
 FilteredSegment FilteredPolygon::edge(std::size_t i) const {
-    const std::size_t n = corners_.size();
-    return {plane_,           edges_[i],   edges_[(i + n - 1) % n],
-            edges_[after(i)], corners_[i], corners_[after(i)]};
+    return {plane_, edges_[i], edges_[before(i)], edges_[after(i)], corner(i), corner(after(i))};
 }
 
 FilteredSegment FilteredPolygon::section(const FilterPlane& cut) const {
@@ -196,17 +257,16 @@ FilteredSegment FilteredPolygon::section(const FilterPlane& cut) const {
     FilteredSegment segment;
     segment.plane = plane_;
     segment.line = &cut;
-    const std::size_t n = corners_.size();
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < size(); ++i) {
         const std::size_t k = after(i);
         const Side here = sides_[i];
         const Side next = sides_[k];
         if (here == next || next == Side::On) continue;
         // Past a corner in the plane it goes to one side; that it came from the other is implied.
         const bool on_edge = here != Side::On;
-        const FilteredPoint at = on_edge ? crossing(*plane_, *edges_[i], cut, corners_[i],
-                                                    corners_[k], heights_[i], heights_[k])
-                                         : corners_[i];
+        const FilteredPoint at = on_edge ? crossing(*plane_, *edges_[i], cut, corner(i), corner(k),
+                                                    heights_[i], heights_[k])
+                                         : corner(i);
         if (next == Side::Above) {
             segment.tail = at;
             segment.tail_cut = edges_[i];

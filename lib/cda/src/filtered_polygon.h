@@ -70,7 +70,7 @@ public:
                         const std::array<FilterPlane, 6>& walls);
 
     const FilterPlane& plane() const { return *plane_; }
-    std::size_t size() const { return corners_.size(); }
+    std::size_t size() const { return edges_.size(); }
     /// From corner `i` to the next.
     FilteredSegment edge(std::size_t i) const;
 
@@ -86,25 +86,39 @@ public:
     FilteredSegment section(const FilterPlane& cut) const;
 
 private:
-    void update_box() const;
-    Side side_of(std::size_t corner, const FilterPlane& cut, double& height) const;
-    // 1: all below or on; -1: none below; 0: cut. Fills sides_ and heights_ unless the box tells.
+    struct Corners {
+        std::vector<double> x, y, z;
+        std::size_t size = 0;
+
+        // Makes room for so many.
+        void clear(std::size_t most);
+        void add(const Vec3& p) {
+            x[size] = p.x;
+            y[size] = p.y;
+            z[size] = p.z;
+            ++size;
+        }
+        Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+        // Repeats the first corner, so that loops over corners have no remainder: until where.
+        std::size_t pad();
+    };
+    FilteredPoint corner(std::size_t i) const { return {corners_.at(i), error_}; }
+    std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+    std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
+    // 1: all below or on; -1: none below; 0: cut, and sides_ and heights_ are known.
     int classify_corners(const FilterPlane& cut) const;
-    std::size_t after(std::size_t i) const { return i + 1 == corners_.size() ? 0 : i + 1; }
+    int classify_doubtful(const FilterPlane& cut, double bound) const;
 
     const FilterPlane* plane_ = nullptr;
-    std::vector<FilteredPoint> corners_;
-    std::vector<const FilterPlane*> edges_;  // edges_[i]: corners_[i] → corners_[i + 1]
-    // The box of the corners, by centre and half size: most planes pass it by.
-    mutable Vec3 centre_;
-    mutable Vec3 half_;
-    mutable double error_ = 0.0;  // largest of the corners
-    mutable bool has_box_ = false;
+    Corners corners_;
+    std::size_t padded_ = 0;
+    double error_ = 0.0;                     // of each coordinate of them
+    std::vector<const FilterPlane*> edges_;  // edges_[i]: corner i → corner i + 1
     // Of the last classification.
     mutable std::vector<Side> sides_;
     mutable std::vector<double> heights_;
     // Of clip(), kept for its memory.
-    std::vector<FilteredPoint> kept_corners_;
+    Corners kept_corners_;
     std::vector<const FilterPlane*> kept_edges_;
 };
 

@@ -23,7 +23,7 @@ std::uint32_t Outlines::point(std::uint32_t a, std::uint32_t b, std::uint32_t c)
     std::sort(key.begin(), key.end());
     const std::uint32_t number = triples_(key);
     if (number == points_.size()) {
-        const auto exact = meet(planes_[key[0]], planes_[key[1]], planes_[key[2]]);
+        const auto exact = meet_exactly(planes_[key[0]], planes_[key[1]], planes_[key[2]]);
         assert(exact);
         points_.push_back({FixedPoint::of(*exact), key});
     }

@@ -34,6 +34,17 @@ Side side_of(Int128 v) {
     return v > 0 ? Side::Above : v < 0 ? Side::Below : Side::On;
 }
 
+// The cross product of two normals.
+struct Minor {
+    std::int64_t x, y, z;
+};
+
+Minor minor(const Plane& a, const Plane& b) {
+    return {std::int64_t{a.ny} * b.nz - std::int64_t{a.nz} * b.ny,
+            std::int64_t{a.nz} * b.nx - std::int64_t{a.nx} * b.nz,
+            std::int64_t{a.nx} * b.ny - std::int64_t{a.ny} * b.nx};
+}
+
 Vec3 nearest(const ExactPoint& p) {
     const auto w = static_cast<double>(p.w);
     return {static_cast<double>(p.x) / w, static_cast<double>(p.y) / w,
@@ -50,19 +61,11 @@ ExactPoint ExactPoint::at(LatticePoint p) {
             {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}};
 }
 
-std::optional<ExactPoint> meet(const Plane& p, const Plane& q, const Plane& r) {
+std::optional<ExactPoint> meet_exactly(const Plane& p, const Plane& q, const Plane& r) {
     // Cramer's rule, expanded along the column of distances: x = Σ d_i (n_j × n_k).
-    const auto minor = [](const Plane& a, const Plane& b) {
-        struct {
-            std::int64_t x, y, z;
-        } c{std::int64_t{a.ny} * b.nz - std::int64_t{a.nz} * b.ny,
-            std::int64_t{a.nz} * b.nx - std::int64_t{a.nx} * b.nz,
-            std::int64_t{a.nx} * b.ny - std::int64_t{a.ny} * b.nx};
-        return c;
-    };
-    const auto qr = minor(q, r);
-    const auto rp = minor(r, p);
-    const auto pq = minor(p, q);
+    const Minor qr = minor(q, r);
+    const Minor rp = minor(r, p);
+    const Minor pq = minor(p, q);
     const Int128 w = static_cast<Int128>(qr.x) * p.nx + static_cast<Int128>(qr.y) * p.ny +
                      static_cast<Int128>(qr.z) * p.nz;
     if (w == 0) return std::nullopt;
@@ -72,12 +75,49 @@ std::optional<ExactPoint> meet(const Plane& p, const Plane& q, const Plane& r) {
     };
     ExactPoint v{sum(qr.x, rp.x, pq.x), sum(qr.y, rp.y, pq.y), sum(qr.z, rp.z, pq.z), w, {}};
     if (w < 0) v.x = -v.x, v.y = -v.y, v.z = -v.z, v.w = -v.w;
-    v.approx = nearest(v);
     return v;
+}
+
+std::optional<ExactPoint> meet(const Plane& p, const Plane& q, const Plane& r) {
+    auto point = meet_exactly(p, q, r);
+    if (point) point->approx = nearest(*point);
+    return point;
 }
 
 Side classify_exact(const ExactPoint& p, const Plane& plane) {
     return side_of(p.x * plane.nx + p.y * plane.ny + p.z * plane.nz - p.w * plane.d);
+}
+
+Side classify_near(const Plane& p, const Plane& q, const Plane& r, const Plane& plane,
+                   double most) {
+    // Below 2^50, but for a bit.
+    const Minor qr = minor(q, r);
+    const Minor rp = minor(r, p);
+    const Minor pq = minor(p, q);
+    const auto size = [](std::int64_t a, std::int32_t b) {
+        return std::abs(static_cast<double>(a) * static_cast<double>(b));
+    };
+    const double w_at_most = size(qr.x, p.nx) + size(qr.y, p.ny) + size(qr.z, p.nz);
+    constexpr double kFits = 0x1p62;
+    if (w_at_most * most >= kFits) return classify_exact(*meet_exactly(p, q, r), plane);
+    // Sums and products that wrap around; the last one does not.
+    const auto times = [](std::int64_t a, std::int64_t b) {
+        return static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b);
+    };
+    const auto sum = [&](std::int64_t a, std::int64_t b, std::int64_t c) {
+        return times(p.d, a) + times(q.d, b) + times(r.d, c);
+    };
+    const std::uint64_t w = times(qr.x, p.nx) + times(qr.y, p.ny) + times(qr.z, p.nz);
+    const auto height = static_cast<std::int64_t>(
+        sum(qr.x, rp.x, pq.x) * static_cast<std::uint64_t>(std::int64_t{plane.nx}) +
+        sum(qr.y, rp.y, pq.y) * static_cast<std::uint64_t>(std::int64_t{plane.ny}) +
+        sum(qr.z, rp.z, pq.z) * static_cast<std::uint64_t>(std::int64_t{plane.nz}) -
+        w * static_cast<std::uint64_t>(plane.d));
+    if (height == 0) return Side::On;
+    // What is common to all terms may be negative.
+    const Int128 exact_w = static_cast<Int128>(qr.x) * p.nx + static_cast<Int128>(qr.y) * p.ny +
+                           static_cast<Int128>(qr.z) * p.nz;
+    return (height > 0) == (exact_w > 0) ? Side::Above : Side::Below;
 }
 
 Side classify(const ExactPoint& p, const Plane& plane) {
