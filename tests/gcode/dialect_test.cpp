@@ -37,12 +37,29 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
         {"T=\"CUTTER 6\"\nM6\nG0 X1 Y1\n", Dialect::Rs274, Kind::Siemens},
         {"%PART G71 *\nN10 G30 G17 X+0 Y+0 Z-40*\nN20 G31 G90 X+100 Y+100 Z+0*\n", Dialect::Rs274,
          Kind::HeidenhainIso},
+        {"10 L X+10 Y+10\n11 L Z-5\n", Dialect::Rs274, Kind::Heidenhain},
+        {"1 TOOL DEF 1 L+0 R+5\n", Dialect::Rs274, Kind::Heidenhain},
+        {"L  IX-10\nL Y+2 F100\n", Dialect::Rs274, Kind::Heidenhain},
+        {"CC X+0 Y+0\nC X+5 Y+0 DR-\n", Dialect::Rs274, Kind::Heidenhain},
+        {"G2 X10 Y10 CR=10 F100\n", Dialect::Rs274, Kind::Siemens},
+        {"G1 X=AC(20) Y=IC(5)\n", Dialect::Rs274, Kind::Siemens},
+        {"R1=5 R2 = 10\nG0 X1 Y1\n", Dialect::Rs274, Kind::Siemens},
+        {"G0 X=R1 Y1\n", Dialect::Rs274, Kind::Siemens},
+        {"G1 X10 RND=5\n", Dialect::Rs274, Kind::Siemens},
+        {"G0 X1 Y1\nCYCLE83(10,0,2,-5)\n", Dialect::Rs274, Kind::Siemens},
+        {"G0 X1 Y1\nMSG (\"roughing\")\n", Dialect::Rs274, Kind::Siemens},
         {"$PART.MIN%\nG15 H1\nG0 X1 Y1\n", Dialect::Rs274, Kind::Okuma},
         {"#SLOPE[TYPE=STEP]\nG0 X1 Y1\n", Dialect::Rs274, Kind::Isg},
         {"G28 G91 Z0\nG65 P9810 Z10.\n(a comment names $H and MCALL)\n", Dialect::Fanuc,
          Kind::Milling},
         {"M104 S200\nM140 S60\nG1 X1 Y1 E1\n", Dialect::Rs274, Kind::Printer},
         {"T0101\nG96 S200 M3\nG0 X20 Z2\n", Dialect::Rs274, Kind::Lathe},
+        {"T0101\nG97 S900 M3\nG0 X20 Z2\n", Dialect::Rs274, Kind::Lathe},
+        {"G96 S200 M3\nG0 X20 Z2\nG1 Z-5\n", Dialect::Rs274, Kind::Lathe},
+        {"G50 S2500\nG0 X20 Z2\nG1 Z-5\n", Dialect::Rs274, Kind::Lathe},
+        {"M104\nM109\nG96 S200 M3\nG0 X20 Z2\n", Dialect::Rs274, Kind::Lathe},
+        {"M4 S0\nG0 X0 Y0\nG1 X9 S500\nX5 S9\nX2 S0\n", Dialect::Rs274, Kind::Laser},
+        {"M106 S9\nM107\nM4 S0\nG1 X9 Y2\n", Dialect::Rs274, Kind::Laser},
         {"; LightBurn 1.0\nM4 S0\nG1 X1 Y1 S100\n", Dialect::Rs274, Kind::Laser},
         {"(plasma cut)\nM3\nG1 X1 Y1\n", Dialect::Rs274, Kind::Plasma},
         {"Dear reader,\nthis is prose.\n", Dialect::Rs274, Kind::NotAProgram},
@@ -54,6 +71,39 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
         EXPECT_EQ(name_of(findings.dialect), name_of(c.dialect));
         EXPECT_EQ(name_of(findings.kind), name_of(c.kind));
     }
+}
+
+/// What looks a little like the language of another control, and mills.
+TEST(Dialect, OfMillingProgramsStaysMilling) {
+    for (const char* text : {
+             "#1=5\n#<r>=2\n#<_r1> = 3\nG0 X#1 Y1\n",  // parameters, not R parameters
+             "$100=250\n$N0=G54 X=1\nG0 X1 Y1\n",      // settings of grbl
+             "M117 X=5 Y=2\nG0 X1 Y1\n",               // text on a display
+             "DPRNT[X=#1]\nG0 X1 Y1\n",
+             "X = 100\nY = 50\nG0 X1 Y1\n",   // prose without parentheses
+             "(MSG, R1=5 CR=2)\nG0 X1 Y1\n",  // comments
+             "o<cycle81> call [1]\no<pocket3> call\nG0 X1 Y1\n",
+             "T0101 M6\nG0 Z5\nG1 Z-5\n",  // warms up, changes tools
+             "T0101\nG0 X5 Z5\nG1 Y3\n",
+             "G96 S200 M3\nG0 X5 Z5 A10\nG1 Z-1 A90\n",  // a wrap without Y
+             "M104\nM109\nG0 X5 Y1 Z5\n",                // M codes of a machine
+             "M3 S0\nG0 X5 Y1 Z5\nG1 X1 S1\nX2 S2\nX3 S3\n",
+             "M3 S1000\nG0 X5 Y1 S900\nG1 X1 F1\n",
+             "C10 L2\nL1 X5\nG0 X5 Y1\n",
+         }) {
+        EXPECT_EQ(name_of(detect_dialect({"t.nc", text}).kind), name_of(Kind::Milling)) << text;
+    }
+}
+
+TEST(Dialect, ThatIsStatedEndsARefusal) {
+    InterpreterOptions options;
+    const SourceFile file{"t.nc", "T0101\nG96 S200 M3\nG0 X20 Z2\nM2\n"};
+    EXPECT_TRUE(interpret(file, options, {}).refused);
+    options.dialect = Dialect::Fanuc;
+    const Interpretation result = interpret(file, options, {});
+    EXPECT_FALSE(result.refused);
+    EXPECT_EQ(result.motions, 1U);
+    EXPECT_EQ(std::ranges::count(result.diagnostics, "foreign-kind", &Diagnostic::code), 1);
 }
 
 TEST(Dialect, SignsFarBehindTheBeginningCount) {

@@ -2,6 +2,7 @@
 #include "ncsim/gcode/dialect.h"
 
 #include "line_end.h"
+#include "number.h"
 
 #include <algorithm>
 #include <array>
@@ -115,7 +116,7 @@ constexpr std::array<DialectSigns, 5> kDialects = {{
 struct KindSigns {
     Kind kind;
     int enough;
-    std::array<Sign, 16> signs{};
+    std::array<Sign, 18> signs{};
 };
 constexpr std::array<KindSigns, 8> kKinds = {{
     {Kind::Heidenhain,
@@ -123,9 +124,14 @@ constexpr std::array<KindSigns, 8> kKinds = {{
      {{{"BEGIN PGM", 4, false, "BEGIN PGM"},
        {"END PGM", 4, false, "END PGM"},
        {"TOOL CALL", 4, false, "TOOL CALL"},
+       {"TOOL DEF", 4, false, "TOOL DEF"},
        {"CYCL DEF", 4, false, "CYCL DEF"},
        {"BLK FORM", 4, false, "BLK FORM"},
-       {"FMAX", 2, false, "FMAX"},
+       {"FMAX", 3, false, "FMAX"},
+       {"F MAX", 3, false, "F MAX"},
+       {"DR+", 3, false, "turning directions (DR+, DR-)"},
+       {"DR-", 3, false, "turning directions (DR+, DR-)"},
+       {"APPR ", 3, false, "APPR"},
        {" R0 F", 2, false, "R0 F"},
        {"LBL ", 2, false, "LBL"},
        {"CALL LBL", 4, false, "CALL LBL"},
@@ -144,9 +150,6 @@ constexpr std::array<KindSigns, 8> kKinds = {{
     {Kind::Siemens,
      4,
      {{{"WORKPIECE", 4, false, "WORKPIECE"},
-       {"CYCLE8", 4, false, "CYCLE8x"},
-       {"CYCLE7", 4, false, "CYCLE7x"},
-       {"CYCLE800", 4, false, "CYCLE800"},
        {"DEF REAL", 4, false, "DEF REAL"},
        {"MSG", 3, false, "MSG"},
        {";$PATH=", 4, true, ";$PATH="},
@@ -157,8 +160,9 @@ constexpr std::array<KindSigns, 8> kKinds = {{
        {"GOTOF", 4, false, "GOTOF"},
        {"GOTOB", 4, false, "GOTOB"},
        {"T=\"", 4, false, "tools by name (T=\"…\")"},
-       {"CR=", 3, false, "radii as CR="},
-       {"TRAORI", 4, false, "TRAORI"}}}},
+       {"TRAORI", 4, false, "TRAORI"},
+       {"ATRANS", 4, false, "ATRANS"},
+       {"AROT", 4, false, "AROT"}}}},
     {Kind::Okuma,
      4,
      {{{".MIN%", 4, false, ".MIN%"},
@@ -216,6 +220,12 @@ constexpr std::array<KindSigns, 8> kKinds = {{
        {"SHEETCAM", 2, true, "SheetCam"}}}},
 }};
 
+// Where these two stand in kKinds.
+constexpr std::size_t kHeidenhain = 0;
+constexpr std::size_t kSiemens = 2;
+static_assert(kKinds[kHeidenhain].kind == Kind::Heidenhain);
+static_assert(kKinds[kSiemens].kind == Kind::Siemens);
+
 constexpr bool is_letter(char c) {
     return c >= 'A' && c <= 'Z';
 }
@@ -227,7 +237,9 @@ constexpr bool is_digit(char c) {
 bool contains(std::string_view text, std::string_view what) {
     for (std::size_t at = text.find(what); at != std::string_view::npos;
          at = text.find(what, at + 1)) {
-        const bool starts = at == 0 || !is_letter(what[0]) || !is_letter(text[at - 1]);
+        const char before = at == 0 ? ' ' : text[at - 1];
+        const bool starts =
+            !is_letter(what[0]) || (!is_letter(before) && before != '<' && before != '_');
         const std::size_t end = at + what.size();
         const bool ends = end == text.size() || !is_digit(what.back()) ||
                           (!is_digit(text[end]) && text[end] != '.');
@@ -298,6 +310,8 @@ public:
             has_words_ = true;
             has_y_ = has_y_ || (seen & bit_of('Y')) != 0;
             has_xz_ = has_xz_ || (seen & letters_of("XZ")) != 0;
+            if ((seen & bit_of('C')) != 0) split_.split(line);
+            look_at_axes(seen, number);
             return;
         }
         split_.split(line);
@@ -307,19 +321,30 @@ public:
             weigh(kKinds[i].signs, kinds_[i], number);
         look_for_turning(number);
         look_for_header(number);
+        look_for_heidenhain(number);
+        look_for_values_behind_equals(number);
+        look_for_named_cycles(number);
+        look_for_power(number);
         const std::string& code = split_.code;
+        Letters words = 0;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
             const std::size_t value = code.find_first_not_of(' ', i + 1);
             if (!is_letter(code[i]) || value == std::string::npos) continue;
+            if (i > 0 && code[i - 1] == ',') continue;
             const char first = code[value];
             const bool signed_or_point = first == '-' || first == '+' || first == '.';
             const bool digit_follows = value + 1 < code.size() && is_digit(code[value + 1]);
-            has_words_ = has_words_ || is_digit(first) || first == '#' || first == '[' ||
-                         first == '<' || (signed_or_point && digit_follows);
+            if (is_digit(first) || first == '#' || first == '[' || first == '<' ||
+                (signed_or_point && digit_follows)) {
+                words |= bit_of(code[i]);
+            }
         }
+        has_words_ = has_words_ || words != 0;
+        look_at_axes(words, number);
     }
 
     void conclude(DialectFindings& findings) const {
+        findings.c_may_be_corner = c_like_corners_ && !c_is_axis_;
         std::size_t best = 0;
         for (std::size_t i = 1; i < dialects_.size(); ++i) {
             if (dialects_[i].weight > dialects_[best].weight) best = i;
@@ -329,14 +354,21 @@ public:
             findings.evidence = dialects_[best].evidence;
         }
         for (std::size_t i = 0; i < kKinds.size(); ++i) {
+            // What prints pushes material: heaters alone have other machines, too.
+            if (kKinds[i].kind == Kind::Printer && !extrudes_) continue;
             if (kinds_[i].weight >= kKinds[i].enough && findings.kind == Kind::Milling) {
                 findings.kind = kKinds[i].kind;
                 findings.kind_evidence = kinds_[i].evidence;
             }
         }
-        if (findings.kind == Kind::Milling && turning_.weight >= 4 && !has_y_ && has_xz_) {
+        if (findings.kind == Kind::Milling && turning_.weight >= (changes_tools_ ? 5 : 4) &&
+            !has_y_ && !turns_a_or_b_ && has_xz_) {
             findings.kind = Kind::Lathe;
             findings.kind_evidence = turning_.evidence;
+        }
+        if (findings.kind == Kind::Milling && power_.weight >= 4 && !has_z_ && !changes_tools_) {
+            findings.kind = Kind::Laser;
+            findings.kind_evidence = power_.evidence;
         }
         if (!has_words_) {
             findings.kind = Kind::NotAProgram;
@@ -386,16 +418,18 @@ private:
                 while (i + 1 + digits < code.size() && is_digit(code[i + 1 + digits]))
                     ++digits;
                 if (digits == 4 && code.substr(i + 1, 2) == code.substr(i + 3, 2)) {
-                    add(turning_, 0, 3, "tools like T0101", line);
+                    add(turning_, 0, 4, "tools like T0101", line);
                 }
             }
         }
-        if (contains(code, "G96")) add(turning_, 1, 2, "constant surface speed (G96)", line);
-        if (contains(code, "G50") && contains(code, "S")) add(turning_, 6, 1, "G50 S", line);
+        if (contains(code, "G96")) add(turning_, 1, 4, "constant surface speed (G96)", line);
+        if (contains(code, "G50") && contains(code, "S")) add(turning_, 6, 4, "G50 S", line);
+        if (contains(code, "G28") && (contains(code, "U0") || contains(code, "U0.")))
+            add(turning_, 8, 4, "home along U and W", line);
         for (const std::string_view cycle : {"G70", "G71", "G72", "G73", "G76"}) {
             if (contains(code, cycle) && code.find('P') != std::string::npos &&
                 code.find('Q') != std::string::npos) {
-                add(turning_, 2, 4, "turning cycles from P to Q", line);
+                add(turning_, 2, 5, "turning cycles from P to Q", line);
             }
         }
         const bool is_arc = contains(code, "G2") || contains(code, "G02") || contains(code, "G3") ||
@@ -404,13 +438,146 @@ private:
         if (is_arc && !has_plane_ && code.find('K') != std::string::npos &&
             code.find('Z') != std::string::npos && code.find('X') != std::string::npos &&
             code.find('J') == std::string::npos) {
-            add(turning_, 7, 4, "arcs in X and Z without G18", line);
+            add(turning_, 7, 5, "arcs in X and Z without G18", line);
         }
         if (contains(split_.remarks, "LATHE"))
             add(turning_, 3, 3, "a comment speaks of a lathe", line);
         if (contains(split_.remarks, "TURNING"))
             add(turning_, 4, 2, "a comment speaks of turning", line);
         if (contains(code, "G7")) add(turning_, 5, 3, "diameters (G7)", line);
+    }
+
+    /// "12 L X+10 FMAX", "CC X+0 Y+0": lines that begin with a letter that has no number.
+    void look_for_heidenhain(std::uint32_t line) {
+        const std::string& code = split_.code;
+        std::size_t at = code.find_first_not_of("0123456789 \t");
+        if (at == std::string::npos || (code[at] != 'L' && code[at] != 'C')) return;
+        const std::string::size_type end = code.find_first_of(" \t", at);
+        if (end == std::string::npos) return;
+        const std::string_view name = std::string_view(code).substr(at, end - at);
+        if (name != "L" && name != "C" && name != "CC") return;
+        at = code.find_first_not_of(" \t", end);
+        if (at != std::string::npos && code[at] == 'I') ++at;  // IX+5: a step
+        if (at == std::string::npos || at + 1 >= code.size()) return;
+        const char value = code[at + 1];
+        if (code[at] != 'X' && code[at] != 'Y' && code[at] != 'Z') return;
+        if (value != '+' && value != '-' && value != 'Q' && !is_digit(value)) return;
+        add(kinds_[kHeidenhain], 40, 4, "lines like L X+10 and CC X+10", line);
+    }
+
+    /// "G1 X=AC(20)", "CR=5", "R1=10": on Siemens values of more than a number, and of names, stand
+    /// behind "=". Elsewhere only parameters (#1=, #<a>=) and settings ($1=) are written so.
+    void look_for_values_behind_equals(std::uint32_t line) {
+        const std::string& code = split_.code;
+        if (code.find('=') == std::string::npos || code.find('$') != std::string::npos) return;
+        for (const std::string_view text : {"DPRNT", "POPEN", "M117", "M118"}) {
+            if (code.find(text) != std::string::npos) return;
+        }
+        const std::size_t g = code.find('G');
+        const bool has_g = g != std::string::npos && g + 1 < code.size() && is_digit(code[g + 1]);
+        for (std::size_t p = code.find('='); p != std::string::npos; p = code.find('=', p + 1)) {
+            const std::string_view before = name_before(code, p);
+            if (before.empty()) continue;
+            const bool numbered = is_digit(before.back());
+            if (numbered && (before[0] == 'R' || before[0] == 'S') && is_digit(before[1])) {
+                add(kinds_[kSiemens], 40, 4, "values of parameters (R1=…)", line);
+            } else if (before == "CR" || before == "RND" || before == "CHF" || before == "CHR" ||
+                       before == "ANG") {
+                add(kinds_[kSiemens], 41, 4, std::string(before) + "=", line);
+            } else if (before.size() == 1 && has_g &&
+                       std::string_view("XYZABCIJKF").find(before[0]) != std::string_view::npos) {
+                add(kinds_[kSiemens], 42, 4, "values behind = (X=…)", line);
+            }
+        }
+    }
+
+    /// "CYCLE83(5,0,1,-20)", "POCKET3(…)", "HOLES2(…)", "MSG("…")".
+    void look_for_named_cycles(std::uint32_t line) {
+        const std::string& code = split_.code;
+        const std::size_t last = code.find_last_not_of(" \r");
+        const std::size_t text = split_.remarks.find_first_not_of("( ");
+        if (last != std::string::npos && last >= 2 && code.compare(last - 2, 3, "MSG") == 0 &&
+            text != std::string::npos && split_.remarks[text] == '"') {
+            add(kinds_[kSiemens], 44, 4, "messages as MSG(\"…\")", line);
+        }
+        for (const std::string_view name : {"CYCLE", "POCKET", "HOLES", "SLOT"}) {
+            const std::size_t at = code.find(name);
+            if (at == std::string::npos) continue;
+            const std::size_t end = code.find_first_not_of("0123456789", at + name.size());
+            const bool starts = at == 0 || code[at - 1] == ' ' || is_digit(code[at - 1]);
+            const bool ends = end == std::string::npos || code[end] == ' ' || code[end] == '\r';
+            if (starts && ends && at + name.size() < code.size() &&
+                is_digit(code[at + name.size()])) {
+                add(kinds_[kSiemens], 43, 4, code.substr(at, std::min(end, code.size()) - at),
+                    line);
+            }
+        }
+    }
+
+    /// The letters, and the digits behind them, that end right before `p`; empty where a parameter
+    /// (#1, #<a>) does.
+    static std::string_view name_before(std::string_view code, std::size_t p) {
+        std::size_t end = p;
+        while (end > 0 && code[end - 1] == ' ')
+            --end;
+        std::size_t at = end;
+        while (at > 0 && is_digit(code[at - 1]))
+            --at;
+        const std::size_t digits = at;
+        while (at > 0 && is_letter(code[at - 1]))
+            --at;
+        if (at == digits) return {};
+        if (at > 0 && std::string_view("#<>_./]").find(code[at - 1]) != std::string_view::npos)
+            return {};
+        return code.substr(at, end - at);
+    }
+
+    /// Lasers have no Z: they are turned on and off, and their power goes with the moves.
+    void look_for_power(std::uint32_t line) {
+        const std::string& code = split_.code;
+        for (const std::string_view on : {"M3", "M4", "M03", "M04"}) {
+            if (contains(code, on) && (contains(code, "S0") || contains(code, "S 0")))
+                add(power_, 0, 2, "a spindle on at S0", line);
+        }
+        if (contains(code, "M106") || contains(code, "M107"))
+            add(power_, 1, 2, "power by M106 and M107", line);
+    }
+
+    /// Which axes move, and what else stands beside them.
+    void look_at_axes(Letters words, std::uint32_t line) {
+        constexpr Letters kXY = letters_of("XY");
+        has_z_ = has_z_ || (words & bit_of('Z')) != 0;
+        turns_a_or_b_ = turns_a_or_b_ || (words & letters_of("AB")) != 0;
+        extrudes_ = extrudes_ || (words & bit_of('E')) != 0;
+        if ((words & bit_of('S')) != 0 && (words & kXY) != 0 && ++moves_with_power_ == 3)
+            add(power_, 2, 2, "S beside moves, and no Z", line);
+        if ((words & bit_of('C')) != 0) look_at_c(words);
+        if ((words & letters_of("MT")) == 0) return;
+        changes_tools_ =
+            changes_tools_ || contains(split_.code, "M6") || contains(split_.code, "M06");
+    }
+
+    static double number_at(const std::string& code, std::size_t at) {
+        const PlainNumber number = read_plain_number(code.data() + at, code.data() + code.size());
+        return number.end ? number.value : 0.0;
+    }
+
+    /// Is this C an axis, or could it be the size of a chamfer?
+    void look_at_c(Letters words) {
+        constexpr double kLargestChamfer = 20.0;
+        const std::string& code = split_.code;
+        const std::size_t c = code.find('C');
+        const double size = c == std::string::npos ? 0.0 : number_at(code, c + 1);
+        const bool line =
+            (words & letters_of("ABZIJKRUVWHLPQTMO")) == 0 && (words & letters_of("XY")) != 0;
+        bool other_code = false;  // than G1
+        for (std::size_t g = code.find('G'); g != std::string::npos; g = code.find('G', g + 1))
+            other_code = other_code || number_at(code, g + 1) != 1.0;
+        if (line && !other_code && size > 0.0 && size <= kLargestChamfer) {
+            c_like_corners_ = true;
+        } else {
+            c_is_axis_ = true;
+        }
     }
 
     /// "%", then "O1234": how Fanuc programs begin.
@@ -429,9 +596,16 @@ private:
     SplitLine split_;
     std::array<Case, kDialects.size()> dialects_;
     std::array<Case, kKinds.size()> kinds_;
-    Case turning_;
+    Case turning_, power_;
+    std::uint64_t moves_with_power_ = 0;
     bool has_y_ = false;
     bool has_xz_ = false;
+    bool has_z_ = false;
+    bool turns_a_or_b_ = false;
+    bool changes_tools_ = false;
+    bool extrudes_ = false;
+    bool c_like_corners_ = false;
+    bool c_is_axis_ = false;
     bool has_words_ = false;
     bool has_plane_ = false;
 };

@@ -22,34 +22,44 @@ SourceSpan place(const std::vector<Evidence>& evidence) {
     return {evidence.empty() ? 0 : evidence.front().line, 1, 0};
 }
 
-/// Programs that would be misread from beginning to end are not run at all; those that move a tool
-/// like a milling machine does are run with a warning.
-bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
-    const SourceSpan span = place(findings.kind_evidence);
-    const std::string why = reasons(findings.kind_evidence);
-    switch (findings.kind) {
-        case Kind::Milling: return false;
-        case Kind::NotAProgram: log.add(Message::NoProgram, span, {why}); return true;
+/// What to do with a program that is not read.
+std::string_view what_to_do(Kind kind) {
+    switch (kind) {
         case Kind::Heidenhain:
         case Kind::HeidenhainIso:
         case Kind::Siemens:
         case Kind::Okuma:
         case Kind::Isg:
-            log.add(Message::ForeignProgram, span, {name_of(findings.kind), why});
-            return true;
+            return "post it for a control with G-code, such as LinuxCNC's or Fanuc's, or, if it is "
+                   "that already, name the control (--dialect)";
+        default: return "only milling is simulated; if it mills, name its control (--dialect)";
+    }
+}
+
+/// Programs that would be misread from beginning to end are not run at all, unless somebody says
+/// what they are; those that move a tool like a milling machine does are run with a warning.
+bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
+    const SourceSpan span = place(findings.kind_evidence);
+    const std::string why = reasons(findings.kind_evidence);
+    const auto warn = [&] {
+        log.add(Message::ForeignKind, span, {name_of(findings.kind), why});
+        return false;
+    };
+    switch (findings.kind) {
+        case Kind::Milling: return false;
+        case Kind::NotAProgram: log.add(Message::NoProgram, span, {why}); return true;
+        case Kind::Laser:
+        case Kind::Plasma: return warn();
         case Kind::Printer:
         case Kind::Lathe:
-            if (!strict) {
-                log.add(Message::ForeignProgram, span, {name_of(findings.kind), why});
-                return true;
-            }
-            [[fallthrough]];
-        case Kind::Laser:
-        case Kind::Plasma:
-            log.add(Message::ForeignKind, span, {name_of(findings.kind), why});
-            return false;
+            if (strict) return warn();
+            break;
+        default: break;
     }
-    return false;
+    if (findings.stated) return warn();
+    log.add(Message::ForeignProgram, span,
+            {name_of(findings.kind), why, what_to_do(findings.kind)});
+    return true;
 }
 
 }  // namespace
@@ -75,7 +85,8 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
         log.add(Message::DialectConcluded, place(evidence),
                 {name_of(result.dialect.dialect), reasons(evidence)});
     }
-    const Rules rules = Rules::of(result.dialect.dialect, options.strict);
+    Rules rules = Rules::of(result.dialect.dialect, options.strict);
+    rules.c_may_be_corner = result.dialect.c_may_be_corner;
     Runner runner(program, options, rules, sink, log, result);
     runner.run();
     result.diagnostics = log.take();

@@ -26,6 +26,9 @@ struct Rules {
     bool circular_pockets = false;
     /// ,R and ,C round and chamfer the corner to the next line (Fanuc, Haas, Mazak).
     bool corner_words = false;
+    /// There, C may be a corner that somebody wrote without the comma: it never is what an axis
+    /// would be told.
+    bool c_may_be_corner = false;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.

@@ -45,6 +45,9 @@ struct DialectFindings {
     Kind kind = Kind::Milling;
     std::vector<Evidence> evidence;       ///< For `dialect`.
     std::vector<Evidence> kind_evidence;  ///< For `kind`.
+    /// C stands only beside X or Y of straight lines, and is small and above 0: the size of a
+    /// chamfer, as lathes have it, rather than a turn of an axis.
+    bool c_may_be_corner = false;
 };
 
 /// Looks at the program and concludes. Without any sign: Rs274, the common core. Every line of the
