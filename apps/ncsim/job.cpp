@@ -10,8 +10,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -32,8 +36,58 @@ bool is_binary(std::string_view text) {
     return text.substr(begin, last + 1 - begin).find('\0') != std::string_view::npos;
 }
 
+// A line that begins with this program number: "O1234", "O01234 (DRILL)", ":1234".
+bool begins_program(std::string_view text, std::string_view digits) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t line = 0; line < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", line), text.size());
+        std::size_t at = text.find_first_not_of(" \t", line);
+        if (at < end && (text[at] == 'O' || text[at] == 'o' || text[at] == ':')) {
+            at = text.find_first_not_of(" \t", at + 1);
+            while (at < end && text[at] == '0')
+                ++at;
+            if (at < end && text.substr(at, digits.size()) == digits &&
+                (at + digits.size() >= end || !is_digit(text[at + digits.size()]))) {
+                return true;
+            }
+        }
+        line = std::max(end, line) + 1;
+    }
+    return false;
+}
+
+// The one file of a folder in which the program with this number begins; none where there are two
+// of them, for nobody knows which one the control has.
+std::optional<std::string> file_with_program(const std::filesystem::path& folder,
+                                             std::string_view name) {
+    constexpr std::size_t kMostFiles = 2000;
+    constexpr std::uintmax_t kMostBytes = 4'000'000;
+    std::string_view digits = name.substr(name.empty() ? 0 : 1);
+    if (name.empty() || name[0] != 'O' || digits.empty() ||
+        digits.find_first_not_of("0123456789") != std::string_view::npos) {
+        return std::nullopt;
+    }
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    if (digits.empty()) return std::nullopt;
+    std::optional<std::string> found;
+    std::error_code ignored;
+    std::size_t files = 0;
+    const std::filesystem::path here = folder.empty() ? "." : folder;
+    for (const auto& entry : std::filesystem::directory_iterator(here, ignored)) {
+        if (++files > kMostFiles) return std::nullopt;
+        if (!gcode::is_program_file(entry.path().filename().string())) continue;
+        if (!entry.is_regular_file(ignored) || entry.file_size(ignored) > kMostBytes) continue;
+        std::ifstream in(entry.path(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        if (!begins_program(text, digits)) continue;
+        if (found) return std::nullopt;
+        found = entry.path().filename().string();
+    }
+    return found;
+}
+
 // Subprograms live in files beside the program and where the user says: "O<probe>" in probe.ngc,
-// "M98 P1234" in O1234.nc.
+// "M98 P1234" in O1234.nc, or in the file in which O1234 begins, whatever its name.
 std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesystem::path>& folders,
                                                  std::string_view name, InputSet& inputs) {
     const std::vector<std::string> files = gcode::subprogram_files(name);
@@ -45,6 +99,10 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
                 return gcode::SourceFile{file, inputs.read(path.string())};
             }
         }
+    }
+    for (const std::filesystem::path& folder : folders) {
+        if (const std::optional<std::string> file = file_with_program(folder, name))
+            return gcode::SourceFile{*file, inputs.read((folder / *file).string())};
     }
     return std::nullopt;
 }

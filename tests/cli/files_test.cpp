@@ -114,6 +114,26 @@ void write_inputs(const Folder& folder) {
     folder.write("design.stl", folder.read("part.stl"));
 }
 
+TEST(Subprogram, IsFoundByItsNumberInAFileOfAnotherName) {
+    Folder folder;
+    write_inputs(folder);
+    ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "a.stl", "-q"}).exit_code, 0);
+    folder.shell("mv O100.nc pocket.nc");
+    ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "b.stl", "-q"}).exit_code, 0);
+    EXPECT_EQ(folder.read("b.stl"), folder.read("a.stl"));
+    // Its number, in other spellings, among others.
+    folder.write("pocket.nc", "%\nO1000\nM99\n o00100 (POCKET)\nG1 X30. F500.\nM99\n%\n");
+    ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "b.stl", "-q"}).exit_code, 0);
+    EXPECT_EQ(folder.read("b.stl"), folder.read("a.stl"));
+    // Not where two of them could be meant, nor in a text that is no program's.
+    folder.write("older.nc", "O100\nG1 X20. F500.\nM99\n");
+    const Ran two = folder.run({"run", "slot.nc", "-q"});
+    EXPECT_EQ(two.exit_code, 1);
+    EXPECT_TRUE(contains(two.err, "nor one file alone in which it begins")) << two.err;
+    folder.shell("rm older.nc; mv pocket.nc pocket.doc");
+    EXPECT_EQ(folder.run({"run", "slot.nc", "-q"}).exit_code, 1);
+}
+
 TEST(StandardInput, IsAnyFile) {
     Folder folder;
     write_inputs(folder);

@@ -163,7 +163,7 @@ void Runner::call_subprogram() {
     if (!target) {
         const std::optional<Target> sub = find_target(ControlWord::Sub, label, false);
         if (!sub || rules_.strict) {
-            return fault(sub ? Message::CallForms : Message::SubNotFound, p->span,
+            return fault(sub ? Message::CallForms : Message::ProgramNotFound, p->span,
                          {tagged("O", label)});
         }
         target = sub;

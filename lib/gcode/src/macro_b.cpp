@@ -113,7 +113,7 @@ void Runner::macro_call(int g) {
     }
     const std::string label = std::to_string(std::lround(*program));
     const std::optional<Target> target = find_target(ControlWord::ProgramNumber, label, true);
-    if (!target) return fault(Message::SubNotFound, span, {tagged("O", label)});
+    if (!target) return fault(Message::ProgramNotFound, span, {tagged("O", label)});
     if (!(runs >= 1.0)) return;
     Frame frame;
     frame.kind = CallKind::Macro;

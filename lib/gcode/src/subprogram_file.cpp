@@ -2,9 +2,23 @@
 #include "ncsim/gcode/subprogram_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace ncsim::gcode {
+namespace {
+
+constexpr std::array<std::string_view, 15> kEndings = {".ngc", ".nc",  ".NC",  ".tap", ".TAP",
+                                                       ".cnc", ".CNC", ".txt", ".TXT", ".sub",
+                                                       ".SUB", ".prg", ".PRG", ".mac", ""};
+
+}  // namespace
+
+bool is_program_file(std::string_view name) {
+    return std::ranges::any_of(kEndings, [&](std::string_view ending) {
+        return !ending.empty() && name.size() > ending.size() && name.ends_with(ending);
+    });
+}
 
 std::vector<std::string> subprogram_files(std::string_view name) {
     std::vector<std::string> files;
@@ -26,10 +40,10 @@ std::vector<std::string> subprogram_files(std::string_view name) {
                 stems.push_back(letter + padded);
         }
     }
-    for (const char* ending : {".ngc", ".nc", ".NC", ".tap", ".TAP", ".cnc", ".CNC", ".txt", ".TXT",
-                               ".sub", ".SUB", ".prg", ".PRG", ".mac", ""}) {
+    for (const std::string_view ending : kEndings) {
         for (const std::string& stem : stems) {
-            std::string file = stem + ending;
+            std::string file = stem;
+            file += ending;
             if (std::find(files.begin(), files.end(), file) == files.end()) {
                 files.push_back(std::move(file));
             }

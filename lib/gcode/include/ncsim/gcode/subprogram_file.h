@@ -14,4 +14,7 @@ namespace ncsim::gcode {
 /// "12.nc" … Empty for a name that would lead into another folder.
 std::vector<std::string> subprogram_files(std::string_view name);
 
+/// Does the name of a file end as those of programs do?
+bool is_program_file(std::string_view name);
+
 }  // namespace ncsim::gcode
