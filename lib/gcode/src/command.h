@@ -30,6 +30,9 @@ struct Command {
     char corner = 0;          ///< 'R' or 'C' of ",R2", ",C2": the corner at the end of the line.
     double corner_size = 0.0;
     SourceSpan corner_span;
+    bool has_angle = false;  ///< ",A30": the line goes in this direction.
+    double angle = 0.0;      ///< Degrees, from the first axis of the plane to the second.
+    SourceSpan angle_span;
     bool has_m = false;       ///< Any M word, known or not.
     bool has_others = false;  ///< A G code without effect here, not known, or declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.

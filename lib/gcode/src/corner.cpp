@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// ,R and ,C of Fanuc and its kin: an arc or a chamfer in the corner between a line and the next.
-// The line is held back, because only the next one tells where it ends.
+// ,R and ,C of Fanuc and its kin: an arc or a chamfer in the corner between a line and the next;
+// ,A: the direction of a line, of whose end one coordinate is told, or which meets the next line. A
+// line is held back, because only the next one tells where it ends.
 #include "machine.h"
+#include "trig.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +68,7 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
         size *= std::abs(state_.programmed.scale[axes_of(state_.plane).first % 3]);
     }
     corner_ =
-        HeldCorner{state_, end, mask, command.corner, size, span_, command.corner_span, file_};
+        HeldCorner{state_, end, mask, command.corner, size, {}, span_, command.corner_span, file_};
     set_knowledge(state_, after_move(state_, mask, false));
     state_.position = end;
     return true;
@@ -80,6 +82,7 @@ bool Machine::cut_corner(const Axes& next) {
         log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
         return make_held_line(held.end, nullptr, nullptr);
     };
+    if (held.size == 0.0) return make_held_line(held.end, nullptr, nullptr);
     if (!stays_in_plane(held.end, next)) return refuse("a line in the plane after it");
     const Axes& from = held.state.position;
     const double x1 = held.end[axes.first] - from[axes.first];
@@ -142,8 +145,111 @@ bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramA
     return made;
 }
 
+/// "X50. ,A30.": the other coordinate of the end follows from the direction. Where both are told,
+/// they must agree with it, within what three decimals leave open.
+bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
+    const auto refuse = [&](std::string_view what) {
+        return fail(Message::AngleForm, command.angle_span, {what});
+    };
+    const PlaneAxes axes = axes_of(state_.plane);
+    const Axes from = programmed_from(state_.position);
+    Axes to = programmed_from(end);
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        if (i != axes.first && i != axes.second && (mask & 1U << i) != 0)
+            return refuse("a line in the plane (G17, G18, G19)");
+    }
+    const SinCos d = sin_cos_degrees(command.angle);
+    const double x = to[axes.first] - from[axes.first];
+    const double y = to[axes.second] - from[axes.second];
+    const bool tells_first = (mask & 1U << axes.first) != 0;
+    const bool tells_second = (mask & 1U << axes.second) != 0;
+    if (tells_first && tells_second) {
+        constexpr double kThousandth = 0.002;  // of both ends, in units of the program
+        if (std::abs(x * d.sin - y * d.cos) > kThousandth)
+            return refuse("an end that lies in its direction");
+        return true;
+    }
+    if (!tells_first && !tells_second) return refuse("one coordinate of its end");
+    const double along = tells_first ? d.cos : d.sin;
+    if (std::abs(along) <= kRounding) return refuse("a direction that reaches its end");
+    if (tells_first) {
+        to[axes.second] = from[axes.second] + x * (d.sin / d.cos);
+        if (is_known(axes.second)) mask |= 1U << axes.second;
+    } else {
+        to[axes.first] = from[axes.first] + y * (d.cos / d.sin);
+        if (is_known(axes.first)) mask |= 1U << axes.first;
+    }
+    end = programmed_to(to);
+    return true;
+}
+
+/// "G1 ,A30.": it ends where it meets the next line.
+bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask) {
+    if (mask != 0)
+        return fail(Message::AngleForm, command.angle_span,
+                    {"a line in the plane (G17, G18, G19)"});
+    if (state_.feed_mode == FeedMode::InverseTime)
+        return fail(Message::CycleInverseTime, command.angle_span, {",A"});
+    const PlaneAxes axes = axes_of(state_.plane);
+    AxisMask plane = 0;
+    for (const std::size_t axis : {axes.first, axes.second}) {
+        if (is_known(axis)) plane |= 1U << axis;
+    }
+    const bool has_corner = command.corner != 0 && command.corner_size != 0.0;
+    if (has_corner && command.corner_size < 0.0) {
+        return fail(Message::NegativeValue, command.corner_span, {corner_name(command.corner)});
+    }
+    double size = has_corner ? command.corner_size : 0.0;
+    if (state_.programmed.scaled) size *= std::abs(state_.programmed.scale[axes.first % 3]);
+    const char letter = has_corner ? command.corner : 'A';
+    corner_ = HeldCorner{
+        state_, end,           plane, letter,
+        size,   command.angle, span_, has_corner ? command.corner_span : command.angle_span,
+        file_};
+    return true;
+}
+
+/// Where the held line meets the next one, of which end and direction are told.
+bool Machine::find_corner(const Command& command, const Axes& next) {
+    HeldCorner& held = *corner_;
+    const auto refuse = [&](std::string_view what) {
+        const SourceSpan span = held.word;
+        corner_.reset();
+        return fail(Message::AngleForm, span, {what});
+    };
+    const PlaneAxes axes = axes_of(state_.plane);
+    if (!command.has_angle || !command.has("XYZABCUVW"[axes.first]) ||
+        !command.has("XYZABCUVW"[axes.second]) || state_.incremental) {
+        return refuse("one coordinate of its end, or a next line with both and its own ,A (G90)");
+    }
+    if (!stays_in_plane(state_.position, next)) return refuse("a next line in the plane");
+    const Axes from = programmed_from(state_.position);
+    const Axes to = programmed_from(next);
+    const SinCos a = sin_cos_degrees(*held.angle);
+    const SinCos b = sin_cos_degrees(command.angle);
+    const double cross = a.cos * b.sin - a.sin * b.cos;
+    if (std::abs(cross) <= kRounding) return refuse("a next line that it meets");
+    const double x = to[axes.first] - from[axes.first];
+    const double y = to[axes.second] - from[axes.second];
+    const double length = (x * b.sin - y * b.cos) / cross;
+    Axes corner = from;
+    corner[axes.first] += length * a.cos;
+    corner[axes.second] += length * a.sin;
+    held.end = programmed_to(corner);
+    held.angle.reset();
+    set_knowledge(state_, after_move(state_, held.mask, false));
+    state_.position = held.end;
+    return true;
+}
+
 /// What comes after the held line makes no corner with it.
 void Machine::settle_corner() {
+    if (corner_->angle) {
+        const SourceSpan span = corner_->word;
+        corner_.reset();
+        fail(Message::AngleForm, span, {"one coordinate of its end, or a next line that it meets"});
+        return;
+    }
     log_.add(Severity::Error, Message::CornerForm, corner_->word,
              {corner_name(corner_->letter), "a line (G1) in the next block"});
     make_held_line(Axes(corner_->end), nullptr, nullptr);

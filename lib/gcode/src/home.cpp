@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// G28 and G30: over the intermediate point to a place of the machine; G29: back over it.
+// G28 and G30: over the intermediate point to a place of the machine; G29: back over it. G28.2:
+// to the switches.
 #include "machine.h"
 
 namespace ncsim::gcode {
@@ -37,6 +38,31 @@ bool Machine::home(const Command& command, bool second) {
         state_.tool_offset = {};
         recompute_position(machine);
         path_.refresh();
+    }
+    return true;
+}
+
+/// G28.2 of TinyG, g2core, Smoothieware: looks for the switches of the named axes (or of all), Z
+/// first; the values say nothing.
+bool Machine::seek_home(const Command& command) {
+    constexpr std::string_view kLetters = "XYZABCUVW";
+    AxisMask named = 0;
+    for (std::size_t i = 0; i < kLetters.size(); ++i) {
+        if (command.has(kLetters[i])) named |= 1U << i;
+    }
+    if (named == 0) named = 1U << kX | 1U << kY | 1U << kZ;
+    constexpr AxisMask kUp = 1U << kZ;
+    for (const AxisMask mask : {named & kUp, named & ~kUp}) {
+        if (mask == 0) continue;
+        Axes target = machine_position();
+        const Axes& home = store_.homes[0];
+        for (std::size_t i = 0; i < target.size(); ++i) {
+            if ((mask & 1U << i) != 0)
+                target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
+        }
+        path_.set_machine_coordinates(true);
+        path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
+        path_.set_machine_coordinates(false);
     }
     return true;
 }

@@ -129,6 +129,8 @@ bool Machine::act(const Command& command) {
     if (command.corner != 0 && !ends_in_corner(command)) {
         return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
     }
+    if (command.has_angle && !ends_in_corner(command))
+        return fail(Message::CornerWord, command.angle_span, {",A"});
     // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
     const int units = command.group(Group::Units);
     const auto switch_units = [&] {
@@ -211,13 +213,23 @@ bool Machine::check(const Command& command) {
     const int motion = command.group(Group::Motion);
     const int one_shot = command.group(Group::OneShot);
     const bool takes_axes = one_shot == 100 || one_shot == 280 || one_shot == 290 ||
-                            one_shot == 300 || one_shot == 520 || one_shot == 920 ||
-                            one_shot == 924;
+                            one_shot == 282 || one_shot == 283 || one_shot == 300 ||
+                            one_shot == 520 || one_shot == 920 || one_shot == 924;
     if (takes_axes && motion != kNone && motion != 800 && rules_.strict) {
         return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot),
                     {motion_name(one_shot)});
     }
-    return check_unused_words(command);
+    return check_corner_words(command) && check_unused_words(command);
+}
+
+/// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
+bool Machine::check_corner_words(const Command& command) {
+    if (!rules_.corner_words || !is_line(command)) return true;
+    if (command.has('R') && command['R'] != 0.0)
+        return fail(Message::CornerWithoutComma, span_of(command, 'R'), {"R", "R", ""});
+    if (!command.has('C') || !rules_.c_may_be_corner) return true;
+    return fail(Message::CornerWithoutComma, span_of(command, 'C'),
+                {"C", "C", ", or begin with C0. if it is an axis"});
 }
 
 /// Words that no code of the block uses: RS274/NGC refuses them, others pass over them, and where
@@ -411,6 +423,7 @@ bool Machine::one_shot(const Command& command) {
         case 290: return return_from_home(command);
         case 300: return home(command, true);
         case 281: return store_home(false), true;
+        case 282: return seek_home(command);
         case 301: return store_home(true), true;
         default: return offset_92(command, code);
     }
@@ -450,11 +463,12 @@ void Machine::finish() {
 bool Machine::move(const Command& command, int motion) {
     const int one_shot = command.group(Group::OneShot);
     const bool words_taken =
-        one_shot == 100 || one_shot == 280 || one_shot == 290 || one_shot == 300 ||
-        one_shot == 520 || one_shot == 920 || one_shot == 924 ||
-        (one_shot == 40 && !rules_.strict) || command.group(Group::ToolLength) == 431 ||
-        command.group(Group::Rotation) == 680 || command.group(Group::Scaling) == 510 ||
-        command.group(Group::Mirror) != kNone || (command.group(Group::Macro) != kNone);
+        one_shot == 100 || one_shot == 280 || one_shot == 282 || one_shot == 283 ||
+        one_shot == 290 || one_shot == 300 || one_shot == 520 || one_shot == 920 ||
+        one_shot == 924 || (one_shot == 40 && !rules_.strict) ||
+        command.group(Group::ToolLength) == 431 || command.group(Group::Rotation) == 680 ||
+        command.group(Group::Scaling) == 510 || command.group(Group::Mirror) != kNone ||
+        (command.group(Group::Macro) != kNone);
     if (is_speed_mode(command, motion)) return true;
     if (const int code = command.group(Group::HolePattern); code != kNone) {
         return hole_pattern(command, code, words_taken);
@@ -615,9 +629,18 @@ bool Machine::straight(const Command& command, MoveKind kind) {
     }
     if (!find_ends(command, end, mask)) return false;
     const bool machine = command.group(Group::OneShot) == 530;
+    if (command.has_angle) {
+        const PlaneAxes axes = axes_of(state_.plane);
+        const bool named = (mask & (1U << axes.first | 1U << axes.second)) != 0;
+        if (!named && !corner_) return hold_angle(command, end, mask);
+        const bool meets = corner_ && corner_->angle;  // where the line before ends
+        if (!meets && !end_by_angle(command, end, mask)) return false;
+    }
     if (corner_) {
-        if (!cut_corner(end)) return false;
-        if (end == state_.position && command.corner == 0) return true;  // the corner ends there
+        // Without the line before, this one begins where the tool stands.
+        const bool meets = !corner_->angle || find_corner(command, end);
+        if (meets && !cut_corner(end)) return false;
+        if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
     if (!machine) return feed_straight(end, kind, mask);

@@ -64,6 +64,7 @@ private:
     void let_out(const Command& command);
     bool act(const Command& command);
     bool check(const Command& command);
+    bool check_corner_words(const Command& command);
     bool check_unused_words(const Command& command);
 
     // Each returns false after reporting an error.
@@ -82,6 +83,7 @@ private:
     void stop(const Command& command);
 
     bool home(const Command& command, bool second);
+    bool seek_home(const Command& command);
     bool return_from_home(const Command& command);
     void store_home(bool second);
     bool offset_92(const Command& command, int code);
@@ -90,6 +92,10 @@ private:
     static std::optional<int> extended_number(const Command& command);
     WorkOffset& offset_of(int system);
     bool set_tool_data(const Command& command, int index);
+    ToolTableEntry* register_of(int index);
+    bool is_register(const Command& command, int l) const;
+    bool set_register(const Command& command, int index, int l);
+    bool is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const;
     std::optional<double> told_length(int tool) const;
     void select_system(int system);
     void recompute_position(const Axes& machine);
@@ -123,16 +129,22 @@ private:
         AxisMask mask = 0;
         char letter = 'R';
         double size = 0.0;
+        std::optional<double> angle;  ///< Of a line whose end the next one tells.
         SourceSpan span, word;
         std::uint32_t file = 0;
     };
-    static std::string_view corner_name(char letter) { return letter == 'R' ? ",R" : ",C"; }
+    static std::string_view corner_name(char letter) {
+        return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
+    }
     bool is_line(const Command& command) const;
     bool ends_in_corner(const Command& command) const;
     bool goes_on_from_corner(const Command& command) const;
     bool stays_in_plane(const Axes& from, const Axes& to) const;
     bool hold_corner(const Command& command, const Axes& end, AxisMask mask);
     bool cut_corner(const Axes& next);
+    bool end_by_angle(const Command& command, Axes& end, AxisMask& mask);
+    bool hold_angle(const Command& command, const Axes& end, AxisMask mask);
+    bool find_corner(const Command& command, const Axes& next);
     bool make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc);
     void settle_corner();
     bool pocket(const Command& command, int code, bool words_taken);

@@ -92,6 +92,7 @@ bool Machine::set_work_offset(const Command& command) {
     const int code = command.group(Group::WorkOffset);
     if (code == kNone) return true;
     int system = code <= 590 ? (code - 530) / 10 : 6 + code - 590;
+    if (code >= 1100 && code <= 1290) system = kExtended + (code - 1100) / 10 + 1;  // Haas
     if (code == 541 || code == 1540 || (code == 540 && command.has('P') && !rules_.strict)) {
         const std::optional<int> number = extended_number(command);
         if (!number)
@@ -115,6 +116,7 @@ bool Machine::offset_92(const Command& command, int code) {
     switch (code) {
         case 920:
         case 924:  // Smoothieware, Carvera: "here is A0", said of the machine itself
+        case 283:  // TinyG, g2core: the same
         case 520:
             if (!command.axis_words) {
                 // Fanuc: "G92 S2000" limits the spindle.
@@ -155,7 +157,7 @@ bool Machine::offset_92(const Command& command, int code) {
 
 bool Machine::set_data(const Command& command) {
     const SourceSpan span = span_of_g(command, 100);
-    if (!command.has('L')) return tolerate(Message::G10Form, span);
+    if (!command.has('L')) return fail(Message::G10Form, span);
     const int l = static_cast<int>(std::lround(std::clamp(command['L'], -1e6, 1e6)));
     const int p = static_cast<int>(std::lround(std::clamp(command.get('P', -1.0), -1e6, 1e6)));
     switch (l) {
@@ -176,8 +178,13 @@ bool Machine::set_data(const Command& command) {
         case 10:
         case 11:
             if (p < 0) return fail(Message::G10Form, span);
+            if (is_register(command, l)) return set_register(command, p, l);
             return set_tool_data(command, p);
-        default: return tolerate(Message::G10Form, span);
+        case 12:
+        case 13:
+            if (p < 0 || !is_register(command, l)) return fail(Message::G10Form, span);
+            return set_register(command, p, l);
+        default: return fail(Message::G10Form, span);
     }
 }
 
@@ -231,14 +238,67 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     return true;
 }
 
-bool Machine::set_tool_data(const Command& command, int index) {
+ToolTableEntry* Machine::register_of(int index) {
     auto entry = std::ranges::find(store_.tools, index, &ToolTableEntry::number);
     if (entry == store_.tools.end()) {
-        if (store_.tools.size() > 10'000) return fail(Message::G10Form, command.span);
+        if (store_.tools.size() > 10'000) return nullptr;
         store_.tools.push_back(
             {.number = index, .offset = {}, .length_told = false, .diameter = {}});
         entry = store_.tools.end() - 1;
     }
+    return &*entry;
+}
+
+/// Fanuc and Haas: "G10 L10 P1 R120." sets one register, and names no axis.
+bool Machine::is_register(const Command& command, int l) const {
+    if (rules_.strict || !command.has('R') || command.has_any(letters('X', 'Y', 'Z'))) return false;
+    return l != 1 || rules_.dialect == Dialect::Haas;  // L1: wear there, a table elsewhere
+}
+
+/// L10: length, L11 and Haas's L1: its wear, L12: radius, L13: its wear. A control adds wear to
+/// what it belongs to. In G91 the value is added.
+bool Machine::set_register(const Command& command, int index, int l) {
+    ToolTableEntry* entry = register_of(index);
+    if (!entry) return fail(Message::G10Form, command.span);
+    const bool of_length = l <= 11;
+    const bool is_wear = l == 1 || l == 11 || l == 13;
+    const std::array<char, 4> name{'L', static_cast<char>('0' + l / 10),
+                                   static_cast<char>('0' + l % 10), '\0'};
+    double value = command['R'] * state_.unit_mm();
+    if (!of_length && rules_.dialect == Dialect::Haas && is_diameter(*entry, value, is_wear)) {
+        log_.add(Message::G10Diameter, span_of(command, 'R'), {std::string_view(name.data(), 3)});
+        value /= 2.0;
+    }
+    Wear& wear = store_.wear[index];
+    double& worn = of_length ? wear.length_mm : wear.radius_mm;
+    const double sum =
+        of_length ? entry->offset[2].mm() : entry->diameter.value_or(Length()).mm() / 2.0;
+    double whole = sum - worn;  // without the wear
+    double& told = is_wear ? worn : whole;
+    told = state_.incremental ? told + value : value;
+    if (of_length) {
+        entry->offset[2] = Length::from_mm(whole + worn);
+        entry->length_told = true;
+        if (index == state_.tool) state_.tool_length = gauge_length();
+    } else {
+        entry->diameter = Length::from_mm(2.0 * (whole + worn));
+    }
+    return true;
+}
+
+/// Haas controls can be set to either (setting 40), as a rule to diameters: what is nearer to the
+/// tool, where it is told.
+bool Machine::is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const {
+    const auto& told = options_.tools;
+    const auto tool = std::ranges::find(told, entry.number, &ToolTableEntry::number);
+    if (is_wear || tool == told.end() || !tool->diameter) return true;
+    const double diameter = tool->diameter->mm();
+    return std::abs(mm - diameter) <= std::abs(mm - diameter / 2.0);
+}
+
+bool Machine::set_tool_data(const Command& command, int index) {
+    ToolTableEntry* entry = register_of(index);
+    if (!entry) return fail(Message::G10Form, command.span);
     const long l = std::lround(command['L']);
     const double unit = state_.unit_mm();
     const Axes machine = machine_position();
@@ -254,15 +314,7 @@ bool Machine::set_tool_data(const Command& command, int index) {
         entry->offset[i] = Length::from_mm(unit * offset);
     }
     entry->length_told |= command.has('Z');
-    // Fanuc: "G10 L10 P1 R120." sets the length, L12 the radius.
-    const bool is_length =
-        !rules_.strict && l != 1 && command.has('R') && !command.has_any(letters('X', 'Y', 'Z'));
-    if (is_length) {
-        entry->offset[2] = Length::from_mm(unit * command['R']);
-        entry->length_told = true;
-    } else if (command.has('R')) {
-        entry->diameter = Length::from_mm(2.0 * unit * command['R']);
-    }
+    if (command.has('R')) entry->diameter = Length::from_mm(2.0 * unit * command['R']);
     if (index == state_.tool) state_.tool_length = gauge_length();
     return true;
 }

@@ -70,6 +70,13 @@ bool is_hole_pattern(const Block& block) {
     return find_word(block, 'I') || find_word(block, 'J') || find_word(block, 'L');
 }
 
+/// G110, G111, G114 … G129 of Haas, times ten: G154 P1, P2, P5 … P20.
+bool is_haas_offset(double tenths) {
+    const double number = tenths / 10.0;
+    return number == std::round(number) && number >= 110.0 && number <= 129.0 && number != 112.0 &&
+           number != 113.0;
+}
+
 /// Nothing else than holes can be meant.
 bool is_whole_hole_pattern(const Block& block, int code) {
     return find_word(block, 'I') && find_word(block, 'J') && find_word(block, 'L') &&
@@ -111,6 +118,9 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         }
     }
     if (code && rules_.strict && !code->in_rs274) code = nullptr;
+    GCode offset{static_cast<std::int16_t>(std::clamp(tenths, 0.0, 2e4)), Group::WorkOffset, false,
+                 false};
+    if (!code && rules_.dialect == Dialect::Haas && is_haas_offset(tenths)) code = &offset;
     if (code && code->group == Group::Pocket) {
         const bool haas = rules_.dialect == Dialect::Haas;
         const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
@@ -178,6 +188,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.m.fill(kNone);
     command.next_tool = -1.0;
     command.corner = 0;
+    command.has_angle = false;
     command.has_m = false;
     command.has_others = false;
     unknown_g_ = false;
@@ -209,6 +220,12 @@ bool Resolver::resolve(const Block& block, Command& command) {
             command.corner_span = word.span;
             continue;
         }
+        if (word.comma && word.letter == 'A' && rules_.corner_words && !command.has_angle) {
+            command.has_angle = true;
+            command.angle = value;
+            command.angle_span = word.span;
+            continue;
+        }
         if (word.comma) {
             log_.add(Message::CornerWord, word.span, {text_of(word, value)});
             return false;
@@ -230,7 +247,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
         command.present |= 1U << i;
         command.value[i] = value;
     }
-    command.axis_words = command.has_any(kAxisLetters);
+    command.axis_words = command.has_any(kAxisLetters) || command.has_angle;
     if (command.has('E') && !rules_.strict && !is_allowed('E', command['E'])) {
         const Word* word = find_word(block, 'E');
         log_.add(Message::UnknownWord, word ? word->span : command.span, {"E"});

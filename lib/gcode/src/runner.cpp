@@ -148,7 +148,12 @@ void Runner::scale_increments() {
         const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
         if (!counts || dwells || has_point(block_, word)) continue;
         if (word.comma) {
-            command_.corner_size *= inches ? 1e-4 : 1e-3;  // the only one: two are an error
+            // Each stands once: two are an error.
+            if (word.letter == 'A') {
+                command_.angle *= 1e-3;
+            } else {
+                command_.corner_size *= inches ? 1e-4 : 1e-3;
+            }
             continue;
         }
         const bool is_angle = (word.letter >= 'A' && word.letter <= 'C') ||

@@ -13,10 +13,17 @@
 
 namespace ncsim::gcode {
 
+/// Of the registers of Fanuc's kin; it is in what `tools` says already.
+struct Wear {
+    double length_mm = 0.0;
+    double radius_mm = 0.0;
+};
+
 struct Store {
     std::array<WorkOffset, 9> work_offsets;
     std::map<int, WorkOffset> extended;  ///< G54.1 P1 …, by number.
     std::vector<ToolTableEntry> tools;
+    std::map<int, Wear> wear;     ///< By the number of the register.
     std::array<Axes, 2> homes{};  ///< Of G28 and G30, machine, mm.
     Axes via{};                   ///< Over which the last G28 went, program coordinates.
     bool has_via = false;
