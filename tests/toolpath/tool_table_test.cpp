@@ -235,6 +235,33 @@ TEST(StockComments, OfSimulatorsAndPostsAreRead) {
               cda::Box{});
 }
 
+TEST(StockComments, OfPeopleAreThreeLengthsBehindAName) {
+    const auto size = [](const std::string& text) {
+        const auto stock = notes(text + "\nG21\n").stock;
+        return stock ? stock->box.size() : cda::Vec3{};
+    };
+    const cda::Vec3 block{100, 50, 10};
+    for (const char* text :
+         {"(STOCK 100x50x10)", "(Stock: 100 x 50 x 10 mm)",
+          "; Stock Size: 100(X) * 50(Y) * 10(Z) mm", "(RAW STOCK = 100MM X 50MM X 10MM ALUMINIUM)",
+          "(blank 100*50*10)", "(Rohteil 100x50x10)", "[Workpiece size 100 x 50 x 10]",
+          "(BLOCK 100mmx50mmx10mm)"}) {
+        EXPECT_EQ(size(text), block) << text;
+    }
+    EXPECT_EQ(size("(STOCK 4in x 2in x 1/2in)"), (cda::Vec3{101.6, 50.8, 12.7}));
+    EXPECT_EQ(size("(MATERIAL 4\" X 2\" X 1\" PINE)"), (cda::Vec3{101.6, 50.8, 25.4}));
+    for (const char* text :
+         {"(STOCK 100 x 50 mm)", "(STOCK TO LEAVE 1 x 1 x 1)", "(STOCK 100x50x10x2)",
+          "(STOCKS 100x50x10)", "(STOCK 100x50x0)", "(STOCK 100x50x10, 2 PIECES)",
+          "(STOCK 4in x 50mm x 10)", "(100x50x10)", "(MATERIAL 6061 100x50x10)"}) {
+        EXPECT_EQ(size(text), cda::Vec3{}) << text;
+    }
+    EXPECT_TRUE(notes("(STOCK 100x50x10)\nG21\n").stock->place_assumed);
+    EXPECT_FALSE(notes("(STOCK/BLOCK,100,50,10,0,0,10)\nG21\n").stock->place_assumed);
+    EXPECT_FALSE(notes("; Stock Size: 9(X) * 9(Y) * 9(Z) mm\n; Material Origin: X0 Y0 Z0\nG21\n")
+                     .stock->place_assumed);
+}
+
 TEST(StockComments, OfKiriAreASize) {
     EXPECT_EQ(notes("; Stock X:100 Y:50 Z:10\nG21\n").stock->box.max, (cda::Vec3{100, 50, 0}));
     EXPECT_FALSE(notes("; Stock X:100 Y:0 Z:10\nG21\n").stock);

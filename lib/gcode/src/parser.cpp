@@ -167,6 +167,14 @@ private:
              true});
     }
 
+    /// "[VCarve: sign.crv]" at the beginning of a line: a comment for WinCNC, and no word anywhere.
+    bool is_bracket_comment(std::size_t at) const {
+        if (line_[at] != '[' || !reader_.clean_.empty() || reader_.options_.strict) return false;
+        const std::size_t first = line_.find_first_not_of(" \t", at + 1);
+        const bool is_text = first != std::string_view::npos && line_[first] != '#';
+        return is_text && line_.find(']', at) != std::string_view::npos;
+    }
+
     /// Fills the reader's clean copy. False if the line must not be executed.
     bool make_clean() {
         std::string& clean = reader_.clean_;
@@ -193,6 +201,10 @@ private:
             } else if (c == ';') {
                 add_semicolon_comment(i);
                 break;
+            } else if (is_bracket_comment(i)) {
+                const std::size_t close = line_.find(']', i);
+                add_comment(i, close);
+                i = close;
             } else if (c == ')') {
                 good = tolerate(Message::CommentUnopened, {block_.line, column_of(i), 1}) && good;
             } else if (!is_blank(c) && c != '\0') {

@@ -227,6 +227,63 @@ std::optional<Triple> named_size(std::string_view s) {
     return is_size ? t : std::nullopt;
 }
 
+// What people call the block, in front of its size: "STOCK 100x50x10", "; Stock Size: 3(X) * 3(Y) *
+// 3(Z) mm". Behind it.
+std::optional<std::size_t> behind_block_name(std::string_view s) {
+    static constexpr std::string_view kNames[] = {"RAW STOCK",    "STOCK",     "BLANK",
+                                                  "BLOCK",        "WORKPIECE", "MATERIAL",
+                                                  "RAW MATERIAL", "ROHTEIL",   "BRUT"};
+    for (const std::string_view name : kNames) {
+        if (s.substr(0, name.size()) != name) continue;
+        std::size_t at = name.size();
+        const auto skip = [&](std::string_view what) {
+            at = std::min(s.find_first_not_of(what, at), s.size());
+        };
+        if (at < s.size() && text::is_letter(s[at])) continue;
+        skip(" ");
+        for (const std::string_view word : {"SIZE", "DIMENSIONS", "IS"}) {
+            if (s.substr(at, word.size()) == word) at += word.size();
+        }
+        skip(" :=");
+        return at;
+    }
+    return std::nullopt;
+}
+
+// "100x50x10", "4in x 2in x 1/2in", "3(X) * 3(Y) * 3(Z) mm": three lengths and no other number.
+std::optional<Triple> product_at(std::string_view s, std::size_t at) {
+    Triple t;
+    const auto skip_blanks = [&] { at = std::min(s.find_first_not_of(' ', at), s.size()); };
+    for (int axis = 0; axis < 3; ++axis) {
+        skip_blanks();
+        if (axis > 0) {
+            if (at == s.size() || (s[at] != 'X' && s[at] != '*')) return std::nullopt;
+            ++at;
+            skip_blanks();
+        }
+        auto q = text::quantity_at(s, at);
+        if (!q || !(q->value > 0) || q->value > 1e6) return std::nullopt;
+        // "4INX2INX1IN": the unit touches the cross.
+        for (const auto& [name, unit] : {std::pair{"MMX", Unit::Millimetre}, {"INX", Unit::Inch}}) {
+            if (q->unit == Unit::None && s.substr(std::min(q->end, s.size()), 3) == name)
+                q->unit = unit, q->end += 2;
+        }
+        if (q->unit == Unit::None && q->is_fraction) q->unit = Unit::Inch;
+        if (q->unit == Unit::Degree) return std::nullopt;
+        if (t.unit != Unit::None && q->unit != Unit::None && q->unit != t.unit) return std::nullopt;
+        t.value[axis] = q->value;
+        if (q->unit != Unit::None) t.unit = q->unit;
+        at = q->end;
+        const char label[] = {'(', static_cast<char>('X' + axis), ')', '\0'};
+        if (s.substr(at, 3) == label) at += 3;
+    }
+    skip_blanks();
+    if (s.substr(at, 2) == "MM") t.unit = Unit::Millimetre;
+    if (s.substr(at, 2) == "IN") t.unit = Unit::Inch;
+    if (s.find_first_of("0123456789", at) != kNone) return std::nullopt;
+    return t;
+}
+
 // Vectric's words for where the zero is: "Bottom Left Corner", "Center".
 Triple corner_named(std::string_view s) {
     const auto has = [s](std::string_view word) { return s.find(word) != kNone; };
@@ -298,10 +355,18 @@ std::optional<StockRemark> read_stock_remark(std::string_view comment) {
         remark.first = *size;
         return remark;
     }
+    if (const auto behind = behind_block_name(s)) {
+        if (const auto size = product_at(s, *behind)) {
+            remark.what = What::Size;
+            remark.first = *size;
+            return remark;
+        }
+    }
     if (starts("MATERIAL ORIGIN:")) {
         const auto origin = named_triple(s.substr(16));
-        if (origin && origin->value == cda::Vec3{}) return std::nullopt;  // as everybody takes it
-        remark.what = What::Elsewhere;
+        const bool at_corner = origin && origin->value == cda::Vec3{};
+        remark.what = at_corner ? What::ZeroXY : What::Elsewhere;
+        remark.first.value = {-1, -1, 0};
         return remark;
     }
     if (starts("$SETPARTSIZE(")) {  // of CNCSimulator

@@ -92,6 +92,7 @@ public:
             cda::Vec3 min{-(zero_xy_.x + 1) / 2 * size.x, -(zero_xy_.y + 1) / 2 * size.y,
                           zero_at_bed_ ? 0.0 : -size.z};
             set_stock({min, min + size}, block_span_, block_text_);
+            if (notes_.stock) notes_.stock->place_assumed = !zero_told_;
         }
         if (start_) notes_.start = factor(start_->unit, inches_first_) * start_->value;
         return std::move(notes_);
@@ -202,9 +203,9 @@ private:
         if (whole && !block_) block_ = remark;
         switch (remark.what) {
             case What::Heading: size_expected_ = true; return;
-            case What::ZeroAtTop: zero_at_bed_ = false; return;
-            case What::ZeroAtBed: zero_at_bed_ = true; return;
-            case What::ZeroXY: zero_xy_ = remark.first.value; return;
+            case What::ZeroAtTop: zero_at_bed_ = false, zero_told_ = true; return;
+            case What::ZeroAtBed: zero_at_bed_ = true, zero_told_ = true; return;
+            case What::ZeroXY: zero_xy_ = remark.first.value, zero_told_ = true; return;
             case What::Elsewhere: size_is_elsewhere_ = true; return;
             case What::Size:
                 if (!size_) size_ = remark.first;
@@ -306,6 +307,7 @@ private:
     std::optional<Triple> size_;  // without a place: Vectric, Kiri:Moto
     cda::Vec3 zero_xy_{-1, -1, 0};
     bool zero_at_bed_ = false;
+    bool zero_told_ = false;
     bool size_is_elsewhere_ = false;
     bool size_expected_ = false;  // behind "Material Size"
     bool in_list_ = false;        // behind "Required tools:"

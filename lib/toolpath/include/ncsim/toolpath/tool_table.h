@@ -33,6 +33,8 @@ struct StockEntry : Stock {
     gcode::SourceSpan span;
     std::string text{};  ///< As written; for a derived stock the rule.
     std::string file{};  ///< Of a table; empty: the program.
+    /// Only the size is told: it lies at the zero, where its corner or its middle is as a rule.
+    bool place_assumed = false;
 };
 
 /// What the comments of a program tell.
