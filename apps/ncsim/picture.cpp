@@ -53,6 +53,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.height = o.height;
     options.background = o.background;
     options.colouring = o.colouring;
+    options.ghost_stock = outcome.survey.stock->told_by == toolpath::ToldBy::Assumption;
     options.depth_top = stock.max.z;
     options.depth_bottom = std::max(stock.min.z, tips.min.z);
     options.camera =
@@ -73,7 +74,10 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
 
 exporter::Overlay overlay(const Outcome& outcome) {
     const Simulation& s = *outcome.simulation;
-    exporter::Overlay result{s.paths, {}};
+    exporter::Overlay result{s.paths, {}, {}};
+    const toolpath::StockEntry& stock = *outcome.survey.stock;
+    if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
+        result.ghosts.push_back({stock.box});
     if (!outcome.job.options.shows_tool || !s.standing) return result;
     const auto used = outcome.survey.tools.find(s.standing->tool);
     if (used != outcome.survey.tools.end())
@@ -106,8 +110,10 @@ std::vector<std::string> caption(const Outcome& outcome) {
     std::vector<std::string> lines{
         fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", base_name(outcome.job.program.name), size.x,
                     size.y, size.z),
-        fmt::format("{} of {} removed ({:.1f} %)", volume_text(removed),
-                    volume_text(s.stock_volume), 100.0 * removed / s.stock_volume),
+        s.stock_volume > 0.0
+            ? fmt::format("{} of {} removed ({:.1f} %)", volume_text(removed),
+                          volume_text(s.stock_volume), 100.0 * removed / s.stock_volume)
+            : std::string("nothing is cut"),
         fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
     const Options& o = outcome.job.options;
     if (o.at_line || !o.gif.empty() || !o.frames.empty()) {

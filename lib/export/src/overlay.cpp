@@ -22,6 +22,8 @@ constexpr double kUsualHeight = 960.0;
 
 constexpr Rgba8 kFeedOnWhite{22, 62, 138};
 constexpr Rgba8 kRapidOnWhite{200, 44, 40};
+constexpr Rgba8 kGhostOnWhite{150, 156, 164};
+constexpr Rgba8 kGhostOnDark{120, 128, 138};
 constexpr Rgba8 kFeedOnDark{255, 232, 112};
 constexpr Rgba8 kRapidOnDark{255, 104, 92};
 
@@ -53,10 +55,31 @@ OverlayArt::OverlayArt(const ScreenMap& map, const Overlay& overlay, const Rende
     const bool is_white = options.background == Background::White;
     surfaces_.push_back(line_surface(is_white ? kFeedOnWhite : kFeedOnDark));
     surfaces_.push_back(line_surface(is_white ? kRapidOnWhite : kRapidOnDark));
+    surfaces_.push_back(line_surface(is_white ? kGhostOnWhite : kGhostOnDark));
     for (const Body& body : overlay.bodies)
         add_body(body);
     for (const PathLine& path : overlay.paths)
         add_path(path, path.is_rapid ? 1 : 0);
+    for (const Ghost& ghost : overlay.ghosts)
+        add_ghost(ghost);
+}
+
+// The twelve edges, not lifted before the part but set behind its faces.
+void OverlayArt::add_ghost(const Ghost& ghost) {
+    constexpr std::size_t kSurface = 2;
+    const auto corner = [&](unsigned which) {
+        const cda::Box& box = ghost.box;
+        return divided(map_(Vec3{(which & 1U) != 0 ? box.max.x : box.min.x,
+                                 (which & 2U) != 0 ? box.max.y : box.min.y,
+                                 (which & 4U) != 0 ? box.max.z : box.min.z} -
+                            lift_));
+    };
+    for (unsigned from = 0; from < 8; ++from) {
+        for (const unsigned axis : {1U, 2U, 4U}) {
+            if ((from & axis) != 0) continue;
+            add_stroke(corner(from), corner(from | axis), 0.5 * half_width_, kSurface);
+        }
+    }
 }
 
 void OverlayArt::add_path(const PathLine& path, std::size_t surface) {

@@ -33,6 +33,7 @@ private:
         std::size_t surface = 0;  // in surfaces_
     };
     void add_path(const PathLine& path, std::size_t surface);
+    void add_ghost(const Ghost& ghost);
     void add_stroke(const ScreenPoint& a, const ScreenPoint& b, double overhang,
                     std::size_t surface);
     void add_body(const Body& body);

@@ -88,6 +88,8 @@ public:
           provenance_(provenance),
           palette_(provenance),
           colouring_(options.colouring),
+          ghost_(options.ghost_stock),
+          behind_(colour_of(options.background)),
           last_(provenance.entries.size() > 1 ? static_cast<double>(provenance.entries.size() - 1)
                                               : 1.0) {}
 
@@ -100,6 +102,7 @@ public:
             result.colour = scale_colour(static_cast<double>(origin) / last_);
         } else {
             result.colour = to_linear(palette_.colour(provenance_.of(origin)));
+            if (!is_cut && ghost_) result.colour = 0.35F * result.colour + 0.65F * behind_;
             result.by_depth = is_cut && colouring_ == Colouring::Depth;
         }
         return result;
@@ -110,6 +113,8 @@ private:
     const Provenance& provenance_;
     Palette palette_;
     Colouring colouring_;
+    bool ghost_;
+    LinearColour behind_;
     double last_;
 };
 

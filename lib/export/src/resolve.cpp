@@ -49,10 +49,14 @@ double slope(const Surface& surface) {
 
 }  // namespace
 
+LinearColour colour_of(Background background) {
+    return to_linear(background == Background::White ? kWhite : kDark);
+}
+
 Resolver::Resolver(const ScreenMap& map, const RenderOptions& options,
                    const std::vector<Surface>& surfaces)
     : map_(map), options_(options), surfaces_(surfaces) {
-    lit_.push_back(to_linear(options.background == Background::White ? kWhite : kDark));
+    lit_.push_back(colour_of(options.background));
 }
 
 Resolver::Lighting Resolver::lighting(const Surface& surface) {

@@ -18,6 +18,9 @@ namespace ncsim::exporter {
 /// Samples around a tile that belong to its neighbours: lines look one sample to each side.
 inline constexpr std::uint32_t kTileMargin = 4;
 
+/// What is seen where nothing stands.
+LinearColour colour_of(Background background);
+
 /// Turns samples into pixels, tile by tile. Depends on surfaces only, not on how they were drawn.
 class Resolver {
 public:

@@ -17,6 +17,12 @@ struct PathLine {
     bool is_rapid = false;  ///< Dashed, and in a colour of its own.
 };
 
+/// The edges of a block of which nobody knows that it was there; hidden by what stands before them
+/// or in the same plane.
+struct Ghost {
+    cda::Box box;  ///< mm, W.
+};
+
 /// A body beside the part, closed, in mm, W.
 struct Body {
     cda::Boundary surface;
@@ -26,6 +32,7 @@ struct Body {
 struct Overlay {
     std::vector<PathLine> paths;
     std::vector<Body> bodies;
+    std::vector<Ghost> ghosts;
 };
 
 }  // namespace ncsim::exporter

@@ -35,6 +35,8 @@ struct RenderOptions {
     double depth_top = 0.0, depth_bottom = -10.0;
     /// Every pixel is the mean of samples × samples; 1 … 4.
     std::uint32_t samples = 2;
+    /// Uncut stock is pale, as if the background shone through it: nobody told what it is.
+    bool ghost_stock = false;
     bool edges = true;  ///< Lines where faces meet at an angle and around the silhouette.
 };
 
