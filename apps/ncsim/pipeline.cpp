@@ -10,6 +10,8 @@
 #include "ncsim/cda/tree.h"
 #include "ncsim/toolpath/walk.h"
 
+#include "join_moves.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -257,8 +259,10 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
     mill.stop_after(verification.only_motion.value_or(most));
     std::uint64_t motions = 0;
     std::uint64_t moves = 0;
+    MoveJoiner joiner(verification.verifier ? 0.0 : job.options.join_tolerance,
+                      [&](const gcode::Motion& motion) { mill.take(motion); });
     gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
-        mill.take(motion);
+        joiner.take(motion);
         ++motions;
         if (!start_of(motion)) return;
         ++moves;
@@ -267,6 +271,11 @@ Simulation simulate(const Job& job, const Survey& survey, const Verification& ve
         mill.pause(needs_surface(job.options));
         onlooker.look(result);
     });
+    joiner.flush();
+    if (joiner.has_joined()) {
+        result.bounds.missed_mm += job.options.join_tolerance;
+        result.bounds.gained_mm += job.options.join_tolerance;
+    }
     mill.finish(needs_surface(job.options));
     return result;
 }

@@ -68,9 +68,10 @@ struct SimulationOptions {
     std::string model;             ///< "cda" or "cda-flat"; empty: the one that suits.
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
-    unsigned threads = 0;          ///< 0: as many as the machine has.
-    double max_memory_gb = 0.0;    ///< 10^9 bytes; 0: as much as there is.
-    double max_seconds = 0.0;      ///< 0: as long as it takes.
+    bool tolerance_told = false, tool_tolerance_told = false;
+    unsigned threads = 0;        ///< 0: as many as the machine has.
+    double max_memory_gb = 0.0;  ///< 10^9 bytes; 0: as much as there is.
+    double max_seconds = 0.0;    ///< 0: as long as it takes.
 };
 
 /// Lets `command` read them into `options`, which must outlive it. What makes no sense throws

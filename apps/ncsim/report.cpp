@@ -114,8 +114,9 @@ std::string summary(const Outcome& o) {
                            o.simplified->deviation_mm);
         }
         fmt::format_to(out,
-                       "accuracy  {:.3g} mm missed, {:.3g} mm gained by arcs and turning tools\n",
-                       s.bounds.missed_mm, s.bounds.gained_mm);
+                       "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
+                       s.bounds.missed_mm, s.bounds.gained_mm,
+                       o.job.options.join_tolerance > 0.0 ? "joined moves, " : "");
     }
     if (o.simulation && o.job.options.at_line)
         fmt::format_to(out, "stopped   after line {}\n", *o.job.options.at_line);

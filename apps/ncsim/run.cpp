@@ -30,7 +30,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -99,6 +101,31 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     flat_only(o.xml, cda::write_xml);
 }
 
+// A draft is as fine as its picture, in which a pixel is about a thousandth of the block, and no
+// finer than it has to be; tools stay round.
+void coarsen(Options& options, const Survey& survey) {
+    if (!options.draft || !survey.is_ready()) return;
+    constexpr double kCoarser = 4.0;  // than usual, at least
+    constexpr double kOfBlock = 1.0 / 1200.0;
+    constexpr double kToolOfBlock = 1.0 / 300.0;
+    constexpr double kOfTool = 1.0 / 15.0;  // of a diameter
+    constexpr double kMost = 1.0;           // mm
+    const double size = norm(survey.stock->box.size());
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const auto& [number, used] : survey.tools)
+        thinnest = std::min(thinnest, toolpath::cutting_diameter_of(used.tool));
+    const auto hundredths = [](double mm) { return std::floor(100.0 * mm) / 100.0; };
+    if (!options.tolerance_told) {
+        const double most = std::min(kOfBlock * size, kMost);
+        options.tolerance = std::max(kCoarser * options.tolerance, hundredths(most));
+    }
+    if (!options.tool_tolerance_told) {
+        const double most = std::min({kToolOfBlock * size, kOfTool * thinnest, kMost});
+        options.tool_tolerance = std::max(kCoarser * options.tool_tolerance, hundredths(most));
+    }
+    if (!options.at_line) options.join_tolerance = options.tolerance;
+}
+
 }  // namespace
 
 int run(Options options) {
@@ -112,8 +139,10 @@ int run(Options options) {
         outputs.reserve(path);
 
     Survey survey = app::survey(job);
-    if (survey.is_flat()) job.options.shows_path = true;
-    if (!o.quiet) say(assumption_sheet(job, survey));
+    if (survey.is_flat() || survey.only_rapid) job.options.shows_path = true;
+    coarsen(job.options, survey);
+    // Of a program that is not read, there is nothing to assume.
+    if (!o.quiet && !survey.interpretation.refused) say(assumption_sheet(job, survey));
     print_findings(job.program, survey.diagnostics);
 
     if (o.at_line && *o.at_line > survey.interpretation.lines) {

@@ -174,10 +174,8 @@ CLI::App* add_run(CLI::App& app, Options& options) {
                   "quick");
     run->add_flag("--quiet,-q", o.quiet, "Only errors and warnings");
     run->parse_complete_callback([run, &o] {
-        if (!o.draft) return;
-        constexpr double kCoarser = 4.0;
-        if (run->count("--tolerance") == 0) o.tolerance *= kCoarser;
-        if (run->count("--tool-tolerance") == 0) o.tool_tolerance *= kCoarser;
+        o.tolerance_told = run->count("--tolerance") != 0;
+        o.tool_tolerance_told = run->count("--tool-tolerance") != 0;
     });
     return run;
 }

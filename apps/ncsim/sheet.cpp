@@ -118,6 +118,11 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
         sheet.line("", "{}",
                    told(survey.stock->told_by, survey.stock->span, survey.stock->text,
                         survey.stock->file, "--stock"));
+        if (survey.stock->place_assumed) {
+            sheet.line("",
+                       "assumed: where it lies; a corner or the middle is at zero, as the cuts "
+                       "have it");
+        }
         sheet.line("model", "{}, lattice unit {:g} nm", job.options.model,
                    toolpath::stock_lattice(*survey.stock).unit_mm * 1e6);
     }
@@ -126,6 +131,12 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
         "arcs {:g} mm; round tools {:g} mm, outwards; turning tools {:g} mm missed, {:g} mm gained",
         job.options.tolerance, job.options.tool_tolerance, job.options.tolerance,
         10 * job.options.tolerance);
+    if (job.options.join_tolerance > 0.0) {
+        sheet.line("draft",
+                   "coarse: tolerances grow with the block; moves in a row within {:g} mm of "
+                   "a line are one",
+                   job.options.join_tolerance);
+    }
     return sheet.text_;
 }
 

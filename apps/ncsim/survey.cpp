@@ -273,9 +273,40 @@ void leave_out_runs(cda::Box& covered, int along, double diameter) {
     covered.max[along] -= diameter;
 }
 
+// How much of what lies from `a` to `b` lies from `min` to `max`.
+double common(double a, double b, double min, double max) {
+    return std::min(b, max) - std::max(a, min);
+}
+
+// A block of which only the size is told has a corner, else its middle, at zero: that one which has
+// most of the cuts in it. Its top is at zero, unless all cuts are above it.
+void place_at_zero(cda::Box& box, const cda::Box& tips) {
+    if (tips.is_empty()) return;
+    const cda::Vec3 size = box.size();
+    for (int axis = 0; axis < 2; ++axis) {
+        double best = -std::numeric_limits<double>::infinity();
+        double at = box.min[axis];
+        for (const double min : {0.0, -size[axis] / 2, -size[axis]}) {
+            const double in = common(tips.min[axis], tips.max[axis], min, min + size[axis]);
+            if (in > best) best = in, at = min;
+        }
+        box.min[axis] = at;
+    }
+    const bool on_bed = tips.min.z >= 0.0 && tips.max.z > 0.0;
+    box.min.z = on_bed ? 0.0 : -size.z;
+    box.max = box.min + size;
+}
+
 void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
     result.stock = job.stock;
-    if (result.stock) return;
+    if (result.stock) {
+        cda::Box tips;
+        for (const auto& [number, track] : motions.tracks()) {
+            if (!track.cutting_tips.is_empty()) tips.add(track.cutting_tips);
+        }
+        if (result.stock->place_assumed) place_at_zero(result.stock->box, tips);
+        return;
+    }
     cda::Box swept;
     MotionSurvey::ToolTrack all;
     for (const auto& [number, track] : motions.tracks()) {
@@ -300,6 +331,28 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
     const toolpath::DerivedStock derived = derive_stock(result, swept, all);
     if (derived.stock.box.is_empty()) return;
     result.stock = toolpath::StockEntry{derived.stock, ToldBy::Assumption, {}, derived.rule};
+}
+
+// The block around all places of the tip; a point and a line have no volume.
+cda::Box around_tips(const cda::Box& tips) {
+    const cda::Vec3 around{1, 1, 1};  // mm
+    cda::Box box = tips;
+    if (box.is_empty()) box.add(cda::Vec3{0, 0, 0});
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = std::clamp(box.min[axis], -kLargestStock, kLargestStock);
+        box.max[axis] = std::clamp(box.max[axis], -kLargestStock, kLargestStock);
+    }
+    return {box.min - around, box.max + around};
+}
+
+// A stock that is empty; the block is what is looked at.
+void put_nothing(Survey& result, const cda::Box& box) {
+    toolpath::Stock nothing{box};
+    const cda::Lattice lattice = cda::Lattice::for_stock(box);
+    const cda::Cell all = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
+    nothing.shape = std::make_shared<const cda::Shape>(cda::Shape{lattice, all, {all}});
+    result.stock = toolpath::StockEntry{
+        nothing, ToldBy::Assumption, {}, "nothing, since the program cuts nothing"};
 }
 
 bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
@@ -365,12 +418,17 @@ Look look_at(const Job& job, const std::array<bool, 3>& untold) {
     result.ready = true;
     if (result.moves == 0 || (result.feed_moves == 0 && !job.stock)) {
         result.only_rapid = result.moves > 0;
-        tell(result, Severity::Error, "no-motion",
+        const bool drawn = result.only_rapid && job.options.draft;
+        tell(result, drawn ? Severity::Warning : Severity::Error, "no-motion",
              result.moves == 0 ? "the program makes no move"
-                               : "the program makes no cutting move, only rapid ones",
+             : drawn
+                 ? "the program makes no cutting move, only rapid ones; it is drawn as a path"
+                 : "the program makes no cutting move, only rapid ones; for a picture of its path: "
+                   "--draft",
              result.first_move);
         if (result.only_rapid) choose_tools(job, motions, result);
-        result.ready = false;
+        if (drawn) put_nothing(result, around_tips(result.tip_positions));
+        result.ready = drawn;
         return look;
     }
     if (result.cuts_from_nowhere) {
@@ -410,7 +468,8 @@ Look look_at(const Job& job, const std::array<bool, 3>& untold) {
 Survey survey(Job& job) {
     Look look = look_at(job, {});
     const Survey& first = look.survey;
-    if (first.interpretation.refused || first.feed_moves == 0) return std::move(look.survey);
+    const bool drawn = first.feed_moves > 0 || (first.only_rapid && job.options.draft);
+    if (first.interpretation.refused || !drawn) return std::move(look.survey);
     std::array<bool, 3> untold{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         untold[axis] = !look.told[axis];
@@ -426,12 +485,7 @@ void cut_nothing(Survey& survey) {
     std::erase_if(survey.diagnostics, is_it);
     cda::Box box;
     box.add(cda::Vec3{0, 0, 0}), box.add(cda::Vec3{1, 1, 1});
-    toolpath::Stock nothing{box};
-    const cda::Lattice lattice = cda::Lattice::for_stock(box);
-    const cda::Cell all = cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
-    nothing.shape = std::make_shared<const cda::Shape>(cda::Shape{lattice, all, {all}});
-    survey.stock = toolpath::StockEntry{
-        nothing, ToldBy::Assumption, {}, "nothing, since the program cuts nothing"};
+    put_nothing(survey, box);
     survey.ready = true;
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace ncsim::cli_test {
 namespace {
@@ -77,6 +78,68 @@ TEST(Draft, MakesAPictureAndSaysWhatItGuessed) {
     EXPECT_FALSE(contains(told.err, "a guess")) << told.err;
     // What --draft takes, check takes for nothing.
     EXPECT_EQ(folder.run({"check", "a.nc", "-q"}).exit_code, 1);
+}
+
+TEST(Draft, OfRapidMovesAloneIsADrawing) {
+    Folder folder;
+    folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nX50\nY40 Z20\nM2\n");
+    const Ran refused = folder.run({"run", "air.nc", "--png", "a.png"});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_TRUE(contains(refused.err, "for a picture of its path: --draft")) << refused.err;
+    const Ran ran = folder.run({"run", "air.nc", "--draft", "--caption", "--png", "a.png"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "only rapid ones; it is drawn as a path")) << ran.err;
+    EXPECT_FALSE(contains(ran.out + ran.err, "nan")) << ran.out << ran.err;
+    const std::string before = folder.read("a.png");
+    folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nX50 Y40\nY0 Z20\nM2\n");
+    folder.run({"run", "air.nc", "--draft", "--caption", "--png", "a.png", "-q"});
+    EXPECT_NE(folder.read("a.png"), before);
+    EXPECT_EQ(folder.run({"check", "air.nc", "-q"}).exit_code, 4);
+}
+
+TEST(Draft, IsCoarserTheLargerTheBlock) {
+    Folder folder;
+    // A curve as its points, 0.4 mm apart.
+    std::string program = kHead + "G1 Z-3\n";
+    for (int i = 0; i < 300; ++i)
+        program += "X" + std::to_string(0.4 * i) + " Y" + std::to_string(1e-4 * i * i) + "\n";
+    folder.write("a.nc", program + "G0 Z5\nM30\n");
+    const auto report = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> command{"run",        "a.nc",     "--tool",
+                                         "T3=flat:D8", "--report", "r.json"};
+        command.insert(command.end(), options.begin(), options.end());
+        EXPECT_EQ(folder.run(command).exit_code, 0);
+        return json::parse(folder.read("r.json"));
+    };
+    const json exact = report({});
+    const json draft = report({"--draft"});
+    EXPECT_GT(exact["model"]["hulls"], 290);
+    EXPECT_LT(draft["model"]["hulls"], 60);
+    EXPECT_EQ(exact["accuracy_mm"]["chord_tolerance"], 0.005);
+    EXPECT_GT(draft["accuracy_mm"]["chord_tolerance"], 0.08);
+    EXPECT_GT(draft["accuracy_mm"]["tool_tolerance"], 0.3);
+    // What it is for looks the same.
+    const double one = exact["volume_mm3"]["removed"];
+    const double other = draft["volume_mm3"]["removed"];
+    EXPECT_NEAR(other, one, 0.02 * one);
+    const json told = report({"--draft", "--tolerance", "0.01", "--tool-tolerance", "0.1"});
+    EXPECT_EQ(told["accuracy_mm"]["chord_tolerance"], 0.01);
+    EXPECT_EQ(told["accuracy_mm"]["tool_tolerance"], 0.1);
+}
+
+TEST(StockComment, OfASizeAloneLiesWhereTheCutsAre) {
+    Folder folder;
+    const auto min_of = [&](const std::string& moves) {
+        folder.write("a.nc", "(STOCK 100x50x10)\n" + kHead + moves + "M30\n");
+        const Ran ran =
+            folder.run({"run", "a.nc", "--assume-tool", "flat:D6", "--report", "r.json"});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_TRUE(contains(ran.err, "assumed: where it lies")) << ran.err;
+        return json::parse(folder.read("r.json"))["stock"]["min"];
+    };
+    EXPECT_EQ(min_of("G1 Z-3\nX90\nY40\nX10\n"), json({0.0, 0.0, -10.0}));
+    EXPECT_EQ(min_of("G0 X-40 Y-20\nG1 Z-3\nX40\nY20\n"), json({-50.0, -25.0, -10.0}));
+    EXPECT_EQ(min_of("G0 X-90 Y40\nG1 Z2\nX-10\nY10\n"), json({-100.0, 0.0, 0.0}));
 }
 
 TEST(UntoldAxis, IsTakenAsZeroAndNamed) {

@@ -15,6 +15,7 @@ if(TARGET ncsim)
       output_test.cpp
       parse_test.cpp
       plain_text_test.cpp
+      rotary_test.cpp
       run_program.cpp
       run_test.cpp
       samples_test.cpp

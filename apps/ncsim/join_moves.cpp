@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "join_moves.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+namespace ncsim::app {
+
+namespace {
+
+constexpr std::size_t kMostPlaces = 256;
+
+cda::Vec3 place(const gcode::Position& p) {
+    return {p.x.mm(), p.y.mm(), p.z.mm()};
+}
+
+bool moves_xyz_only(const gcode::Linear& line) {
+    gcode::Position from = line.from;
+    from.x = line.to.x, from.y = line.to.y, from.z = line.to.z;
+    return from == line.to;
+}
+
+/// A straight move at feed of which everything is known.
+const gcode::Linear* plain_line(const gcode::Motion& motion) {
+    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    if (!line || motion.kind != gcode::MoveKind::Feed || motion.machine_coordinates) return nullptr;
+    const gcode::KnownAxes all;
+    return motion.known_start == all && motion.known_end == all && moves_xyz_only(*line) ? line
+                                                                                         : nullptr;
+}
+
+bool is_alike(const gcode::Motion& a, const gcode::Motion& b) {
+    return a.tool == b.tool && a.file == b.file && a.feed == b.feed && a.feed_mode == b.feed_mode &&
+           a.feed_mode != gcode::FeedMode::InverseTime && a.spindle == b.spindle &&
+           a.spindle_rpm == b.spindle_rpm && a.start_assumed == b.start_assumed &&
+           a.offset_unknown == b.offset_unknown && a.spindle_in_doubt == b.spindle_in_doubt;
+}
+
+}  // namespace
+
+MoveJoiner::MoveJoiner(double tolerance_mm, gcode::MotionSink sink)
+    : tolerance_mm_(tolerance_mm), sink_(std::move(sink)) {}
+
+bool MoveJoiner::can_join(const gcode::Motion& next) const {
+    const gcode::Linear* line = plain_line(next);
+    if (!held_ || !line || !is_alike(*held_, next) || passed_.size() >= kMostPlaces) return false;
+    const auto& row = std::get<gcode::Linear>(held_->what);
+    if (!(row.to == line->from)) return false;
+    const cda::Vec3 from = place(row.from);
+    const cda::Vec3 way = place(line->to) - from;
+    const double length_2 = cda::dot(way, way);
+    if (length_2 == 0.0) return false;
+    double before = 0.0;
+    const auto lies_on_way = [&](const cda::Vec3& p) {
+        const double t = cda::dot(p - from, way) / length_2;
+        const cda::Vec3 off = p - from - t * way;
+        const bool is_next = t >= before && t <= 1.0;
+        before = t;
+        return is_next && cda::dot(off, off) <= tolerance_mm_ * tolerance_mm_;
+    };
+    return std::ranges::all_of(passed_, lies_on_way) && lies_on_way(place(row.to));
+}
+
+void MoveJoiner::take(const gcode::Motion& motion) {
+    if (tolerance_mm_ <= 0.0) return sink_(motion);
+    if (can_join(motion)) {
+        auto& row = std::get<gcode::Linear>(held_->what);
+        passed_.push_back(place(row.to));
+        has_joined_ = true;
+        row.to = std::get<gcode::Linear>(motion.what).to;
+        return;
+    }
+    flush();
+    if (!plain_line(motion)) return sink_(motion);
+    held_ = motion;
+}
+
+void MoveJoiner::flush() {
+    if (!held_) return;
+    sink_(*held_);
+    held_.reset();
+    passed_.clear();
+}
+
+}  // namespace ncsim::app

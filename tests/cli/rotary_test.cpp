@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Programs for a fourth axis as senders of hobby machines get them: wraps without Y, flutes over
+// many turns. What is left of a bar is known by formulas.
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kPi = 3.14159265358979;
+
+json report_of(const Folder& folder, const std::vector<std::string>& options) {
+    std::vector<std::string> command{"run", "a.nc", "--report", "r.json"};
+    command.insert(command.end(), options.begin(), options.end());
+    const Ran ran = folder.run(command);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return json::parse(folder.read("r.json"));
+}
+
+/// In the manner of Fusion's posts for Carvera: A goes on and on, here to 1735 degrees.
+TEST(Rotary, FluteOverManyTurnsLeavesAThinnerBar) {
+    Folder folder;
+    folder.write("a.nc",
+                 "%\n(1001)\n(T1 D=12. CR=0. - ZMIN=18. - flat end mill)\nG90 G94\nG17\nG21\n"
+                 "(Rotary)\nT1 M6\nS12000 M3\nG54\nG0 A0.\nG0 X-19. Y0.\nZ40.\nZ24.\n"
+                 "G1 Z18. F600.\nX19. A1735. F3000.\nG0 Z40.\nM5\nG0 A0.\nM30\n%\n");
+    const json report = report_of(folder, {"--stock", "DX40x24", "--tolerance", "0.05"});
+    const double bar = kPi * 20 * 20 * 24;
+    const double left = kPi * 18 * 18 * 24;
+    EXPECT_NEAR(report["volume_mm3"]["stock"], bar, 0.01 * bar);
+    // Turning takes up to 0.05 mm too little and 0.5 mm too much.
+    EXPECT_LT(report["volume_mm3"]["part"], 1.006 * left);
+    EXPECT_GT(report["volume_mm3"]["part"], 0.95 * left);
+    EXPECT_NEAR(report["part"]["extents"]["max"][2], 18.0, 0.06);
+}
+
+/// In the manner of Vectric's wraps, as gSender gets them: Y was wrapped around A, and nobody names
+/// it. Four flats, each a few turns on.
+TEST(Rotary, WrapWithoutYMillsFlats) {
+    Folder folder;
+    std::string program =
+        "( wrap )\n( Material Size)\n( Wrapped around X, diameter 40. )\nG21\nG90\nG17\n"
+        "T1 M6\nS16000M3\nG0Z45.000\nG0X0.000A0.000\n";
+    for (const char* angle : {"0.000", "450.000", "900.000", "1710.000"}) {
+        program.append("G0X-50.000A").append(angle).append("\nG0Z16.000\nG1Z15.000F800.0\n");
+        program.append("G1X50.000F2000.0\nG0Z45.000\n");
+    }
+    folder.write("a.nc", program + "G0X0.000A0.000\nM30\n");
+    const json report = report_of(folder, {"--stock", "DX40x24", "--tool", "T1=flat:D50:L40"});
+    const double r = 20;
+    const double d = 15;
+    const double segment = r * r * std::acos(d / r) - d * std::sqrt(r * r - d * d);
+    const double left = (kPi * r * r - 4 * segment) * 24;
+    EXPECT_NEAR(report["volume_mm3"]["part"], left, 0.006 * left);
+    for (const std::size_t axis : {1U, 2U}) {
+        EXPECT_NEAR(report["part"]["extents"]["max"][axis], 15.0, 1e-3);
+        EXPECT_NEAR(report["part"]["extents"]["min"][axis], -15.0, 1e-3);
+    }
+    // Nobody tells the bar: it is derived, about the axis that turns.
+    const Ran derived = folder.run({"run", "a.nc", "--tool", "T1=flat:D50:L40"});
+    EXPECT_NE(derived.err.find("a round bar along X"), std::string::npos) << derived.err;
+    EXPECT_NE(derived.err.find("never tells Y; taken as 0"), std::string::npos) << derived.err;
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
