@@ -127,10 +127,10 @@ std::vector<std::string> caption(const Outcome& outcome) {
 void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
     const Survey& survey = outcome.survey;
     for (const auto& [number, used] : survey.tools) {
-        if (used.told_by == toolpath::ToldBy::Assumption)
+        if (used.told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
             lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));
     }
-    if (survey.stock->told_by == toolpath::ToldBy::Assumption)
+    if (survey.stock->told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
         lines.push_back("guessed: stock " + describe(*survey.stock));
     if (!survey.interpretation.units_stated) {
         lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"

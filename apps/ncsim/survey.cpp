@@ -217,7 +217,7 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
             spec = *job.options.assumed_tool;
             used.told_by = ToldBy::Assumption;
             used.text = spec.description;
-        } else if (track.cutting_tips.is_empty()) {
+        } else if (track.cutting_tips.is_empty() && !(result.only_rapid && job.options.draft)) {
             continue;  // only positioned: for a picture, what it looks like does not matter
         } else if (const std::string guess = track.clues.guess(result.interpretation.uses_inches);
                    job.options.draft || touches_only(job, result)) {
@@ -225,7 +225,8 @@ void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
             spec = toolpath::parse_tool_option("T1=" + guess, message).value();
             spec.description = guess;
             used.told_by = ToldBy::Assumption;
-            used.text = guess + ", a guess from its moves";
+            used.text = guess + (result.only_rapid ? ", as good as any: it cuts nothing"
+                                                   : ", a guess from its moves");
         } else {
             const std::string how =
                 number == 0

@@ -82,7 +82,7 @@ TEST(Draft, MakesAPictureAndSaysWhatItGuessed) {
 
 TEST(Draft, OfRapidMovesAloneIsADrawing) {
     Folder folder;
-    folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nX50\nY40 Z20\nM2\n");
+    folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nX50\nY50 Z20\nM2\n");
     const Ran refused = folder.run({"run", "air.nc", "--png", "a.png"});
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_TRUE(contains(refused.err, "for a picture of its path: --draft")) << refused.err;
@@ -90,8 +90,9 @@ TEST(Draft, OfRapidMovesAloneIsADrawing) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.err, "only rapid ones; it is drawn as a path")) << ran.err;
     EXPECT_FALSE(contains(ran.out + ran.err, "nan")) << ran.out << ran.err;
+    // Another path, as long and as large: another picture.
     const std::string before = folder.read("a.png");
-    folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nX50 Y40\nY0 Z20\nM2\n");
+    folder.write("air.nc", "G21 G90\nG0 X0 Y0 Z5\nY50\nX50 Z20\nM2\n");
     folder.run({"run", "air.nc", "--draft", "--caption", "--png", "a.png", "-q"});
     EXPECT_NE(folder.read("a.png"), before);
     EXPECT_EQ(folder.run({"check", "air.nc", "-q"}).exit_code, 4);
