@@ -95,6 +95,7 @@ bool Machine::arc(const Command& command, bool clockwise) {
         if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
         return feed_straight(out.end, MoveKind::Feed, mask);
     }
+    if (outline_) return hear(out.end, &out);
     if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
     if (state_.just_left_compensation && !tolerate(Message::CompensationExit, command.span))
         return false;

@@ -197,6 +197,62 @@ void Runner::call_lines() {
     jump(current_, *place);
 }
 
+/// G150 P100: the machine listens to the outline from N100 of this program, or in O100, to M99. It
+/// is nowhere run. False after a fault.
+bool Runner::hear_outline() {
+    constexpr int kMostBlocks = 1000;
+    const double p = command_['P'];
+    if (!(p >= 0.0 && p <= 4e9) || p != std::floor(p)) {
+        fault(Message::CallWithoutNumber, command_.span, {"G150"});
+        return false;
+    }
+    std::size_t where = current_;
+    std::optional<BlockReader::Place> place = index().find_number(static_cast<std::uint32_t>(p), 0);
+    const std::string label = std::to_string(std::lround(p));
+    if (!place) {
+        const auto target = find_target(ControlWord::ProgramNumber, label, true);
+        if (!target) {
+            fault(Message::ProgramNotFound, command_.span, {tagged("O", label)});
+            return false;
+        }
+        const OpenFile& open = files_[where = target->file];
+        const bool marked = open.index && target->marker < open.index->markers().size();
+        place = marked ? (*open.index)[target->marker].after : BlockReader(*open.source).place();
+    }
+    if (!machine_.begin_outline(command_)) return false;
+    log_.set_file(where == 0 ? std::string() : files_[where].source->name);
+    BlockReader reader(*files_[where].source, {.strict = rules_.strict});
+    reader.seek(*place);
+    Block block;
+    Command command;
+    bool good = false;
+    for (int i = 0; i < kMostBlocks && reader.next(block, log_); ++i) {
+        const bool plain = block.kind == BlockKind::Words && block.assignments.empty() &&
+                           (block.control.word == ControlWord::None ||
+                            (i == 0 && block.control.word == ControlWord::ProgramNumber));
+        if (!plain && block.kind == BlockKind::Words) {
+            fault(Message::PocketWord, block.line_span(), {"the outline of G150", "plain blocks"});
+            break;
+        }
+        if (block.words.empty()) continue;
+        if (!resolver_.resolve(block, command)) break;
+        good = command.group(MGroup::Call) == 99;
+        if (good) break;
+        if (!Machine::belongs_to_outline(command)) {
+            fault(Message::PocketWord, command.span,
+                  {"the outline of G150", "lines and arcs (G1, G2, G3) alone"});
+            break;
+        }
+        machine_.set_origin(command.span, static_cast<std::uint32_t>(where));
+        machine_.execute(command);
+    }
+    machine_.end_outline();
+    log_.set_file(current_ == 0 ? std::string() : file().source->name);
+    machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
+    if (!good) fault(Message::PocketWord, command_.span, {"G150", "an outline that ends in M99"});
+    return good;
+}
+
 void Runner::return_from_subprogram() {
     if (frames_.empty()) {
         // In the main program M99 starts it over; once is enough to see what it does.

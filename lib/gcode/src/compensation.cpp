@@ -28,6 +28,12 @@ void Compensation::begin(CutterSide side, double radius) {
     s_.followers.clear();
 }
 
+void Compensation::begin_beside(CutterSide side, double radius, const Axes& at) {
+    begin(side, radius);
+    s_.entering = false;
+    s_.at = at;
+}
+
 double Compensation::radius_of(const Element& e) const {
     return std::hypot(e.to.x - e.centre.x, e.to.y - e.centre.y);
 }

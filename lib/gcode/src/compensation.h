@@ -63,6 +63,8 @@ public:
 
     /// From the next move on. `radius` in program units, positive.
     void begin(CutterSide side, double radius);
+    /// The same, with the tool beside the start of the next move already, at `at`.
+    void begin_beside(CutterSide side, double radius, const Axes& at);
     bool is_on() const { return s_.radius > 0.0; }
 
     // Like those of Path, for programmed moves. False after reporting a move that cannot be made.

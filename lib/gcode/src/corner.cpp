@@ -131,7 +131,9 @@ bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramA
     bool made = end == state_.position || feed_straight(end, MoveKind::Feed, held.mask);
     if (made && second) made = feed_straight(*second, MoveKind::Feed, held.mask);
     if (made && arc) {
-        if (compensation_.is_on()) {
+        if (outline_) {
+            made = hear(arc->end, arc);
+        } else if (compensation_.is_on()) {
             made = compensation_.arc(state_, *arc, held.mask, span_, file_);
         } else {
             path_.arc(state_, *arc, held.mask);

@@ -74,6 +74,10 @@ void Machine::set_origin(SourceSpan span, std::uint32_t file) {
 
 /// A move of the programmed path, with or without compensation.
 bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
+    if (outline_) {
+        outline_->is_foreign |= kind != MoveKind::Feed;
+        return hear(end, nullptr);
+    }
     if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
     path_.straight(state_, end, kind, mask);
     state_.just_left_compensation = false;
@@ -152,7 +156,10 @@ bool Machine::act(const Command& command) {
         state_.plane = kPlanes[static_cast<std::size_t>(which)];
     }
     if (rules_.strict) switch_units();
-    if (!set_cutter_side(command) || !set_tool_length(command) || !set_work_offset(command)) {
+    // G41 beside G150 is for the pocket alone.
+    const bool for_pocket = command.group(Group::Pocket) == 1500;
+    if ((!for_pocket && !set_cutter_side(command)) || !set_tool_length(command) ||
+        !set_work_offset(command)) {
         return false;
     }
     set_modes(command);
@@ -474,6 +481,8 @@ bool Machine::move(const Command& command, int motion) {
         return hole_pattern(command, code, words_taken);
     }
     if (const int code = command.group(Group::Pocket); code != kNone) {
+        if (code == 1500)
+            return area_pocket(command, command.group(Group::CutterSide), words_taken);
         return pocket(command, code, words_taken);
     }
     if (motion != kNone) {

@@ -5,13 +5,14 @@
 //
 // One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
 // (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp,
-// hole_pattern.cpp, pocket.cpp, spline.cpp, probe.cpp.
+// hole_pattern.cpp, pocket.cpp, area_pocket.cpp, spline.cpp, probe.cpp.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/state.h"
 
+#include "area.h"
 #include "command.h"
 #include "compensation.h"
 #include "message.h"
@@ -28,6 +29,12 @@
 
 namespace ncsim::gcode {
 
+/// A move of an outline in X and Y of the program; an arc, if it turns.
+struct OutlineMove {
+    PlanePoint from, to, centre;
+    int turns = 0;  ///< Above 0 counter-clockwise.
+};
+
 class Machine {
 public:
     Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log, Path& path,
@@ -35,6 +42,12 @@ public:
 
     /// Acts on `command`. A command with an error is reported and leaves the state as it was.
     void execute(const Command& command);
+
+    // The outline of a G150: between these two, moves are listened to and not made.
+    bool begin_outline(const Command& command);
+    void end_outline();
+    /// What may stand in an outline: lines and arcs.
+    static bool belongs_to_outline(const Command& command);
 
     bool ended() const { return ended_; }  ///< M2 or M30.
     /// Met a code after which nothing could be simulated rightly; it was reported.
@@ -150,6 +163,10 @@ private:
     bool pocket(const Command& command, int code, bool words_taken);
     void mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
                       AxisMask mask);
+    bool hear(const Axes& end, const ProgramArc* arc);
+    bool area_pocket(const Command& command, int side, bool words_taken);
+    bool mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
+                     const Area& area, bool along_y, double level, double clear);
     double radius_of_register(const Command& command, SourceSpan span);
 
     /// Where the axis words point to, in program coordinates, and which axes they name.
@@ -187,6 +204,15 @@ private:
 
     Compensation compensation_;
     std::optional<HeldCorner> corner_;
+    struct Outline {
+        MachineState state;  ///< As they were before.
+        Store store;
+        std::vector<OutlineMove> moves;
+        bool is_foreign = false;  ///< Something moved otherwise than in X and Y.
+    };
+    std::optional<Outline> outline_;  ///< While one is listened to.
+    std::vector<OutlineMove> heard_;
+    bool heard_well_ = false;
     SourceSpan span_;
     std::uint32_t file_ = 0;
     MachineState state_;

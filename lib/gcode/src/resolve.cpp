@@ -129,6 +129,11 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
             return true;
         }
     }
+    // The outline of G150 stands where P says.
+    if (code && code->number == 1500 && rules_.dialect == Dialect::Haas && find_word(block, 'P')) {
+        command.g[static_cast<std::size_t>(Group::Pocket)] = code->number;
+        return true;
+    }
     if (!code) {
         command.has_others = true;
         if (is_allowed('G', value)) return true;

@@ -117,6 +117,7 @@ void Runner::act_on_words() {
         call_code(call);
         return;
     }
+    if (command_.group(Group::Pocket) == 1500 && !hear_outline()) return;
     machine_.execute(command_);
     if (machine_.stopped()) {
         result_.refused = true;

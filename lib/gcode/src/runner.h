@@ -82,6 +82,7 @@ private:
     bool call_code(int m);
     void call_subprogram();
     void call_lines();
+    bool hear_outline();
     void return_from_subprogram();
     void enter(Frame frame, const Target& target);
     void leave_frame();

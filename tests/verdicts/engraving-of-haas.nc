@@ -1,5 +1,5 @@
 %
-(G150 of Haas, which nobody here simulates)
+(G47 of Haas, engraving, which nobody here simulates)
 (STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
 G21 G90 G17 G54 G40 G49 G80
 G91 G28 Z0.
@@ -9,7 +9,7 @@ S5000 M3
 G0 X-50. Y0.
 G43 H1 Z50.
 G0 Z5.
-G150 P1001 Z-5. R3. Q2. I2. D1 K0.2 F200.
+G47 P0 X-30. Y0. I0. J5. R3. Z-0.5 F200. (AB 12)
 G0 Z50.
 M5
 G91 G28 Z0.
