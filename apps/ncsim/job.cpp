@@ -39,6 +39,7 @@ bool is_binary(std::string_view text) {
 // A line that begins with this program number: "O1234", "O01234 (DRILL)", ":1234".
 bool begins_program(std::string_view text, std::string_view digits) {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
     for (std::size_t line = 0; line < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", line), text.size());
         std::size_t at = text.find_first_not_of(" \t", line);
@@ -46,9 +47,14 @@ bool begins_program(std::string_view text, std::string_view digits) {
             at = text.find_first_not_of(" \t", at + 1);
             while (at < end && text[at] == '0')
                 ++at;
-            if (at < end && text.substr(at, digits.size()) == digits &&
-                (at + digits.size() >= end || !is_digit(text[at + digits.size()]))) {
-                return true;
+            if (at < end && text.substr(at, digits.size()) == digits) {
+                const std::size_t behind = at + digits.size();
+                const bool ends = behind >= end || !is_digit(text[behind]);
+                const std::size_t word = text.find_first_not_of(" \t", behind);
+                // "O12 sub", "O12 while": LinuxCNC's labels.
+                const bool is_label = word < end && word + 1 < end && is_letter(text[word]) &&
+                                      is_letter(text[word + 1]);
+                if (ends && !is_label) return true;
             }
         }
         line = std::max(end, line) + 1;

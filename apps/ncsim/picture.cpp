@@ -74,7 +74,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
 
 exporter::Overlay overlay(const Outcome& outcome) {
     const Simulation& s = *outcome.simulation;
-    exporter::Overlay result{s.paths, {}, {}};
+    exporter::Overlay result{s.paths, {}};
     const toolpath::StockEntry& stock = *outcome.survey.stock;
     if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});

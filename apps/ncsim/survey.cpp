@@ -184,6 +184,7 @@ double assumed_length(const Survey& survey, const MotionSurvey& motions,
     const double low = lowest_tip(motions);
     const double top = stock ? stock->box.max.z : std::max(0.0, low);
     if (low < top) depth = top - low;
+    if (stock && stock->place_assumed) depth = std::max(depth, stock->box.size().z);
     if (survey.turns_tools() && stock) depth = norm(stock->box.size());
     return 10.0 * std::ceil((std::clamp(depth, 20.0, kLargestStock) + 10.0) / 10.0);
 }

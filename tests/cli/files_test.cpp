@@ -130,6 +130,9 @@ TEST(Subprogram, IsFoundByItsNumberInAFileOfAnotherName) {
     const Ran two = folder.run({"run", "slot.nc", "-q"});
     EXPECT_EQ(two.exit_code, 1);
     EXPECT_TRUE(contains(two.err, "nor one file alone in which it begins")) << two.err;
+    folder.write("older.nc", "o100 sub\nG1 X20. F500.\no100 endsub\n");  // no program number
+    ASSERT_EQ(folder.run({"run", "slot.nc", "--stl", "b.stl", "-q"}).exit_code, 0);
+    EXPECT_EQ(folder.read("b.stl"), folder.read("a.stl"));
     folder.shell("rm older.nc; mv pocket.nc pocket.doc");
     EXPECT_EQ(folder.run({"run", "slot.nc", "-q"}).exit_code, 1);
 }

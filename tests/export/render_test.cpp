@@ -236,6 +236,32 @@ TEST(Render, PathsAreHiddenByWhatStandsBeforeThem) {
                 0.1 * static_cast<double>(full));
 }
 
+TEST(Render, AGhostIsPaleAndItsEdgesAreSeenWhereNothingStands) {
+    test::BoxPart part;
+    part.stock = {{0, 0, 0}, {40, 30, 10}};
+    const cda::Boundary boundary = test::boundary_of(part);
+    for (const Background background : {Background::White, Background::Dark}) {
+        RenderOptions options = options_for(boundary, View::Top);
+        options.background = background;
+        const Image told = render_boundary(boundary, {}, options);
+        options.ghost_stock = true;
+        const Image pale = render_boundary(boundary, {}, options);
+        // Nearer to the background, and not it.
+        const auto contrast = [&](const Image& image) {
+            return difference(image.at(200, 150), image.at(0, 0));
+        };
+        EXPECT_LT(contrast(pale), contrast(told));
+        EXPECT_GT(contrast(pale), 10);
+        const auto ink = [&](const cda::Box& box) {
+            return path_pixels(render_boundary(boundary, {}, options, {{}, {}, {{box}}}), pale);
+        };
+        EXPECT_EQ(ink({{0, 0, 0}, {40, 30, 10}}), 0U) << "its faces hide them";
+        // From above, the outline of a larger one stands around it.
+        EXPECT_GT(ink({{-1, -1, 0}, {41, 31, 10}}), 200U);
+        EXPECT_EQ(ink({{1, 1, 1}, {39, 29, 9}}), 0U) << "inside";
+    }
+}
+
 TEST(Render, BothRenderersDrawTheSameOverlay) {
     const cda::FlatCda model = test::polytope_part();
     const cda::Boundary boundary = model.boundary();

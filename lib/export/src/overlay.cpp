@@ -64,11 +64,15 @@ OverlayArt::OverlayArt(const ScreenMap& map, const Overlay& overlay, const Rende
         add_ghost(ghost);
 }
 
-// The twelve edges, not lifted before the part but set behind its faces.
+// The twelve edges, not lifted before the part but set behind its faces, and so far inside the
+// block that its own outline hides them.
 void OverlayArt::add_ghost(const Ghost& ghost) {
     constexpr std::size_t kSurface = 2;
+    const double inset = 0.5 * norm(lift_);
+    const Vec3 inwards{inset, inset, inset};
+    const cda::Box box{ghost.box.min + inwards, ghost.box.max - inwards};
+    if (box.is_empty()) return;
     const auto corner = [&](unsigned which) {
-        const cda::Box& box = ghost.box;
         return divided(map_(Vec3{(which & 1U) != 0 ? box.max.x : box.min.x,
                                  (which & 2U) != 0 ? box.max.y : box.min.y,
                                  (which & 4U) != 0 ? box.max.z : box.min.z} -

@@ -99,6 +99,7 @@ void Machine::execute(const Command& command) {
     const std::optional<HeldCorner> corner = corner_;
     const std::uint64_t motions = path_.count();
     if (act(command) || path_.count() != motions) return;
+    if (outline_) outline_->is_foreign = true;
     state_ = before;
     corner_ = corner;
     if (store) store_ = std::move(*store);

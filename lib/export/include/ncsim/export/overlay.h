@@ -32,7 +32,7 @@ struct Body {
 struct Overlay {
     std::vector<PathLine> paths;
     std::vector<Body> bodies;
-    std::vector<Ghost> ghosts;
+    std::vector<Ghost> ghosts{};
 };
 
 }  // namespace ncsim::exporter
