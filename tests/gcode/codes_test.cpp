@@ -518,6 +518,8 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X10 Y0 Z0 F100 ! word-unused"},
         {"chamfer without its comma", By::Haas, "G1 X10. C2.~Y5.",
          "rapid X0 Y5 Z0 ! error corner-word"},
+        {"chamfer without its comma", By::Haas, "G90 G1 X10. C2.~Y5.",
+         "rapid X0 Y5 Z0 ! error corner-word"},
         {"an axis C", By::Haas, "G0 C0~G1 X10. C2.", "rapid X0 Y0 Z0; feed X10 Y0 Z0 C2 F100"},
         {"corner rounded", By::Fanuc, "G1 X10. ,R2.~Y10. F50.",
          "feed X8 Y0 Z0 F100; arc XY X10 Y2 Z0 centre 8 2 turns 1 F100; feed X10 Y10 Z0 F50"},

@@ -89,6 +89,7 @@ TEST(Dialect, OfMillingProgramsStaysMilling) {
              "M104\nM109\nG0 X5 Y1 Z5\n",                // M codes of a machine
              "M3 S0\nG0 X5 Y1 Z5\nG1 X1 S1\nX2 S2\nX3 S3\n",
              "M3 S1000\nG0 X5 Y1 S900\nG1 X1 F1\n",
+             "C X-axis to the left\nL Z-AXIS\nG0 X5 Y1\n",  // prose
              "C10 L2\nL1 X5\nG0 X5 Y1\n",
          }) {
         EXPECT_EQ(name_of(detect_dialect({"t.nc", text}).kind), name_of(Kind::Milling)) << text;

@@ -458,10 +458,12 @@ private:
         if (name != "L" && name != "C" && name != "CC") return;
         at = code.find_first_not_of(" \t", end);
         if (at != std::string::npos && code[at] == 'I') ++at;  // IX+5: a step
-        if (at == std::string::npos || at + 1 >= code.size()) return;
-        const char value = code[at + 1];
-        if (code[at] != 'X' && code[at] != 'Y' && code[at] != 'Z') return;
-        if (value != '+' && value != '-' && value != 'Q' && !is_digit(value)) return;
+        if (at == std::string::npos || (code[at] != 'X' && code[at] != 'Y' && code[at] != 'Z'))
+            return;
+        ++at;
+        if (at < code.size() && (code[at] == '+' || code[at] == '-')) ++at;
+        if (at >= code.size() || (code[at] != 'Q' && code[at] != '.' && !is_digit(code[at])))
+            return;  // "C X-axis to the left" is prose
         add(kinds_[kHeidenhain], 40, 4, "lines like L X+10 and CC X+10", line);
     }
 
@@ -570,9 +572,12 @@ private:
         const double size = c == std::string::npos ? 0.0 : number_at(code, c + 1);
         const bool line =
             (words & letters_of("ABZIJKRUVWHLPQTMO")) == 0 && (words & letters_of("XY")) != 0;
-        bool other_code = false;  // than G1
-        for (std::size_t g = code.find('G'); g != std::string::npos; g = code.find('G', g + 1))
-            other_code = other_code || number_at(code, g + 1) != 1.0;
+        bool other_code = false;  // than G1, and what stands beside it
+        for (std::size_t g = code.find('G'); g != std::string::npos; g = code.find('G', g + 1)) {
+            const double number = number_at(code, g + 1);
+            other_code = other_code || (number != 1.0 && number != 17.0 && number != 40.0 &&
+                                        number != 90.0 && number != 94.0);
+        }
         if (line && !other_code && size > 0.0 && size <= kLargestChamfer) {
             c_like_corners_ = true;
         } else {
