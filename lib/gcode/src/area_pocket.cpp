@@ -13,9 +13,10 @@
 namespace ncsim::gcode {
 namespace {
 
-/// More moves than these nobody writes: a word is wrong.
-constexpr double kMostStrokes = 100'000.0;
-constexpr double kMostLevels = 10'000.0;
+/// More than these nobody has cut: a word is wrong.
+constexpr double kMostStrokes = 100'000.0;  // at all levels
+constexpr double kMostWork = 1e9;           // strokes, by sides of the outline
+constexpr double kMostPieces = 2000.0;      // of an arc
 
 /// How far chords of the outline's arcs lie off, mm.
 constexpr double kChord = 0.001;
@@ -53,7 +54,8 @@ std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double 
         if (move.turns != 0) {
             const double r = std::hypot(move.from.x - move.centre.x, move.from.y - move.centre.y);
             const double step = 2.0 * std::acos(1.0 - std::min(chord / r, 0.5));
-            pieces = std::max(4, static_cast<int>(std::ceil(std::abs(sweep_of(move)) / step)));
+            const double wanted = step > 0.0 ? std::abs(sweep_of(move)) / step : kMostPieces;
+            pieces = static_cast<int>(std::ceil(std::clamp(wanted, 4.0, kMostPieces)));
         }
         for (int i = 0; i < pieces; ++i)
             points.push_back(along(move, static_cast<double>(i) / pieces));
@@ -153,8 +155,8 @@ bool Machine::area_pocket(const Command& command, int side, bool words_taken) {
     const double depth = clear - bottom;
     const double step = command.get('Q', depth);
     if (depth <= 0.0) return needs("a depth (Z) below R");
-    if (step <= 0.0 || depth / step > kMostLevels)
-        return needs("an increment of depth (Q) above 0");
+    if (step <= 0.0 || depth / step > kMostStrokes)
+        return needs("an increment of depth (Q) above 0, and not that small");
 
     // The outline: without the way to it, closed.
     if (!heard_well_ || heard_.size() < 2) return needs("an outline of G1, G2 and G3 in X and Y");
@@ -180,7 +182,9 @@ bool Machine::area_pocket(const Command& command, int side, bool words_taken) {
     if (area.lowest() > area.highest() || !area.contains(seen(hole)))
         return needs("a starting hole (X Y) inside the outline, with room for the cutter");
     const double height = area.highest() - area.lowest();
-    if (height / width > kMostStrokes) return needs("a larger width of cut");
+    const double all_strokes = (height / width + 1.0) * (depth / step + 1.0);
+    if (all_strokes > kMostStrokes || all_strokes * static_cast<double>(polygon.size()) > kMostWork)
+        return needs("larger increments (Q, I, J)");
 
     if (!state_.first_length_seen) {
         state_.first_length_seen = true;
