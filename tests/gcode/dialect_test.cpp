@@ -59,6 +59,7 @@ TEST(Dialect, IsConcludedFromSignsInTheProgram) {
         {"G50 S2500\nG0 X20 Z2\nG1 Z-5\n", Dialect::Rs274, Kind::Lathe},
         {"M104\nM109\nG96 S200 M3\nG0 X20 Z2\n", Dialect::Rs274, Kind::Lathe},
         {"M4 S0\nG0 X0 Y0\nG1 X9 S500\nX5 S9\nX2 S0\n", Dialect::Rs274, Kind::Laser},
+        {"G21 G90\nM4 S0\nG0 X0 Y0\nG1 X10 S500 F1000\nY10\nM5\n", Dialect::Rs274, Kind::Laser},
         {"M106 S9\nM107\nM4 S0\nG1 X9 Y2\n", Dialect::Rs274, Kind::Laser},
         {"; LightBurn 1.0\nM4 S0\nG1 X1 Y1 S100\n", Dialect::Rs274, Kind::Laser},
         {"(plasma cut)\nM3\nG1 X1 Y1\n", Dialect::Rs274, Kind::Plasma},

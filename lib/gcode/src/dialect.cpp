@@ -551,7 +551,7 @@ private:
         has_z_ = has_z_ || (words & bit_of('Z')) != 0;
         turns_a_or_b_ = turns_a_or_b_ || (words & letters_of("AB")) != 0;
         extrudes_ = extrudes_ || (words & bit_of('E')) != 0;
-        if ((words & bit_of('S')) != 0 && (words & kXY) != 0 && ++moves_with_power_ == 3)
+        if ((words & bit_of('S')) != 0 && (words & kXY) != 0)
             add(power_, 2, 2, "S beside moves, and no Z", line);
         if ((words & bit_of('C')) != 0) look_at_c(words);
         if ((words & letters_of("MT")) == 0) return;
@@ -602,7 +602,6 @@ private:
     std::array<Case, kDialects.size()> dialects_;
     std::array<Case, kKinds.size()> kinds_;
     Case turning_, power_;
-    std::uint64_t moves_with_power_ = 0;
     bool has_y_ = false;
     bool has_xz_ = false;
     bool has_z_ = false;
