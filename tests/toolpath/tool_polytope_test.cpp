@@ -8,7 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
 
 namespace ncsim::toolpath {
 namespace {
@@ -178,14 +184,36 @@ TEST(ToolPolytope, CircumscribedContainsAWholeBall) {
     }
 }
 
-TEST(ToolPolytope, FacetsOfABallAreFlatTrapezoids) {
-    const PiecePolytope ball = approximate(ball_end_mill(6, 20).pieces[0], kLattice, {});
-    const cda::ConvexPolytope p = polytope_of(ball);
-    // Each strip between two rings has one facet per side: nothing fell apart into triangles.
-    EXPECT_EQ((p.facets().size() - 2) % static_cast<std::size_t>(ball.sides), 0U);
-    EXPECT_LT(p.facets().size(), 190U);
-    EXPECT_TRUE(p.facet_in({0, 0, -1, 0}));
-    EXPECT_TRUE(p.facet_in({1, 0, 0, 300000}));
+// Strips between two rings have a facet for every direction in which either has a side: nothing
+// fell apart into triangles. Rings near the tip have fewer sides.
+TEST(ToolPolytope, FacetsOfABallAreFlatAndNoMoreThanNeeded) {
+    struct Case {
+        double diameter, tolerance;
+        std::size_t most;  // 1.2 R/eps to the equator would be the least, flat or not
+    };
+    for (const Case& c : {Case{6, 0.05, 136}, Case{2, 0.05, 50}, Case{10, 0.05, 212},
+                          Case{6, 0.15, 58}, Case{50, 0.05, 990}}) {
+        SCOPED_TRACE(testing::Message() << c.diameter << " within " << c.tolerance);
+        const double r = c.diameter / 2;
+        const PiecePolytope ball =
+            approximate(ball_end_mill(c.diameter, r + 20).pieces[0], kLattice, {c.tolerance});
+        std::map<std::int64_t, std::size_t> rings;
+        for (const cda::LatticePoint& p : ball.points_T)
+            ++rings[p.z];
+        std::size_t expected = 2;
+        for (auto ring = rings.begin(), next = std::next(ring); next != rings.end();
+             ++ring, ++next) {
+            expected += ring->second + next->second - std::gcd(ring->second, next->second);
+        }
+        const cda::ConvexPolytope p = polytope_of(ball);
+        EXPECT_LE(p.facets().size(), expected);
+        EXPECT_LE(p.facets().size(), c.most);
+        EXPECT_LE(rings.begin()->second, static_cast<std::size_t>(ball.sides));
+        EXPECT_TRUE(p.facet_in({0, 0, -1, 0}));
+        const auto radius = static_cast<std::int64_t>(std::round(r / 1e-5));
+        EXPECT_TRUE(p.facet_in({1, 0, 0, radius}));
+        EXPECT_TRUE(p.facet_in({0, -1, 0, radius}));
+    }
 }
 
 TEST(ToolPolytope, ShapedEndsAreWithinTheirErrorToo) {
@@ -242,6 +270,127 @@ TEST(ToolPolytope, IsTheSameForCoarserLattices) {
     const PiecePolytope p = approximate(ball_end_mill(6, 20).pieces[0], coarse, {});
     EXPECT_LE(p.error_mm, 0.05);
     EXPECT_EQ(largest_x(p), 6000);
+}
+
+// --- Random tools against the support function of the round ones ---
+
+// How far a body of revolution reaches along a unit vector: to one of the corners of its profile,
+// or to where an arc has that normal.
+double reach_of(const ToolPiece& piece, cda::Vec3 n) {
+    const double aside = std::hypot(n.x, n.y);
+    double reach = -std::numeric_limits<double>::infinity();
+    const auto& profile = piece.profile;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const ProfilePoint& p = profile[i];
+        if (p.fillet == 0.0) {
+            reach = std::max(reach, aside * p.radius + n.z * p.height);
+            continue;
+        }
+        const ProfilePoint before = i > 0 ? profile[i - 1] : ProfilePoint{0, p.height, 0};
+        const ProfilePoint after =
+            i + 1 < profile.size() ? profile[i + 1] : ProfilePoint{0, p.height, 0};
+        const double a = std::atan2(p.height - before.height, p.radius - before.radius);
+        const double b = std::atan2(after.height - p.height, after.radius - p.radius);
+        const double leg = p.fillet * std::tan((b - a) / 2);
+        const double r = p.radius - leg * std::cos(a) - p.fillet * std::sin(a);
+        const double h = p.height - leg * std::sin(a) + p.fillet * std::cos(a);
+        const double normal = std::atan2(n.z, aside);  // of an arc they go from a - 90° to b - 90°
+        const double nearest =
+            std::clamp(normal, a - std::numbers::pi / 2, b - std::numbers::pi / 2);
+        reach = std::max(reach, aside * (r + p.fillet * std::cos(nearest)) +
+                                    n.z * (h + p.fillet * std::sin(nearest)));
+    }
+    return reach;
+}
+
+double reach_of(const PiecePolytope& piece, cda::Vec3 n) {
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const cda::LatticePoint& p : piece.points_T)
+        reach = std::max(reach, dot(n, kLattice.to_mm(p)));
+    return reach;
+}
+
+struct RandomTools {
+    std::mt19937 random{20261122};
+
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 0x1p32);
+    }
+    // To the micrometre, most of the time.
+    double size(double low, double high) {
+        const double v = low * std::pow(high / low, between(0, 1));
+        return random() % 4 == 0 ? v : std::round(v * 1000) / 1000;
+    }
+    ToolPiece operator()() {
+        const double d = size(0.2, 40);
+        switch (random() % 10) {
+            case 0: return flat_end_mill(d, size(1, 60)).pieces[0];
+            case 1:
+            case 2: return ball_end_mill(d, d / 2 + size(0.01, 60)).pieces[0];
+            case 3: return bull_nose_end_mill(d, size(d / 100, d / 2), d + 5).pieces[0];
+            case 4:
+                return v_cutter(d, random() % 2 ? 0.0 : d / 7, between(10, 150), 3 * d).pieces[0];
+            case 5: return drill(d, between(60, 160), 5 * d).pieces[0];
+            case 6: return tapered_end_mill(d, d / 2, between(0.5, 40), 3 * d).pieces[0];
+            case 7: return tapered_end_mill(d, size(d / 50, d / 2), between(0.5, 60), d).pieces[0];
+            case 8: return lollipop_mill(d).pieces[0];
+            default: break;
+        }
+        // A form: rounded below, conical, rounded above, and narrower from there on.
+        const double r = d / 2;
+        return {{{0.6 * r, 0, between(0.05, 0.5) * r},
+                 {r, between(0.6, 1.5) * r, between(0.02, 0.2) * r},
+                 {between(0.3, 0.9) * r, 2.5 * r, 0}},
+                true};
+    }
+};
+
+TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
+    RandomTools tools;
+    for (int i = 0; i < 200; ++i) {
+        const ToolPiece piece = tools();
+        double r = 0.0;
+        for (const ProfilePoint& p : piece.profile)
+            r = std::max(r, p.radius);
+        // As fine as the lattice allows (tool_polytope.h), or much coarser.
+        // Forms have two radii that multiples of one number have to suit.
+        const double units = piece.profile.size() > 2 ? 4 : 2;
+        const double finest = std::max(r / 1000, units * std::sqrt(r * 1e-5));
+        const double tolerance =
+            finest * std::pow(std::min(40.0, r / 5 / finest), tools.between(0, 1));
+        for (const Side side : {Side::Circumscribed, Side::Inscribed}) {
+            const PiecePolytope p = approximate(piece, kLattice, {tolerance, side});
+            SCOPED_TRACE(testing::Message()
+                         << i << ": " << piece.profile.size() << " corners, radius " << r
+                         << ", tolerance " << tolerance << ", side " << static_cast<int>(side));
+            ASSERT_FALSE(p.points_T.empty());
+            ASSERT_LE(p.error_mm, tolerance);
+            const bool outside = side == Side::Circumscribed;
+            const auto holds = [&](cda::Vec3 n) {
+                const double less = outside ? reach_of(piece, n) : reach_of(p, n);
+                const double more = outside ? reach_of(p, n) : reach_of(piece, n);
+                return less <= more + (outside ? 1e-9 : 2e-5) && more <= less + p.error_mm;
+            };
+            const auto cell = cda::convex_hull(p.points_T, kLattice, cda::kStockOrigin);
+            ASSERT_TRUE(cell);
+            for (const cda::Plane& plane : cell->planes)
+                ASSERT_TRUE(holds(unit_normal(plane)));
+            for (int k = 0; k < 200; ++k) {
+                const cda::Vec3 n = cda::normalized(
+                    {tools.between(-1, 1), tools.between(-1, 1), tools.between(-1, 1)});
+                ASSERT_TRUE(holds(n)) << n.x << ' ' << n.y << ' ' << n.z;
+            }
+            // Mirrors and quarter turns.
+            const std::set<cda::LatticePoint> corners(p.points_T.begin(), p.points_T.end());
+            for (const cda::LatticePoint& c : corners) {
+                ASSERT_TRUE(corners.contains({-c.x, c.y, c.z}));
+                ASSERT_TRUE(corners.contains({c.y, c.x, c.z}));
+            }
+            if (outside) {
+                EXPECT_NEAR(reach_of(p, {0, 0, -1}), -piece.profile.front().height, 1e-12);
+            }
+        }
+    }
 }
 
 TEST(Polytope, HasABoundedNumberOfCornersAndTellsItsError) {

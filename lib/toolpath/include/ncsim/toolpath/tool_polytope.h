@@ -24,10 +24,11 @@ struct ToolAccuracy {
 };
 
 /// Corners of a polytope in lattice units, in frame T. Facets with four or more corners are exactly
-/// flat: all its horizontal sections are integer multiples of one polygon with integer corners.
+/// flat: its horizontal sections at corners are polygons with integer corners whose sides are
+/// parallel.
 struct PiecePolytope {
     std::vector<cda::LatticePoint> points_T;
-    int sides = 0;  ///< Of that polygon, a multiple of 4.
+    int sides = 0;  ///< Of the largest of these polygons, a multiple of 4.
     /// Bound on the distance between both surfaces. It may exceed a tolerance that is less than a
     /// thousandth of the radius or less than 2 √r units, where r is the radius in units (14 µm for
     /// 5 mm at 10 nm), as the lattice polygons are no finer, and where it would take more than
@@ -36,17 +37,24 @@ struct PiecePolytope {
     bool cutting = true;
 };
 
-/// The polytope of a piece with the fewest facets that meets the tolerance, but at least 16
-/// sides. Four sides have the normals ±x and ±y; circumscribed, the lower end lies exactly at its
-/// height, and these sides, if the piece is a cylinder, exactly at its radius: axis-parallel slots
-/// get their nominal width and depth. Pieces of several radii, such as ball noses, have rings whose
-/// radii are multiples of one number b between √r/2 and 2√r units (or r/200, if that is more),
-/// where r is the largest radius. Where no such b divides r, or none is fine enough for the other
-/// radii, the four sides lie a few units farther out, always less than √r/2.
+/// The polytope of a piece with the fewest facets that was found to meet the tolerance, but at
+/// least 16 sides. Four sides have the normals ±x and ±y; circumscribed, the lower end lies exactly
+/// at its height, and these sides, if the piece is a cylinder, exactly at its radius: axis-parallel
+/// slots get their nominal width and depth. Pieces of several radii, such as ball noses, have rings
+/// whose radii are multiples of one number b between √r/2 and 2√r units (or r/200, if that is
+/// more), where r is the largest radius. Where no such b divides r, or none is fine enough for the
+/// other radii, the four sides lie a few units farther out, always less than √r/2. Forms of three
+/// radii and more may need twice the least tolerance.
+///
+/// Rings around rounded corners have fewer sides where they are smaller: of the largest polygon
+/// every second, third … in a multiple of four. So many that the tolerance is just kept in azimuth
+/// and profile together: a ball of radius r takes about 1.6 r/ε + 2.2 √(r/ε) facets for its lower
+/// half where it took 2.2 r/ε with as many sides everywhere.
 ///
 /// For a k-gon the radial error is r(1/cos(π/k) - 1); an arc of radius ρ over the angle Φ in n
 /// steps adds ρ(1/cos(Φ/2n) - 1); the lattice adds about 1/b of r. error_mm is measured, not
-/// estimated: the corner farthest from the round piece.
+/// estimated: the corner farthest from the round piece, or the part of it farthest from the
+/// polytope.
 PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
                           const ToolAccuracy& accuracy);
 

@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outline. Circumscribed: what has to hold the round section of a ring is the circle within its
+// polygon, so the radii of these circles, over heights, have to lie on or outside the profile.
+// Around a rounded corner they go from tangent to tangent of its arc; how far along one tangent is
+// limited by the corners of the polygon, which stand farther out. A radius has to be a
+// multiple of the polygon's, which costs nothing, since the height is free. Inscribed: the tangents
+// are those of a smaller arc about the same centre, and the corners do not stand out of the arc.
+//
+// Which polygon comes next is a choice: fine ones reach farther, coarse ones have fewer facets. All
+// walks that nobody beats in both, facets and how far they have turned, go on to the next ring.
+#include "ring_walk.h"
+
+#include "ncsim/toolpath/angles.h"
+
+#include "half_plane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+using Vec = HalfPlaneVec;
+
+constexpr double kUpright = 1e-9;
+// A unit, by which heights are rounded, and more than doubles are wrong.
+constexpr double kAlmost = 1 + 1e-6;
+constexpr int kMaxRings = 512;  // of one rounded corner
+
+// A rounded corner: the disc of radius rho about `centre` touches the line along d1 in `start` and
+// the line along d2 in `end`.
+struct Fillet {
+    Vec centre, start, end, d1, d2;
+    double rho = 0.0;
+    double turn_degrees = 0.0;
+};
+
+Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
+    Fillet f;
+    f.d1 = unit(corner - before);
+    f.d2 = unit(after - corner);
+    f.rho = rho;
+    f.turn_degrees = angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
+    const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
+    f.start = corner - leg * f.d1;
+    f.end = corner + leg * f.d2;
+    f.centre = f.start + rho * left_of(f.d1);
+    return f;
+}
+
+double turned(const Fillet& f, Vec d) {
+    return angle_of(dot(f.d1, d), cross(f.d1, d));
+}
+
+// A walk up to one of its rings.
+struct Step {
+    Ring ring;
+    int before = -1;  // the step under it
+    int facets = 0, corners = 0;
+    double error = 0.0;
+    // Where it is, and on which tangent it goes on (circumscribed); how far around the arc
+    // (inscribed).
+    Vec at, d;
+    double turned = 0.0;
+    bool has_ring = false;
+};
+
+class Walks {
+public:
+    Walks(const std::vector<RingPolygon>& family, Side side, double tolerance, int most_corners)
+        : family_(family),
+          side_(side),
+          most_corners_(most_corners),
+          tolerance_(tolerance),
+          inset_(side == Side::Circumscribed ? 0.0 : tolerance - 1 - kAlmost),
+          excess_(side == Side::Circumscribed ? tolerance - 1 - kAlmost : 0.0) {
+        steps_.emplace_back();
+        here_ = {0};
+    }
+
+    std::optional<RingStack> operator()(const std::vector<ProfilePoint>& profile, double unit_mm) {
+        std::vector<Vec> points;
+        points.reserve(profile.size());
+        for (const ProfilePoint& p : profile)
+            points.push_back({p.radius / unit_mm, p.height / unit_mm});
+        for (std::size_t i = 0; i < profile.size(); ++i) {
+            const Vec before = i > 0 ? points[i - 1] : Vec{0, points[i].h};
+            const Vec after = i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].h};
+            const double rho = profile[i].fillet / unit_mm;
+            if (rho <= 0) {
+                add_corner(points[i], before, after, i + 1 == points.size());
+            } else if (outside()) {
+                go_around(fillet_of(before, points[i], after, rho));
+            } else {
+                go_within(fillet_of(before, points[i], after, rho));
+            }
+            if (here_.empty()) return std::nullopt;
+        }
+        const int best = *std::ranges::min_element(here_, [this](int a, int b) {
+            return std::pair(at(a).facets, at(a).error) < std::pair(at(b).facets, at(b).error);
+        });
+        RingStack stack;
+        stack.facets = at(best).facets;
+        stack.corners = at(best).corners;
+        stack.error = at(best).error;
+        for (int i = best; at(i).has_ring; i = at(i).before)
+            stack.rings.push_back(at(i).ring);
+        std::ranges::reverse(stack.rings);
+        return stack;
+    }
+
+private:
+    const Step& at(int i) const { return steps_[static_cast<std::size_t>(i)]; }
+    bool outside() const { return side_ == Side::Circumscribed; }
+
+    // Of the circle that has to be right: within the polygon when it stands outside, else around.
+    double radius_of(std::size_t polygon) const {
+        return outside() ? family_[polygon].inner : family_[polygon].outer;
+    }
+    std::int64_t scale_of(double radius, std::size_t polygon) const {
+        const double b = radius_of(polygon);
+        return outside() ? round_up(radius / b) : std::max<std::int64_t>(0, round_down(radius / b));
+    }
+
+    // Heights go outwards: down on the lower side of the tool, up at its upper end.
+    int add(int before, std::size_t polygon, std::int64_t scale, double height, bool upper_end,
+            double error) {
+        const Step& under = at(before);
+        const bool up = upper_end == outside();
+        Step step;
+        step.ring = {scale == 0 ? 0 : polygon, scale, up ? round_up(height) : round_down(height)};
+        step.before = before;
+        step.has_ring = true;
+        step.error = std::max(under.error, error);
+        const int sides = family_[polygon].sides;
+        step.corners = under.corners + (scale == 0 ? 1 : sides);
+        step.facets = under.facets;
+        if (under.has_ring) {
+            const int below = family_[under.ring.polygon].sides;
+            step.facets += scale == 0              ? (under.ring.scale == 0 ? 0 : below)
+                           : under.ring.scale == 0 ? sides
+                                                   : facets_between(below, sides);
+        }
+        steps_.push_back(step);
+        return static_cast<int>(steps_.size()) - 1;
+    }
+
+    // What is upright keeps its polygon, so that it is one cylinder.
+    bool may_follow(int before, std::size_t polygon, bool upright) const {
+        const Step& under = at(before);
+        return !upright || !under.has_ring || under.ring.scale == 0 ||
+               under.ring.polygon == polygon;
+    }
+
+    // Of all that end here with the same polygon the cheapest.
+    void arrive(std::vector<int>& there, int step) const {
+        if (at(step).corners > most_corners_) return;
+        for (int& other : there) {
+            if (at(other).ring.polygon != at(step).ring.polygon) continue;
+            if (std::pair(at(step).facets, at(step).error) <
+                std::pair(at(other).facets, at(other).error)) {
+                other = step;
+            }
+            return;
+        }
+        there.push_back(step);
+    }
+
+    // A rim between a cone and a disc: moved to the lattice for the disc, it would draw the cone
+    // in, so that is led to where it is moved the other way. The same where two cones meet.
+    void add_corner(Vec p, Vec before, Vec after, bool upper_end) {
+        constexpr std::size_t kFinest = 0;
+        const std::int64_t scale = scale_of(p.r, kFinest);
+        const double b = radius_of(kFinest);
+        const double round =
+            outside() ? family_[kFinest].outer / b - 1 : 1 - family_[kFinest].inner / b;
+        const double error = round * p.r + std::abs(static_cast<double>(scale) * b - p.r) + 2;
+        const bool ends_a_cone = before.r < p.r && before.h < p.h;
+        const bool begins_a_cone = after.r < p.r && after.h > p.h;
+        const bool is_both = upper_end ? ends_a_cone : begins_a_cone;
+        const bool upright = std::abs(p.r - before.r) <= kUpright;
+        std::vector<int> there;
+        for (const int under : here_) {
+            if (scale != 0 && !may_follow(under, kFinest, upright)) continue;
+            if (outside() && is_both && round_down(p.h) < round_up(p.h)) {
+                const int rim = add(under, kFinest, scale, p.h, false, error);
+                arrive(there, add(rim, kFinest, scale, p.h, true, error));
+            } else {
+                arrive(there, add(under, kFinest, scale, p.h, upper_end, error));
+            }
+        }
+        here_ = std::move(there);
+    }
+
+    // Walks that go on around the same arc: those that no other beats.
+    struct Front {
+        std::vector<int> steps;
+        bool admit(const Walks& walks, int step) {
+            const Step& a = walks.at(step);
+            if (a.corners > walks.most_corners_) return false;
+            for (const int other : steps) {
+                const Step& b = walks.at(other);
+                if (a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
+                    b.facets <= a.facets && b.turned >= a.turned) {
+                    return false;
+                }
+            }
+            std::erase_if(steps, [&](int other) {
+                const Step& b = walks.at(other);
+                return a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
+                       a.facets <= b.facets && a.turned >= b.turned;
+            });
+            steps.push_back(step);
+            return true;
+        }
+    };
+
+    // Rings at the same place of different polygons. A copy stands for what comes from below.
+    template <class Next>
+    void walk(const Fillet& f, const Next& next) {
+        std::vector<int> there;
+        std::vector<int> now;
+        for (const int under : here_) {
+            Step start = at(under);
+            start.at = f.start;
+            start.d = f.d1;
+            start.turned = 0.0;
+            steps_.push_back(start);
+            now.push_back(static_cast<int>(steps_.size()) - 1);
+        }
+        Front front;
+        for (int ring = 0; ring < kMaxRings && !now.empty(); ++ring) {
+            Front coming;
+            for (const int step : now) {
+                for (std::size_t polygon = 0; polygon < family_.size(); ++polygon)
+                    next(step, polygon, coming, there);
+            }
+            now.clear();
+            for (const int step : coming.steps) {
+                if (front.admit(*this, step)) now.push_back(step);
+            }
+        }
+        here_ = std::move(there);
+    }
+
+    // How far the farthest corners of a ring stand from the arc.
+    double beyond(const Fillet& f, Vec p, std::size_t polygon) const {
+        const double stretched = p.r * (family_[polygon].outer / family_[polygon].inner);
+        return norm(Vec{stretched, p.h} - f.centre) - f.rho;
+    }
+
+    // As far along the tangent as the corners of the ring may stand out, but not beyond the end.
+    void follow_tangent(const Fillet& f, int step, std::size_t polygon, Front& coming) {
+        const Vec from = at(step).at;
+        const Vec d = at(step).d;
+        const bool upright = std::abs(d.r) <= kUpright;
+        if (!may_follow(step, polygon, upright)) return;
+        const double b = family_[polygon].inner;
+        const double stretch = family_[polygon].outer / b;
+        const double reach = f.rho + excess_;
+        std::int64_t scale = 0;
+        Vec p;
+        if (upright) {
+            // There is one radius only, so the height is free.
+            scale = scale_of(from.r, polygon);
+            p.r = static_cast<double>(scale) * b;
+            const double x = p.r * stretch - f.centre.r;
+            if (x >= reach) return;
+            p.h = f.centre.h + std::sqrt(reach * reach - x * x);
+            // Nor beyond the end, which is not upright.
+            p.h = std::min(p.h, f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h);
+        } else {
+            // (from + t d, stretched) stands at `reach` from the centre.
+            const Vec u{from.r * stretch - f.centre.r, from.h - f.centre.h};
+            const Vec v{d.r * stretch, d.h};
+            const double half = dot(u, v) / dot(v, v);
+            const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
+            if (under <= 0) return;
+            const double t = -half + std::sqrt(under);
+            const double end = way_to_end(f, from, d).r;
+            const double radius =
+                d.r > 0 ? std::min(from.r + t * d.r, end) : std::max(from.r + t * d.r, end);
+            if (radius <= 0) return;
+            scale = d.r > 0 ? round_down(radius / b) : round_up(radius / b);
+            if (scale <= 0) return;
+            p.r = static_cast<double>(scale) * b;
+            p.h = from.h + (p.r - from.r) / d.r * d.h;
+        }
+        p.h = outside() ? outward(p.h, d) : inward(p.h, f);
+        // Not beyond where the tangent touches the arc: no step.
+        if (dot(p - f.centre, d) <= 0) return;
+        Vec next = tangent_from(f, p);
+        if (inset_ > 0 && turned(f, next) >= f.turn_degrees) next = unit(f.end - p);  // is nearer
+        const double degrees = turned(f, next);
+        if (degrees <= at(step).turned || degrees >= f.turn_degrees) return;
+        const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
+        if (error > tolerance_) return;
+        const bool is_upper = outside() ? d.r <= kUpright : p.h > f.centre.h;
+        const int ring = add(step, polygon, scale, p.h, is_upper, error);
+        go_on(ring, p, next, degrees);
+        coming.admit(*this, ring);
+    }
+
+    void go_on(int ring, Vec p, Vec d, double degrees) {
+        Step& made = steps_[static_cast<std::size_t>(ring)];
+        made.at = p;
+        made.d = d;
+        made.turned = degrees;
+    }
+
+    static double inward(double height, const Fillet& f) {
+        return static_cast<double>(height > f.centre.h ? round_down(height) : round_up(height));
+    }
+
+    // Where the line from a point meets that along which the profile goes on.
+    static Vec way_to_end(const Fillet& f, Vec from, Vec d) {
+        return from + (cross(f.end - from, f.d2) / cross(d, f.d2)) * d;
+    }
+
+    // Of the arc whose tangents the facets are.
+    double touched_radius(const Fillet& f) const { return std::max(f.rho - inset_, 0.5 * f.rho); }
+
+    // Requires a point that is not within the circle to be touched.
+    Vec tangent_from(const Fillet& f, Vec p) const {
+        const double rho = touched_radius(f);
+        const Vec w = p - f.centre;
+        const double squared = dot(w, w);
+        const double length = std::sqrt(std::max(0.0, squared - rho * rho));
+        return (1 / squared) * (-length * w + rho * left_of(w));
+    }
+
+    // To the lattice, and not inside of a line that a point lies on.
+    static double outward(double height, Vec line) {
+        return static_cast<double>(line.r > kUpright ? round_down(height) : round_up(height));
+    }
+
+    // --- Circumscribed ---
+
+    void go_around(const Fillet& f) {
+        walk(f, [&](int step, std::size_t polygon, Front& coming, std::vector<int>& there) {
+            end_tangents(f, step, polygon, there);
+            follow_tangent(f, step, polygon, coming);
+        });
+    }
+
+    // The last corner must not lie inside the line along d2: where the tool gets narrower it
+    // stands on that line, farther out, else on the tangent, farther on.
+    void end_tangents(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
+        const Vec from = at(step).at;
+        const Vec d = at(step).d;
+        const bool upright = std::abs(f.d2.r) <= kUpright || std::abs(d.r) <= kUpright;
+        if (upright && polygon != 0) return;
+        const double b = family_[polygon].inner;
+        const Vec meeting = way_to_end(f, from, d);
+        std::int64_t scale = 0;
+        Vec p;
+        if (d.r <= kUpright && f.d2.r < -kUpright) {
+            scale = scale_of(std::clamp(meeting.r, 0.0, from.r), polygon);
+            p.r = static_cast<double>(scale) * b;
+            p.h = f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h;
+        } else if (std::abs(d.r) <= kUpright) {
+            return;
+        } else {
+            // Once more where its height, moved outwards for the one line, is inside of the other.
+            scale = scale_of(meeting.r, polygon) - 1;
+            do {
+                p.r = static_cast<double>(++scale) * b;
+                p.h = outward(from.h + (p.r - from.r) / d.r * d.h, d);
+            } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
+        }
+        if (!may_follow(step, polygon, std::abs(d.r) <= kUpright)) return;
+        const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
+        if (error > tolerance_) return;
+        arrive(there, add(step, polygon, scale, p.h, d.r <= kUpright, error));
+    }
+
+    // --- Inscribed ---
+
+    void go_within(const Fillet& f) {
+        walk(f, [&](int step, std::size_t polygon, Front& coming, std::vector<int>& there) {
+            if (at(step).turned == 0.0) {
+                begin_arc(f, step, polygon, coming);
+                return;
+            }
+            end_arc(f, step, polygon, there);
+            follow_tangent(f, step, polygon, coming);
+        });
+    }
+
+    // Back along d1, so that the lower end stays where it is.
+    void begin_arc(const Fillet& f, int step, std::size_t polygon, Front& coming) {
+        constexpr double kBegun = 1e-12;
+        const std::int64_t scale = scale_of(f.start.r, polygon);
+        if (scale == 0 && polygon != 0) return;
+        const bool upright = std::abs(f.d1.r) <= kUpright;
+        if (!may_follow(step, polygon, upright)) return;
+        const double radius = static_cast<double>(scale) * family_[polygon].outer;
+        const bool moves = f.d1.r > kUpright;
+        const double back = moves ? (f.start.r - radius) / f.d1.r * f.d1.h : 0.0;
+        const double height = inward(f.start.h - back, f);
+        const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
+        const double within = cross(f.d1, side - f.start);
+        if (within + 2 > tolerance_) return;
+        const int ring = add(step, polygon, scale, height, f.start.h > f.centre.h, within + 2);
+        // Small arcs may be lost as a whole.
+        const bool is_near = within <= f.rho - touched_radius(f);
+        const Vec d = is_near ? tangent_from(f, side) : unit(f.end - side);
+        go_on(ring, side, d, std::max(kBegun, turned(f, d)));
+        coming.admit(*this, ring);
+    }
+
+    void end_arc(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
+        const bool upright = std::abs(f.d2.r) <= kUpright;
+        if (upright && polygon != 0) return;
+        const std::int64_t scale = scale_of(f.end.r, polygon);
+        if (scale == 0 && polygon != 0) return;
+        const double radius = static_cast<double>(scale) * family_[polygon].outer;
+        const double x = radius - f.centre.r;
+        const double rise = std::sqrt(std::max(0.0, f.rho * f.rho - x * x));
+        const bool upper = f.end.h > f.centre.h;
+        const double height = inward(upright ? f.end.h : f.centre.h + (upper ? rise : -rise), f);
+        const Vec from = at(step).at;
+        const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
+        // How far the facets between both rings are from the arc over them.
+        const double depth = f.rho - cross(from - f.centre, unit(side - from));
+        const double error = std::max(depth, std::abs(f.end.r - side.r)) + 2;
+        if (error > tolerance_) return;
+        const double all = std::max(error, f.rho - touched_radius(f) + 2);
+        arrive(there, add(step, polygon, scale, height, upper, all));
+    }
+
+    const std::vector<RingPolygon>& family_;
+    Side side_;
+    int most_corners_;
+    double tolerance_;
+    double inset_;   // how far within the arc facets may lie
+    double excess_;  // how far beyond it corners may
+    std::vector<Step> steps_;
+    std::vector<int> here_;  // the walks that go on
+};
+
+}  // namespace
+
+std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
+                                    Side side, double unit_mm, double tolerance, int most_corners) {
+    return Walks(family, side, tolerance, most_corners)(piece.profile, unit_mm);
+}
+
+}  // namespace ncsim::toolpath
