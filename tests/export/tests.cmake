@@ -34,8 +34,8 @@ target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
 
 # The same pictures where OpenGL comes from EGL, whatever the library was built with.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
-set(renderer camera lettering offscreen_egl overlay palette png provenance render resolve sheet
-  visibility)
+set(renderer camera gl lettering offscreen_egl overlay palette png provenance render resolve
+  shared_library sheet visibility)
 list(TRANSFORM renderer REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/lib/export/src/\\1.cpp")
 add_executable(ncsim_egl_tests ${renderer}
   export/box_part.cpp export/golden_test.cpp export/polytope_part.cpp
@@ -45,8 +45,14 @@ target_compile_definitions(ncsim_egl_tests PRIVATE NCSIM_SOURCE_DIR="${PROJECT_S
 target_include_directories(ncsim_egl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
   ${PROJECT_SOURCE_DIR}/lib/export/include ${PROJECT_SOURCE_DIR}/lib/export/src)
 target_link_libraries(ncsim_egl_tests PRIVATE ncsim::cda GTest::gtest_main PNG::PNG
-  OpenGL::OpenGL OpenGL::EGL ncsim_build_flags)
+  ${CMAKE_DL_LIBS} ncsim_build_flags)
 add_test(NAME export.egl_draws_the_same COMMAND ncsim_egl_tests)
+
+# What draws nothing loads nothing that draws: the loader lists what comes with the program.
+add_test(NAME export.is_loaded_without_opengl
+  COMMAND ${CMAKE_COMMAND} -E env LD_TRACE_LOADED_OBJECTS=1 $<TARGET_FILE:ncsim>)
+set_tests_properties(export.is_loaded_without_opengl PROPERTIES
+  FAIL_REGULAR_EXPRESSION "OSMesa;LLVM;libGL;OpenGL;EGL")
 
 # What ncsim writes is read by programs that nobody here wrote. `write_samples` writes a folder of
 # files in all formats, each reader checks the ones it knows. A reader that is not there is a failure.

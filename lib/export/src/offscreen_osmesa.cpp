@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl.h"
 #include "offscreen.h"
 
 #include <GL/osmesa.h>
@@ -24,27 +25,55 @@ extern "C" const char* __lsan_default_suppressions() {
 
 namespace ncsim::exporter {
 
+namespace {
+
+struct Osmesa {
+    SharedLibrary library{NCSIM_OSMESA_LIBRARY};
+    Gl gl{library};
+    decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+    decltype(&OSMesaMakeCurrent) make_current = nullptr;
+    decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+
+    Osmesa() {
+        library.find(create_context, "OSMesaCreateContextAttribs");
+        library.find(make_current, "OSMesaMakeCurrent");
+        library.find(destroy_context, "OSMesaDestroyContext");
+    }
+};
+
+const Osmesa& osmesa() {
+    static const Osmesa loaded;
+    return loaded;
+}
+
+}  // namespace
+
 struct OffscreenContext::Handle {
     OSMesaContext context = nullptr;
     std::array<GLubyte, 4> pixel{};  // OSMesa insists on a framebuffer of its own
 
     ~Handle() {
         if (context == nullptr) return;
-        OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-        OSMesaDestroyContext(context);
+        osmesa().make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+        osmesa().destroy_context(context);
     }
 };
 
 OffscreenContext::OffscreenContext() : handle_(std::make_unique<Handle>()) {
     constexpr std::array<int, 5> kAttributes{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE,
                                              OSMESA_COMPAT_PROFILE, 0};
-    handle_->context = OSMesaCreateContextAttribs(kAttributes.data(), nullptr);
-    if (handle_->context == nullptr || OSMesaMakeCurrent(handle_->context, handle_->pixel.data(),
-                                                         GL_UNSIGNED_BYTE, 1, 1) != GL_TRUE) {
+    handle_->context = osmesa().create_context(kAttributes.data(), nullptr);
+    if (handle_->context == nullptr ||
+        osmesa().make_current(handle_->context, handle_->pixel.data(), GL_UNSIGNED_BYTE, 1, 1) !=
+            GL_TRUE) {
         throw std::runtime_error("cannot render: OSMesa gives no OpenGL context");
     }
 }
 
 OffscreenContext::~OffscreenContext() = default;
+
+const Gl& OffscreenContext::gl() const {
+    return osmesa().gl;
+}
 
 }  // namespace ncsim::exporter

@@ -5,9 +5,7 @@
 // facet, and a mask that reaches over the facet's edge by a rounding cannot hit the next one.
 #include "visibility.h"
 
-#define GL_GLEXT_PROTOTYPES  // NOLINT(readability-identifier-naming): of OpenGL
-#include <GL/gl.h>
-#include <GL/glext.h>
+#include "gl.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -77,54 +75,54 @@ bool faces_camera(const Camera& camera, cda::Vec3 normal, cda::Vec3 point) {
 // --- VisibilityBuffer --------------------------------------------------------------------
 
 VisibilityBuffer::VisibilityBuffer(std::uint32_t width, std::uint32_t height)
-    : width_(width), height_(height) {
+    : gl_(context_.gl()), width_(width), height_(height) {
     GLint largest = 0;
-    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    gl_.get_integerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (std::max(width, height) > static_cast<std::uint32_t>(std::max(largest, 0))) {
         fail(width, height);
     }
-    glGenFramebuffers(1, &framebuffer_);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glGenRenderbuffers(2, renderbuffers_.data());
-    glBindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[0]);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, to_size(width), to_size(height));
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              renderbuffers_[0]);
-    glBindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[1]);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, to_size(width), to_size(height));
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                              renderbuffers_[1]);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
-        glGetError() != GL_NO_ERROR) {
+    gl_.gen_framebuffers(1, &framebuffer_);
+    gl_.bind_framebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.gen_renderbuffers(2, renderbuffers_.data());
+    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[0]);
+    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_RGBA8, to_size(width), to_size(height));
+    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                 renderbuffers_[0]);
+    gl_.bind_renderbuffer(GL_RENDERBUFFER, renderbuffers_[1]);
+    gl_.renderbuffer_storage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, to_size(width), to_size(height));
+    gl_.framebuffer_renderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                 renderbuffers_[1]);
+    if (gl_.check_framebuffer_status(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+        gl_.get_error() != GL_NO_ERROR) {
         fail(width, height);
     }
     // Everything that could make a number into another number is off.
-    glDisable(GL_DITHER);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glShadeModel(GL_FLAT);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glEnableClientState(GL_COLOR_ARRAY);
+    gl_.disable(GL_DITHER);
+    gl_.disable(GL_BLEND);
+    gl_.disable(GL_CULL_FACE);
+    gl_.shade_model(GL_FLAT);
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.depth_func(GL_LESS);
+    gl_.pixel_storei(GL_PACK_ALIGNMENT, 1);
+    gl_.enable_client_state(GL_VERTEX_ARRAY);
+    gl_.enable_client_state(GL_COLOR_ARRAY);
 }
 
 VisibilityBuffer::~VisibilityBuffer() {
-    glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteRenderbuffers(2, renderbuffers_.data());
+    gl_.delete_framebuffers(1, &framebuffer_);
+    gl_.delete_renderbuffers(2, renderbuffers_.data());
 }
 
 void VisibilityBuffer::begin(const SampleRect& rect) {
     rect_ = rect;
     pending_.clear();
     stencil_value_ = 0;
-    glViewport(0, 0, to_size(rect.width), to_size(rect.height));
-    glClearColor(0, 0, 0, 0);
-    glClearDepth(1.0);
-    glClearStencil(0);
-    glDisable(GL_STENCIL_TEST);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    gl_.viewport(0, 0, to_size(rect.width), to_size(rect.height));
+    gl_.clear_color(0, 0, 0, 0);
+    gl_.clear_depth(1.0);
+    gl_.clear_stencil(0);
+    gl_.disable(GL_STENCIL_TEST);
+    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 bool VisibilityBuffer::is_outside(std::span<const ScreenPoint> polygon) const {
@@ -164,9 +162,9 @@ void VisibilityBuffer::append_fan(std::span<const ScreenPoint> polygon, SurfaceI
 
 void VisibilityBuffer::flush() {
     if (pending_.empty()) return;
-    glVertexPointer(4, GL_FLOAT, sizeof(Vertex), pending_.front().position.data());
-    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), pending_.front().id.data());
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(pending_.size()));
+    gl_.vertex_pointer(4, GL_FLOAT, sizeof(Vertex), pending_.front().position.data());
+    gl_.color_pointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), pending_.front().id.data());
+    gl_.draw_arrays(GL_TRIANGLES, 0, static_cast<GLsizei>(pending_.size()));
     pending_.clear();
 }
 
@@ -178,7 +176,7 @@ void VisibilityBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id) 
 
 void VisibilityBuffer::next_stencil_value() {
     if (stencil_value_ == kLastStencilValue) {
-        glClear(GL_STENCIL_BUFFER_BIT);
+        gl_.clear(GL_STENCIL_BUFFER_BIT);
         stencil_value_ = 0;
     }
     ++stencil_value_;
@@ -190,35 +188,35 @@ void VisibilityBuffer::draw(std::span<const ScreenPoint> polygon, SurfaceId id,
     if (is_outside(polygon)) return;
     flush();
     next_stencil_value();
-    glEnable(GL_STENCIL_TEST);
+    gl_.enable(GL_STENCIL_TEST);
 
     // The masks, into the stencil buffer only, whatever lies before them.
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDisable(GL_DEPTH_TEST);
-    glStencilFunc(GL_ALWAYS, stencil_value_, 0xFF);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl_.color_mask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl_.disable(GL_DEPTH_TEST);
+    gl_.stencil_func(GL_ALWAYS, stencil_value_, 0xFF);
+    gl_.stencil_op(GL_KEEP, GL_KEEP, GL_REPLACE);
     for (const auto& mask : masks) {
         if (!is_outside(mask)) append_fan(mask, id);
     }
     flush();
 
     // The facet itself, where the stencil was not set.
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glEnable(GL_DEPTH_TEST);
-    glStencilFunc(GL_NOTEQUAL, stencil_value_, 0xFF);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl_.color_mask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.stencil_func(GL_NOTEQUAL, stencil_value_, 0xFF);
+    gl_.stencil_op(GL_KEEP, GL_KEEP, GL_KEEP);
     append_fan(polygon, id);
     flush();
-    glDisable(GL_STENCIL_TEST);
+    gl_.disable(GL_STENCIL_TEST);
 }
 
 void VisibilityBuffer::read(std::vector<SurfaceId>& ids) {
     flush();
     const std::size_t count = std::size_t{rect_.width} * rect_.height;
     std::vector<std::uint8_t> bytes(4 * count);
-    glReadPixels(0, 0, to_size(rect_.width), to_size(rect_.height), GL_RGBA, GL_UNSIGNED_BYTE,
-                 bytes.data());
-    if (glGetError() != GL_NO_ERROR) {
+    gl_.read_pixels(0, 0, to_size(rect_.width), to_size(rect_.height), GL_RGBA, GL_UNSIGNED_BYTE,
+                    bytes.data());
+    if (gl_.get_error() != GL_NO_ERROR) {
         throw std::runtime_error("cannot render: OpenGL reported an error");
     }
     ids.resize(count);

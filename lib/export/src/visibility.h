@@ -83,6 +83,7 @@ private:
     void next_stencil_value();
 
     OffscreenContext context_;
+    const Gl& gl_;
     std::uint32_t width_, height_;
     std::uint32_t framebuffer_ = 0;
     std::array<std::uint32_t, 2> renderbuffers_{};
