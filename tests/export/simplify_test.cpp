@@ -144,8 +144,10 @@ TEST_P(SimplifyBy, StaysClosedAndWithinTheDeviationItReports) {
     const cda::TriangleMesh after = cda::triangulate(result.boundary);
     EXPECT_TRUE(cda::check(after).is_closed());
     const double rounding = 1e-9;
-    EXPECT_LE(farthest(before, after), result.deviation_mm + rounding);
-    EXPECT_LE(farthest(after, before), result.deviation_mm + rounding);
+    // Most points are only asked whether they are nearer than the farthest so far. The slow way
+    // says the same.
+    EXPECT_NEAR(std::max(farthest(before, after), farthest(after, before)), result.deviation_mm,
+                rounding);
     EXPECT_NEAR(cda::volume(after), cda::volume(before),
                 cda::area(boundary) * result.deviation_mm + rounding);
     // What vanished is thinner than the tolerance.

@@ -13,8 +13,30 @@ namespace {
 
 using cda::Vec3;
 
+// Is there a triangle within `limit` of a point? Sometimes no where there is one, by rounding.
+bool is_within(const cda::TriangleTree& tree, Vec3 p, double limit) {
+    bool found = false;
+    tree.visit(
+        [&](const cda::Box& box) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (p[axis] < box.min[axis] - limit || p[axis] > box.max[axis] + limit)
+                    return false;
+            }
+            return !found;
+        },
+        [&](std::uint32_t t) {
+            found = found || cda::distance(p, cda::corners_of(tree.mesh(), t)) <= limit;
+        });
+    return found;
+}
+
+// Only what is farther than all before it is measured: of most points it is soon clear that they
+// are not.
 double farthest(const cda::TriangleMesh& from, const cda::TriangleTree& to) {
     double result = 0.0;
+    const auto measure = [&](Vec3 p) {
+        if (!is_within(to, p, result)) result = std::max(result, to.nearest(p).distance_mm);
+    };
     std::vector<bool> is_done(from.vertices.size(), false);
     for (const auto& triangle : from.triangles) {
         Vec3 sum;
@@ -22,9 +44,9 @@ double farthest(const cda::TriangleMesh& from, const cda::TriangleTree& to) {
             sum = sum + from.vertices[v];
             if (is_done[v]) continue;
             is_done[v] = true;
-            result = std::max(result, to.nearest(from.vertices[v]).distance_mm);
+            measure(from.vertices[v]);
         }
-        result = std::max(result, to.nearest((1.0 / 3.0) * sum).distance_mm);
+        measure((1.0 / 3.0) * sum);
     }
     return result;
 }
