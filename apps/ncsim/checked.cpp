@@ -298,6 +298,7 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
     };
     if (checked.simulated) {
         Verification verification;
+        verification.side = toolpath::Side::Circumscribed;
         verification.verifier = &verifier;
         verification.rapid = rapid;
         verification.keep_cuts = design != nullptr;

@@ -44,21 +44,24 @@ std::unique_ptr<cda::WorkpieceModel> prototype(const Options& options) {
 }
 
 toolpath::Walk make_walk(const Job& job, const Survey& survey, const cda::Lattice& lattice,
-                         const toolpath::RapidPath& rapid) {
+                         const Verification& verification) {
     toolpath::ToolAccuracy accuracy;
+    // What is saved may be checked later, which has to know as well.
+    accuracy.side =
+        job.options.save_stock.empty() ? verification.side : toolpath::Side::Circumscribed;
     accuracy.tolerance_mm = job.options.tool_tolerance;
     toolpath::SamplingOptions sampling;
     sampling.chord_tolerance_mm = job.options.tolerance;
     sampling.rotation_miss_mm = job.options.tolerance;
     sampling.rotation_gain_mm = 10 * job.options.tolerance;
-    return {lattice, survey.stock->box, accuracy, sampling, rapid};
+    return {lattice, survey.stock->box, accuracy, sampling, verification.rapid};
 }
 
 class Mill {
 public:
     Mill(const Job& job, const Survey& survey, const Verification& verification, Simulation& result)
         : result_(result),
-          walk_(make_walk(job, survey, result.lattice, verification.rapid)),
+          walk_(make_walk(job, survey, result.lattice, verification)),
           verifier_(verification.verifier),
           verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           most_cuts_(verification.most_cuts),

@@ -90,6 +90,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     verify::Verifier verifier(std::move(setup), survey.stock->box,
                               toolpath::stock_lattice(*survey.stock));
     Verification verification;
+    verification.side = toolpath::Side::Circumscribed;
     verification.verifier = &verifier;
     verification.rapid = setup_->rapid;
     verification.only_motion = contact.motion;

@@ -126,11 +126,10 @@ std::string assumption_sheet(const Job& job, const Survey& survey) {
         sheet.line("model", "{}, lattice unit {:g} nm", job.options.model,
                    toolpath::stock_lattice(*survey.stock).unit_mm * 1e6);
     }
-    sheet.line(
-        "tolerance",
-        "arcs {:g} mm; round tools {:g} mm, outwards; turning tools {:g} mm missed, {:g} mm gained",
-        job.options.tolerance, job.options.tool_tolerance, job.options.tolerance,
-        10 * job.options.tolerance);
+    sheet.line("tolerance",
+               "arcs {:g} mm; round tools {:g} mm; turning tools {:g} mm missed, {:g} mm gained",
+               job.options.tolerance, job.options.tool_tolerance, job.options.tolerance,
+               10 * job.options.tolerance);
     if (job.options.join_tolerance > 0.0) {
         sheet.line("draft",
                    "coarse: tolerances grow with the block; moves in a row within {:g} mm of "

@@ -62,7 +62,9 @@ Judge::Judge(const Program& program, const StatedAccuracy& stated)
             norm(course.to().x - course.from().x) + 2 * tool.radius() + tool.height();
         const double sharp = std::max(2.0, 1.2 / std::sin(tool.sharpest_half_angle()));
         a.gained = std::min(gained, stated.gained) + rounding + sharp * 0x1p-24 * length;
+        // "Fair" tools err to both sides where they are rounded.
         a.tool = stated.tool_error[move.tool];
+        if (tool.is_rounded()) a.missed += a.tool;
         allowances_.push_back(a);
     }
 }

@@ -15,7 +15,7 @@ namespace ncsim::nightly {
 /// What a simulation says of its own accuracy, mm.
 struct StatedAccuracy {
     double unit = 1e-5;              ///< Of the lattice.
-    std::vector<double> tool_error;  ///< By tool: of the polygons, outwards.
+    std::vector<double> tool_error;  ///< By tool: of the polygons.
     double missed = 0.0;             ///< The worst of all moves.
     double gained = 0.0;
 };

@@ -39,6 +39,8 @@ public:
     double height() const { return height_; }
     /// Half of the sharpest interior angle of the solid, at an edge or at its tip, radians.
     double sharpest_half_angle() const;
+    /// Has it a ball or a rounded corner?
+    bool is_rounded() const { return !arcs_.empty(); }
     /// Is it a cylinder?
     bool is_upright() const { return bottom_.r == radius_ && top_.r == radius_; }
     /// Of the surface; `along` and `around` in [0, 1).

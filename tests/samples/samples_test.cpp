@@ -57,7 +57,8 @@ const Sample& sample(const std::string& name) {
         app::Options options;
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/" + name + ".nc";
         options.model = "cda";
-        options.save_stock = "kept.ncstock";  // Keeps the cells; nothing is written here.
+        // Keeps the cells, of circumscribed tools; nothing is written here.
+        options.save_stock = "kept.ncstock";
         slot->job = app::read_job(options, slot->inputs);
         slot->survey = app::survey(slot->job);
         slot->tree = app::simulate(slot->job, slot->survey, {}, {});
@@ -73,6 +74,25 @@ class Samples : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(All, Samples, testing::Values("simple", "complex", "wave"),
                          [](const auto& test) { return test.param; });
+
+// A tool five times finer stands for the round one.
+TEST(FairTools, LeaveTheVolumeThatRoundOnesLeave) {
+    const auto volume = [](double tolerance, toolpath::Side side) {
+        app::InputSet inputs;
+        app::Options options;
+        options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/wave.nc";
+        options.model = "cda";
+        options.tool_tolerance = tolerance;
+        app::Job job = app::read_job(options, inputs);
+        const app::Survey survey = app::survey(job);
+        app::Verification verification;
+        verification.side = side;
+        return app::simulate(job, survey, verification, {}).part->volume();
+    };
+    const double round = volume(0.01, toolpath::Side::Fair);
+    EXPECT_NEAR(volume(0.05, toolpath::Side::Fair), round, 2e-4 * round);
+    EXPECT_LT(volume(0.05, toolpath::Side::Circumscribed), round - 1e-3 * round);
+}
 
 TEST_P(Samples, RunWithoutFindings) {
     const Sample& s = sample(GetParam());

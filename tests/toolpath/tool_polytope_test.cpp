@@ -272,6 +272,58 @@ TEST(ToolPolytope, IsTheSameForCoarserLattices) {
     EXPECT_EQ(largest_x(p), 6000);
 }
 
+double reach_of(const PiecePolytope& piece, cda::Vec3 n) {
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const cda::LatticePoint& p : piece.points_T)
+        reach = std::max(reach, dot(n, kLattice.to_mm(p)));
+    return reach;
+}
+
+// Upright walls and floors of fair tools are those of circumscribed ones; over what is rounded they
+// err to both sides, on average a little outwards: so much is left again by ridges between passes
+// (FairTools.LeaveTheVolumeThatRoundOnesLeave).
+TEST(ToolPolytope, FairErrsToBothSides) {
+    std::mt19937 random(5);
+    const auto unit = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
+    for (const double diameter : {1.0, 2.0, 6.0, 10.0, 16.0}) {
+        for (const double tolerance : {0.05, 0.02}) {
+            SCOPED_TRACE(testing::Message() << diameter << " within " << tolerance);
+            const double r = diameter / 2;
+            if (tolerance > r / 20) continue;
+            const ToolPiece piece = ball_end_mill(diameter, r + 10).pieces[0];
+            const PiecePolytope fair = approximate(piece, kLattice, {tolerance, Side::Fair});
+            EXPECT_LE(fair.error_mm, tolerance);
+            const cda::ConvexPolytope p = polytope_of(fair);
+            const PiecePolytope outer = approximate(piece, kLattice, {tolerance});
+            EXPECT_LE(p.facets().size(), polytope_of(outer).facets().size());
+            EXPECT_TRUE(p.facet_in({0, 0, -1, 0}));
+            const auto radius = static_cast<std::int64_t>(std::round(r / 1e-5));
+            EXPECT_TRUE(p.facet_in({1, 0, 0, radius}));
+            EXPECT_TRUE(p.facet_in({0, -1, 0, radius}));
+            double sum = 0.0, weights = 0.0, least = 0.0, most = 0.0;
+            for (int i = 0; i < 20000; ++i) {
+                // As much of each normal as is seen from above; gentle slopes count for more.
+                const double aside = std::sqrt(unit());
+                const double around = 2 * std::numbers::pi * unit();
+                const cda::Vec3 n{aside * std::cos(around), aside * std::sin(around),
+                                  -std::sqrt(1 - aside * aside)};
+                const double more = reach_of(fair, n) - (r + n.z * r);
+                const double weight = -n.z * n.z * n.z;
+                sum += weight * more;
+                weights += weight;
+                least = std::min(least, more);
+                most = std::max(most, more);
+            }
+            // About a fifth of the depth, as near as radii and heights in steps and the tolerance
+            // let it; a circumscribed tool is a whole tolerance less a third of it off.
+            EXPECT_GT(sum / weights, 0.0);
+            EXPECT_LT(sum / weights, 0.5 * tolerance);
+            EXPECT_LT(least, -0.3 * tolerance);
+            EXPECT_GT(most, 0.1 * tolerance);
+        }
+    }
+}
+
 // --- Random tools against the support function of the round ones ---
 
 // How far a body of revolution reaches along a unit vector: to one of the corners of its profile,
@@ -300,13 +352,6 @@ double reach_of(const ToolPiece& piece, cda::Vec3 n) {
         reach = std::max(reach, aside * (r + p.fillet * std::cos(nearest)) +
                                     n.z * (h + p.fillet * std::sin(nearest)));
     }
-    return reach;
-}
-
-double reach_of(const PiecePolytope& piece, cda::Vec3 n) {
-    double reach = -std::numeric_limits<double>::infinity();
-    for (const cda::LatticePoint& p : piece.points_T)
-        reach = std::max(reach, dot(n, kLattice.to_mm(p)));
     return reach;
 }
 
@@ -358,18 +403,23 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
         const double finest = std::max(r / 1000, units * std::sqrt(r * 1e-5));
         const double tolerance =
             finest * std::pow(std::min(40.0, r / 5 / finest), tools.between(0, 1));
-        for (const Side side : {Side::Circumscribed, Side::Inscribed}) {
+        for (const Side side : {Side::Circumscribed, Side::Inscribed, Side::Fair}) {
             const PiecePolytope p = approximate(piece, kLattice, {tolerance, side});
             SCOPED_TRACE(testing::Message()
                          << i << ": " << piece.profile.size() << " corners, radius " << r
                          << ", tolerance " << tolerance << ", side " << static_cast<int>(side));
             ASSERT_FALSE(p.points_T.empty());
             ASSERT_LE(p.error_mm, tolerance);
-            const bool outside = side == Side::Circumscribed;
+            const bool outside = side != Side::Inscribed;
+            const bool is_rounded =
+                std::ranges::any_of(piece.profile, [](const auto& q) { return q.fillet > 0; });
             const auto holds = [&](cda::Vec3 n) {
                 const double less = outside ? reach_of(piece, n) : reach_of(p, n);
                 const double more = outside ? reach_of(p, n) : reach_of(piece, n);
-                return less <= more + (outside ? 1e-9 : 2e-5) && more <= less + p.error_mm;
+                const double missed = side == Side::Fair && is_rounded ? p.error_mm
+                                      : outside                        ? 1e-9
+                                                                       : 2e-5;
+                return less <= more + missed && more <= less + p.error_mm;
             };
             const auto cell = cda::convex_hull(p.points_T, kLattice, cda::kStockOrigin);
             ASSERT_TRUE(cell);
@@ -390,6 +440,16 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
                 EXPECT_NEAR(reach_of(p, {0, 0, -1}), -piece.profile.front().height, 1e-12);
             }
         }
+    }
+}
+
+TEST(ToolPolytope, ARoundedCornerThatDoesNotTurnIsNone) {
+    for (const Side side : {Side::Circumscribed, Side::Inscribed, Side::Fair}) {
+        const PiecePolytope p =
+            approximate({{{3, 0, 0}, {3, 5, 1}, {3, 9, 0}}, true}, kLattice, {0.05, side});
+        EXPECT_LE(p.error_mm, 0.05);
+        EXPECT_EQ(reach_of(p, {0, 0, 1}), 9);
+        EXPECT_NEAR(reach_of(p, {1, 0, 0}), 3, 0.05);
     }
 }
 

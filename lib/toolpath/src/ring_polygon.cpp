@@ -76,20 +76,20 @@ std::vector<double> corner_cosines(int sides) {
 // (inscribed), which can only enlarge (shrink) the polygon.
 RingPolygon ring_polygon(std::int64_t b, const std::vector<double>& cosines, Side side) {
     const std::size_t quadrant = cosines.size();
-    const double radius = side == Side::Circumscribed ? 1.0 / cosines[0] : 1.0;
+    const double radius = side != Side::Inscribed ? 1.0 / cosines[0] : 1.0;
     Corners first;
     for (std::size_t j = 0; j < quadrant; ++j) {
         // cos(90° - a) for the sine: both diagonals of a quadrant are mirrors, to the last bit.
         const double x = static_cast<double>(b) * (cosines[j] * radius);
         const double y = static_cast<double>(b) * (cosines[quadrant - 1 - j] * radius);
-        first.emplace_back(side == Side::Circumscribed ? round_up(x) : round_down(x),
-                           side == Side::Circumscribed ? round_up(y) : round_down(y));
+        first.emplace_back(side != Side::Inscribed ? round_up(x) : round_down(x),
+                           side != Side::Inscribed ? round_up(y) : round_down(y));
     }
     RingPolygon polygon;
     polygon.sides = static_cast<int>(4 * quadrant);
     polygon.corners = turned_thrice(first);
     measure(polygon);
-    (side == Side::Circumscribed ? polygon.inner : polygon.outer) = static_cast<double>(b);
+    (side != Side::Inscribed ? polygon.inner : polygon.outer) = static_cast<double>(b);
     return polygon;
 }
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace ncsim::toolpath {
@@ -52,6 +53,34 @@ Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
     return f;
 }
 
+// In lattice units.
+std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
+    std::vector<Vec> points;
+    points.reserve(profile.size());
+    for (const ProfilePoint& p : profile)
+        points.push_back({p.radius / unit_mm, p.height / unit_mm});
+    return points;
+}
+
+// Where discs close the profile, its lines come from the axis.
+Vec before(const std::vector<Vec>& points, std::size_t i) {
+    return i > 0 ? points[i - 1] : Vec{0, points[i].h};
+}
+Vec after(const std::vector<Vec>& points, std::size_t i) {
+    return i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].h};
+}
+
+std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
+    const std::vector<Vec> points = corners_of(profile, unit_mm);
+    std::vector<Fillet> fillets;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (profile[i].fillet <= 0) continue;
+        fillets.push_back(
+            fillet_of(before(points, i), points[i], after(points, i), profile[i].fillet / unit_mm));
+    }
+    return fillets;
+}
+
 double turned(const Fillet& f, Vec d) {
     return angle_of(dot(f.d1, d), cross(f.d1, d));
 }
@@ -71,32 +100,31 @@ struct Step {
 
 class Walks {
 public:
-    Walks(const std::vector<RingPolygon>& family, Side side, double tolerance, int most_corners)
+    Walks(const std::vector<RingPolygon>& family, Side side, const Play& play, int most_corners)
         : family_(family),
           side_(side),
           most_corners_(most_corners),
-          tolerance_(tolerance),
-          inset_(side == Side::Circumscribed ? 0.0 : tolerance - 1 - kAlmost),
-          excess_(side == Side::Circumscribed ? tolerance - 1 - kAlmost : 0.0) {
+          tolerance_(std::max(play.within, play.beyond)),
+          inset_(play.within > 0 ? play.within - 1 - kAlmost : 0.0),
+          excess_(play.beyond > 0 ? play.beyond - 1 - kAlmost : 0.0) {
         steps_.emplace_back();
         here_ = {0};
     }
 
     std::optional<RingStack> operator()(const std::vector<ProfilePoint>& profile, double unit_mm) {
-        std::vector<Vec> points;
-        points.reserve(profile.size());
-        for (const ProfilePoint& p : profile)
-            points.push_back({p.radius / unit_mm, p.height / unit_mm});
+        const std::vector<Vec> points = corners_of(profile, unit_mm);
         for (std::size_t i = 0; i < profile.size(); ++i) {
-            const Vec before = i > 0 ? points[i - 1] : Vec{0, points[i].h};
-            const Vec after = i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].h};
-            const double rho = profile[i].fillet / unit_mm;
-            if (rho <= 0) {
-                add_corner(points[i], before, after, i + 1 == points.size());
+            const Vec from = before(points, i);
+            const Vec to = after(points, i);
+            const Fillet f = fillet_of(from, points[i], to, profile[i].fillet / unit_mm);
+            // Rounding what is straight leaves it straight.
+            constexpr double kStraight = 1e-6;  // degrees
+            if (f.rho <= 0 || !(f.turn_degrees > kStraight)) {
+                add_corner(points[i], from, to, i + 1 == points.size());
             } else if (outside()) {
-                go_around(fillet_of(before, points[i], after, rho));
+                go_around(f);
             } else {
-                go_within(fillet_of(before, points[i], after, rho));
+                go_within(f);
             }
             if (here_.empty()) return std::nullopt;
         }
@@ -115,7 +143,7 @@ public:
 
 private:
     const Step& at(int i) const { return steps_[static_cast<std::size_t>(i)]; }
-    bool outside() const { return side_ == Side::Circumscribed; }
+    bool outside() const { return side_ != Side::Inscribed; }
 
     // Of the circle that has to be right: within the polygon when it stands outside, else around.
     double radius_of(std::size_t polygon) const {
@@ -351,11 +379,17 @@ private:
     // stands on that line, farther out, else on the tangent, farther on.
     void end_tangents(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
         const Vec from = at(step).at;
-        const Vec d = at(step).d;
+        Vec d = at(step).d;
+        Vec meeting = way_to_end(f, from, d);
+        // The tangent of a smaller arc may go on inside of what follows: not beyond where that
+        // begins.
+        if (inset_ > 0 && dot(meeting - f.end, f.d2) > 0) {
+            meeting = f.end;
+            d = unit(f.end - from);
+        }
         const bool upright = std::abs(f.d2.r) <= kUpright || std::abs(d.r) <= kUpright;
         if (upright && polygon != 0) return;
         const double b = family_[polygon].inner;
-        const Vec meeting = way_to_end(f, from, d);
         std::int64_t scale = 0;
         Vec p;
         if (d.r <= kUpright && f.d2.r < -kUpright) {
@@ -446,8 +480,49 @@ private:
 }  // namespace
 
 std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
-                                    Side side, double unit_mm, double tolerance, int most_corners) {
-    return Walks(family, side, tolerance, most_corners)(piece.profile, unit_mm);
+                                    Side side, double unit_mm, const Play& play, int most_corners) {
+    return Walks(family, side, play, most_corners)(piece.profile, unit_mm);
+}
+
+double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
+                   const std::vector<Ring>& rings, double unit_mm) {
+    constexpr std::size_t kAround = 16;                // of an eighth: the others are its mirrors
+    constexpr int kAlong = 64;                         // of each arc
+    std::vector<std::array<double, kAround>> reaches;  // of the polygons
+    for (const RingPolygon& polygon : family) {
+        auto& reach = reaches.emplace_back();
+        for (std::size_t i = 0; i < kAround; ++i) {
+            const SinCos a = sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
+            for (const auto& [x, y] : polygon.corners) {
+                reach[i] = std::max(
+                    reach[i], a.cos * static_cast<double>(x) + a.sin * static_cast<double>(y));
+            }
+        }
+    }
+    double sum = 0.0, area = 0.0;
+    for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
+        const Vec out = -1.0 * left_of(f.d1);
+        for (int k = 0; k < kAlong; ++k) {
+            const SinCos a = sin_cos((k + 0.5) * f.turn_degrees / kAlong);
+            const Vec n = a.cos * out + a.sin * left_of(out);
+            if (n.h >= 0) break;
+            const double seen = n.h * n.h * n.h * n.h;
+            const double weight = seen * f.turn_degrees * f.rho * (f.centre.r + f.rho * n.r);
+            double mean = 0.0;
+            for (std::size_t i = 0; i < kAround; ++i) {
+                double reach = -std::numeric_limits<double>::infinity();
+                for (const Ring& ring : rings) {
+                    reach = std::max(
+                        reach, n.r * static_cast<double>(ring.scale) * reaches[ring.polygon][i] +
+                                   n.h * static_cast<double>(ring.height));
+                }
+                mean += reach / kAround;
+            }
+            sum += weight * (mean - dot(n, f.centre) - f.rho);
+            area += weight;
+        }
+    }
+    return area > 0 ? sum / area : 0.0;
 }
 
 }  // namespace ncsim::toolpath

@@ -57,7 +57,7 @@ BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, doub
     bool one_ring = !has_fillet(piece);
     for (const ProfilePoint& p : piece.profile) {
         const double r = p.radius / unit_mm;
-        const std::int64_t rounded = side == Side::Circumscribed ? round_up(r) : round_down(r);
+        const std::int64_t rounded = side != Side::Inscribed ? round_up(r) : round_down(r);
         one_ring = one_ring && (rounded == 0 || rounded == radius);
     }
     if (one_ring) return {{radius}, {}};
@@ -82,7 +82,7 @@ BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, doub
         const std::int64_t rest = radius % b;
         std::vector<std::int64_t>& exact = candidates.first;
         if (rest == 0 && (exact.empty() || 3 * b >= 4 * exact.back())) exact.push_back(b);
-        const std::int64_t off = side == Side::Circumscribed ? (b - rest) % b : rest;
+        const std::int64_t off = side != Side::Inscribed ? (b - rest) % b : rest;
         nearest = std::min(nearest, {off, b});
         nearest_here = std::min(nearest_here, {off, b});
     }
@@ -123,8 +123,9 @@ public:
           is_rounded_(has_fillet(piece)),
           candidates_(base_candidates(piece, radius, unit_mm, side)) {
         if (!is_rounded_) return;
-        thin_out(candidates_.first);
-        thin_out(candidates_.more);
+        constexpr std::size_t kEnough = 12;
+        thin_out(candidates_.first, kEnough);
+        thin_out(candidates_.more, kEnough);
     }
 
     // Within `tolerance` (lattice units), or as near to it as may be.
@@ -132,7 +133,12 @@ public:
         tolerance_ = std::max(tolerance, least_tolerance());
         // What is too fine for the lattice, or would take too many corners, is tried with less.
         constexpr double kCoarser = 1.2;
+        constexpr std::size_t kFew = 4;
         for (;; tolerance_ *= kCoarser) {
+            if (is_rounded_ && tolerance_ > tolerance) {
+                thin_out(candidates_.first, kFew);
+                thin_out(candidates_.more, kFew);
+            }
             try_all(candidates_.first);
             // All divisors of the largest radius may be too coarse for the others.
             if (!is_met()) try_all(candidates_.more);
@@ -140,14 +146,14 @@ public:
             if (tolerance_ > radius_) break;
         }
         if (is_rounded_ && best_.is_there()) even_out();
+        if (is_rounded_ && best_.is_there() && side_ == Side::Fair) balance();
         return std::move(best_);
     }
 
 private:
     // Heights are free, so that a choice of some sizes is enough.
-    static void thin_out(std::vector<std::int64_t>& radii) {
-        constexpr std::size_t kEnough = 8;
-        while (radii.size() > kEnough) {
+    static void thin_out(std::vector<std::int64_t>& radii, std::size_t enough) {
+        while (radii.size() > enough) {
             std::size_t kept = 0;
             for (std::size_t i = 1; i < radii.size(); i += 2)
                 radii[kept++] = radii[i];
@@ -169,14 +175,15 @@ private:
             const std::vector<double> cosines = corner_cosines(sides);
             for (const std::int64_t b : radii) {
                 const RingPolygon finest = ring_polygon(b, cosines, side_);
-                const double azimuth = side_ == Side::Circumscribed
+                const double azimuth = side_ != Side::Inscribed
                                            ? finest.outer / static_cast<double>(b) - 1
                                            : 1 - finest.inner / static_cast<double>(b);
                 const bool is_last = sides == kMaxSides && !is_rounded_;
                 if (azimuth * radius_ > tolerance_ && !is_last) continue;
                 std::vector<RingPolygon> family{finest};
                 if (is_rounded_) family = with_coarser(finest);
-                auto stack = ring_stack(piece_, family, side_, unit_mm_, tolerance_, kMaxCorners);
+                auto stack =
+                    ring_stack(piece_, family, side_, unit_mm_, play(tolerance_), kMaxCorners);
                 if (stack) consider(std::move(family), std::move(*stack));
             }
         }
@@ -221,12 +228,73 @@ private:
         double low = 0.0;
         for (int i = 0; i < kHalvings; ++i) {
             const double middle = (low + best_.stack.error) / 2;
-            auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, middle, kMaxCorners);
+            auto stack =
+                ring_stack(piece_, best_.family, side_, unit_mm_, play(middle), kMaxCorners);
             if (stack && stack->error < best_.stack.error && stack->facets <= best_.stack.facets) {
                 best_.stack = std::move(*stack);
             } else {
                 low = middle;
             }
+        }
+    }
+
+    // Over squares on a sphere, the corners of which stand out by a third of how deep the squares
+    // lie from corner to middle, the polytope reaches as far as the ball on average.
+    Play play(double tolerance) const {
+        switch (side_) {
+            case Side::Circumscribed: return {0.0, tolerance};
+            case Side::Inscribed: return {tolerance, 0.0};
+            case Side::Fair: break;
+        }
+        return {tolerance, 0.5 * tolerance};
+    }
+
+    // Which share of the depth of its facets the corners of a fair tool stand out: the bias grows
+    // with that. Radii and heights come in steps, so other depths may hit better, some with more
+    // facets.
+    void balance() {
+        constexpr double kShallower = 0.97;
+        constexpr int kDepths = 8;
+        const int few = best_.stack.facets;
+        double depth = 1.5 * best_.stack.error;
+        double bias = std::abs(bias_of(best_.stack, depth));
+        for (int i = 0; i < kDepths; ++i, depth *= kShallower) {
+            // A thirtieth more is as good.
+            if (is_balanced(bias) && best_.stack.facets <= few + few / 32) break;
+            balance(depth, few + few / 4, bias);
+        }
+    }
+
+    // A part that is cut by passes without a distance between them would end where the corners
+    // reach. As far apart as they are, ridges are left between, since facets meet in edges: for
+    // passes of a tenth to twice the tool's radius, measured, a fifth of the depth more or less.
+    double bias_of(const RingStack& stack, double depth) const {
+        constexpr double kRidges = 0.2;
+        return mean_excess(piece_, best_.family, stack.rings, unit_mm_) - kRidges * depth;
+    }
+
+    bool is_balanced(double bias) const { return bias <= 0.01 * tolerance_; }
+
+    void balance(double depth, int most, double& bias) {
+        constexpr int kHalvings = 10;
+        double low = 0.1, high = 0.9;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double share = (low + high) / 2;
+            const Play play{(1 - share) * depth, share * depth};
+            auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, play, kMaxCorners);
+            if (!stack) {
+                low = share;
+                continue;
+            }
+            const double mean = bias_of(*stack, depth);
+            (mean > 0 ? high : low) = share;
+            if (stack->error > tolerance_ || stack->facets > most) continue;
+            const bool is_better = is_balanced(bias) ? is_balanced(std::abs(mean)) &&
+                                                           stack->facets < best_.stack.facets
+                                                     : std::abs(mean) < bias;
+            if (!is_better) continue;
+            bias = std::abs(mean);
+            best_.stack = std::move(*stack);
         }
     }
 
@@ -249,7 +317,7 @@ PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
     const double u = lattice.unit_mm;
     const double exact_radius = largest_radius(piece) / u;
     const std::int64_t radius =
-        accuracy.side == Side::Circumscribed ? round_up(exact_radius) : round_down(exact_radius);
+        accuracy.side != Side::Inscribed ? round_up(exact_radius) : round_down(exact_radius);
     if (piece.profile.empty() || radius < 1) return polytope;
     const Choice best = Search(piece, radius, u, accuracy.side)(accuracy.tolerance_mm / u);
     if (!best.is_there()) return polytope;
@@ -271,7 +339,7 @@ PiecePolytope approximate_above(const ToolPiece& below, const ToolPiece& piece,
     const std::int64_t top =
         std::ranges::max(polytope.points_T, {}, [](const LatticePoint& p) { return p.z; }).z;
     std::erase_if(polytope.points_T, [top](const LatticePoint& p) { return p.z != top; });
-    const bool outside = accuracy.side == Side::Circumscribed;
+    const bool outside = accuracy.side != Side::Inscribed;
     const double low = piece.profile.front().height / lattice.unit_mm;
     const double high = piece.profile.back().height / lattice.unit_mm;
     const std::vector<LatticePoint> ring = polytope.points_T;

@@ -19,8 +19,7 @@ constexpr std::size_t kCachedOrientations = 8;
 Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy,
                const ToolPiece* below)
     : lattice_(lattice),
-      rounding_(accuracy.side == Side::Circumscribed ? cda::Rounding::Outward
-                                                     : cda::Rounding::Inward),
+      rounding_(accuracy.side != Side::Inscribed ? cda::Rounding::Outward : cda::Rounding::Inward),
       extent_(extent_of(tool)) {
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;

@@ -13,12 +13,15 @@ namespace ncsim::toolpath {
 
 /// On which side of the round tool the polytope errs. Circumscribed: it contains the tool, so a
 /// simulation removes everything the tool does, and a little more. Inscribed: the other way, but
-/// for less than a unit at the rim of a cone that ends between two lattice heights.
-enum class Side : std::uint8_t { Circumscribed, Inscribed };
+/// for less than a unit at the rim of a cone that ends between two lattice heights. Fair: as
+/// circumscribed but for balls and rounded corners, whose facets lie within the tool and whose
+/// corners stand out of it, so that what a finishing cut leaves is neither too much nor too little
+/// on average; their lower end, and where they become cylinder, cone or disc, are exact.
+enum class Side : std::uint8_t { Circumscribed, Inscribed, Fair };
 
 struct ToolAccuracy {
-    /// Largest distance between the surfaces of the tool and of the polytope, in mm. 0.05 gives
-    /// a 10 mm end mill 24 sides.
+    /// Largest distance between the surfaces of the tool and of the polytope, in mm, to either
+    /// side. 0.05 gives a 10 mm end mill 24 sides.
     double tolerance_mm = 0.05;
     Side side = Side::Circumscribed;
 };
@@ -47,9 +50,9 @@ struct PiecePolytope {
 /// radii and more may need twice the least tolerance.
 ///
 /// Rings around rounded corners have fewer sides where they are smaller: of the largest polygon
-/// every second, third … in a multiple of four. So many that the tolerance is just kept in azimuth
-/// and profile together: a ball of radius r takes about 1.6 r/ε + 2.2 √(r/ε) facets for its lower
-/// half where it took 2.2 r/ε with as many sides everywhere.
+/// every second, third … in a multiple of four; azimuth and profile share the tolerance. A ball of
+/// radius r takes about 2.1 r/ε planes (fair: 1.4 to 1.8) where it took 3 to 4 with as many sides
+/// everywhere.
 ///
 /// For a k-gon the radial error is r(1/cos(π/k) - 1); an arc of radius ρ over the angle Φ in n
 /// steps adds ρ(1/cos(Φ/2n) - 1); the lattice adds about 1/b of r. error_mm is measured, not
