@@ -107,6 +107,7 @@ TEST(NormalTable, BoundsWhatIsBelowAPlane) {
 
 TEST(NormalTable, TellsInRowsWhatPairsTell) {
     Random random(2);
+    int any_implied = 0;
     for (int i = 0; i < 300; ++i) {
         const BoxFrame box = random_box(random);
         std::vector<Seen> planes;
@@ -136,11 +137,32 @@ TEST(NormalTable, TellsInRowsWhatPairsTell) {
             ask(other);
             EXPECT_EQ(row[table.column(k)], least);
         }
+        SeenPlanes seen;
+        for (const Seen& plane : planes)
+            seen.add(plane.scaled, static_cast<float>(plane.e));
+        const std::size_t end = seen.end_group();
+        ASSERT_GE(end, planes.size());
+        for (const Seen& p : {other, planes.back()}) {
+            bool implied = false;
+            for (const Seen& m : planes) {
+                const Bound bound = bound_along(p.scaled, m.scaled);
+                const float least = bound.slope * static_cast<float>(m.e) + bound.offset;
+                implied = implied || least + row::kMargin < static_cast<float>(p.e);
+            }
+            // Sums in another order: nearly equal ones may differ.
+            const bool found = seen.imply(0, end, p.scaled, static_cast<float>(p.e));
+            if (found != implied) {
+                EXPECT_NE(seen.imply(0, end, p.scaled, static_cast<float>(p.e) - 1e-6F),
+                          seen.imply(0, end, p.scaled, static_cast<float>(p.e) + 1e-6F));
+            }
+            any_implied += implied ? 1 : 0;
+        }
         std::vector<float> higher = row;
         EXPECT_TRUE(is_below(row.data(), higher.data(), table.stride()));
         higher[table.column(0)] = std::nextafter(higher[table.column(0)], -2e30F);
         EXPECT_FALSE(is_below(row.data(), higher.data(), table.stride()));
     }
+    EXPECT_GT(any_implied, 50);
 }
 
 }  // namespace

@@ -37,9 +37,6 @@ constexpr std::size_t kManyCells = 64;
 constexpr std::size_t kComparisons = 16;
 // A table for more normals than this costs more than smaller boxes.
 constexpr std::size_t kManyNormals = 160;
-// Planes that no other cell shares are not looked at for being implied by each other if they are as
-// few as this, and of more on every second level.
-constexpr std::size_t kFewPlanes = 4;
 // Walls of boxes move inwards where that makes the box an eighth shorter.
 constexpr double kWorthShrinking = 0.75;
 // Planes are looked through for unused ones when there are this many times those last used.
@@ -99,7 +96,6 @@ private:
         std::uint32_t number = 0;
         std::uint32_t stored = 0;   // where stored planes of the incoming cell are noted
         bool is_looked_at = false;  // else nothing but the box of the cell is known
-        std::uint8_t patience = 0;  // levels before loose planes are compared again
         Range facets, loose;
     };
     // The normals of a family seen from the box at hand.
@@ -117,8 +113,9 @@ private:
     // An item that is compared with others; its rows are those of its number.
     struct Candidate {
         std::size_t item = 0;
-        float depth = 0;  // of the middle of the box in it
-        Range loose;      // in seen_
+        float depth = 0;                         // of the middle of the box in it
+        std::size_t planes = 0, planes_end = 0;  // in seen_planes_
+        Range loose;                             // in seen_
     };
     struct Cut {
         std::size_t axis = 3;  // 3: none
@@ -147,8 +144,7 @@ private:
     void drop_redundant(const BoxFrame& frame, std::size_t begin);
     bool make_table(const BoxFrame& frame, std::span<const Item> items);
     void fill_rows(const BoxFrame& frame, Item& item, Candidate& candidate);
-    bool is_implied(const SeenLoose& p, const Item& item, const Candidate& candidate,
-                    bool by_loose) const;
+    std::size_t see_planes(const Item& item, const Candidate& candidate);
     Domination covered(const Candidate& a, const Candidate& b, std::span<const Item> items) const;
     Domination covered(const Candidate& a, const Item& item, const SeenLoose& p,
                        const Item& its_item) const;
@@ -201,6 +197,7 @@ private:
     std::vector<ScaledNormal> scaled_;        // by column
     std::vector<float> own_, reach_, limit_;  // rows: planes; with bounds; what to compare with
     std::vector<SeenLoose> seen_;
+    SeenPlanes seen_planes_;
     std::vector<Candidate> candidates_;
     std::vector<std::size_t> kept_;
     std::vector<double> half_low_, half_high_;  // as low_ and high_, of a half of the box
@@ -702,12 +699,15 @@ void BlockTree::Insertion::fill_rows(const BoxFrame& frame, Item& item, Candidat
     const std::span<Facet> facets = facets_of(item);
     item.facets.count = static_cast<std::uint32_t>(
         std::remove_if(facets.begin(), facets.end(), is_needless) - facets.begin());
-    const bool by_loose = item.loose.count > kFewPlanes && item.patience == 0;
-    item.patience = by_loose ? 1 : 0;
+    if (item.loose.count > 0) {
+        candidate.planes = seen_planes_.end_group();
+        candidate.planes_end = see_planes(item, candidate);
+    }
     std::uint32_t kept = 0;
     const std::span<SeenLoose> seen = std::span(seen_).subspan(candidate.loose.first);
     for (const SeenLoose& plane : seen) {
-        if (is_implied(plane, item, candidate, by_loose)) continue;
+        if (seen_planes_.imply(candidate.planes, candidate.planes_end, plane.normal, plane.e))
+            continue;
         candidate.depth = std::min(candidate.depth, plane.e);
         loose_[item.loose.first + kept++] = plane.plane;
     }
@@ -722,26 +722,22 @@ void BlockTree::Insertion::fill_rows(const BoxFrame& frame, Item& item, Candidat
     }
     for (std::size_t i = 0; i < stride; ++i)
         reach[i] = std::min(reach[i] + row::kMargin, own[i]);
+    candidate.planes = seen_planes_.end_group();
+    candidate.planes_end = see_planes(item, candidate);
 }
 
-// Is a loose plane of an item implied by its facets, or by other loose planes?
-bool BlockTree::Insertion::is_implied(const SeenLoose& p, const Item& item,
-                                      const Candidate& candidate, bool by_loose) const {
-    const auto implies = [&p](const ScaledNormal& m, float e) {
-        const Bound bound = bound_along(p.normal, m);
-        return bound.slope * e + bound.offset + row::kMargin < p.e;
-    };
+// All planes of an item as a group; where it ends.
+std::size_t BlockTree::Insertion::see_planes(const Item& item, const Candidate& candidate) {
     const float* const own = own_.data() + candidate.item * normals_.stride();
     for (const Facet& facet : facets_of(item)) {
         const std::uint32_t column = column_of_[facet.direction];
-        if (implies(scaled_[column], own[column])) return true;
+        seen_planes_.add(scaled_[column], own[column]);
     }
-    if (!by_loose) return false;
-    const std::span<const SeenLoose> seen =
-        std::span(seen_).subspan(candidate.loose.first, candidate.loose.count);
-    return std::ranges::any_of(seen, [&](const SeenLoose& m) {
-        return m.plane.pool != p.plane.pool && implies(m.normal, m.e);
-    });
+    for (std::size_t i = 0; i < item.loose.count; ++i) {
+        const SeenLoose& plane = seen_[candidate.loose.first + i];
+        seen_planes_.add(plane.normal, plane.e);
+    }
+    return seen_planes_.end_group();
 }
 
 // Is the part of `a` in the box within `b`?
@@ -771,7 +767,7 @@ Domination BlockTree::Insertion::covered(const Candidate& a, const Candidate& b,
 // Is what the item has in the box below a loose plane of another?
 Domination BlockTree::Insertion::covered(const Candidate& a, const Item& item, const SeenLoose& p,
                                          const Item& its_item) const {
-    if (is_implied(p, item, a, true)) return Domination::Strict;
+    if (seen_planes_.imply(a.planes, a.planes_end, p.normal, p.e)) return Domination::Strict;
     // Equal planes, or nearly so, are left to integers.
     const Plane& plane = exact(its_item, pool_[p.plane.pool].plane);
     for (const Loose mine : loose_of(item)) {
@@ -792,9 +788,11 @@ void BlockTree::Insertion::drop_redundant(const BoxFrame& frame, std::size_t beg
     reach_.assign(size, row::kUnknown);
     limit_.assign(size, row::kAnything);
     seen_.clear();
+    seen_planes_.clear();
     candidates_.resize(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
-        candidates_[i] = {i, 0.0F, {}};
+        candidates_[i] = {};
+        candidates_[i].item = i;
         fill_rows(frame, items[i], candidates_[i]);
     }
     // The deepest first: mostly, what comes later does not cover what came before.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace ncsim::cda {
 
@@ -12,6 +13,22 @@ namespace {
 constexpr std::size_t kLanes = 8;
 // Multipliers above this need more margin than there is; they tell little.
 constexpr float kSteepest = 4.0F;
+
+// As many as every machine of the kind takes at once.
+constexpr std::size_t kFloats = 4;
+using Floats = float __attribute__((vector_size(kFloats * sizeof(float))));
+
+Floats load(const float* from) {
+    Floats result;
+    std::memcpy(&result, from, sizeof result);
+    return result;
+}
+Floats all(float x) {
+    return Floats{} + x;
+}
+Floats size_of(Floats x) {
+    return x < 0.0F ? -x : x;
+}
 
 Bound bound_from(float length, float across_1, float across_2, float m, float m_1, float m_2) {
     const float slope = length / m;
@@ -103,6 +120,43 @@ void NormalTable::bound_by(const ScaledNormal& m, float e, float* row) const {
             row[i] = std::min(row[i], bound.slope * e + bound.offset);
         }
     }
+}
+
+void SeenPlanes::clear() {
+    for (std::vector<float>& component : n_)
+        component.clear();
+    e_.clear();
+}
+
+void SeenPlanes::add(const ScaledNormal& normal, float e) {
+    for (std::size_t i = 0; i < 3; ++i)
+        n_[i].push_back(normal.n[i]);
+    e_.push_back(e);
+}
+
+std::size_t SeenPlanes::end_group() {
+    // Planes without a normal tell nothing.
+    while (e_.size() % kFloats != 0)
+        add({}, 0.0F);
+    return e_.size();
+}
+
+bool SeenPlanes::imply(std::size_t begin, std::size_t end, const ScaledNormal& p, float e) const {
+    const std::size_t k = p.longest_axis();
+    const std::size_t u = k == 2 ? 0 : k + 1;
+    const std::size_t v = k == 0 ? 2 : k - 1;
+    // As bound_from().
+    const Floats length = all(p.n[k]);
+    const Floats across_1 = all(p.n[u]);
+    const Floats across_2 = all(p.n[v]);
+    for (std::size_t i = begin; i < end; i += kFloats) {
+        const Floats slope = length / load(&n_[k][i]);
+        const Floats bound = slope * load(&e_[i]) + size_of(across_1 - slope * load(&n_[u][i])) +
+                             size_of(across_2 - slope * load(&n_[v][i])) + row::kMargin;
+        const auto implied = (slope > 0.0F) & (slope <= kSteepest) & (bound < e);
+        if ((implied[0] | implied[1] | implied[2] | implied[3]) != 0) return true;
+    }
+    return false;
 }
 
 bool is_below(const float* a, const float* b, std::size_t size) {

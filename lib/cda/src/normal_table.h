@@ -83,6 +83,23 @@ private:
     std::vector<float> slopes_, offsets_;  // a row a normal
 };
 
+/// Planes seen from a box, many at a time.
+class SeenPlanes {
+public:
+    void clear();
+    void add(const ScaledNormal& normal, float e);
+    /// After the last plane of a group: where the next one begins.
+    std::size_t end_group();
+
+    /// Does one of the planes of the group that begins at `begin` and ends at `end` imply p·x < e
+    /// in the box? A plane does not imply itself.
+    bool imply(std::size_t begin, std::size_t end, const ScaledNormal& p, float e) const;
+
+private:
+    std::array<std::vector<float>, 3> n_;
+    std::vector<float> e_;
+};
+
 /// Is a <= b everywhere?
 bool is_below(const float* a, const float* b, std::size_t size);
 
