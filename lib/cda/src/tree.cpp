@@ -180,8 +180,9 @@ void TreeCda::take_in(const Cell& cell) {
     here.number = cells_->size();
     cells_->add(cell.origin, facets > 0 ? cell.normals : nullptr);
     ++counts_.cells;
-    counts_.planes += here.loose.size() +
-                      std::ranges::count_if(here.facets, [](double d) { return d < kBeyond; });
+    counts_.planes += here.loose.size();
+    for (const double d : here.facets)
+        counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
     for (Block& block : blocks_) {
