@@ -23,7 +23,7 @@ cda::Cell stock() {
 }
 
 std::vector<cda::Cell> wave(std::int64_t moves) {
-    // 0.15 mm: a ball of about 66 planes.
+    // 0.15 mm: a coarse ball.
     toolpath::Cutter cutter(toolpath::ball_end_mill(6.0, 20.0), kLattice, {0.15});
     const auto rows = static_cast<int>(std::sqrt(static_cast<double>(moves)));
     const auto columns = static_cast<int>(moves / rows);

@@ -38,7 +38,7 @@ double cpu_seconds() {
 std::uint64_t for_each_hull(const gcode::SourceFile& program, const cda::Lattice& lattice,
                             const toolpath::Tool& tool,
                             const std::function<void(const cda::Cell&)>& take) {
-    // A ball of about 66 planes.
+    // A coarse ball.
     toolpath::Cutter cutter(tool, lattice, {0.15});
     std::vector<cda::Cell> cells;
     std::uint64_t hulls = 0;

@@ -32,7 +32,7 @@ void measure(const std::filesystem::path& folder, const std::filesystem::path& f
     options.model = "cda-flat";
     options.stats = "timed";  // the model gets a clock; nothing is written here
     app::InputSet inputs;
-    const app::Job job = app::read_job(options, inputs);
+    app::Job job = app::read_job(options, inputs);
     const app::Survey survey = app::survey(job);
     const app::Simulation run = app::simulate(job, survey, {}, {});
     const auto& part = dynamic_cast<const cda::FlatCda&>(*run.part);

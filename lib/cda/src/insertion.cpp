@@ -32,9 +32,10 @@ constexpr double kLargeBox = 0.4;
 constexpr double kPartsBoxes = 1.9;
 // What an axis loses by being shorter than another when it is chosen.
 constexpr double kShortAxis = 0.25;
-// Of more cells than this each is compared with so many others only.
-constexpr std::size_t kManyCells = 64;
+// Each cell is compared with so many others at most: smaller boxes tell the rest.
 constexpr std::size_t kComparisons = 16;
+// More cells than this are halved along the longest axis, whatever they are.
+constexpr std::size_t kManyCells = 64;
 // A table for more normals than this costs more than smaller boxes.
 constexpr std::size_t kManyNormals = 160;
 // Walls of boxes move inwards where that makes the box an eighth shorter.
@@ -113,6 +114,7 @@ private:
     // An item that is compared with others; its rows are those of its number.
     struct Candidate {
         std::size_t item = 0;
+        float reach = 0;                         // sum over all normals, at most as far as the box
         float depth = 0;                         // of the middle of the box in it
         std::size_t planes = 0, planes_end = 0;  // in seen_planes_
         Range loose;                             // in seen_
@@ -720,8 +722,10 @@ void BlockTree::Insertion::fill_rows(const BoxFrame& frame, Item& item, Candidat
         item.loose.count = candidate.loose.count = kept;
         seen_.resize(candidate.loose.first + kept);
     }
-    for (std::size_t i = 0; i < stride; ++i)
+    for (std::size_t i = 0; i < stride; ++i) {
         reach[i] = std::min(reach[i] + row::kMargin, own[i]);
+        candidate.reach += std::min(reach[i], 1.0F);
+    }
     candidate.planes = seen_planes_.end_group();
     candidate.planes_end = see_planes(item, candidate);
 }
@@ -795,10 +799,12 @@ void BlockTree::Insertion::drop_redundant(const BoxFrame& frame, std::size_t beg
         candidates_[i].item = i;
         fill_rows(frame, items[i], candidates_[i]);
     }
-    // The deepest first: mostly, what comes later does not cover what came before.
+    // What lies within another reaches no farther, and is no deeper: asked later, it is covered by
+    // what came before, not the other way round.
+    const auto extent = [](const Candidate& c) { return std::pair{c.reach, c.depth}; };
     std::ranges::sort(candidates_, [&](const Candidate& a, const Candidate& b) {
-        return a.depth != b.depth
-                   ? a.depth > b.depth
+        return extent(a) != extent(b)
+                   ? extent(a) > extent(b)
                    : table_->comes_before(items[a.item].number, items[b.item].number);
     });
     const auto is_redundant = [&](const Candidate& a, const Candidate& b) {
@@ -808,15 +814,14 @@ void BlockTree::Insertion::drop_redundant(const BoxFrame& frame, std::size_t beg
                (found == Domination::Coplanar &&
                 table_->comes_before(items[b.item].number, items[a.item].number));
     };
-    const std::size_t most = items.size() > kManyCells ? kComparisons : items.size();
     kept_.clear();
     for (std::size_t c = 0; c < candidates_.size(); ++c) {
         const Candidate& a = candidates_[c];
         bool is_needed = true;
-        for (std::size_t i = 0; i < std::min(kept_.size(), most) && is_needed; ++i) {
+        for (std::size_t i = 0; i < std::min(kept_.size(), kComparisons) && is_needed; ++i) {
             const Candidate& b = candidates_[kept_[i]];
             is_needed = !is_redundant(a, b);
-            if (!is_needed || a.depth != b.depth || !is_redundant(b, a)) continue;
+            if (!is_needed || extent(a) != extent(b) || !is_redundant(b, a)) continue;
             kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
             --i;
         }

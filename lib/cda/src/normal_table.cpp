@@ -9,14 +9,14 @@ namespace ncsim::cda {
 
 namespace {
 
-// Rows are this many entries, or twice as many, …: no loop over them has a remainder.
-constexpr std::size_t kLanes = 8;
-// Multipliers above this need more margin than there is; they tell little.
-constexpr float kSteepest = 4.0F;
-
 // As many as every machine of the kind takes at once.
 constexpr std::size_t kFloats = 4;
 using Floats = float __attribute__((vector_size(kFloats * sizeof(float))));
+
+// Rows are this many entries, or twice as many, …: no loop over them has a remainder.
+constexpr std::size_t kLanes = 2 * kFloats;
+// Multipliers above this need more margin than there is; they tell little.
+constexpr float kSteepest = 4.0F;
 
 Floats load(const float* from) {
     Floats result;
@@ -160,10 +160,12 @@ bool SeenPlanes::imply(std::size_t begin, std::size_t end, const ScaledNormal& p
 }
 
 bool is_below(const float* a, const float* b, std::size_t size) {
-    int above = 0;
-    for (std::size_t i = 0; i < size; ++i)
-        above |= static_cast<int>(a[i] > b[i]);
-    return above == 0;
+    for (std::size_t i = 0; i < size; i += kLanes) {
+        const auto above =
+            (load(a + i) > load(b + i)) | (load(a + i + kFloats) > load(b + i + kFloats));
+        if ((above[0] | above[1] | above[2] | above[3]) != 0) return false;
+    }
+    return true;
 }
 
 }  // namespace ncsim::cda

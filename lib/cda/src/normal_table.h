@@ -100,7 +100,7 @@ private:
     std::vector<float> e_;
 };
 
-/// Is a <= b everywhere?
+/// Is a <= b everywhere? Requires a size that is a stride.
 bool is_below(const float* a, const float* b, std::size_t size);
 
 }  // namespace ncsim::cda
