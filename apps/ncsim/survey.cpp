@@ -94,6 +94,7 @@ public:
         gcode::SourceSpan first;
         cda::Box cutting_tips;  // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
+        toolpath::HighestLevels levels;
         cda::Vec3 farthest_tip;  // from the axes X, Y and Z
         cda::Vec3 travelled;     // along X, Y and Z at feed, there and back
         ToolClues clues;
@@ -141,6 +142,8 @@ public:
             for (int axis = 0; axis < 3; ++axis)
                 track.travelled[axis] += std::abs((p - samples.poses[i - 1].translation)[axis]);
             track.highest_tip = std::max(track.highest_tip, p.z);
+            const cda::Vec3 before = samples.poses[i - 1].translation;
+            if (p.z == before.z && p != before) track.levels.add(p.z);
             for (int axis = 0; axis < 3; ++axis) {
                 cda::Vec3 out = p;
                 out[axis] = 0.0;
@@ -260,7 +263,7 @@ toolpath::DerivedStock derive_stock(const Survey& survey, const cda::Box& swept,
     const auto& turns = survey.turns;
     if (survey.is_flat()) return toolpath::derive_sheet(all.cutting_tips);
     // A table that turns about Z leaves what is above it above.
-    if (!turns[0] && !turns[1]) return toolpath::derive_stock(swept, all.highest_tip);
+    if (!turns[0] && !turns[1]) return toolpath::derive_stock(swept, all.highest_tip, all.levels);
     if (turns[0] && turns[1]) return toolpath::derive_block(all.cutting_tips);
     if (turns[2]) return toolpath::derive_block(all.cutting_tips);
     const int axis = turns[0] ? 0 : 1;
@@ -327,6 +330,7 @@ void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
         swept.add(covered);
         all.cutting_tips.add(track.cutting_tips);
         all.highest_tip = std::max(all.highest_tip, track.highest_tip);
+        all.levels.add(track.levels);
         for (int axis = 0; axis < 3; ++axis)
             all.farthest_tip[axis] = std::max(all.farthest_tip[axis], track.farthest_tip[axis]);
     }

@@ -119,6 +119,23 @@ TEST(DerivedStock, OfCutsAboveZeroEndsAtTheHighestTip) {
     EXPECT_LT(s.stock.box.min.z, 2);
 }
 
+// Passes at 8, 6, 4 and 2: the first of them took 2 mm, too.
+TEST(DerivedStock, OfPassesInEqualStepsEndsAStepAboveTheFirst) {
+    HighestLevels levels;
+    HighestLevels others;
+    for (const double z : {4.0, 8.0, 2.0, 8.0})
+        levels.add(z);
+    EXPECT_EQ(levels.step(), std::nullopt) << "4 and 2 mm";
+    EXPECT_EQ(derive_stock({{0, 0, 0}, {10, 10, 40}}, 8.0, levels).stock.box.max.z, 8);
+    others.add(6.0);
+    levels.add(others);
+    EXPECT_EQ(levels.step(), 2.0);
+    EXPECT_EQ(derive_stock({{0, 0, 0}, {10, 10, 40}}, 8.0, levels).stock.box.max.z, 10);
+    EXPECT_EQ(derive_stock({{0, 0, 0}, {10, 10, 40}}, 9.0, levels).stock.box.max.z, 9)
+        << "something cuts higher up, on a slope";
+    EXPECT_EQ(derive_stock({{0, 0, -1}, {10, 10, 40}}, 8.0, levels).stock.box.max.z, 0);
+}
+
 TEST(DerivedStock, IsNeverFlat) {
     const DerivedStock s = derive_stock({{0, 0, 0}, {10, 10, 40}}, 0.0);
     EXPECT_GE(s.stock.box.size().z, 1);

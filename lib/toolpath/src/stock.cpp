@@ -167,22 +167,53 @@ void widen(cda::Box& box, int axis) {
 
 }  // namespace
 
-DerivedStock derive_stock(const cda::Box& swept, double highest_tip) {
+void HighestLevels::add(double z) {
+    constexpr double kSame = 1e-6;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        if (std::abs(z - levels_[i]) < kSame) return;
+        if (z < levels_[i]) continue;
+        std::move_backward(levels_.begin() + static_cast<std::ptrdiff_t>(i), levels_.end() - 1,
+                           levels_.end());
+        levels_[i] = z;
+        return;
+    }
+}
+
+void HighestLevels::add(const HighestLevels& others) {
+    for (const double z : others.levels_) {
+        if (z > kNone) add(z);
+    }
+}
+
+std::optional<double> HighestLevels::step() const {
+    if (levels_[2] == kNone) return std::nullopt;
+    const double first = levels_[0] - levels_[1];
+    const double second = levels_[1] - levels_[2];
+    constexpr double kEqual = 0.01;
+    if (std::abs(first - second) > kEqual * first) return std::nullopt;
+    return first;
+}
+
+DerivedStock derive_stock(const cda::Box& swept, double highest_tip, const HighestLevels& levels) {
     DerivedStock derived;
     if (swept.is_empty()) return derived;
     cda::Box box = swept;
     widen(box, 0);
     widen(box, 1);
     const bool from_zero = swept.min.z < 0;
-    box.max.z = from_zero ? 0.0 : std::max(highest_tip, swept.min.z + kLeastHeight);
+    const std::optional<double> step =
+        levels.highest() == highest_tip ? levels.step() : std::nullopt;
+    const double highest = highest_tip + step.value_or(0.0);
+    box.max.z = from_zero ? 0.0 : std::max(highest, swept.min.z + kLeastHeight);
     box.min.z = std::floor(swept.min.z - margin(box.max.z - swept.min.z));
     derived.stock.box = box;
     derived.rule =
         "derived: what the tools sweep in cutting moves (face mills without run-in and run-out), "
         "with 5 % (at least 2 mm) more on all sides and below; top at ";
-    derived.rule += from_zero
-                        ? "Z0, since cuts go below it"
-                        : "the highest cutting position of a tool tip, since no cut goes below Z0";
+    derived.rule +=
+        from_zero ? "Z0, since cuts go below it"
+        : step    ? "a step above the first of passes in equal steps, since no cut goes below Z0"
+                  : "the highest cutting position of a tool tip, since no cut goes below Z0";
     return derived;
 }
 

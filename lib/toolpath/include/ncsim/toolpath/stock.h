@@ -8,6 +8,8 @@
 #include "ncsim/cda/shape.h"
 #include "ncsim/cda/vec.h"
 
+#include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,11 +62,27 @@ struct DerivedStock {
     std::string rule;  ///< How it was made, in words for the assumption sheet.
 };
 
+/// The three highest of the heights at which tools cut level, mm.
+class HighestLevels {
+public:
+    void add(double z);
+    void add(const HighestLevels& others);
+    double highest() const { return levels_[0]; }
+    /// From one to the next, if all three are equally far apart, as passes of a roughing are.
+    std::optional<double> step() const;
+
+private:
+    static constexpr double kNone = -std::numeric_limits<double>::infinity();
+    std::array<double, 3> levels_{kNone, kNone, kNone};
+};
+
 /// From the box swept by the tools in all cutting moves (mm). The sides and the bottom stand a
 /// twentieth of the size away from it, at least 2 mm. The top is Z0 where the tool cuts below Z0:
-/// programs put it there; else the highest cutting position of a tool tip, `highest_tip`. At least
-/// 1 mm thick.
-DerivedStock derive_stock(const cda::Box& swept, double highest_tip);
+/// programs put it there; else the highest cutting position of a tool tip, `highest_tip`, or a step
+/// above it, where that is the first of passes in equal steps: it took a step, too. At least 1 mm
+/// thick.
+DerivedStock derive_stock(const cda::Box& swept, double highest_tip,
+                          const HighestLevels& levels = {});
 /// For a path of which nobody tells the height: a sheet of 1 mm right below it.
 DerivedStock derive_sheet(const cda::Box& tips);
 /// For a part that turns about `axis` (0, 1, 2) through the program's zero: a bar about it, as
