@@ -246,6 +246,26 @@ TEST(ToolPolytope, AWholeBallHasBothItsHalves) {
     EXPECT_LT(volume, exact * 1.05);
 }
 
+// A ball that ends where it is thickest was led on along its last tangent, as wide as its rings
+// come: up to a tenth of a millimetre too high.
+TEST(ToolPolytope, ABallWithoutACylinderEndsAtItsHeight) {
+    for (const double diameter : {1.90992, 9.9598, 44.204636, 57.122758, 78.481112}) {
+        for (const double share : {0.004, 0.01, 0.03}) {
+            for (const Side side : {Side::Circumscribed, Side::Fair}) {
+                SCOPED_TRACE(testing::Message() << diameter << " mm, " << share);
+                const Tool tool = ball_end_mill(diameter, diameter / 2);
+                const PiecePolytope polytope =
+                    approximate(tool.pieces.at(0), kLattice, {share * diameter / 2, side});
+                const auto [low, high] =
+                    std::ranges::minmax(polytope.points_T, {}, [](const auto& p) { return p.z; });
+                EXPECT_EQ(low.z, 0);
+                const double units = diameter / 2 / kLattice.unit_mm;
+                EXPECT_EQ(high.z, std::llround(std::ceil(units - 1e-3)));
+            }
+        }
+    }
+}
+
 // Where an arc ends upright, its last chord is led to the height at which it ends.
 TEST(ToolPolytope, InscribedLosesNoMoreThanItReports) {
     for (const double diameter : {15.361, 6.0, 0.97}) {

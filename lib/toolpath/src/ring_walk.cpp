@@ -405,6 +405,9 @@ private:
                 p.r = static_cast<double>(++scale) * b;
                 p.h = outward(from.h + (p.r - from.r) / d.r * d.h, d);
             } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
+            // As wide as what goes on upright, it may end where that begins: its upper end may be
+            // that of the tool.
+            if (std::abs(f.d2.r) <= kUpright) p.h = std::min(p.h, f.end.h);
         }
         if (!may_follow(step, polygon, std::abs(d.r) <= kUpright)) return;
         const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
