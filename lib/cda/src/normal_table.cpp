@@ -54,6 +54,19 @@ Bound bound_along(const ScaledNormal& p, const ScaledNormal& m) {
     return bound_from(p.n[k], p.n[u], p.n[v], m.n[k], m.n[u], m.n[v]);
 }
 
+// Calls take(i, bound) for each column: what a plane along `m` tells of it.
+template <class Take>
+void NormalTable::for_each_bound(const ScaledNormal& m, Take take) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float along = m.n[k];
+        const float m_1 = m.n[k == 2 ? 0 : k + 1];
+        const float m_2 = m.n[k == 0 ? 2 : k - 1];
+        for (std::size_t i = groups_[k].begin; i < groups_[k].end; ++i) {
+            take(i, bound_from(length_[i], across_[0][i], across_[1][i], along, m_1, m_2));
+        }
+    }
+}
+
 void NormalTable::assign(std::span<const ScaledNormal> normals) {
     std::array<std::size_t, 3> sizes{};
     for (const ScaledNormal& normal : normals)
@@ -81,24 +94,15 @@ void NormalTable::assign(std::span<const ScaledNormal> normals) {
     offsets_.assign(stride_ * normals.size(), row::kUnknown);
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const std::size_t first = columns_[i] * stride_;
-        slopes_and_offsets(normals[i], &slopes_[first], &offsets_[first]);
+        float* const slopes = &slopes_[first];
+        float* const offsets = &offsets_[first];
+        for_each_bound(normals[i], [=](std::size_t k, const Bound& bound) {
+            slopes[k] = bound.slope;
+            offsets[k] = bound.offset;
+        });
         // Of itself a plane tells nothing but itself.
         slopes_[first + columns_[i]] = 0.0F;
         offsets_[first + columns_[i]] = row::kUnknown;
-    }
-}
-
-void NormalTable::slopes_and_offsets(const ScaledNormal& m, float* slopes, float* offsets) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const float along = m.n[k];
-        const float m_1 = m.n[k == 2 ? 0 : k + 1];
-        const float m_2 = m.n[k == 0 ? 2 : k - 1];
-        for (std::size_t i = groups_[k].begin; i < groups_[k].end; ++i) {
-            const Bound bound =
-                bound_from(length_[i], across_[0][i], across_[1][i], along, m_1, m_2);
-            slopes[i] = bound.slope;
-            offsets[i] = bound.offset;
-        }
     }
 }
 
@@ -110,16 +114,9 @@ void NormalTable::bound_by(std::uint32_t column, float e, float* row) const {
 }
 
 void NormalTable::bound_by(const ScaledNormal& m, float e, float* row) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const float along = m.n[k];
-        const float m_1 = m.n[k == 2 ? 0 : k + 1];
-        const float m_2 = m.n[k == 0 ? 2 : k - 1];
-        for (std::size_t i = groups_[k].begin; i < groups_[k].end; ++i) {
-            const Bound bound =
-                bound_from(length_[i], across_[0][i], across_[1][i], along, m_1, m_2);
-            row[i] = std::min(row[i], bound.slope * e + bound.offset);
-        }
-    }
+    for_each_bound(m, [=](std::size_t i, const Bound& bound) {
+        row[i] = std::min(row[i], bound.slope * e + bound.offset);
+    });
 }
 
 void SeenPlanes::clear() {

@@ -71,7 +71,8 @@ private:
     struct Group {
         std::size_t begin = 0, end = 0;
     };
-    void slopes_and_offsets(const ScaledNormal& m, float* slopes, float* offsets) const;
+    template <class Take>
+    void for_each_bound(const ScaledNormal& m, Take take) const;
 
     std::size_t stride_ = 0;
     std::vector<std::uint32_t> columns_;
