@@ -463,6 +463,25 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
     }
 }
 
+// A polygon that is wider than the ring, since its radius has to be a multiple, has corners that
+// stand out by that share more.
+TEST(ToolPolytope, CornersOfAConeStandOutByNoMoreThanItTells) {
+    for (const double degrees : {1.0, 3.0, 12.0, 35.0}) {
+        for (const double d : {6.26386, 3.217, 11.4083}) {
+            const ToolPiece cone = tapered_end_mill(d, 0.0, degrees, 3.31788).pieces[0];
+            const PiecePolytope p = approximate(cone, kLattice, {d / 50, Side::Circumscribed});
+            const double slope = std::tan(degrees * std::numbers::pi / 180);
+            double most = 0.0;
+            for (const cda::LatticePoint& corner : p.points_T) {
+                const cda::Vec3 at = kLattice.to_mm(corner);
+                const double beyond = std::hypot(at.x, at.y) - d / 2 - slope * at.z;
+                most = std::max(most, beyond / std::hypot(1.0, slope));
+            }
+            EXPECT_LE(most, p.error_mm) << degrees << ' ' << d;
+        }
+    }
+}
+
 TEST(ToolPolytope, ARoundedCornerThatDoesNotTurnIsNone) {
     for (const Side side : {Side::Circumscribed, Side::Inscribed, Side::Fair}) {
         const PiecePolytope p =

@@ -203,10 +203,9 @@ private:
     void add_corner(Vec p, Vec before, Vec after, bool upper_end) {
         constexpr std::size_t kFinest = 0;
         const std::int64_t scale = scale_of(p.r, kFinest);
-        const double b = radius_of(kFinest);
-        const double round =
-            outside() ? family_[kFinest].outer / b - 1 : 1 - family_[kFinest].inner / b;
-        const double error = round * p.r + std::abs(static_cast<double>(scale) * b - p.r) + 2;
+        const auto multiple = static_cast<double>(scale);
+        const double error = 2 + (outside() ? multiple * family_[kFinest].outer - p.r
+                                            : p.r - multiple * family_[kFinest].inner);
         const bool ends_a_cone = before.r < p.r && before.h < p.h;
         const bool begins_a_cone = after.r < p.r && after.h > p.h;
         const bool is_both = upper_end ? ends_a_cone : begins_a_cone;
