@@ -11,6 +11,8 @@
 
 #include "half_box.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -60,6 +62,18 @@ struct IncomingCell {
     std::vector<double> facets;
     std::vector<std::uint16_t> loose;    ///< Indices of the other planes that cut the stock.
     std::array<double, 3> min{}, max{};  ///< Encloses it, in half units.
+
+    double least_extent() const {
+        return std::min({max[0] - min[0], max[1] - min[1], max[2] - min[2]});
+    }
+    /// By its box: may it have anything in common with this one?
+    bool meets(const BoxFrame& box) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (min[i] > box.centre[i] + box.half[i]) return false;
+            if (max[i] < box.centre[i] - box.half[i]) return false;
+        }
+        return true;
+    }
 };
 
 class BlockTree {
@@ -75,7 +89,9 @@ public:
     void insert(std::span<const IncomingCell* const> cells, const CellTable& table,
                 std::uint32_t leaf);
     /// False: the cell is nowhere near, by its box.
-    bool meets(const IncomingCell& cell) const;
+    bool meets(const IncomingCell& cell) const {
+        return nodes_[0].kind != Kind::Empty && cell.meets(BoxFrame(box()));
+    }
 
     /// One cell of a leaf: its number and the planes that cut the leaf (indices for plane()).
     struct Entry {
@@ -113,6 +129,7 @@ private:
     };
     static constexpr std::size_t kHead = 2;
     static constexpr std::uint16_t kLoose = 0xFFFF;
+    class Descent;
     class Insertion;
 
     void become_empty(std::uint32_t number);
