@@ -68,7 +68,7 @@ public:
           only_motion_(verification.only_motion),
           most_steps_(verification.most_steps.value_or(std::numeric_limits<std::uint64_t>::max())),
           shows_path_(job.options.shows_path),
-          measured_(job.options.block_volumes || (verifier_ && verifier_->measures_all())),
+          measured_(verifier_ && verifier_->measures_all()),
           keep_cuts_(verification.keep_cuts),
           keeps_cells_(!job.options.save_stock.empty()),
           budget_(job.budget),
@@ -82,6 +82,10 @@ public:
         result.provenance.program = base_name(job.program.name);
         result.provenance.entries.push_back({});  // the stock
         if (keep_cuts_) result.cuts.push_back({});
+        if (job.options.block_volumes) {
+            result.part->keep_account();
+            places_.emplace();
+        }
     }
 
     /// Makes no motion after the first `count`.
@@ -97,7 +101,6 @@ public:
         if (motion.tool != tool_) change_tool(motion.tool);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         bool met_stock = false;
-        double removed = 0.0;
         verify::Verifier* const verifier =
             !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
         if (verifier) verifier->begin(motion);
@@ -107,9 +110,8 @@ public:
                 follow(motion, step);
                 met_stock |= !step.cells.empty();
                 if (verifier) verifier->look(step, *verified_);
-                const double volume = cut(step);
-                if (verifier) verifier->look_back(step, *verified_, volume);
-                removed += volume;
+                const double removed = cut(step);
+                if (verifier) verifier->look_back(step, *verified_, removed);
                 budget_.check(result_.provenance.program, line_);
             });
         if (verifier) {
@@ -126,8 +128,7 @@ public:
         result_.provenance.entries.push_back(
             {motion.span.line, static_cast<std::uint32_t>(std::max(0, motion.tool))});
         if (keep_cuts_) result_.cuts.push_back({result_.last_cut, motions_, motion.tool});
-        if (measured_) result_.removed_by_tool[motion.tool] += removed;
-        if (removed > 0.0) result_.removed_by_block[{motion.file, motion.span.line}] += removed;
+        if (places_) (*places_)[origin] = {motion.file, motion.span.line};
         result_.bounds.missed_mm = std::max(result_.bounds.missed_mm, bounds.missed_mm);
         result_.bounds.gained_mm = std::max(result_.bounds.gained_mm, bounds.gained_mm);
     }
@@ -146,6 +147,12 @@ public:
         change_tool(0);
         result_.standing = standing;
         result_.part_volume = verifier_ ? result_.part->volume() : volume_;
+        if (!places_) return;
+        for (const auto& [origin, removed] : result_.part->account()) {
+            const auto place = places_->find(origin);
+            if (place != places_->end() && removed > 0.0)
+                result_.removed_by_block[place->second] += removed;
+        }
     }
 
 private:
@@ -177,11 +184,11 @@ private:
         return removed;
     }
 
-    // Where cells are not measured one by one, what a tool removed is the difference of volumes.
+    // What a tool removed is the difference of volumes.
     void change_tool(int next) {
         if (cut_since_change_ && !verifier_) {
             const double volume = result_.part->volume();
-            if (!measured_) result_.removed_by_tool[tool_] += volume_ - volume;
+            result_.removed_by_tool[tool_] += volume_ - volume;
             volume_ = volume;
         }
         cut_since_change_ = false;
@@ -214,7 +221,8 @@ private:
     std::uint64_t motions_ = 0;
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
     bool shows_path_;
-    bool measured_;
+    bool measured_;                                            // cell by cell
+    std::optional<std::map<cda::Origin, BlockPlace>> places_;  // where blocks are asked for
     bool keep_cuts_;
     bool keeps_cells_;
     const Budget& budget_;

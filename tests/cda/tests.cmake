@@ -4,6 +4,7 @@ ncsim_add_test(cda
     gmpxx
     gmp
   SOURCES
+    account_test.cpp
     check_test.cpp
     collision_test.cpp
     flat_test.cpp

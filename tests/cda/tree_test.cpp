@@ -7,6 +7,7 @@
 #include "ncsim/cda/mesh.h"
 
 #include "support/oracle.h"
+#include "support/passes.h"
 #include "support/random_shapes.h"
 
 #include <gtest/gtest.h>
@@ -16,9 +17,12 @@
 namespace ncsim::cda {
 namespace {
 
+using test::jittered_passes;
 using test::kLattice;
 using test::mm_box;
+using test::passes_of_several_tools;
 using test::Random;
+using test::random_cuts;
 
 void expect_same(const Boundary& a, const Boundary& b) {
     ASSERT_EQ(a.faces.size(), b.faces.size());
@@ -27,16 +31,6 @@ void expect_same(const Boundary& a, const Boundary& b) {
         EXPECT_EQ(a.faces[i].origin, b.faces[i].origin);
         EXPECT_EQ(a.faces[i].loops, b.faces[i].loops);
     }
-}
-
-std::vector<Cell> random_cuts(std::uint64_t seed, int count, std::int64_t reach) {
-    Random random(seed);
-    std::vector<Cell> cuts;
-    for (int i = 0; i < count; ++i) {
-        cuts.push_back(test::random_hull(random, test::random_point(random, 300000), reach, 14,
-                                         Origin{static_cast<std::uint32_t>(i + 1)}));
-    }
-    return cuts;
 }
 
 template <class Model>
@@ -176,35 +170,6 @@ TEST(TreeCda, MeasuresWhatACutRemovesBeforeItIsMade) {
     EXPECT_NEAR(part.volume(), reference.volume(), 1e-9);
 }
 
-// A cone that goes to and fro over the same few ways, a lattice unit or two beside itself: what a
-// pass takes away is next to nothing, and now and then sums of volumes say less than nothing.
-std::vector<Cell> jittered_passes(std::uint64_t seed, int count) {
-    Random random(seed);
-    std::vector<LatticePoint> cone{{0, 0, 0}};
-    for (int i = 0; i < 12; ++i) {
-        constexpr std::int64_t kCircle[] = {100000, 86603, 50000, 0};
-        const auto at = [&](int k) {
-            const int j = (k % 12 + 12) % 12;
-            return j <= 3   ? kCircle[j]
-                   : j <= 6 ? -kCircle[6 - j]
-                   : j <= 9 ? -kCircle[j - 6]
-                            : kCircle[12 - j];
-        };
-        cone.push_back({at(i), at(i - 3), 37000});
-    }
-    const auto sweep = TranslationSweep::of(cone, kLattice).value();
-    std::vector<Cell> passes;
-    for (int i = 0; i < count; ++i) {
-        const auto jitter = [&] { return random.between(-2, 2); };
-        const auto lane = random.between(-2, 2) * 61003;
-        const LatticePoint from{-290000 + jitter(), lane + jitter(), 260000 + jitter()};
-        const LatticePoint to{290000 + jitter(), lane + 1000 * random.between(-3, 3),
-                              260000 + jitter()};
-        passes.push_back(sweep(from, to, Origin{static_cast<std::uint32_t>(i + 1)}));
-    }
-    return passes;
-}
-
 TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
@@ -214,44 +179,6 @@ TEST(TreeCda, IsTheSameWhetherItIsMeasuredOrNot) {
             EXPECT_GE(measured.subtract(pass), 0.0);
         expect_same(measured.boundary(), milled(TreeCda(kStock, kLattice), passes));
     }
-}
-
-// Two boxes and a cone, mostly on floors and walls of each other.
-std::vector<Cell> passes_of_several_tools(std::uint64_t seed, int count) {
-    std::vector<TranslationSweep> tools;
-    for (const std::int64_t size : {30000, 50000}) {
-        std::vector<LatticePoint> corners;
-        for (const std::int64_t x : {-size, size}) {
-            for (const std::int64_t y : {-size, size}) {
-                corners.push_back({x, y, 0});
-                corners.push_back({x, y, 400000});
-            }
-        }
-        tools.push_back(TranslationSweep::of(corners, kLattice).value());
-    }
-    const std::vector<LatticePoint> cone{{0, 0, 0},
-                                         {40000, 0, 37000},
-                                         {-20000, 34641, 37000},
-                                         {-20000, -34641, 37000},
-                                         {40000, 0, 400000},
-                                         {-20000, 34641, 400000},
-                                         {-20000, -34641, 400000}};
-    tools.push_back(TranslationSweep::of(cone, kLattice).value());
-    Random random(seed);
-    const auto place = [&] {
-        return LatticePoint{50000 * random.between(-5, 5), 50000 * random.between(-5, 5),
-                            100000 + 40000 * random.between(0, 4)};
-    };
-    std::vector<Cell> passes;
-    LatticePoint at = place();
-    for (int i = 0; i < count; ++i) {
-        const LatticePoint to = place();
-        passes.push_back(tools[random.next() % tools.size()](
-            at, random.one_in(3) ? LatticePoint{to.x, at.y, at.z} : to,
-            Origin{static_cast<std::uint32_t>(i + 1)}));
-        at = to;
-    }
-    return passes;
 }
 
 // Normals that cells share save work, and change nothing; nor do normals that are not theirs.

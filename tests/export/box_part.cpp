@@ -225,6 +225,10 @@ std::unique_ptr<cda::WorkpieceModel> BoxModel::create(const cda::Cell&, const cd
 double BoxModel::subtract(const cda::Cell&) {
     return 0.0;
 }
+cda::Account BoxModel::account() const {
+    return {};
+}
+
 std::unique_ptr<cda::WorkpieceModel> BoxModel::clone() const {
     return std::make_unique<BoxModel>(part_);
 }

@@ -43,20 +43,38 @@ inline cda::Boundary sound_boundary(const cda::TreeCda& part, double scale) {
     return boundary;
 }
 
+/// What was booked in passing is what each origin took, to 1e-9 of the stock; what took nothing has
+/// nothing.
+inline void require_booked(const cda::Account& account, const cda::Account& taken, double stock) {
+    double sum = 0.0;
+    for (const auto& [origin, volume] : taken) {
+        const auto found = account.find(origin);
+        const double booked = found == account.end() ? 0.0 : found->second;
+        require(std::abs(booked - volume) <= 1e-9 * stock, "the account of an origin is wrong");
+        sum += booked - volume;
+    }
+    require(std::abs(sum) <= 1e-9 * stock, "the account does not add up");
+}
+
 /// Boxes on the grid of the unit cubes, in any order, in leaves of any size.
 inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint32_t leaf,
                         bool at_once) {
     constexpr int n = UnitCubes::kSize;
     UnitCubes cubes;
     std::vector<cda::Cell> cells;
+    cda::Account taken;
     for (const auto& b : boxes) {
+        const cda::Origin origin{static_cast<std::uint32_t>(cells.size() + 1)};
+        taken[origin] = cubes.volume();
         cubes.remove(b);
-        cells.push_back(mm_box(b[0], b[1], b[2], b[3], b[4], b[5],
-                               cda::Origin{static_cast<std::uint32_t>(cells.size() + 1)}));
+        taken[origin] -= cubes.volume();
+        cells.push_back(mm_box(b[0], b[1], b[2], b[3], b[4], b[5], origin));
     }
     cda::TreeCda part(mm_box(0, 0, 0, n, n, n), kLattice, {leaf, 1});
     if (at_once) {
+        part.keep_account();
         part.subtract_unmeasured(cells);
+        require_booked(part.account(), taken, 1.0);
     } else {
         double left = n * n * n;
         for (const cda::Cell& cell : cells)
@@ -72,10 +90,12 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
 inline void check_hulls(const std::vector<cda::Cell>& cells, std::uint32_t leaf) {
     const cda::Cell stock = mm_box(-3, -3, -3, 3, 3, 3);
     cda::TreeCda part(stock, kLattice, {leaf, 1});
+    part.keep_account();
     part.subtract_unmeasured(cells);
     cda::FlatCda flat(stock, kLattice);
     for (const cda::Cell& cell : cells)
         flat.subtract(cell);
+    require_booked(part.account(), flat.account(), 216.0);
     const cda::Boundary boundary = sound_boundary(part, 216.0);
     require_equal(boundary, flat.boundary());
     require(cda::check(cda::triangulate(boundary)).is_closed(), "the mesh is not closed");

@@ -76,6 +76,21 @@ struct IncomingCell {
     }
 };
 
+/// What all blocks have in common when volumes are asked for.
+struct AccountInput {
+    std::span<const Plane> stock;
+    const CellTable& cells;
+    Vec3 centre;         ///< Volumes are summed about it, in lattice units: best near the middle.
+    std::uint32_t leaf;  ///< Boxes with more planes are halved.
+};
+
+/// Volume that cells of one origin, one after the other, took from a block, in cubic units; of a
+/// block by itself no volume, only summed up.
+struct Taken {
+    Origin origin = kStockOrigin;
+    double volume = 0.0;
+};
+
 class BlockTree {
 public:
     explicit BlockTree(const HalfBox& box);
@@ -92,6 +107,11 @@ public:
     bool meets(const IncomingCell& cell) const {
         return nodes_[0].kind != Kind::Empty && cell.meets(BoxFrame(box()));
     }
+
+    /// How much cells would take away, in the order given, if they were inserted now: `taken` for
+    /// each origin in turn.
+    void account(std::span<const IncomingCell* const> cells, const AccountInput& input,
+                 std::vector<Taken>& taken) const;
 
     /// One cell of a leaf: its number and the planes that cut the leaf (indices for plane()).
     struct Entry {
@@ -129,6 +149,7 @@ private:
     };
     static constexpr std::size_t kHead = 2;
     static constexpr std::uint16_t kLoose = 0xFFFF;
+    class Accounting;
     class Descent;
     class Insertion;
 

@@ -139,6 +139,7 @@ protected:
     // Planes of the items from `begin` on.
     std::size_t load(std::size_t begin) const;
 
+    const BlockTree* tree_ = nullptr;
     const CellTable* table_ = nullptr;
     std::vector<Item> items_;
     std::size_t incoming_planes_ = 0;  // of all cells together
@@ -170,7 +171,6 @@ private:
     Domination covered(const Candidate& a, const Item& item, const SeenLoose& p,
                        const Item& its_item) const;
 
-    const BlockTree* tree_ = nullptr;
     std::vector<Facet> facets_;
     std::vector<Loose> loose_;
     std::vector<LooseEntry> pool_;

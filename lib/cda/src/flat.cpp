@@ -185,6 +185,13 @@ bool FlatCda::add_contact(std::uint32_t first, std::uint32_t second) {
     return false;
 }
 
+Account FlatCda::account() const {
+    Account result;
+    for (const StepStatistics& step : steps_)
+        result[step.origin] += step.removed_volume;
+    return result;
+}
+
 double FlatCda::subtract(const Cell& cell) {
     totals_.origin = cell.origin;
     totals_.negative = {};

@@ -42,7 +42,7 @@ private:
     bool shrink(HalfBox& box, const Item& item);
     void store(std::uint32_t number, std::size_t begin);
 
-    BlockTree* tree_ = nullptr;
+    BlockTree* grown_ = nullptr;
     std::uint32_t leaf_ = 0;
     std::vector<std::uint32_t> stored_;  // for each plane of incoming cells: where in the tree
 };
@@ -59,7 +59,7 @@ void BlockTree::insert(std::span<const IncomingCell* const> cells, const CellTab
 
 void BlockTree::Insertion::run(BlockTree& tree, std::span<const IncomingCell* const> cells,
                                const CellTable& table, std::uint32_t leaf) {
-    tree_ = &tree;
+    grown_ = &tree;
     leaf_ = leaf;
     begin(tree, cells, table);
     stored_.assign(incoming_planes_, kNone);
@@ -69,10 +69,10 @@ void BlockTree::Insertion::run(BlockTree& tree, std::span<const IncomingCell* co
 // Items [begin, end) of the level above; what is not within the box has been taken away.
 void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within, std::size_t begin,
                                      std::size_t end, int fruitless, std::size_t parent_load) {
-    const HalfBox before = tree_->nodes_[number].box();
+    const HalfBox before = grown_->nodes_[number].box();
     HalfBox box = intersection(before, within);
     if (box.is_empty()) {
-        tree_->become_empty(number);
+        grown_->become_empty(number);
         return;
     }
     turn_to_another_box();
@@ -105,20 +105,20 @@ void BlockTree::Insertion::insert_at(std::uint32_t number, const HalfBox& within
     }
     items_.resize(kept);
     if (is_covered) {
-        tree_->become_empty(number);
+        grown_->become_empty(number);
     } else if (kept == my_items && box == before) {
         // Nothing of them is here.
-    } else if (tree_->nodes_[number].kind == Kind::Material) {
+    } else if (grown_->nodes_[number].kind == Kind::Material) {
         take_out(number);
         build(number, box, my_items, fruitless, parent_load);
     } else {
         const std::size_t my_end = items_.size();
-        const std::uint32_t first = tree_->nodes_[number].first_child;
+        const std::uint32_t first = grown_->nodes_[number].first_child;
         for (const std::uint32_t child : {first, first + 1}) {
-            if (tree_->nodes_[child].kind == Kind::Empty) continue;
+            if (grown_->nodes_[child].kind == Kind::Empty) continue;
             insert_at(child, box, my_items, my_end, 0, kNone);
         }
-        tree_->enclose_children(number);
+        grown_->enclose_children(number);
     }
     return_to(above);
 }
@@ -202,7 +202,7 @@ bool BlockTree::Insertion::settle(HalfBox& box, std::size_t begin) {
 void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t begin,
                                  int fruitless, std::size_t parent_load) {
     if (!settle(box, begin)) {
-        tree_->become_empty(number);
+        grown_->become_empty(number);
         return;
     }
     const std::span<const Item> items = std::span(items_).subspan(begin);
@@ -211,14 +211,14 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
         const std::size_t axis = cut.axis == 3 ? box.longest_axis() : cut.axis;
         return split(number, box, axis, begin, 0, kNone);
     }
-    tree_->nodes_[number].set_box(box);
+    grown_->nodes_[number].set_box(box);
     const BoxFrame frame(box);
     std::size_t planes = load(begin);
     if (planes > leaf_) {
         drop_redundant(frame, begin);
         planes = load(begin);
     }
-    const std::size_t limit = std::max<std::size_t>(leaf_, tree_->nodes_[number].limit);
+    const std::size_t limit = std::max<std::size_t>(leaf_, grown_->nodes_[number].limit);
     // A split that left nearly all of it in both halves.
     const bool was_in_vain = 10 * planes > 9 * parent_load;
     fruitless = was_in_vain ? fruitless + 1 : 0;
@@ -226,7 +226,7 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
     if (planes > limit && fruitless < kFruitlessSplits) cut = best_cut(box, begin);
     if (cut.axis == 3) {
         store(number, begin);
-        if (planes > limit) tree_->nodes_[number].limit = static_cast<std::uint32_t>(2 * planes);
+        if (planes > limit) grown_->nodes_[number].limit = static_cast<std::uint32_t>(2 * planes);
         return;
     }
     split(number, box, cut.axis, begin, fruitless, cut.parts ? kNone : planes);
@@ -234,8 +234,8 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
 
 void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::size_t axis,
                                  std::size_t begin, int fruitless, std::size_t parent_load) {
-    std::vector<Node>& nodes = tree_->nodes_;
-    std::vector<std::uint32_t>& free = tree_->free_children_;
+    std::vector<Node>& nodes = grown_->nodes_;
+    std::vector<std::uint32_t>& free = grown_->free_children_;
     std::uint32_t first = 0;
     if (free.empty()) {
         first = static_cast<std::uint32_t>(nodes.size());
@@ -256,12 +256,12 @@ void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::
         nodes[child].set_box(box.half(axis, upper));
         insert_at(child, box, begin, end, fruitless, parent_load);
     }
-    tree_->enclose_children(number);
+    grown_->enclose_children(number);
 }
 
 void BlockTree::Insertion::store(std::uint32_t number, std::size_t begin) {
     const std::span<const Item> items = std::span(items_).subspan(begin);
-    std::vector<std::uint32_t>& words = tree_->nodes_[number].cells;
+    std::vector<std::uint32_t>& words = grown_->nodes_[number].cells;
     words.clear();
     std::size_t size = 0;
     for (const Item& item : items)
@@ -277,9 +277,9 @@ void BlockTree::Insertion::store(std::uint32_t number, std::size_t begin) {
             }
             std::uint32_t& stored = stored_[item.first + plane];
             if (stored == kNone) {
-                stored = static_cast<std::uint32_t>(tree_->planes_.size());
-                tree_->planes_.push_back(item.cell->planes[plane]);
-                tree_->facets_.push_back(facet);
+                stored = static_cast<std::uint32_t>(grown_->planes_.size());
+                grown_->planes_.push_back(item.cell->planes[plane]);
+                grown_->facets_.push_back(facet);
             }
             words.push_back(stored);
         };

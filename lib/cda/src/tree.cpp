@@ -33,6 +33,9 @@ constexpr int kHalvings = 6;
 // Fewer cells than this are not worth waking a thread for.
 constexpr std::size_t kCellsWorthThreads = 16;
 
+// Volumes of single cells below this share of the stock are rounding.
+constexpr double kAccountRounding = 1e-15;
+
 #ifndef NDEBUG
 bool stands_once(std::vector<Plane> planes) {
     std::sort(planes.begin(), planes.end());
@@ -69,6 +72,7 @@ struct TreeCda::Block {
     std::shared_ptr<BlockTree> tree;
     std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in the order they came
     mutable std::optional<double> volume;  // cubic units; of what is there now, once asked for
+    std::vector<Taken> taken;              // what is not in the books yet
 
     // To change it: not what others see.
     BlockTree& own() {
@@ -90,6 +94,7 @@ TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters param
     if (!body) throw std::invalid_argument("the stock has no volume");
     stock_box_ = body->bounds();
     centre_ = stock_box_.centre();
+    stock_volume_ = body->volume();
     for (const auto& facet : body->facets())
         stock_planes_.push_back(facet.plane);
     split_into_blocks();
@@ -103,9 +108,11 @@ TreeCda::TreeCda(const TreeCda& other)
       centre_(other.centre_),
       stock_box_(other.stock_box_),
       stock_planes_(other.stock_planes_),
+      stock_volume_(other.stock_volume_),
       cells_(std::make_unique<CellTable>(*other.cells_)),
       blocks_(other.blocks_),
       waiting_(other.waiting_),
+      account_(other.account_),
       counts_(other.counts_) {}
 TreeCda& TreeCda::operator=(const TreeCda& other) {
     if (this != &other) *this = TreeCda(other);
@@ -133,7 +140,7 @@ void TreeCda::split_into_blocks() {
         boxes = std::move(halves);
     }
     for (const HalfBox& box : boxes)
-        blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt});
+        blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, {}});
 }
 
 std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice& lattice) const {
@@ -196,6 +203,10 @@ void TreeCda::settle(Block& block) const {
     cells.reserve(block.waiting.size());
     for (const auto& cell : block.waiting)
         cells.push_back(&cell->incoming);
+    if (account_) {
+        block.tree->account(cells, {stock_planes_, *cells_, centre_, parameters_.leaf},
+                            block.taken);
+    }
     block.own().insert(cells, *cells_, parameters_.leaf);
     block.waiting.clear();
 }
@@ -212,6 +223,16 @@ void TreeCda::settle() const {
         for_each(changing.size(), [&](std::size_t i) { settle(*changing[i]); });
     }
     waiting_ = 0;
+    close_books();
+}
+
+// In the order of the blocks, whichever thread was first.
+void TreeCda::close_books() const {
+    for (Block& block : blocks_) {
+        for (const Taken& taken : block.taken)
+            (*account_)[taken.origin] += taken.volume;
+        block.taken.clear();
+    }
 }
 
 // Lets no cell wait that might change what is asked here.
@@ -225,6 +246,7 @@ void TreeCda::settle_near(const Box& bounds) const {
                                 [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
             settle(block);
     }
+    close_books();
 }
 
 // Might a cell that waits take away a point (mm), which is rounded, and what is right beside it?
@@ -259,6 +281,22 @@ double TreeCda::subtract(const Cell& cell) {
     if (result.outlines.pieces().empty()) return 0.0;
     WorkpieceModel::subtract_unmeasured(cell);
     return std::max(0.0, result.volume * cube(lattice_.unit_mm));
+}
+
+void TreeCda::keep_account() {
+    settle();
+    if (!account_) account_.emplace();
+}
+
+Account TreeCda::account() const {
+    settle();
+    Account result;
+    if (!account_) return result;
+    const double unit = cube(lattice_.unit_mm);
+    const double rounding = kAccountRounding * stock_volume_;
+    for (const auto& [origin, volume] : *account_)
+        result[origin] = std::abs(volume) < rounding ? 0.0 : volume * unit;
+    return result;
 }
 
 void TreeCda::for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const {

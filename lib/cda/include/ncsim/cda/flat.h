@@ -82,6 +82,7 @@ public:
                                            const Lattice& lattice) const override;
     /// O(negative cells) box tests, one intersection for each that overlaps.
     double subtract(const Cell& cell) override;
+    Account account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     double volume() const override;

@@ -63,6 +63,9 @@ public:
     void subtract_unmeasured(std::span<const Cell> cells) override;
     /// Lets no cell wait any longer.
     void settle() const;
+    /// In one pass over many cells at a time: about as dear as taking them away.
+    void keep_account() override;
+    Account account() const override;
     void render(FacetCanvas& canvas) const override;
     std::unique_ptr<WorkpieceModel> clone() const override;
     /// The evaluation of blocks that changed since it was last asked for.
@@ -89,6 +92,7 @@ private:
     void take_in(const Cell& cell);
     void settle(Block& block) const;
     void settle_near(const Box& bounds) const;
+    void close_books() const;
     bool is_waited_for_near(Vec3 point) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
@@ -101,9 +105,11 @@ private:
     Vec3 centre_;    // of the stock, in units
     Box stock_box_;  // in units
     std::vector<Plane> stock_planes_;
+    double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
     mutable std::vector<Block> blocks_;
     mutable std::size_t waiting_ = 0;  // cells since the last time that none waited
+    mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;
 };
 

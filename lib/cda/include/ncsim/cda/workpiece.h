@@ -9,6 +9,7 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/vec.h"
 
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,6 +32,9 @@ public:
     virtual void draw(const MaskedFacet& facet) = 0;
 };
 
+/// Volume (mm³) that the cells of each origin took from a part.
+using Account = std::map<Origin, double>;
+
 /// A workpiece being machined. The one abstract class of the flow: the user picks the model by
 /// name. A prototype: `create` makes a new workpiece of the same kind.
 class WorkpieceModel {
@@ -50,6 +54,10 @@ public:
             subtract(cell);
     }
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
+    /// From now on it is booked how much the cells of each origin take away.
+    virtual void keep_account() {}
+    /// What is in the books; less than 1e-15 of the stock is told as 0.
+    virtual Account account() const = 0;
     /// Draws every facet once with its masks, in an order that depends on the input only.
     virtual void render(FacetCanvas& canvas) const = 0;
     virtual std::unique_ptr<WorkpieceModel> clone() const = 0;

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Who took what? A cell takes what no earlier one had: the first that covers a box takes what the
+// ones before it left there, and what came later finds nothing. Where several have a surface, their
+// facets are followed through time: a facet is born with the area that nobody had before, and each
+// later cell takes some of it, until it is gone. The volume under a facet (a third of area times
+// distance) goes to whom it is born with, and away from whom it dies of: the divergence theorem for
+// each of them. Walls of boxes need not be counted, since neighbours have them in common.
+//
+// Which cells are in a box is decided exactly, and so is who has the facet where planes coincide.
+// Areas are sums in doubles.
+#include "descent.h"
+#include "facet_region.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ncsim::cda {
+
+namespace {
+
+// The sign of how far a plane is below another one that is parallel to it.
+int below_parallel(const Plane& facet, const Plane& other, bool same) {
+    return compare_distances(facet, same ? other : other.opposite()) * (same ? 1 : -1);
+}
+
+}  // namespace
+
+class BlockTree::Accounting : Descent {
+public:
+    void run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
+             const AccountInput& input, std::vector<Taken>& taken);
+
+private:
+    // Cells of one origin in a row take a turn together: what one of them has is not asked apart.
+    // Those of before have taken theirs.
+    static constexpr std::uint32_t kBefore = 0;
+    static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+
+    // A cell with a surface in the box.
+    struct Local {
+        std::uint32_t turn = 0, number = 0;
+        std::size_t first = 0, count = 0;  // in planes_
+    };
+
+    void go_down(std::uint32_t node, std::size_t begin, std::size_t end, std::uint32_t last);
+    void divide(const HalfBox& box, std::size_t begin, std::size_t end, int fruitless,
+                std::size_t parent_load, std::uint32_t last);
+    std::uint32_t take_in(const HalfBox& box, std::size_t begin, std::size_t end,
+                          std::uint32_t last);
+    void split(const HalfBox& box, std::size_t axis, std::size_t begin, int fruitless,
+               std::size_t parent_load, std::uint32_t last);
+    void settle(const HalfBox& box, std::size_t begin, std::uint32_t last);
+    void follow(const Plane& plane, double sign, const Local& self, std::uint32_t last);
+    bool takes_from(const Local& other, const Plane& plane, bool takes_same, bool takes_opposite);
+    bool clip_to(const Plane& plane, std::span<const Plane* const> planes);
+    std::span<const Plane* const> planes_of(const Local& local) const {
+        return std::span(planes_).subspan(local.first, local.count);
+    }
+
+    const AccountInput* input_ = nullptr;
+    std::vector<Taken>* taken_ = nullptr;  // by turn; the first is nobody's
+    // The box at hand.
+    std::vector<const Plane*> stock_;
+    std::vector<const Plane*> planes_;
+    std::vector<Local> locals_;
+    std::vector<const Plane*> cuts_;
+    FacetRegion facet_;
+};
+
+void BlockTree::account(std::span<const IncomingCell* const> cells, const AccountInput& input,
+                        std::vector<Taken>& taken) const {
+    if (nodes_[0].kind == Kind::Empty || cells.empty()) return;
+    thread_local Accounting accounting;
+    accounting.run(*this, cells, input, taken);
+}
+
+void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
+                                const AccountInput& input, std::vector<Taken>& taken) {
+    input_ = &input;
+    taken_ = &taken;
+    taken.assign(1, {});
+    begin(tree, cells, input.cells);
+    for (Item& item : items_) {
+        const Origin origin = input.cells.origin(item.number);
+        if (taken.size() == 1 || taken.back().origin != origin) taken.push_back({origin, 0.0});
+        item.turn = static_cast<std::uint32_t>(taken.size() - 1);
+    }
+    go_down(0, 0, items_.size(), kNobody);
+    taken.erase(taken.begin());
+}
+
+// Items [begin, end) of the level above, in the order of time. `last`: whose turn ends with nothing
+// left in the box.
+void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::size_t end,
+                                    std::uint32_t last) {
+    const HalfBox box = tree_->nodes_[node].box();
+    const Level above = level();
+    last = take_in(box, begin, end, last);
+    if (items_.size() == above.items && last == kNobody) {
+        // Nothing is taken here.
+    } else if (tree_->nodes_[node].kind == Kind::Material) {
+        take_out(node);
+        divide(box, above.items, items_.size(), 0, kNone, last);
+    } else {
+        const std::size_t here = items_.size();
+        const std::uint32_t first = tree_->nodes_[node].first_child;
+        for (const std::uint32_t child : {first, first + 1}) {
+            if (tree_->nodes_[child].kind != Kind::Empty) go_down(child, above.items, here, last);
+        }
+    }
+    return_to(above);
+}
+
+// Adds what items [begin, end) have in the box, without those whose turn is not before that of the
+// first that covers it. Whose that is.
+std::uint32_t BlockTree::Accounting::take_in(const HalfBox& box, std::size_t begin, std::size_t end,
+                                             std::uint32_t last) {
+    turn_to_another_box();
+    const BoxFrame frame(box);
+    const std::size_t mine = items_.size();
+    const std::size_t hopeful = take_those_in(frame, begin, end);
+    const std::size_t met = items_.size();
+    const bool is_coarse = met - mine > kFewCells && cut_of_boxes(box, mine).axis != 3;
+    const auto longest = static_cast<double>(box.extent(box.longest_axis()));
+    if (hopeful != kNone) {
+        Item item = items_[hopeful];
+        if (look(frame, item) == Place::Covers) last = std::min(last, item.turn);
+    }
+    std::size_t kept = mine;
+    for (std::size_t i = mine; i < met; ++i) {
+        Item item = items_[i];
+        if (item.turn >= last) continue;
+        if (!is_coarse || !is_small_for(longest, item)) {
+            const Place place = look(frame, item);
+            if (place == Place::Outside) continue;
+            if (place == Place::Covers) {
+                last = item.turn;
+                continue;
+            }
+        }
+        items_[kept++] = item;
+    }
+    items_.resize(kept);
+    std::erase_if(items_, [&, i = std::size_t{0}](const Item& item) mutable {
+        return i++ >= mine && item.turn >= last;
+    });
+    return last;
+}
+
+// A box in a leaf of the tree, of which items [begin, end) are all that is there.
+void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::size_t end,
+                                   int fruitless, std::size_t parent_load, std::uint32_t last) {
+    const Level above = level();
+    const std::size_t mine = above.items;
+    last = take_in(box, begin, end, last);
+    const std::span<const Item> items = std::span(items_).subspan(mine);
+    const auto changes = [](const Item& item) { return item.turn != kBefore; };
+    if (last == kNobody && std::ranges::none_of(items, changes)) {
+        // Nothing is taken here.
+    } else if (std::ranges::any_of(items, [](const Item& item) { return !item.is_looked_at; })) {
+        const Cut cut = cut_of_boxes(box, mine);
+        split(box, cut.axis == 3 ? box.longest_axis() : cut.axis, mine, 0, kNone, last);
+    } else {
+        std::size_t planes = load(mine);
+        if (planes > input_->leaf) {
+            drop_redundant(BoxFrame(box), mine);
+            planes = load(mine);
+        }
+        const bool was_in_vain = 10 * planes > 9 * parent_load;
+        fruitless = was_in_vain ? fruitless + 1 : 0;
+        Cut cut;
+        if (planes > input_->leaf && fruitless < kFruitlessSplits) cut = best_cut(box, mine);
+        if (cut.axis == 3) {
+            settle(box, mine, last);
+        } else {
+            split(box, cut.axis, mine, fruitless, cut.parts ? kNone : planes, last);
+        }
+    }
+    return_to(above);
+}
+
+void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::size_t begin,
+                                  int fruitless, std::size_t parent_load, std::uint32_t last) {
+    const std::size_t end = items_.size();
+    for (const bool upper : {false, true})
+        divide(box.half(axis, upper), begin, end, fruitless, parent_load, last);
+}
+
+// Makes cuts_ what the other cell has of a facet in `plane`; false if nothing. `takes_same`: has it
+// the facet where both have one in the same plane?
+bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, bool takes_same,
+                                       bool takes_opposite) {
+    bool has_same = false;
+    bool has_opposite = false;
+    cuts_.clear();
+    for (const Plane* cut : planes_of(other)) {
+        if (!cut->is_parallel_to(plane)) {
+            cuts_.push_back(cut);
+            continue;
+        }
+        const bool same = same_direction(plane, *cut);
+        const int below = below_parallel(plane, *cut, same);
+        if (below < 0 || (below == 0 && !(same ? takes_same : takes_opposite))) return false;
+        if (below == 0) (same ? has_same : has_opposite) = true;
+    }
+    return !(has_same && has_opposite);  // else it is flat
+}
+
+// Cuts facet_ to what lies below `planes`; one that is parallel to it has all of it or nothing.
+bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane* const> planes) {
+    return std::ranges::all_of(planes, [&](const Plane* cut) {
+        if (!cut->is_parallel_to(plane)) return facet_.clip(*cut);
+        const bool same = same_direction(plane, *cut);
+        const int below = below_parallel(plane, *cut, same);
+        return below > 0 || (below == 0 && same);
+    });
+}
+
+// A leaf: follows all facets.
+void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, std::uint32_t last) {
+    const BoxFrame frame(box);
+    stock_.clear();
+    for (const Plane& plane : input_->stock) {
+        const Side side = side_of(frame, HalfPlane(plane));
+        if (side == Side::Above) return;
+        if (side == Side::On) stock_.push_back(&plane);
+    }
+    locals_.clear();
+    planes_.clear();
+    for (const Item& item : std::span(items_).subspan(begin)) {
+        Local local{item.turn, item.number, planes_.size(), 0};
+        for (const Facet& facet : facets_of(item))
+            planes_.push_back(&exact(item, facet.plane));
+        for (const Loose plane : loose_of(item))
+            planes_.push_back(&exact(item, entry(plane).plane));
+        local.count = planes_.size() - local.first;
+        locals_.push_back(local);
+    }
+    std::ranges::sort(locals_, {}, [](const Local& l) { return std::pair{l.turn, l.number}; });
+    for (const Plane* plane : stock_) {
+        if (!facet_.assign(*plane, box) || !clip_to(*plane, stock_)) continue;
+        follow(*plane, 1.0, {kBefore, 0, 0, 0}, last);
+    }
+    for (const Local& local : locals_) {
+        for (const Plane* plane : planes_of(local)) {
+            const auto is_in_it = [plane](const Plane* s) { return *s == *plane; };
+            if (!facet_.assign(*plane, box) || !clip_to(*plane, planes_of(local)) ||
+                std::ranges::any_of(stock_, is_in_it) || !clip_to(*plane, stock_)) {
+                continue;
+            }
+            follow(*plane, -1.0, local, last);
+        }
+    }
+}
+
+// facet_ through time: from what `self`, if it is a cell, has first. `sign`: 1 out of the part.
+void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local& self,
+                                   std::uint32_t last) {
+    const bool is_wall = self.count > 0;
+    const auto begin_of_later = static_cast<std::size_t>(
+        std::ranges::upper_bound(locals_, self.turn, {}, &Local::turn) - locals_.begin());
+    // What was there before is only looked at where somebody takes some of it.
+    if (self.turn == kBefore && last == kNobody) {
+        std::size_t takers = 0;
+        std::size_t taker = 0;
+        for (std::size_t i = begin_of_later; i < locals_.size() && takers < 2; ++i) {
+            if (!takes_from(locals_[i], plane, !is_wall, is_wall) || !facet_.meets(cuts_)) continue;
+            ++takers;
+            taker = i;
+        }
+        if (takers == 0) return;
+        if (takers == 1) {
+            takes_from(locals_[taker], plane, !is_wall, is_wall);
+            for (const Plane* cut : cuts_) {
+                if (!facet_.clip(*cut)) return;
+            }
+        }
+    }
+    const double height = sign * distance_about(plane, input_->centre) / 3.0;
+    for (std::size_t i = 0; i < begin_of_later; ++i) {
+        const Local& other = locals_[i];
+        if (is_wall && other.number == self.number) continue;
+        const bool comes_before =
+            std::pair{other.turn, other.number} < std::pair{self.turn, self.number};
+        if (!takes_from(other, plane, !is_wall || comes_before, is_wall)) continue;
+        facet_.take(cuts_);
+        if (facet_.is_empty()) return;
+    }
+    if (self.turn != kBefore) (*taken_)[self.turn].volume -= height * facet_.area();
+    for (std::size_t i = begin_of_later; i < locals_.size(); ++i) {
+        const Local& other = locals_[i];
+        if (!takes_from(other, plane, !is_wall, is_wall)) continue;
+        (*taken_)[other.turn].volume += height * facet_.take(cuts_);
+        if (facet_.is_empty()) return;
+    }
+    if (last != kNobody) (*taken_)[last].volume += height * facet_.area();
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each origin took, booked in passing, against what is measured cut by cut.
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/tree.h"
+
+#include "support/oracle.h"
+#include "support/passes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace ncsim::cda {
+namespace {
+
+using test::kLattice;
+using test::mm_box;
+using test::Random;
+
+const Cell kStock = mm_box(-3, -3, -3, 3, 3, 3);
+
+Account booked(const std::vector<Cell>& cuts, const TreeParameters& parameters) {
+    TreeCda part(kStock, kLattice, parameters);
+    part.keep_account();
+    part.subtract_unmeasured(cuts);
+    return part.account();
+}
+
+Account measured(const std::vector<Cell>& cuts) {
+    TreeCda part(kStock, kLattice);
+    Account account;
+    for (const Cell& cut : cuts)
+        account[cut.origin] += part.subtract(cut);
+    return account;
+}
+
+void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
+    const Account expected = measured(cuts);
+    // One cell at a time, some, all; in leaves that are split early or late.
+    for (const TreeParameters& parameters :
+         {TreeParameters{12, 1, 1}, TreeParameters{12, 1, 7}, TreeParameters{12, 1, 8192},
+          TreeParameters{80, 1, 25}, TreeParameters{80, 1, 8192}}) {
+        SCOPED_TRACE(testing::Message() << parameters.leaf << ' ' << parameters.batch);
+        const Account account = booked(cuts, parameters);
+        for (const auto& [origin, volume] : expected) {
+            const auto found = account.find(origin);
+            const double got = found == account.end() ? 0.0 : found->second;
+            EXPECT_NEAR(got, volume, tolerance) << static_cast<std::uint32_t>(origin);
+            // What takes nothing takes nothing at all.
+            if (volume == 0.0) {
+                EXPECT_EQ(got, 0.0) << static_cast<std::uint32_t>(origin);
+            }
+        }
+        for (const auto& [origin, volume] : account)
+            EXPECT_TRUE(volume == 0.0 || expected.contains(origin));
+    }
+}
+
+TEST(Account, OfHullsOfAllKinds) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        expect_booked(test::random_cuts(seed, 60, 60000 + static_cast<std::int64_t>(seed) * 15000));
+    }
+}
+
+TEST(Account, OfPassesOnFloorsAndWallsOfEachOther) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        expect_booked(test::passes_of_several_tools(seed, 120));
+    }
+}
+
+// A lattice unit or two beside each other, in part twice: planes that are nearly parallel meet in
+// lines that doubles tell to a hundredth of a unit only.
+TEST(Account, OfPassesNextToEachOther) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        SCOPED_TRACE(seed);
+        auto passes = test::jittered_passes(seed, 60);
+        for (std::size_t i = 10; i < passes.size(); i += 3) {
+            passes[i] = passes[i / 2];
+            passes[i].origin = Origin{static_cast<std::uint32_t>(i + 1)};
+        }
+        expect_booked(passes, 1e-8);
+    }
+}
+
+// An arc is many cells with one origin; a loop has the same origin again, later.
+TEST(Account, OfOriginsWithManyCells) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        auto passes = test::passes_of_several_tools(seed + 100, 120);
+        std::uint32_t origin = 1;
+        for (Cell& pass : passes) {
+            if (random.one_in(4)) origin = static_cast<std::uint32_t>(random.between(1, 20));
+            pass.origin = Origin{origin};
+        }
+        expect_booked(passes);
+    }
+}
+
+TEST(Account, SumsUpToWhatThePartLost) {
+    const auto passes = test::passes_of_several_tools(3, 200);
+    TreeCda part(kStock, kLattice);
+    const double before = part.volume();
+    part.keep_account();
+    part.subtract_unmeasured(passes);
+    const Account account = part.account();
+    const double sum =
+        std::accumulate(account.begin(), account.end(), 0.0,
+                        [](double all, const auto& one) { return all + one.second; });
+    EXPECT_NEAR(sum, before - part.volume(), 1e-10);
+}
+
+TEST(Account, DoesNotDependOnTheNumberOfThreads) {
+    const auto passes = test::passes_of_several_tools(7, 300);
+    const Account one = booked(passes, {.threads = 1, .batch = 100});
+    EXPECT_EQ(one, booked(passes, {.threads = 2, .batch = 100}));
+    EXPECT_EQ(one, booked(passes, {.threads = 5, .batch = 100}));
+}
+
+TEST(Account, OfTheFlatAggregateIsTheSame) {
+    const auto cuts = test::random_cuts(4, 30, 120000);
+    FlatCda flat(kStock, kLattice);
+    flat.keep_account();
+    flat.subtract_unmeasured(cuts);
+    const Account expected = flat.account();
+    for (const auto& [origin, volume] : booked(cuts, {})) {
+        const auto found = expected.find(origin);
+        EXPECT_NEAR(volume, found == expected.end() ? 0.0 : found->second, 1e-11);
+    }
+}
+
+// What was asked in between, and what waits, changes nothing.
+TEST(Account, GoesOnWhereQuestionsAreAsked) {
+    const auto passes = test::passes_of_several_tools(11, 80);
+    TreeCda part(kStock, kLattice);
+    part.keep_account();
+    Account expected;
+    TreeCda reference(kStock, kLattice);
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        expected[passes[i].origin] += reference.subtract(passes[i]);
+        part.subtract_unmeasured(passes[i]);
+        if (i % 5 == 0) {
+            EXPECT_EQ(part.contact(passes[i]), std::nullopt);
+        }
+        if (i % 17 == 0) {
+            EXPECT_NEAR(part.volume(), reference.volume(), 1e-9);
+        }
+    }
+    const TreeCda copy(part);
+    for (const TreeCda* model : {static_cast<const TreeCda*>(&part), &copy}) {
+        const Account account = model->account();
+        for (const auto& [origin, volume] : expected) {
+            const auto found = account.find(origin);
+            EXPECT_NEAR(found == account.end() ? 0.0 : found->second, volume, 1e-11);
+        }
+    }
+}
+
+TEST(Account, OfNobodyIsEmpty) {
+    TreeCda part(kStock, kLattice);
+    part.subtract_unmeasured(mm_box(0, 0, 0, 1, 1, 1, Origin{1}));
+    EXPECT_TRUE(part.account().empty());
+    part.keep_account();
+    part.subtract_unmeasured(mm_box(0, 0, 0, 1, 1, 2, Origin{2}));
+    const Account account = part.account();
+    ASSERT_EQ(account.size(), 1U);
+    EXPECT_NEAR(account.at(Origin{2}), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace ncsim::cda
