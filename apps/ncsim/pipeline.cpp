@@ -82,10 +82,8 @@ public:
         result.provenance.program = base_name(job.program.name);
         result.provenance.entries.push_back({});  // the stock
         if (keep_cuts_) result.cuts.push_back({});
-        if (job.options.block_volumes) {
-            result.part->keep_account();
-            places_.emplace();
-        }
+        if (job.options.block_volumes) places_.emplace();
+        if (places_ || (verifier_ && verifier_->needs_account())) result.part->keep_account();
     }
 
     /// Makes no motion after the first `count`.

@@ -104,6 +104,36 @@ TEST(Ledger, BalancesAndNamesWhatEachBlockTookAndHowLong) {
     EXPECT_NEAR(*ledger.rapid_seconds, 7.0 / 100, 1e-12) << "the first move has no known start";
 }
 
+// Booked in the end, or, where a rule has to know of each motion, before the next one.
+TEST(Ledger, IsTheSameWheneverItIsMeasured) {
+    const std::string program =
+        "G21 G90 G17 T1 M6 S1000 M3 G0 X-30 Y0 Z5\nG0 Z-2\nG1 X30 F600\n"
+        "G2 X20 Y10 I-5 J5\nG3 X-18 Y4 I-20 J-20 Z-3\nG1 X-18 Y4\nG1 X30 Y0\n"
+        "G0 Z-4\nG0 X0\nG1 X-25 Y-10\nG1 X30 Y0 Z5\nG2 X30 Y0 I-30 J0 Z-6\nG1 X-30\nX30\n";
+    for (const bool is_ball : {false, true}) {
+        SCOPED_TRACE(is_ball);
+        verify::Setup setup = plain_setup();
+        setup.ledger = true;
+        if (is_ball) setup.tools.at(1).tool = toolpath::ball_end_mill(10.0, 30.0);
+        const verify::Ledger late = verdict_of(program, setup).ledger;
+        setup.tools.at(1).max_removal_rate = 1e12;
+        setup.air_cuts = true;
+        const verify::Ledger soon = verdict_of(program, setup).ledger;
+        ASSERT_EQ(late.rows.size(), soon.rows.size());
+        for (std::size_t i = 0; i < late.rows.size(); ++i) {
+            SCOPED_TRACE(late.rows[i].line);
+            EXPECT_NEAR(late.rows[i].removed_mm3, soon.rows[i].removed_mm3, 1e-9);
+            EXPECT_EQ(late.rows[i].seconds, soon.rows[i].seconds);
+            EXPECT_EQ(late.rows[i].contact.is_empty(), soon.rows[i].contact.is_empty());
+        }
+        EXPECT_TRUE(late.measured && soon.measured);
+        EXPECT_NEAR(late.removed_mm3, soon.removed_mm3, 1e-9);
+        EXPECT_LT(late.imbalance(), 1e-12);
+        EXPECT_GT(late.air_mm, 50.0);
+        EXPECT_NEAR(late.air_mm, soon.air_mm, 1e-9);
+    }
+}
+
 TEST(Ledger, HasNoTimeWhereARateIsNotTold) {
     verify::Setup setup = plain_setup();
     setup.ledger = true;
@@ -131,8 +161,12 @@ TEST(Ledger, SlotOfAFlatEndMillIsWithinTheChordBound) {
     verify::Verifier verifier(setup, block, lattice);
     const gcode::SourceFile program{
         "slot.nc", "G21 G90 T1 M6 S1 M3 F100\nG0 X7.5 Y20 Z5\nG1 Z-5\nG1 X32.5\nG0 Z5\n"};
-    const auto result = gcode::interpret(
-        program, {}, [&](const gcode::Motion& m) { take(m, verifier, walk, &part); });
+    ASSERT_TRUE(verifier.needs_account());
+    part.keep_account();
+    std::uint32_t motions = 0;
+    const auto result = gcode::interpret(program, {}, [&](const gcode::Motion& m) {
+        take(m, cda::Origin{++motions}, verifier, walk, &part);
+    });
     const verify::Ledger ledger = verifier.finish(result, &part, 40.0 * 40.0 * 10.0).ledger;
     const double exact = 40 * 40 * 10 - 5 * (25 * 6 + 3.14159265358979324 * 9);
     EXPECT_NEAR(exact, 15108.63, 0.005);

@@ -23,11 +23,11 @@ verify::Setup setup_with_holder() {
     return setup;
 }
 
-void take(const gcode::Motion& motion, verify::Verifier& verifier, toolpath::Walk& walk,
-          cda::TreeCda* part) {
+void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& verifier,
+          toolpath::Walk& walk, cda::TreeCda* part) {
     verifier.begin(motion);
     if (part) {
-        walk.take(motion, cda::Origin{1}, [&](const toolpath::Step& step) {
+        walk.take(motion, origin, [&](const toolpath::Step& step) {
             verifier.look(step, *part);
             double removed = 0.0;
             for (const cda::Cell& cell : step.cells) {
@@ -39,7 +39,7 @@ void take(const gcode::Motion& motion, verify::Verifier& verifier, toolpath::Wal
             }
             verifier.look_back(step, *part, removed);
         });
-        walk.arrive(motion, cda::Origin{1},
+        walk.arrive(motion, origin,
                     [&](const toolpath::Step& step) { verifier.arrive(step, *part); });
     }
     verifier.end();
@@ -62,8 +62,10 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     options.observe_frame = [&](const gcode::Motion&, const gcode::ProgramFrame& frame) {
         verifier.set_frame(frame);
     };
+    if (verifier.needs_account()) part.keep_account();
+    std::uint32_t motions = 0;
     const auto result = gcode::interpret(source, options, [&](const gcode::Motion& motion) {
-        take(motion, verifier, walk, simulated ? &part : nullptr);
+        take(motion, cda::Origin{++motions}, verifier, walk, simulated ? &part : nullptr);
     });
     verifier.add(result.diagnostics);
     return verifier.finish(result, simulated ? &part : nullptr, stock_mm3);

@@ -26,8 +26,8 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup = pla
 
 /// One motion: what is there is looked at, taken away, and looked at again. `part` is null where
 /// nothing is simulated.
-void take(const gcode::Motion& motion, verify::Verifier& verifier, toolpath::Walk& walk,
-          cda::TreeCda* part);
+void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& verifier,
+          toolpath::Walk& walk, cda::TreeCda* part);
 
 /// The findings of a rule, in order.
 std::vector<verify::Finding> findings_of(const verify::Verdict& verdict, const std::string& rule);

@@ -142,9 +142,11 @@ std::uint32_t BlockTree::Accounting::take_in(const HalfBox& box, std::size_t beg
         items_[kept++] = item;
     }
     items_.resize(kept);
-    std::erase_if(items_, [&, i = std::size_t{0}](const Item& item) mutable {
-        return i++ >= mine && item.turn >= last;
-    });
+    // Others of its turn came before it.
+    const auto begin_of_mine = items_.begin() + static_cast<std::ptrdiff_t>(mine);
+    items_.erase(std::remove_if(begin_of_mine, items_.end(),
+                                [last](const Item& item) { return item.turn >= last; }),
+                 items_.end());
     return last;
 }
 
@@ -162,16 +164,16 @@ void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::s
         const Cut cut = cut_of_boxes(box, mine);
         split(box, cut.axis == 3 ? box.longest_axis() : cut.axis, mine, 0, kNone, last);
     } else {
-        std::size_t planes = load(mine);
-        if (planes > input_->leaf) {
-            drop_redundant(BoxFrame(box), mine);
-            planes = load(mine);
-        }
+        // Mostly, what is about to come has gone before: then nothing else need be looked at.
+        drop_redundant(BoxFrame(box), mine);
+        const std::size_t planes = load(mine);
         const bool was_in_vain = 10 * planes > 9 * parent_load;
         fruitless = was_in_vain ? fruitless + 1 : 0;
         Cut cut;
         if (planes > input_->leaf && fruitless < kFruitlessSplits) cut = best_cut(box, mine);
-        if (cut.axis == 3) {
+        if (last == kNobody && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
+            // Nothing is taken here.
+        } else if (cut.axis == 3) {
             settle(box, mine, last);
         } else {
             split(box, cut.axis, mine, fruitless, cut.parts ? kNone : planes, last);
@@ -239,17 +241,11 @@ void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, std::u
     }
     std::ranges::sort(locals_, {}, [](const Local& l) { return std::pair{l.turn, l.number}; });
     for (const Plane* plane : stock_) {
-        if (!facet_.assign(*plane, box) || !clip_to(*plane, stock_)) continue;
-        follow(*plane, 1.0, {kBefore, 0, 0, 0}, last);
+        if (facet_.assign(*plane, box)) follow(*plane, 1.0, {kBefore, 0, 0, 0}, last);
     }
     for (const Local& local : locals_) {
         for (const Plane* plane : planes_of(local)) {
-            const auto is_in_it = [plane](const Plane* s) { return *s == *plane; };
-            if (!facet_.assign(*plane, box) || !clip_to(*plane, planes_of(local)) ||
-                std::ranges::any_of(stock_, is_in_it) || !clip_to(*plane, stock_)) {
-                continue;
-            }
-            follow(*plane, -1.0, local, last);
+            if (facet_.assign(*plane, box)) follow(*plane, -1.0, local, last);
         }
     }
 }
@@ -277,6 +273,10 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
             }
         }
     }
+    const auto is_in_stock = [&](const Plane* s) { return *s == plane; };
+    if (is_wall && (std::ranges::any_of(stock_, is_in_stock) || !clip_to(plane, planes_of(self))))
+        return;
+    if (!clip_to(plane, stock_)) return;
     const double height = sign * distance_about(plane, input_->centre) / 3.0;
     for (std::size_t i = 0; i < begin_of_later; ++i) {
         const Local& other = locals_[i];

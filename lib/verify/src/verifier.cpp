@@ -100,9 +100,9 @@ public:
             }
             if (rule.judge) judges_.push_back(rule.judge);
         }
-        volumes_ = setup_.ledger ||
-                   (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
+        volumes_ = (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
                    (asked("removal-rate") && !needs_removal_limit(setup_));
+        books_ = setup_.ledger && !volumes_;
         contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
         if (!stock_.is_empty()) highest_ = stock_.max.z;
         for (const Fixture& fixture : setup_.machine.fixtures)
@@ -123,6 +123,7 @@ public:
 
     void begin(const gcode::Motion& motion) {
         move_ = {};
+        cut_now_ = {};
         open_.clear();
         move_.motion = &motion;
         move_.number = ++motions_;
@@ -163,6 +164,7 @@ public:
         const bool only_down = goes_on && now_->straight_above && falls_straight(step);
         if (!now_->uncertain.empty() && !only_up && !only_down) meet_uncertain(step, part);
         meets_now_ = false;
+        if (books_) note_cells(step);
         if (!move_.asked || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
             if (!only_up || volumes_) meet_rapidly(step, part);
@@ -212,10 +214,11 @@ public:
             move_.length_mm;
         if (setup_.ledger) enter();
         clock_.take(move_, row());
-        ledger_.removed_mm3 += move_.removed_mm3;
+        if (!books_) ledger_.removed_mm3 += move_.removed_mm3;
     }
 
     bool measures_all() const { return volumes_; }
+    bool needs_account() const { return books_; }
 
     void add(const gcode::Diagnostics& diagnostics) {
         diagnostics_.insert(diagnostics_.end(), diagnostics.begin(), diagnostics.end());
@@ -263,9 +266,10 @@ public:
         }
         if (asked("air-cut")) air_.conclude(setup_, log_);
         clock_.finish(ledger_);
-        ledger_.measured = volumes_ && part != nullptr;
-        ledger_.air_known = contacts_ && part != nullptr;
+        ledger_.measured = (volumes_ || books_) && part != nullptr;
+        ledger_.air_known = (contacts_ || books_) && part != nullptr;
         ledger_.air_mm = air_.air_mm();
+        if (books_ && part) close_books(part->account());
         if (part) ledger_.rest_mm3 = part->volume();
         ledger_.stock_mm3 = stock_mm3;
         conclude_doubts(part != nullptr);
@@ -701,6 +705,16 @@ private:
         if (known == 0.0 && now_->uncertain_mm > 0.0) now_->uncertain_place = place();
     }
 
+    // A motion in the books: the account tells the rest.
+    struct Cut {
+        std::size_t row = 0;
+        cda::Origin origin = cda::kStockOrigin;
+        double feed_mm = 0.0;
+        Box box;  // around the cells, as far as they are in that of the stock
+        // What cells take that are where the cutter was before, but for rounding, at most.
+        double sliver_mm3 = 0.0;
+    };
+
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
 
     void enter() {
@@ -722,8 +736,47 @@ private:
         row.last_motion = move_.number;
         if (m.kind == MoveKind::Feed) row.kind = MoveKind::Feed;
         row.length_mm += move_.length_mm;
+        if (books_) {
+            if (m.kind == MoveKind::Feed) cut_now_.feed_mm = move_.length_mm;
+            cut_now_.row = rows.size() - 1;
+            cuts_.push_back(cut_now_);
+            return;
+        }
         row.removed_mm3 += move_.removed_mm3;
         row.contact.add(move_.contact);
+    }
+
+    // What the motion at hand takes away, if it does.
+    void note_cells(const Step& step) {
+        if (step.cells.empty()) return;
+        cut_now_.origin = step.cells.front().origin;
+        const double rounding = rounding_now(step);
+        const bool is_upright =
+            step.X_WA.rows == toolpath::Pose{}.rows && step.X_WB.rows == step.X_WA.rows;
+        for (const Cell& cell : step.cells) {
+            const Box met = intersection(cell.bounds, stock_);
+            if (met.is_empty()) continue;
+            cut_now_.box.add(met);
+            // Of what does not turn, planes alone are rounded: 2^-24 of their length.
+            const Vec3 e = met.max - met.min;
+            const double thickness = is_upright ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;
+            cut_now_.sliver_mm3 += 2.0 * thickness * (e.x * e.y + e.y * e.z + e.z * e.x);
+        }
+    }
+
+    void close_books(const cda::Account& account) {
+        double air_mm = 0.0;
+        for (const Cut& cut : cuts_) {
+            const auto found = account.find(cut.origin);
+            const double removed = found == account.end() ? 0.0 : found->second;
+            if (cut.feed_mm > 0.0 && removed <= cut.sliver_mm3) air_mm += cut.feed_mm;
+            if (removed <= 0.0) continue;
+            LedgerRow& row = ledger_.rows[cut.row];
+            row.removed_mm3 += removed;
+            row.contact.add(cut.box);
+            ledger_.removed_mm3 += removed;
+        }
+        if (!contacts_) ledger_.air_mm = air_mm;
     }
 
     void tell(const gcode::Diagnostic& d, const std::vector<std::string>& files) {
@@ -793,7 +846,8 @@ private:
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
     std::map<int, Watched> watched_;
-    bool volumes_ = false;     // of every motion
+    bool volumes_ = false;     // of every motion, before the next one
+    bool books_ = false;       // of every motion, in the end
     bool contacts_ = false;    // of every feed motion
     bool needs_part_ = false;  // some selected rule looks at it
 
@@ -814,6 +868,8 @@ private:
     // Steps of faulty motions of which the volume was measured, each as dear as ten that are only
     // cut, and how many that may be: one fault has a number, thousands have "at least".
     std::uint64_t measured_ = 0;
+    Cut cut_now_;
+    std::vector<Cut> cuts_;
     static constexpr std::uint64_t kMostMeasured = 16;
     // How many cuts with a spindle that is off are told: a program without M3 has thousands.
     struct Idle {
@@ -867,6 +923,9 @@ void Verifier::end() {
 
 bool Verifier::measures_all() const {
     return impl_->measures_all();
+}
+bool Verifier::needs_account() const {
+    return impl_->needs_account();
 }
 
 void Verifier::add(const gcode::Diagnostics& diagnostics) {

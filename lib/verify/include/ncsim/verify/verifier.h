@@ -3,7 +3,8 @@
 // Verifies a program while it is being simulated: it sees every motion before and after its cells
 // are taken away, and changes nothing.
 //
-//     verifier.begin(motion);
+//     if (verifier.needs_account()) part.keep_account();  // before the first cell
+//     verifier.begin(motion);  // each motion its own origin
 //     walk.take(motion, origin, [&](const toolpath::Step& step) {
 //         verifier.look(step, part);
 //         for (const cda::Cell& cell : step.cells) part.subtract(cell);
@@ -44,6 +45,8 @@ public:
     void end();
     /// Wants it the volume of every step?
     bool measures_all() const;
+    /// Else: wants it the part to keep an account of all of them?
+    bool needs_account() const;
 
     /// Adds what the interpreter and others have to say.
     void add(const gcode::Diagnostics& diagnostics);
