@@ -278,6 +278,7 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
             describe(*survey.stock) + (setup.stock_assumption.empty() ? "" : ", assumed");
     }
     const toolpath::RapidPath rapid = setup.rapid;
+    const toolpath::Watch watch = verify::watch_of(setup);
     const verify::Setup told = setup;
     Refiner refiner(job, survey, told);
     setup.second_look = [&refiner](const verify::OpenContact& contact) {
@@ -301,6 +302,7 @@ void verify_program(Checked& checked, Job job, const CheckOptions& options,
         verification.side = toolpath::Side::Circumscribed;
         verification.verifier = &verifier;
         verification.rapid = rapid;
+        verification.watch = watch;
         verification.keep_cuts = design != nullptr;
         const Simulation simulation = simulate(job, survey, verification, {});
         if (options.cut_free) {

@@ -54,7 +54,7 @@ toolpath::Walk make_walk(const Job& job, const Survey& survey, const cda::Lattic
     sampling.chord_tolerance_mm = job.options.tolerance;
     sampling.rotation_miss_mm = job.options.tolerance;
     sampling.rotation_gain_mm = 10 * job.options.tolerance;
-    return {lattice, survey.stock->box, accuracy, sampling, verification.rapid};
+    return {lattice, survey.stock->box, accuracy, sampling, verification.rapid, verification.watch};
 }
 
 class Mill {

@@ -88,6 +88,7 @@ struct Verification {
     /// Sees every motion; null: nothing is verified. Needs the model "cda".
     verify::Verifier* verifier = nullptr;
     toolpath::RapidPath rapid;
+    toolpath::Watch watch;
     /// Of the tools that cut the part. What is to be certain needs to know on which side they err.
     toolpath::Side side = toolpath::Side::Fair;
     /// What is cut; null: the whole block. On the lattice of the block.

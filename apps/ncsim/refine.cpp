@@ -86,6 +86,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
         if (rule.id != contact.rule) setup.selection.ignored.emplace(rule.id);
     }
     setup.rapid = setup_->rapid;
+    const toolpath::Watch watch = verify::watch_of(setup);
     setup.accuracy.tolerance_mm = job.options.tool_tolerance;
     verify::Verifier verifier(std::move(setup), survey.stock->box,
                               toolpath::stock_lattice(*survey.stock));
@@ -93,6 +94,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     verification.side = toolpath::Side::Circumscribed;
     verification.verifier = &verifier;
     verification.rapid = setup_->rapid;
+    verification.watch = watch;
     verification.only_motion = contact.motion;
     verification.most_steps = steps_left_;
     try {

@@ -37,7 +37,7 @@ Motion arc(Position from, Position to, gcode::Plane plane, double c1, double c2,
     return m;
 }
 
-const ToolExtent kTool{30.0, 31.0};
+const ToolExtent kTool = extent_of(flat_end_mill(8.0, 30.0));
 
 // Against the path itself, at 20,000 places.
 TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {

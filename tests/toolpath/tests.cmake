@@ -10,4 +10,5 @@ ncsim_add_test(toolpath
     tool_polytope_test.cpp
     tool_table_test.cpp
     tool_test.cpp
-    trace_test.cpp)
+    trace_test.cpp
+    turning_test.cpp)

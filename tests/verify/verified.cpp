@@ -52,7 +52,7 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     setup.suppressions = verify::Suppressions(source);
     cda::TreeCda part(cda::box_cell(lattice.round(kBlock.min), lattice.round(kBlock.max), lattice),
                       lattice);
-    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid);
+    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid, verify::watch_of(setup));
     for (const auto& [number, facts] : setup.tools)
         walk.add_tool(number, facts.tool);
     const double stock_mm3 = part.volume();

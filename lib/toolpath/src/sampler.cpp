@@ -5,6 +5,7 @@
 #include "ncsim/toolpath/machine.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,11 +17,6 @@ using gcode::Length;
 using gcode::Position;
 
 namespace {
-
-// Not std::hypot, whose last bit is the library's own affair.
-double length_of(double a, double b) {
-    return std::sqrt(a * a + b * b);
-}
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
@@ -40,11 +36,6 @@ Position between(const Position& a, const Position& b, double t) {
     };
     return {length(a.x, b.x), length(a.y, b.y), length(a.z, b.z), angle(a.a, b.a), angle(a.b, b.b),
             angle(a.c, b.c),  length(a.u, b.u), length(a.v, b.v), length(a.w, b.w)};
-}
-
-double turned_radians(const Position& a, const Position& b) {
-    return kRadiansPerDegree * (std::abs((b.a - a.a).degrees()) + std::abs((b.b - a.b).degrees()) +
-                                std::abs((b.c - a.c).degrees()));
 }
 
 // --- Arcs ---------------------------------------------------------------------------------
@@ -115,49 +106,31 @@ Position on_arc(const gcode::Arc& arc, const Polar& p, double t) {
 
 // --- Steps --------------------------------------------------------------------------------
 
-// What the bounds are made of, for a whole motion.
+// A motion as a whole: what the bounds of its steps are made of.
 struct Course {
     double sweep_rad = 0.0;  // of an arc
     double radius_mm = 0.0;  // the largest
     double radius_change_mm = 0.0;
-    double turn_rad = 0.0;     // of the rotary axes
-    double length_mm = 0.0;    // at least the path of the tip in the rotating frame
-    double farthest_mm = 0.0;  // of the path from the origin, through which the axes pass
+    Turning turning;
+
+    Turning step(double steps) const {
+        Turning t = turning;
+        const double delta = sweep_rad / steps;
+        t.chord_mm = (radius_mm * delta * delta + 2 * radius_change_mm / steps * delta) / 8;
+        t.turn_rad /= steps;
+        t.tilt_rad /= steps;
+        t.tilt_bend_rad /= steps * steps;
+        t.moved_mm /= steps;
+        return t;
+    }
 };
 
-struct StepBounds {
-    double chord_mm = 0.0;
-    double missed_by_turning_mm = 0.0;
-    double gained_by_turning_mm = 0.0;
-};
-
-StepBounds bounds_of(const Course& c, const ToolExtent& tool, double steps) {
-    const double delta = c.sweep_rad / steps;
-    const double theta = c.turn_rad / steps;
-    const double s = c.length_mm / steps;
-    const double rho = c.farthest_mm + tool.reach_mm;
-    StepBounds b;
-    b.chord_mm = (c.radius_mm * delta * delta + 2 * c.radius_change_mm / steps * delta) / 8;
-    b.missed_by_turning_mm = (theta * theta * rho + 2 * theta * s) / 8;
-    b.gained_by_turning_mm = theta * tool.across_mm / 4 + b.missed_by_turning_mm;
-    return b;
-}
-
-// The fewest steps that keep all three bounds, none of which grows with the number of steps.
-std::uint32_t steps_for(const Course& c, const ToolExtent& tool, const SamplingOptions& o) {
-    const auto enough = [&](std::uint32_t n) {
-        const StepBounds b = bounds_of(c, tool, n);
-        return b.chord_mm <= o.chord_tolerance_mm && b.missed_by_turning_mm <= o.rotation_miss_mm &&
-               b.gained_by_turning_mm <= o.rotation_gain_mm;
-    };
-    // An arc never becomes one chord, whatever the tolerance: three make a full circle a body.
-    const double thirds = std::ceil(c.sweep_rad / (2 * std::numbers::pi / 3));
-    std::uint32_t low = static_cast<std::uint32_t>(std::clamp(thirds, 1.0, double{1e9}));
-    if (c.sweep_rad > 0) low = std::max(low, 2U);
-    low = std::min(low, std::max(1U, o.max_steps));
+// The fewest steps from `low` on that are enough, if more always are.
+template <typename Enough>
+std::uint32_t fewest(std::uint32_t low, std::uint32_t most, const Enough& enough) {
     std::uint32_t high = low;
-    while (high < o.max_steps && !enough(high))
-        high = std::min(o.max_steps, high * 2);
+    while (high < most && !enough(high))
+        high = std::min(most, high * 2);
     while (low < high) {
         const std::uint32_t middle = low + (high - low) / 2;
         if (enough(middle)) {
@@ -167,6 +140,14 @@ std::uint32_t steps_for(const Course& c, const ToolExtent& tool, const SamplingO
         }
     }
     return high;
+}
+
+// An arc never becomes one chord, whatever the tolerance: three make a full circle a body.
+std::uint32_t least_steps(const Course& c, const SamplingOptions& o) {
+    const double thirds = std::ceil(c.sweep_rad / (2 * std::numbers::pi / 3));
+    std::uint32_t low = static_cast<std::uint32_t>(std::clamp(thirds, 1.0, double{1e9}));
+    if (c.sweep_rad > 0) low = std::max(low, 2U);
+    return std::min(low, std::max(1U, o.max_steps));
 }
 
 // The turns of a helix are divided alike, and as a circle of its radius: then the chords of one
@@ -182,42 +163,162 @@ std::uint32_t whole_turns(const Course& c, std::uint32_t steps, const SamplingOp
 }
 
 template <typename PositionAt>
-Samples sample_course(const Course& course, const ToolExtent& tool, const SamplingOptions& options,
+Samples sample_course(const Course& course, const ToolExtent& whole, const SamplingOptions& options,
                       const PositionAt& position_at) {
-    const std::uint32_t steps = whole_turns(course, steps_for(course, tool, options), options);
-    const StepBounds b = bounds_of(course, tool, steps);
+    const ToolExtent tool = below(whole, course.turning.top_mm);
     Samples samples;
-    samples.bounds = {b.chord_mm + b.missed_by_turning_mm, b.chord_mm + b.gained_by_turning_mm};
-    samples.poses.reserve(steps + std::size_t{1});
-    for (std::uint32_t i = 0; i <= steps; ++i) {
-        const double t = static_cast<double>(i) / steps;
-        samples.poses.push_back(pose_at(position_at(i == steps ? 1.0 : t)));
+    const auto pose = [&](std::uint32_t i, std::uint32_t steps) {
+        return pose_at(position_at(i == steps ? 1.0 : static_cast<double>(i) / steps));
+    };
+    // Of the step in which most is gained; none that is more than `limit` is looked for.
+    const auto gained = [&](const Turning& turning, std::uint32_t steps, double limit) {
+        double worst = 0.0;
+        Pose last = pose(0, steps);
+        for (std::uint32_t i = 1; i <= steps && worst <= limit; ++i) {
+            const Pose next = pose(i, steps);
+            worst = std::max(worst, gained_mm(last, next, turning, tool));
+            last = next;
+        }
+        return worst;
+    };
+    // First what can be told of all steps at once, which are the more for it.
+    std::uint32_t steps =
+        fewest(least_steps(course, options), options.max_steps, [&](std::uint32_t n) {
+            const Turning t = course.step(n);
+            return t.chord_mm <= options.chord_tolerance_mm &&
+                   missed_mm(t, tool) <= options.rotation_miss_mm;
+        });
+    if (course.turning.turn_rad > 0.0) {
+        steps = fewest(steps, options.max_steps, [&](std::uint32_t n) {
+            const std::uint32_t even = whole_turns(course, n, options);
+            return gained(course.step(even), even, options.rotation_gain_mm) <=
+                   options.rotation_gain_mm;
+        });
     }
+    steps = whole_turns(course, steps, options);
+    samples.turning = course.step(steps);
+    samples.bounds.missed_mm = samples.turning.chord_mm + missed_mm(samples.turning, tool);
+    samples.bounds.gained_mm = samples.turning.chord_mm;
+    if (course.turning.turn_rad > 0.0)
+        samples.bounds.gained_mm += gained(samples.turning, steps, Turning::kInf);
+    samples.poses.reserve(steps + std::size_t{1});
+    for (std::uint32_t i = 0; i <= steps; ++i)
+        samples.poses.push_back(pose(i, steps));
     return samples;
 }
 
+// --- Rotary axes --------------------------------------------------------------------------
+
+// Least and largest |cos| of the angles from a to b.
+struct Cosines {
+    double least = 1.0, largest = 1.0;
+};
+Cosines cosines(Angle a, Angle b) {
+    const double low = std::min(a.degrees(), b.degrees());
+    const double high = std::max(a.degrees(), b.degrees());
+    const double at_low = std::abs(sin_cos(low).cos);
+    const double at_high = std::abs(sin_cos(high).cos);
+    const auto passes = [&](double degrees) {  // or any of its distance of half turns
+        return std::floor((high - degrees) / 180.0) >= std::ceil((low - degrees) / 180.0);
+    };
+    return {passes(90.0) ? 0.0 : std::min(at_low, at_high),
+            passes(0.0) ? 1.0 : std::max(at_low, at_high)};
+}
+
+Vec3 axis_of(const Pose& X_WT) {
+    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
+}
+
+// The line through the origin about which a motion turns, if it is one.
+std::optional<Vec3> turning_axis(const Position& from, const Position& to) {
+    const bool a = from.a != to.a, b = from.b != to.b, c = from.c != to.c;
+    if (a + b + c != 1) return {};
+    // Turned by what comes after it in pose_at().
+    Position at;
+    if (a) at.b = from.b;
+    if (a || b) at.c = from.c;
+    const auto& rows = pose_at(at).rows;
+    const int axis = a ? 0 : b ? 1 : 2;
+    return Vec3{rows[0][axis], rows[1][axis], rows[2][axis]};
+}
+
+double distance_from(const std::optional<Vec3>& axis, Vec3 p) {
+    return norm(axis ? p - dot(p, *axis) * *axis : p);
+}
+
+std::array<Vec3, 8> corners_of(const cda::Box& box) {
+    std::array<Vec3, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {i & 1 ? box.min.x : box.max.x, i & 2 ? box.min.y : box.max.y,
+                      i & 4 ? box.min.z : box.max.z};
+    return corners;
+}
+
+// Of a whole motion with such ends; `path` is that of its linear axes, and its tip is never farther
+// from the axis than at its ends by more than `bulge_mm`.
+Turning turning_of(const Position& from, const Position& to, const cda::Box& path, double bulge_mm,
+                   const std::optional<cda::Box>& place) {
+    Turning t;
+    const auto radians = [](Angle a, Angle b) {
+        return kRadiansPerDegree * std::abs((b - a).degrees());
+    };
+    const double a = radians(from.a, to.a), b = radians(from.b, to.b), c = radians(from.c, to.c);
+    t.turn_rad = a + b + c;
+    if (t.turn_rad == 0.0) return t;
+    // The tool's axis is at right angles to X, at most so far from Y, and so far from Z.
+    const Cosines of_a = cosines(from.a, to.a), of_b = cosines(from.b, to.b);
+    const double from_y = of_a.largest;
+    const double upright = of_a.least * of_b.least;
+    const double from_z = std::sqrt(std::max(0.0, 1.0 - upright * upright));
+    t.tilt_bend_rad =
+        a * a + (b * b * from_y + 2 * b * a) + (c * c * from_z + 2 * c * (a + b * from_y));
+    t.tilt_rad = a + b * from_y + c * from_z;
+
+    const std::optional<Vec3> axis = turning_axis(from, to);
+    const Pose start = pose_at(from), end = pose_at(to);
+    t.tip_mm = bulge_mm + std::max(distance_from(axis, start.translation),
+                                   distance_from(axis, end.translation));
+    if (!place || place->is_empty()) return t;
+    // Heights along the tool's axis: of the places from the origin, less the tip's, which is Z.
+    t.place_mm = 0.0;
+    double highest = 0.0, farthest = 0.0;
+    double at_ends = -Turning::kInf;
+    for (const Vec3 corner : corners_of(*place)) {
+        const double distance = distance_from(axis, corner);
+        t.place_mm = std::max(t.place_mm, distance);
+        farthest = std::max(farthest, norm(corner));
+        at_ends = std::max({at_ends, dot(axis_of(start), corner), dot(axis_of(end), corner)});
+        if (!axis) continue;
+        const double lean = dot(axis_of(start), *axis);
+        highest = std::max(highest, std::abs(lean * dot(corner, *axis)) +
+                                        std::sqrt(std::max(0.0, 1.0 - lean * lean)) * distance);
+    }
+    if (!axis) highest = farthest;
+    t.top_mm = std::min(highest, at_ends + t.tilt_rad / 2 * farthest) - path.min.z;
+    return t;
+}
+
 Samples sample_linear(const gcode::Linear& m, const ToolExtent& tool,
-                      const SamplingOptions& options) {
+                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
     Course c;
-    const Vec3 from = linear_axes(m.from);
-    const Vec3 to = linear_axes(m.to);
-    c.turn_rad = turned_radians(m.from, m.to);
-    c.length_mm = norm(to - from);
-    c.farthest_mm = std::max(norm(from), norm(to));
+    cda::Box path;
+    path.add(linear_axes(m.from));
+    path.add(linear_axes(m.to));
+    c.turning = turning_of(m.from, m.to, path, 0.0, place);
+    c.turning.moved_mm = norm(linear_axes(m.to) - linear_axes(m.from));
     return sample_course(c, tool, options, [&m](double t) { return between(m.from, m.to, t); });
 }
 
-Samples sample_arc(const gcode::Arc& m, const ToolExtent& tool, const SamplingOptions& options) {
+Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const ToolExtent& tool,
+                   const SamplingOptions& options, const std::optional<cda::Box>& place) {
     const Polar p = polar(m);
     Course c;
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
-    c.turn_rad = turned_radians(m.from, m.to);
-    const Vec3 from = linear_axes(m.from);
-    const Vec3 to = linear_axes(m.to);
-    c.length_mm = c.radius_mm * c.sweep_rad + c.radius_change_mm + norm(to - from);
-    c.farthest_mm = std::max(norm(from), norm(to)) + 2 * c.radius_mm;
+    c.turning = turning_of(m.from, m.to, extent_of_path(motion), 2 * c.radius_mm, place);
+    c.turning.moved_mm = c.radius_mm * c.sweep_rad + c.radius_change_mm +
+                         norm(linear_axes(m.to) - linear_axes(m.from));
     return sample_course(c, tool, options, [&](double t) { return on_arc(m, p, t); });
 }
 
@@ -292,9 +393,9 @@ double distance_to_chord(Vec3 p, Vec3 a, Vec3 b) {
 }
 
 Samples sample_spline(const gcode::Spline& m, const ToolExtent& tool,
-                      const SamplingOptions& options) {
+                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
     const SplineCurve curve(m);
-    if (!curve.is_sound()) return sample_linear({m.from, m.to}, tool, options);
+    if (!curve.is_sound()) return sample_linear({m.from, m.to}, tool, options, place);
     Samples samples;
     samples.poses.push_back(pose_at(m.from));
     struct Piece {
@@ -391,31 +492,16 @@ cda::Box extent_of_path(const gcode::Motion& motion) {
     return box;
 }
 
-ToolExtent extent_of(const Tool& tool) {
-    ToolExtent extent;
-    for (const ToolPiece& piece : tool.pieces) {
-        if (!piece.cutting) continue;
-        for (const ProfilePoint& p : piece.profile) {
-            extent.reach_mm = std::max(extent.reach_mm, length_of(p.radius, p.height));
-            for (const ProfilePoint& q : piece.profile) {
-                extent.across_mm =
-                    std::max(extent.across_mm, length_of(p.radius + q.radius, p.height - q.height));
-            }
-        }
-    }
-    return extent;
-}
-
-Samples sample(const gcode::Motion& motion, const ToolExtent& tool,
-               const SamplingOptions& options) {
+Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
+               const std::optional<cda::Box>& place) {
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
-        return sample_linear(*linear, tool, options);
+        return sample_linear(*linear, tool, options, place);
     }
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
-        return sample_arc(*arc, tool, options);
+        return sample_arc(motion, *arc, tool, options, place);
     }
     if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
-        return sample_spline(*spline, tool, options);
+        return sample_spline(*spline, tool, options, place);
     }
     return {};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace ncsim::toolpath {
 
@@ -13,14 +15,35 @@ namespace {
 
 // Orientations kept: programs with a tilted tool alternate between a few.
 constexpr std::size_t kCachedOrientations = 8;
+constexpr double kAll = std::numeric_limits<double>::infinity();
+
+// From which height on, in units, do all edges of the polytope go straight up? Its upper end, if
+// none do.
+std::int64_t straight_from(const std::vector<LatticePoint>& points) {
+    std::int64_t top = points[0].z;
+    for (const LatticePoint& p : points)
+        top = std::max(top, p.z);
+    std::int64_t next = std::numeric_limits<std::int64_t>::min();
+    for (const LatticePoint& p : points) {
+        if (p.z < top) next = std::max(next, p.z);
+    }
+    const auto ring_at = [&](std::int64_t z) {
+        std::vector<std::pair<std::int64_t, std::int64_t>> ring;
+        for (const LatticePoint& p : points) {
+            if (p.z == z) ring.emplace_back(p.x, p.y);
+        }
+        std::sort(ring.begin(), ring.end());
+        return ring;
+    };
+    return ring_at(next) == ring_at(top) ? next : top;
+}
 
 }  // namespace
 
 Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy,
                const ToolPiece* below)
     : lattice_(lattice),
-      rounding_(accuracy.side != Side::Inscribed ? cda::Rounding::Outward : cda::Rounding::Inward),
-      extent_(extent_of(tool)) {
+      rounding_(accuracy.side != Side::Inscribed ? cda::Rounding::Outward : cda::Rounding::Inward) {
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
         PiecePolytope polytope = below ? approximate_above(*below, piece, lattice, accuracy)
@@ -34,16 +57,26 @@ Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy
             low_ = std::min(low_, static_cast<double>(p.z));
             high_ = std::max(high_, static_cast<double>(p.z));
         }
+        PieceExtent extent = extent_of(piece);
+        const double straight =
+            lattice.unit_mm * static_cast<double>(straight_from(polytope.points_T));
+        extent.straight_mm = std::clamp(straight, extent.straight_mm, extent.high_mm);
+        extent_.pieces.push_back(extent);
         pieces_.push_back(std::move(polytope));
     }
 }
 
-std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece) const {
+std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece,
+                                         double top_mm) const {
     std::vector<LatticePoint> points;
     points.reserve(pieces_[piece].points_T.size());
     const auto snap = [](double v) { return static_cast<std::int64_t>(std::round(v)); };
+    const PieceExtent& extent = extent_.pieces[piece];
+    const double high = cut_off(extent, top_mm);
+    const double most = high < extent.high_mm ? std::ceil(high / lattice_.unit_mm) : kAll;
     for (const LatticePoint& p : pieces_[piece].points_T) {
-        const Vec3 v{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+        const Vec3 v{static_cast<double>(p.x), static_cast<double>(p.y),
+                     std::min(static_cast<double>(p.z), most)};
         points.push_back({snap(dot(rows[0], v)), snap(dot(rows[1], v)), snap(dot(rows[2], v))});
     }
     return points;
@@ -55,7 +88,8 @@ const Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
     }
     Oriented made{rows, {}};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        made.sweeps.push_back(cda::TranslationSweep::of(turned(rows, i), lattice_, rounding_));
+        made.sweeps.push_back(
+            cda::TranslationSweep::of(turned(rows, i, kAll), lattice_, rounding_));
     }
     if (cache_.size() == kCachedOrientations) cache_.erase(cache_.begin());
     cache_.push_back(std::move(made));
@@ -63,7 +97,7 @@ const Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
 }
 
 void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-                   std::vector<cda::Cell>& cells) {
+                   std::vector<cda::Cell>& cells, double top_mm) {
     const LatticePoint from = lattice_.round(X_WA.translation);
     const LatticePoint to = lattice_.round(X_WB.translation);
     if (X_WA.rows == X_WB.rows) {
@@ -73,10 +107,11 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
         return;
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        std::vector<LatticePoint> points = turned(X_WA.rows, i);
+        if (is_above(extent_.pieces[i], top_mm)) continue;
+        std::vector<LatticePoint> points = turned(X_WA.rows, i, top_mm);
         for (LatticePoint& p : points)
             p = p + from;
-        for (const LatticePoint& p : turned(X_WB.rows, i))
+        for (const LatticePoint& p : turned(X_WB.rows, i, top_mm))
             points.push_back(p + to);
         if (auto cell = cda::convex_hull(points, lattice_, origin, rounding_)) {
             cells.push_back(std::move(*cell));
@@ -84,10 +119,19 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
     }
 }
 
-cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB) const {
+cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, double top_mm) const {
     // The cylinder around all corners, turned: along a unit direction it reaches its radius times
     // the sine, and its ends times the cosine, of the angle to the axis. A unit more for the
     // rounding of the turned corners; in lattice units, as the cells' own bounds are.
+    double end = high_;
+    if (X_WA.rows != X_WB.rows) {
+        double kept = low_;
+        for (const PieceExtent& piece : extent_.pieces) {
+            const double cut = cut_off(piece, top_mm);
+            kept = std::max(kept, cut < piece.high_mm ? std::ceil(cut / lattice_.unit_mm) : high_);
+        }
+        end = std::min(end, kept);
+    }
     cda::Box box;
     for (const Pose* pose : {&X_WA, &X_WB}) {
         const LatticePoint t = lattice_.round(pose->translation);
@@ -95,7 +139,7 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB) const {
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 row = pose->rows[static_cast<std::size_t>(axis)];
             const double aside = radius_ * std::sqrt(row.x * row.x + row.y * row.y);
-            const double ends[] = {low_ * row.z, high_ * row.z};
+            const double ends[] = {low_ * row.z, end * row.z};
             const auto down =
                 static_cast<std::int64_t>(std::floor(std::min(ends[0], ends[1]) - aside)) - 1;
             const auto up =

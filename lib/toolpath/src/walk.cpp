@@ -63,68 +63,83 @@ std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
 }
 
 Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
-           const SamplingOptions& sampling, RapidPath rapid)
-    : lattice_(lattice), stock_(stock), accuracy_(accuracy), sampling_(sampling), rapid_(rapid) {}
+           const SamplingOptions& sampling, RapidPath rapid, const Watch& watch)
+    : lattice_(lattice),
+      stock_(stock),
+      accuracy_(accuracy),
+      sampling_(sampling),
+      rapid_(rapid),
+      watch_(watch),
+      place_(stock) {
+    place_.add(watch.place);
+}
 
 const Cutter& Walk::add_tool(int number, const Tool& tool) {
-    return cutters_.try_emplace(number, tool, lattice_, accuracy_).first->second;
+    const auto found = tools_.find(number);
+    if (found != tools_.end()) return found->second.cutter;
+    Cutter cutter(tool, lattice_, accuracy_);
+    ToolExtent followed = cutter.extent();
+    for (const ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting && watch_.shanks) followed.pieces.push_back(extent_of(piece));
+    }
+    return tools_.try_emplace(number, Known{std::move(cutter), std::move(followed)})
+        .first->second.cutter;
 }
 
 const Cutter* Walk::cutter(int number) const {
-    const auto found = cutters_.find(number);
-    return found == cutters_.end() ? nullptr : &found->second;
+    const auto found = tools_.find(number);
+    return found == tools_.end() ? nullptr : &found->second.cutter;
 }
 
 // Into cells_: what may meet the stock.
-void Walk::trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
+void Walk::trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+                 double top_mm) {
     cells_.clear();
-    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB))) return;
-    cutter.trace(X_WA, X_WB, origin, cells_);
+    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB, top_mm))) return;
+    cutter.trace(X_WA, X_WB, origin, cells_, top_mm);
     std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
 void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
                   const std::function<void(const Step&)>& step) {
-    const auto found = cutters_.find(motion.tool);
+    const auto found = tools_.find(motion.tool);
     const gcode::Position* end = end_of(motion);
-    if (found == cutters_.end() || !end || has_known_start(motion) || !has_known_end(motion))
-        return;
+    if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = pose_at(*end);
-    trace(found->second, X_WT, X_WT, origin);
-    step({X_WT, X_WT, cells_, {}});
+    trace(found->second.cutter, X_WT, X_WT, origin, Turning::kInf);
+    step({X_WT, X_WT, cells_, {}, {}});
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
-    const auto found = cutters_.find(motion.tool);
-    if (found == cutters_.end() || !has_known_start(motion)) return {};
-    Cutter& cutter = found->second;
+    const auto found = tools_.find(motion.tool);
+    if (found == tools_.end() || !has_known_start(motion)) return {};
+    auto& [cutter, followed] = found->second;
 
-    const auto walk = [&](const Samples& samples) {
+    SampleBounds worst;
+    const auto walk = [&](const gcode::Motion& part) {
+        const Samples samples = sample(part, followed, sampling_, place_);
+        worst.missed_mm = std::max(worst.missed_mm, samples.bounds.missed_mm);
+        worst.gained_mm = std::max(worst.gained_mm, samples.bounds.gained_mm);
         for (std::size_t i = 1; i < samples.poses.size(); ++i) {
             const Pose& X_WA = samples.poses[i - 1];
             const Pose& X_WB = samples.poses[i];
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
-            trace(cutter, X_WA, X_WB, origin);
-            step({X_WA, X_WB, cells_, samples.bounds});
+            trace(cutter, X_WA, X_WB, origin, samples.turning.top_mm);
+            step({X_WA, X_WB, cells_, samples.bounds, samples.turning});
         }
     };
 
     const auto* linear = std::get_if<Linear>(&motion.what);
     if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg) {
-        const Samples samples = sample(motion, cutter.extent(), sampling_);
-        walk(samples);
-        return samples.bounds;
+        walk(motion);
+        return worst;
     }
-    SampleBounds worst;
     for (const Linear& leg : legs_of(*linear, rapid_)) {
         gcode::Motion part = motion;
         part.what = leg;
-        const Samples samples = sample(part, cutter.extent(), sampling_);
-        worst.missed_mm = std::max(worst.missed_mm, samples.bounds.missed_mm);
-        worst.gained_mm = std::max(worst.gained_mm, samples.bounds.gained_mm);
-        walk(samples);
+        walk(part);
     }
     return worst;
 }

@@ -134,12 +134,21 @@ Body::Body(const toolpath::ToolPiece& piece, const cda::Lattice& lattice,
 std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
     std::vector<Cell> cells;
     toolpath::Cutter& cutter = side == Side::Circumscribed ? outer_ : inner_;
-    cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells);
+    cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells,
+                 step.turning.top_mm - raise);
     return cells;
 }
 
 Box Body::bounds(const Step& step, double raise) const {
-    return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise));
+    return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise),
+                         step.turning.top_mm - raise);
+}
+
+double Body::gained(const Step& step, double raise) const {
+    const toolpath::Turning turning = step.turning.raised(raise);
+    const toolpath::ToolExtent inner = toolpath::below(inner_.extent(), turning.top_mm);
+    return turning.chord_mm +
+           toolpath::gained_mm(raised(step.X_WA, raise), raised(step.X_WB, raise), turning, inner);
 }
 
 double Body::rounding(const Step& step) const {
@@ -158,7 +167,7 @@ Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, con
         meeting.box.add(intersection(cell.bounds, stock));
     }
     if (!meeting.is_there) return meeting;
-    const double less = step.bounds.gained_mm + rounding;
+    const double less = gained(step, raise) + rounding;
     for (const Cell& cell : cells(step, raise, Side::Inscribed)) {
         const auto point = part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell);
         if (!point) continue;

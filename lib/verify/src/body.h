@@ -64,6 +64,8 @@ public:
     /// The cells of the sweep, circumscribed or inscribed.
     std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);
     cda::Box bounds(const toolpath::Step& step, double raise) const;
+    /// What of them the inscribed ones are beyond the sweep of the body, mm, at places that matter.
+    double gained(const toolpath::Step& step, double raise) const;
 
 private:
     cda::Lattice lattice_;

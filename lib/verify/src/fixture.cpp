@@ -71,7 +71,7 @@ FixtureContact FixtureScene::contact_of(Body& body, std::size_t f,
         contact.touches |= touching;
     }
     if (contact.box.is_empty()) return contact;
-    const double less = rounding + step.bounds.gained_mm - (contact.touches ? 0.0 : clearance);
+    const double less = rounding + body.gained(step, 0.0) - (contact.touches ? 0.0 : clearance);
     for (const Cell& cell : body.cells(step, 0.0, Side::Inscribed)) {
         if (meets(cell, less)) contact.certainty = Certainty::Certain;
     }

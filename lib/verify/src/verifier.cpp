@@ -82,6 +82,16 @@ double steepness_of(const Step& step) {
 
 }  // namespace
 
+toolpath::Watch watch_of(const Setup& setup) {
+    toolpath::Watch watch;
+    watch.shanks = true;
+    for (const Fixture& f : setup.machine.fixtures) {
+        const Vec3 clear{f.clearance_mm, f.clearance_mm, f.clearance_mm};
+        watch.place.add(Box{f.box.min - clear, f.box.max + clear});
+    }
+    return watch;
+}
+
 class Verifier::Impl {
 public:
     Impl(Setup setup, const Box& stock, const cda::Lattice& lattice)
@@ -581,8 +591,13 @@ private:
     void ask_certainty(const Step& step, const cda::TreeCda& part, std::optional<Vec3>& point) {
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
-        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_);
-        const double less = step.bounds.gained_mm + rounding_now(step);
+        const toolpath::Turning& turning = step.turning;
+        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, turning.top_mm);
+        const double gained =
+            turning.chord_mm +
+            toolpath::gained_mm(step.X_WA, step.X_WB, turning,
+                                toolpath::below(now_->inscribed->extent(), turning.top_mm));
+        const double less = gained + rounding_now(step);
         for (const Cell& cell : cells_) {
             const auto inside = contact(cell, less, part);
             if (!inside) continue;

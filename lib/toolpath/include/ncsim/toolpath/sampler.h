@@ -6,9 +6,10 @@
 
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/pose.h"
-#include "ncsim/toolpath/tool.h"
+#include "ncsim/toolpath/turning.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ncsim::toolpath {
@@ -22,15 +23,8 @@ struct SamplingOptions {
     std::uint32_t max_steps = 100000;
 };
 
-/// How big the cutting part of a tool is, as far as rotations ask.
-struct ToolExtent {
-    double reach_mm = 0.0;   ///< Farthest cutting point from the tip.
-    double across_mm = 0.0;  ///< Farthest two cutting points of one piece from each other.
-};
-ToolExtent extent_of(const Tool& tool);
-
-/// Largest distances, in mm, between the sweep of the tool and the union of the hulls. Both 0 for
-/// a straight motion that does not turn the tool.
+/// Largest distances, in mm, between the sweep of the tool and the union of the hulls, at the
+/// places that matter. Both 0 for a straight motion that does not turn the tool.
 struct SampleBounds {
     double missed_mm = 0.0;  ///< Of the sweep beyond the hulls.
     double gained_mm = 0.0;  ///< Of the hulls beyond the sweep.
@@ -45,22 +39,26 @@ cda::Box extent_of_path(const gcode::Motion& motion);
 
 struct Samples {
     std::vector<Pose> poses;  ///< From start to end, at least two for a move; X_WT.
-    SampleBounds bounds;
+    SampleBounds bounds;      ///< Of all steps.
+    Turning turning;          ///< Of each of them.
 };
 
 /// Poses at equal steps of the motion's parameter, the first and the last exactly its ends; none
-/// for dwells and tool changes.
+/// for dwells and tool changes. What happens outside of `place` (mm, W) does not matter, and what
+/// of the tool is above samples.turning.top_mm does not come there: a tool that turns is taken to
+/// be cut off above it, as cut_off() says.
 ///
 /// Arcs, helices and spirals: chords, where r is the largest radius, δ the angle of a step (rad)
 /// and Δr the change of radius in it: both bounds are (r δ² + 2 Δr δ)/8, for the tool's centre line
 /// and so for every tool that does not turn.
 ///
-/// Rotations by θ in a step, ρ the largest distance of a tool point from the axis, D = across_mm
-/// and s the distance moved in the rotating frame: missed (θ²ρ + 2 θ s)/8, gained θ D/4 more. θ is
-/// the sum of the steps of A, B and C, which is never less than the angle between the poses.
+/// Where the tool turns, what turning.h says is added: as many steps as keep it, first of all the
+/// chords of what turns: (θ²ρ + 2 θ s)/8 for θ in a step, ρ the distance from the axis and s the
+/// distance moved in the rotating frame.
 ///
 /// Splines: steps are halved until the curve lies within half the chord tolerance of each chord at
 /// a quarter, the half and three quarters of it: tested there, not proved between.
-Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options);
+Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
+               const std::optional<cda::Box>& place = {});
 
 }  // namespace ncsim::toolpath

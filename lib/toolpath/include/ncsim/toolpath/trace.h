@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -29,11 +30,16 @@ public:
     /// their translation only make exact hulls; turned ones are rounded to the lattice corner by
     /// corner (half a unit an axis). Errs on the side of the tool's accuracy. A tool at rest leaves
     /// its own shape. Poses beyond cda::kMaxPose units are clamped to it.
+    ///
+    /// Of a tool that turns, what is farther than `top_mm` above its tip is left out, as cut_off()
+    /// says.
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-               std::vector<cda::Cell>& cells);
+               std::vector<cda::Cell>& cells,
+               double top_mm = std::numeric_limits<double>::infinity());
 
     /// Encloses everything `trace` makes of these poses; in mm. Cheap: to ask before tracing.
-    cda::Box bounds(const Pose& X_WA, const Pose& X_WB) const;
+    cda::Box bounds(const Pose& X_WA, const Pose& X_WB,
+                    double top_mm = std::numeric_limits<double>::infinity()) const;
 
     const ToolExtent& extent() const { return extent_; }
     /// Bound on the distance between the tool and its polytopes.
@@ -50,12 +56,13 @@ private:
     };
 
     const Oriented& oriented(const Rotation& rows);
-    std::vector<cda::LatticePoint> turned(const Rotation& rows, std::size_t piece) const;
+    std::vector<cda::LatticePoint> turned(const Rotation& rows, std::size_t piece,
+                                          double top_mm) const;
 
     cda::Lattice lattice_;
     cda::Rounding rounding_ = cda::Rounding::Outward;
-    std::vector<PiecePolytope> pieces_;
-    std::vector<Oriented> cache_;  // the latest orientations, newest last
+    std::vector<PiecePolytope> pieces_;  // as many as extent_ has
+    std::vector<Oriented> cache_;        // the latest orientations, newest last
     ToolExtent extent_;
     double radius_ = 0.0, low_ = 0.0, high_ = 0.0;  // of a cylinder around all corners, in units
     double error_mm_ = 0.0;

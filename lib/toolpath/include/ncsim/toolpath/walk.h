@@ -40,13 +40,21 @@ struct Step {
     /// Of the cutting pieces; only those that may meet the stock. Often none.
     std::span<const cda::Cell> cells;
     SampleBounds bounds;  ///< Of the motion the step belongs to.
+    Turning turning;      ///< And how the tool turns in it: for other parts of the tool.
+};
+
+/// What has to be followed besides the cutter in the stock: there, too, `bounds` and `turning` of
+/// the steps hold.
+struct Watch {
+    cda::Box place;       ///< Where else it matters what the tool does: fixtures; mm, W.
+    bool shanks = false;  ///< And the pieces that do not cut.
 };
 
 class Walk {
 public:
     /// Cells whose bounds do not overlap `stock` (mm, W) are left out.
     Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
-         const SamplingOptions& sampling, RapidPath rapid = {});
+         const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {});
 
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
@@ -64,14 +72,21 @@ public:
                 const std::function<void(const Step&)>& step);
 
 private:
-    void trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
+    struct Known {
+        Cutter cutter;
+        ToolExtent followed;
+    };
+    void trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+               double top_mm);
 
     cda::Lattice lattice_;
     cda::Box stock_;
     ToolAccuracy accuracy_;
     SamplingOptions sampling_;
     RapidPath rapid_;
-    std::map<int, Cutter> cutters_;
+    Watch watch_;
+    cda::Box place_;  // that matters: the stock and what is watched
+    std::map<int, Known> tools_;
     std::vector<cda::Cell> cells_;  // of one step, kept for its memory
 };
 

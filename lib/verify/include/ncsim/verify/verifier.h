@@ -25,6 +25,9 @@
 
 namespace ncsim::verify {
 
+/// What a walk has to follow whose steps a Verifier of this setup looks at.
+toolpath::Watch watch_of(const Setup& setup);
+
 class Verifier {
 public:
     /// `stock` (mm, W) and `lattice` are those of the part; an empty box if nothing is simulated.

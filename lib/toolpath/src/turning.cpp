@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/turning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::toolpath {
+
+using cda::Vec3;
+
+namespace {
+
+constexpr double kMargin = 1.0;  // mm
+
+// Not std::hypot, whose last bit is the library's own affair.
+double length_of(double a, double b) {
+    return std::sqrt(a * a + b * b);
+}
+
+// A part of the axis of a tool with a disc of one radius at every height.
+struct Body {
+    double low_mm, high_mm, radius_mm;
+};
+
+// What the hull gains where the motion is taken to be straight: of first order in the angle.
+double gained_at_first(const Pose& X_WA, const Pose& X_WB, const Body& body) {
+    const auto axis_of = [](const Pose& pose) {
+        return Vec3{pose.rows[0].z, pose.rows[1].z, pose.rows[2].z};
+    };
+    const Vec3 tilt = axis_of(X_WB) - axis_of(X_WA);
+    const double s = norm(tilt);
+    if (s == 0.0) return 0.0;
+    const double across = 2 * body.radius_mm;
+    const double at_once = s * length_of(body.high_mm - body.low_mm, across) / 4;
+    const Vec3 D = X_WB.translation - X_WA.translation;
+    const double along = dot(D, tilt) / s;
+    const double v1 = along + s * body.low_mm;
+    const double v2 = along + s * body.high_mm;
+    if (!(v1 > 0.0 && v2 > 0.0) && !(v1 < 0.0 && v2 < 0.0)) return at_once;
+    const double r1 = std::sqrt(std::abs(v1));
+    const double r2 = std::sqrt(std::abs(v2));
+    const double later = std::abs(r2 - r1) / (r2 + r1);
+    const double aside = norm(D - (along / s) * tilt) + s * body.radius_mm;
+    return std::min(at_once, later * aside + s * across / 4);
+}
+
+double reach_of(const PieceExtent& piece) {
+    return length_of(piece.radius_mm, std::max(std::abs(piece.low_mm), std::abs(piece.high_mm)));
+}
+
+// Acceleration of a point of the axis of the piece: in the frame that turns by Ω it is still but
+// for the motion of the tip, so it is at most Ω² times the distance from the axis that turns, and
+// twice Ω times the speed in that frame. `place_mm`: that distance, if it is known to be less.
+double bend_of_axis(const Turning& t, const PieceExtent& piece, double place_mm) {
+    const double from_tip = std::max(std::abs(piece.low_mm), std::abs(piece.high_mm));
+    const double distance = std::min(t.tip_mm + from_tip, place_mm);
+    return t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
+}
+
+double missed_mm(const Turning& t, const PieceExtent& piece) {
+    // A point of the tool that is at a place that matters is never farther away than by its way.
+    const double place = t.place_mm + t.moved_mm;
+    const double distance = std::min(t.tip_mm + reach_of(piece), place);
+    const double as_it_turns = t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
+    // Or without its turning about itself: the axis, and a disc across it that leans with it.
+    const double r = piece.radius_mm;
+    const double as_it_leans =
+        bend_of_axis(t, piece, place + r) + r * (t.tilt_bend_rad + t.tilt_rad * t.tilt_rad);
+    return std::min(as_it_turns, as_it_leans) / 8;
+}
+
+double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const PieceExtent& piece) {
+    const double r = piece.radius_mm;
+    const auto with = [&](const Body& body) {
+        const double first = gained_at_first(X_WA, X_WB, body);
+        const double anywhere =
+            first + (bend_of_axis(t, piece, Turning::kInf) + r * t.tilt_bend_rad) / 8;
+        // The point of the tool that is nearest to a place that matters is at most what is gained
+        // farther away than this. So the gain g is at most first + (b + Ω² g)/8.
+        const double share = t.turn_rad * t.turn_rad / 8;
+        if (share >= 0.5 || t.place_mm == Turning::kInf) return anywhere;
+        const double place = t.place_mm + r + t.moved_mm + t.chord_mm;
+        const double here =
+            (first + (bend_of_axis(t, piece, place) + r * t.tilt_bend_rad) / 8) / (1 - share);
+        return std::min(anywhere, here);
+    };
+    const double core = with({piece.core_low_mm, piece.core_high_mm, piece.core_radius_mm});
+    const bool is_whole = !piece.open_above || t.top_mm + core + t.chord_mm <= piece.high_mm;
+    return is_whole ? core : with({piece.low_mm, piece.high_mm, piece.radius_mm});
+}
+
+}  // namespace
+
+PieceExtent extent_of(const ToolPiece& piece) {
+    PieceExtent e;
+    const auto& profile = piece.profile;
+    if (profile.empty()) return e;
+    e.low_mm = profile.front().height;
+    e.high_mm = profile.back().height;
+    for (const ProfilePoint& p : profile)
+        e.radius_mm = std::max(e.radius_mm, p.radius);
+    e.core_low_mm = e.low_mm;
+    e.core_high_mm = e.high_mm;
+    e.core_radius_mm = e.radius_mm;
+    e.straight_mm = e.high_mm;
+    if (profile.size() < 2) return e;
+    const ProfilePoint& last = profile.back();
+    const ProfilePoint& before = profile[profile.size() - 2];
+    // The arc of a corner reaches no farther up than its radius: heights do not fall.
+    if (before.radius == last.radius && last.fillet == 0.0)
+        e.straight_mm = std::min(e.high_mm, before.height + before.fillet);
+    if (profile.size() != 2) return e;
+    const ProfilePoint& below = profile.front();
+    const ProfilePoint& above = profile.back();
+    const double rise = above.height - below.height;
+    const double opening = above.radius - below.radius;
+    if (opening < 0.0 || rise <= 0.0) return e;
+    // The ball touches the wall at right angles: on a cone higher up than its centre is, so that of
+    // the centres some lie above the upper end.
+    const double f = below.fillet;
+    if (f <= 0.0 || (above.fillet != 0.0 && (above.fillet != f || opening != 0.0))) return e;
+    const double slant = length_of(rise, opening);
+    e.open_above = above.fillet == 0.0;
+    e.core_low_mm = e.low_mm + f;
+    e.core_high_mm = e.open_above ? e.high_mm + f * opening / slant : e.high_mm - f;
+    e.core_high_mm = std::max(e.core_high_mm, e.core_low_mm);
+    e.core_radius_mm = std::max(0.0, e.radius_mm - f * rise / slant);
+    return e;
+}
+
+ToolExtent extent_of(const Tool& tool) {
+    ToolExtent extent;
+    for (const ToolPiece& piece : tool.pieces) {
+        if (piece.cutting) extent.pieces.push_back(extent_of(piece));
+    }
+    return extent;
+}
+
+double cut_off(const PieceExtent& piece, double top_mm) {
+    return std::min(piece.high_mm, std::max(piece.straight_mm, top_mm + kMargin));
+}
+
+bool is_above(const PieceExtent& piece, double top_mm) {
+    return piece.low_mm > top_mm + kMargin;
+}
+
+ToolExtent below(ToolExtent tool, double top_mm) {
+    for (PieceExtent& piece : tool.pieces) {
+        const double high = cut_off(piece, top_mm);
+        if (high == piece.high_mm) continue;
+        piece.high_mm = piece.core_high_mm = high;
+    }
+    return tool;
+}
+
+Turning Turning::raised(double distance_mm) const {
+    Turning t = *this;
+    t.tip_mm += std::abs(distance_mm);
+    t.top_mm -= distance_mm;
+    return t;
+}
+
+double missed_mm(const Turning& turning, const ToolExtent& tool) {
+    if (tool.pieces.empty()) return missed_mm(turning, PieceExtent{});
+    double worst = 0.0;
+    for (const PieceExtent& piece : tool.pieces) {
+        if (piece.low_mm <= turning.top_mm) worst = std::max(worst, missed_mm(turning, piece));
+    }
+    return worst;
+}
+
+double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& turning,
+                 const ToolExtent& tool) {
+    double worst = 0.0;
+    for (const PieceExtent& piece : tool.pieces) {
+        // What is above all places that matter by more than it gains gains nothing there.
+        const double gained = gained_mm(X_WA, X_WB, turning, piece);
+        if (piece.low_mm <= turning.top_mm + gained + turning.chord_mm)
+            worst = std::max(worst, gained);
+    }
+    return worst;
+}
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The bounds of turning.h against what tools do: points of hulls and of sweeps, drawn at random.
+#include "ncsim/toolpath/turning.h"
+
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/trace.h"
+
+#include "support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace ncsim::toolpath {
+namespace {
+
+using cda::Vec3;
+using gcode::Angle;
+using gcode::Length;
+using gcode::Position;
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+struct Point2 {
+    double r, h;
+};
+
+// The half section of a round piece from the axis to the axis; chords within a micrometre for arcs.
+std::vector<Point2> section_of(const ToolPiece& piece, double high) {
+    const auto profile = slice(piece, -kInf, high).profile;
+    std::vector<Point2> line{{0.0, profile.front().height}};
+    for (const ProfilePoint& corner : profile)
+        line.push_back({corner.radius, corner.height});
+    line.push_back({0.0, profile.back().height});
+    return line;
+}
+
+// Distance from the piece, 0 inside.
+double distance_from(const std::vector<Point2>& line, Vec3 p_T) {
+    const Point2 p{std::sqrt(p_T.x * p_T.x + p_T.y * p_T.y), p_T.z};
+    bool inside = true;
+    double least = kInf;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point2 a = line[i - 1];
+        const Point2 way{line[i].r - a.r, line[i].h - a.h};
+        const double squared = way.r * way.r + way.h * way.h;
+        if (squared < 1e-18) continue;  // arcs that meet, but for rounding
+        const Point2 to{p.r - a.r, p.h - a.h};
+        inside = inside && way.r * to.h - way.h * to.r >= 0.0;
+        const double t = std::clamp((way.r * to.r + way.h * to.h) / squared, 0.0, 1.0);
+        least = std::min(least, std::hypot(to.r - t * way.r, to.h - t * way.h));
+    }
+    return inside ? 0.0 : least;
+}
+
+Vec3 to_tool(const Pose& X_WT, Vec3 p_W) {
+    const Vec3 p = p_W - X_WT.translation;
+    const auto& r = X_WT.rows;
+    return {r[0].x * p.x + r[1].x * p.y + r[2].x * p.z, r[0].y * p.x + r[1].y * p.y + r[2].y * p.z,
+            r[0].z * p.x + r[1].z * p.y + r[2].z * p.z};
+}
+
+struct Case {
+    ToolPiece piece;
+    Position from, to;
+    std::optional<cda::Box> place;
+
+    Position at(double t) const {
+        const auto between = [t](double a, double b) { return a + t * (b - a); };
+        Position p;
+        p.x = Length::from_mm(between(from.x.mm(), to.x.mm()));
+        p.y = Length::from_mm(between(from.y.mm(), to.y.mm()));
+        p.z = Length::from_mm(between(from.z.mm(), to.z.mm()));
+        p.a = Angle::from_degrees(between(from.a.degrees(), to.a.degrees()));
+        p.b = Angle::from_degrees(between(from.b.degrees(), to.b.degrees()));
+        p.c = Angle::from_degrees(between(from.c.degrees(), to.c.degrees()));
+        return p;
+    }
+    // In one step.
+    Samples samples() const {
+        gcode::Motion motion;
+        motion.what = gcode::Linear{from, to};
+        SamplingOptions options;
+        options.max_steps = 1;
+        return sample(motion, {{extent_of(piece)}}, options, place);
+    }
+    // From the nearest of the tools on the way; none is nearer by more than `error`.
+    double distance_from_sweep(Vec3 p_W) const {
+        const std::vector<Point2> section = section_of(piece, kInf);
+        const auto distance = [&](double t) {
+            return distance_from(section, to_tool(pose_at(at(t)), p_W));
+        };
+        double best = 0.0, least = kInf, width = 1.0 / 64;
+        for (int i = 0; i <= 64; ++i) {
+            const double d = distance(i / 64.0);
+            if (d < least) best = i / 64.0, least = d;
+        }
+        for (; width > 1e-7 && least > 0.0; width /= 2) {
+            for (const double t : {best - width, best + width}) {
+                if (t < 0.0 || t > 1.0) continue;
+                const double d = distance(t);
+                if (d < least) best = t, least = d;
+            }
+        }
+        return least;
+    }
+};
+
+// On the surface, mostly where it has edges.
+Vec3 point_of(const std::vector<Point2>& section, test::Random& random) {
+    const std::size_t i = 1 + random.next() % (section.size() - 1);
+    const Point2 a = section[i - 1], b = section[i];
+    const double t = random.one_in(2) ? 0.0 : random.unit();
+    const double r = a.r + t * (b.r - a.r);
+    const double turn = 2 * std::numbers::pi * random.unit();
+    return {r * std::cos(turn), r * std::sin(turn), a.h + t * (b.h - a.h)};
+}
+
+Position place_at(double x, double y, double z, double a, double b, double c) {
+    Position p;
+    p.x = Length::from_mm(x), p.y = Length::from_mm(y), p.z = Length::from_mm(z);
+    p.a = Angle::from_degrees(a), p.b = Angle::from_degrees(b), p.c = Angle::from_degrees(c);
+    return p;
+}
+
+ToolPiece tool_of(test::Random& random) {
+    const double d = random.within(2, 20);
+    const double l = random.within(d, 60);
+    switch (random.next() % 6) {
+        case 0: return flat_end_mill(d, l).pieces[0];
+        case 1: return ball_end_mill(d, l).pieces[0];
+        case 2: return bull_nose_end_mill(d, d / 5, l).pieces[0];
+        case 3: return drill(d, 118, l).pieces[0];
+        case 4: return tapered_end_mill(d / 3, d / 6, 8, l).pieces[0];
+        default: return lollipop_mill(d).pieces[0];
+    }
+}
+
+// A: about X alone, above or beside it; or as it comes.
+Case random_case(test::Random& random) {
+    Case c{tool_of(random), {}, {}, {}};
+    const auto angle = [&] { return random.within(-180, 180); };
+    const double turn = random.within(0.2, 4);
+    const double aside = random.one_in(2) ? 0.0 : random.within(-1, 1);
+    double x[6] = {random.within(-50, 50), random.within(-20, 20), random.within(-60, 60), 0, 0, 0};
+    double v[6] = {aside, aside * random.within(-1, 1), aside * random.within(-1, 1), 0, 0, 0};
+    switch (random.next() % 4) {
+        case 0: x[3] = angle(), v[3] = turn; break;
+        case 1: x[3] = angle() / 9, x[4] = angle(), v[4] = turn; break;
+        case 2: x[3] = angle(), x[4] = angle(), v[5] = turn; break;
+        default:
+            for (int i = 3; i < 6; ++i)
+                x[i] = angle(), v[i] = random.within(-1, 1) * turn;
+    }
+    c.from = place_at(x[0], x[1], x[2], x[3], x[4], x[5]);
+    c.to = place_at(x[0] + v[0], x[1] + v[1], x[2] + v[2], x[3] + v[3], x[4] + v[4], x[5] + v[5]);
+    if (random.one_in(2)) {
+        // Around a point of the tool, most of which is elsewhere then.
+        const Vec3 at = pose_at(c.from) * Vec3{0, 0, random.within(0, 20)};
+        const double size = random.within(2, 20);
+        c.place = cda::Box{at - Vec3{size, size, size}, at + Vec3{size, size, size}};
+    }
+    return c;
+}
+
+// Largest ratio of what was found and what may be.
+struct Worst {
+    double ratio = 0.0;
+    void add(double found, double bound) { ratio = std::max(ratio, found / bound); }
+};
+
+double worst_gain(const Case& c, int points, test::Random& random) {
+    const Samples s = c.samples();
+    Worst worst;
+    if (is_above(extent_of(c.piece), s.turning.top_mm)) return worst.ratio;
+    const auto section = section_of(c.piece, cut_off(extent_of(c.piece), s.turning.top_mm));
+    for (int i = 0; i < points; ++i) {
+        const double t = random.unit();
+        const Vec3 p = (1 - t) * (s.poses[0] * point_of(section, random)) +
+                       t * (s.poses[1] * point_of(section, random));
+        if (c.place && !c.place->contains(p)) continue;
+        worst.add(c.distance_from_sweep(p) - 1e-3, s.bounds.gained_mm);
+    }
+    return worst.ratio;
+}
+
+TEST(Turning, NoPointOfAHullIsFartherFromTheSweepThanTheBound) {
+    test::Random random(1);
+    for (int i = 0; i < 1000; ++i) {
+        SCOPED_TRACE(i);
+        ASSERT_LE(worst_gain(random_case(random), 40, random), 1.0);
+    }
+}
+
+// Half of it would not do: neither where the tool turns about a point of its own, nor far from the
+// axis, where only its width counts, nor where it moves on meanwhile.
+TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
+    test::Random random(2);
+    const ToolPiece flat = flat_end_mill(10, 40).pieces[0];
+    const ToolPiece thin = flat_end_mill(1, 40).pieces[0];
+    const Case about_itself{flat, place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 2, 0, 0), {}};
+    const Case far_away{flat, place_at(0, 0, 40, 0, 0, 0), place_at(0, 0, 40, 2, 0, 0), {}};
+    const Case goes_on{thin, place_at(0, 0, 20, 0, 0, 0), place_at(2, 0, 20, 2, 0, 0), {}};
+    EXPECT_GT(worst_gain(about_itself, 4000, random), 0.5);
+    EXPECT_GT(worst_gain(far_away, 4000, random), 0.5);
+    EXPECT_GT(worst_gain(goes_on, 4000, random), 0.5);
+}
+
+TEST(Turning, ABallFarFromTheAxisGainsNothingOfFirstOrder) {
+    const cda::Box place{{-5, -45, -45}, {5, 45, 45}};
+    const Case c{ball_end_mill(10, 60).pieces[0], place_at(0, 0, 40, 0, 0, 0),
+                 place_at(0, 0, 40, 1, 0, 0), place};
+    const Samples s = c.samples();
+    EXPECT_LT(s.bounds.gained_mm, 1.5 * s.bounds.missed_mm);
+}
+
+TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
+    test::Random random(3);
+    const cda::Lattice lattice;
+    double worst = 0.0;
+    for (int i = 0; i < 150; ++i) {
+        SCOPED_TRACE(i);
+        const Case c = random_case(random);
+        const Samples s = c.samples();
+        const auto section = section_of(c.piece, kInf);
+        Tool tool;
+        tool.pieces.push_back(c.piece);
+        Cutter cutter(tool, lattice, {0.02, Side::Circumscribed});
+        std::vector<cda::Cell> cells;
+        cutter.trace(s.poses[0], s.poses[1], {}, cells, s.turning.top_mm);
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 p = pose_at(c.at(random.unit())) * point_of(section, random);
+            if (c.place && !c.place->contains(p)) continue;
+            ASSERT_EQ(cells.size(), 1U) << "a piece that comes there";
+            const Vec3 q = (1 / lattice.unit_mm) * p;
+            double beyond = 0.0;
+            for (const cda::Plane& plane : cells[0].planes) {
+                const Vec3 n{double(plane.nx), double(plane.ny), double(plane.nz)};
+                const double over = dot(n, q) - static_cast<double>(plane.d);
+                beyond = std::max(beyond, lattice.unit_mm * over / norm(n));
+            }
+            ASSERT_LE(beyond, s.bounds.missed_mm + 4e-5);
+            if (s.bounds.missed_mm > 0) worst = std::max(worst, beyond / s.bounds.missed_mm);
+        }
+    }
+    EXPECT_GT(worst, 0.5);
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath
