@@ -100,6 +100,15 @@ Vec Course::to_tool(double t, const Vec& p_W) const {
     return p - linear_at(t);
 }
 
+double Course::twist(double t) const {
+    const Vec origin = to_workpiece(t, {});
+    const Vec axis = to_workpiece(t, {0, 0, 1}) - origin;
+    Vec kept{-axis[1], axis[0], 0.0};
+    if (norm(kept) < 1e-12) kept = {1, 0, 0};
+    const Vec as_turned = to_tool(t, origin + kept);
+    return std::atan2(kept[1], kept[0]) - std::atan2(as_turned[1], as_turned[0]);
+}
+
 double Course::bend(const Vec& p_W) const {
     const double turned = turns() ? kDegree * sum_of_sizes(to_.turn - from_.turn) : 0.0;
     double bend = turned * turned * norm(p_W);

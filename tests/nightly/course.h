@@ -48,6 +48,11 @@ public:
     bool is_square() const;
     const std::optional<Circling>& circling() const { return circling_; }
 
+    /// A, B and C turn a tool about itself, too, which no round tool shows but its polygon does: so
+    /// far (radians, about the axis of the tool) from standing as the least rotation puts it, the
+    /// one that keeps what is at right angles to its axis and to Z.
+    double twist(double t) const;
+
     Vec to_tool(double t, const Vec& p_W) const;
     Vec to_workpiece(double t, const Vec& p_T) const;
     /// A bound on the second derivative of to_tool(t, p_W) by t, mm.

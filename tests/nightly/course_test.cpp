@@ -54,6 +54,15 @@ TEST(Course, TurnsAboutTheAxesOfTheWorkpieceAFirst) {
     expect_near(where(course, 1.0), {3, 2, -1});
 }
 
+TEST(Course, TwistIsHowATurnedToolStandsOtherThanByTheLeastRotation) {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    const auto twist = [](Vec turn) { return Course::straight({{}, turn}, {{}, turn}).twist(0.0); };
+    EXPECT_NEAR(twist({0, 0, 30}), 30 * kDegree, 1e-12);
+    EXPECT_NEAR(twist({40, 0, 0}), 0.0, 1e-12);
+    EXPECT_NEAR(twist({0, -50, 0}), 0.0, 1e-12);
+    EXPECT_NEAR(std::cos(twist({90, 90, 0})), 0.0, 1e-12);
+}
+
 TEST(Course, ToTheToolAndBackIsWhereItWas) {
     const Course course =
         Course::arc({{5, 1, 0}, {10, 20, 30}}, {{-3, 4, 2}, {-40, 0, 90}}, 0, 1, {1, 1}, true, 0);

@@ -142,11 +142,17 @@ Judge::Effect Judge::effect(std::size_t i, const Vec& p_W) const {
     const auto round = [&tool](const Vec& p_T) { return tool.signed_distance(p_T); };
     if (closest_approach(round, course, p_W, a.beyond()).lower > a.beyond()) return Effect::None;
     if (closest_approach(round, course, p_W, -a.missed).upper < -a.missed) return Effect::Removes;
-    // Within the polygon's error of the round tool, but not in the box around it.
+    // Within the polygon's error of the round tool, but not in the box around it. A tool that turns
+    // is round for all that is said of it: how its polygons stand does not matter then.
+    const double r = widest(tool);
+    const double twist = course.twist(0.0);
+    const double c = std::cos(twist), s = std::sin(twist);
     const auto polygon = [&](const Vec& p_T) {
-        const double r = widest(tool);
-        return std::max({tool.signed_distance(p_T) - a.tool, std::abs(p_T[0]) - r,
-                         std::abs(p_T[1]) - r, -p_T[2], p_T[2] - rounded_up(tool.height())});
+        const double distance = std::max(
+            {tool.signed_distance(p_T) - a.tool, -p_T[2], p_T[2] - rounded_up(tool.height())});
+        if (course.turns()) return distance;
+        return std::max({distance, std::abs(c * p_T[0] - s * p_T[1]) - r,
+                         std::abs(s * p_T[0] + c * p_T[1]) - r});
     };
     if (closest_approach(polygon, course, p_W, a.gained).lower > a.gained) return Effect::None;
     return Effect::Perhaps;

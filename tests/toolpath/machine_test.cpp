@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ncsim::toolpath {
 namespace {
 
@@ -44,6 +46,54 @@ TEST(PoseAt, TurnsAboutAFirstThenBThenC) {
 
 TEST(PoseAt, AFullTurnIsTheSameOrientation) {
     EXPECT_EQ(pose_at(at(1, 2, 3, 30)).rows, pose_at(at(1, 2, 3, 390)).rows);
+}
+
+Vec3 axis_of(const Pose& X_WT) {
+    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
+}
+
+TEST(PoseAt, CUnderAnUprightToolMovesItWithoutTurningIt) {
+    for (const double c : {1.0, 45.0, 90.0, -137.0, 1000.0})
+        EXPECT_EQ(pose_at(at(30, 0, 5, 0, 0, c)).rows, Pose{}.rows);
+    EXPECT_EQ(pose_at(at(30, 0, 5, 0, 0, 90)).translation, (Vec3{0, 30, 5}));
+    EXPECT_EQ(pose_at(at(0, 0, 0, 180, 180, 17)).rows, Pose{}.rows) << "upright again";
+}
+
+TEST(PoseAt, QuarterTurnsOfTwoAxesAreExact) {
+    for (const double a : {0.0, 90.0, 180.0, 270.0}) {
+        for (const double b : {0.0, 90.0, 180.0, 270.0}) {
+            for (const double c : {0.0, 90.0, 180.0, 270.0}) {
+                for (const Vec3 row : pose_at(at(0, 0, 0, a, b, c)).rows) {
+                    for (int i = 0; i < 3; ++i)
+                        EXPECT_TRUE(row[i] == 0.0 || std::abs(row[i]) == 1.0);
+                }
+            }
+        }
+    }
+}
+
+// z goes to the axis that A, B and C make of it, and the line at right angles to both stays.
+TEST(PoseAt, ARoundToolIsTurnedByTheLeastRotation) {
+    for (double a = -179.9999; a < 180.0; a += 29.3) {
+        for (double b = -179.9999; b < 180.0; b += 31.7) {
+            for (const double c : {0.0, 1.0, 100.0, 250.0}) {
+                const Pose X_WT = pose_at(at(0, 0, 0, a, b, c));
+                // Where the tip goes from a millimetre above the origin is the axis, too.
+                const Vec3 axis = pose_at(at(0, 0, 1, a, b, c)).translation;
+                EXPECT_LT(norm(axis_of(X_WT) - axis), 1e-15);
+                const Vec3 across{-axis.y, axis.x, 0.0};
+                EXPECT_LT(norm(X_WT * across - across), 1e-9);
+                for (int i = 0; i < 3; ++i) {
+                    for (int k = 0; k < 3; ++k) {
+                        const auto& rows = X_WT.rows;
+                        const double product = dot(rows[static_cast<std::size_t>(i)],
+                                                   rows[static_cast<std::size_t>(k)]);
+                        EXPECT_NEAR(product, i == k ? 1.0 : 0.0, 1e-12);
+                    }
+                }
+            }
+        }
+    }
 }
 
 }  // namespace

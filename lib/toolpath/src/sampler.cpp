@@ -275,6 +275,7 @@ Turning turning_of(const Position& from, const Position& to, const cda::Box& pat
     t.tilt_rad = a + b * from_y + c * from_z;
 
     const std::optional<Vec3> axis = turning_axis(from, to);
+    if (axis) t.lean = a > 0.0 ? 1.0 : b > 0.0 ? from_y : from_z;
     const Pose start = pose_at(from), end = pose_at(to);
     t.tip_mm = bulge_mm + std::max(distance_from(axis, start.translation),
                                    distance_from(axis, end.translation));

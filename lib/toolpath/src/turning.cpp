@@ -53,7 +53,7 @@ double reach_of(const PieceExtent& piece) {
 // twice Ω times the speed in that frame. `place_mm`: that distance, if it is known to be less.
 double bend_of_axis(const Turning& t, const PieceExtent& piece, double place_mm) {
     const double from_tip = std::max(std::abs(piece.low_mm), std::abs(piece.high_mm));
-    const double distance = std::min(t.tip_mm + from_tip, place_mm);
+    const double distance = std::min(t.tip_mm + t.lean * from_tip, place_mm);
     return t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
 }
 

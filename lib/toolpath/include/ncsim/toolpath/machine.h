@@ -14,7 +14,10 @@ namespace ncsim::toolpath {
 ///
 /// A, B and C turn the tool, tip and all, about the X, Y and Z axis of W, counter-clockwise seen
 /// from the positive end: what a rotary table under the part does, seen from the part (ISO 841).
-/// For multiples of 90 degrees the matrix is exact.
+///
+/// Tools are round. How the product turns one about its own axis is left out: X_WT has the least
+/// rotation that takes z to the axis of the tool. So equal axes have equal rotations, and C under
+/// an upright tool moves it without turning it. For multiples of 90 degrees the matrix is exact.
 Pose pose_at(const gcode::Position& position);
 
 /// X + U, Y + V, Z + W in mm.

@@ -77,6 +77,8 @@ struct Turning {
     double chord_mm = 0.0;       ///< Of an arc in it, beyond its chord.
     /// Distance of the tip from the axis that turns; from the origin if several do.
     double tip_mm = 0.0;
+    /// Sine of the angle between the tool's axis and the one that turns, at most; 1 if several do.
+    double lean = 1.0;
     /// The same distance of the farthest place that matters, and the height above the tip below
     /// which all such places are, whatever the tool does in this motion.
     double place_mm = kInf;
