@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace ncsim::cda {
 
@@ -59,10 +60,15 @@ public:
 private:
     using Planes = std::vector<const FilterPlane*>;
 
+    // Planes of rows_.
+    struct Range {
+        std::size_t begin = 0, end = 0;
+        bool is_empty() const { return begin == end; }
+    };
     // A cell with the planes that cut the box at hand.
     struct Local {
-        std::uint32_t cell;
-        Planes planes;
+        std::uint32_t cell = 0;
+        Range planes;
     };
     // What a cell takes from the facet at hand: what lies below all of these.
     struct Section {
@@ -103,14 +109,18 @@ private:
             count += entry.planes.size();
         leaf_planes_.clear();
         leaf_planes_.reserve(count);
+        rows_.clear();
+        stock_range_ = add_rows(stock_);
+        window_range_ = add_rows(window_);
         cells_.resize(entries.size());
         for (std::size_t i = 0; i < entries.size(); ++i) {
             cells_[i].cell = entries[i].cell;
-            cells_[i].planes.clear();
+            cells_[i].planes.begin = rows_.size();
             for (const std::uint32_t plane : entries[i].planes) {
                 leaf_planes_.emplace_back(block_.plane(plane), plane);
-                cells_[i].planes.push_back(&leaf_planes_.back());
+                rows_.add(leaf_planes_.back());
             }
+            cells_[i].planes.end = rows_.size();
         }
         for (std::size_t i = 0; i < 3; ++i) {
             // 2x <= max: odd distances, hence canonical.
@@ -125,19 +135,28 @@ private:
         box_ = &box;
         killer_ = 0;
         ++result_.leaves;
+        result_.outlines.turn_page();
         evaluate_leaf();
+    }
+
+    Range add_rows(const Planes& planes) {
+        Range range{rows_.size(), 0};
+        for (const FilterPlane* plane : planes)
+            rows_.add(*plane);
+        range.end = rows_.size();
+        return range;
     }
 
     // Does a single cell take all of the window in the box? Mostly so where passes lie on each
     // other; then no facet is worth looking at.
     bool covers_window(const HalfBox& box) {
         const BoxFrame frame(box);
-        const auto see = [&frame](const Planes& planes, std::vector<BoxPlane>& seen) {
+        const auto see = [&](const Range& planes, std::vector<BoxPlane>& seen) {
             seen.clear();
-            for (const FilterPlane* plane : planes)
-                seen.emplace_back(HalfPlane(plane->exact), plane->exact, frame);
+            for (std::size_t i = planes.begin; i < planes.end; ++i)
+                seen.emplace_back(HalfPlane(rows_[i].exact), rows_[i].exact, frame);
         };
-        see(window_, seen_window_);
+        see(window_range_, seen_window_);
         return std::ranges::any_of(cells_, [&](const Local& local) {
             see(local.planes, seen_cell_);
             return dominated(seen_window_, seen_cell_) != Domination::None;
@@ -147,14 +166,14 @@ private:
     void evaluate_leaf() {
         const auto takes_same = [](const Local&, bool same) { return same; };
         for (const FilterPlane* s : stock_) {
-            if (section_of_box(*s) && clip_to(stock_) && clip_strictly_to(window_)) {
+            if (section_of_box(*s) && clip_to(stock_range_) && clip_strictly_to(window_range_)) {
                 finish(kStockOrigin, false, nullptr, takes_same);
             }
         }
         for (const Local& local : cells_) {
-            for (const FilterPlane* s : local.planes) {
-                if (!section_of_box(*s) || !clip_to(local.planes) || !clip_strictly_to(stock_) ||
-                    !clip_strictly_to(window_)) {
+            for (std::size_t i = local.planes.begin; i < local.planes.end; ++i) {
+                if (!section_of_box(rows_[i]) || !clip_to(local.planes) ||
+                    !clip_strictly_to(stock_range_) || !clip_strictly_to(window_range_)) {
                     continue;
                 }
                 // Opposite walls both go; of equal ones the first stays.
@@ -165,7 +184,7 @@ private:
             }
         }
         for (const FilterPlane* s : window_) {
-            if (section_of_box(*s) && clip_to(window_) && clip_to(stock_)) {
+            if (section_of_box(*s) && clip_to(window_range_) && clip_to(stock_range_)) {
                 finish(kStockOrigin, false, nullptr, takes_same);
             }
         }
@@ -178,24 +197,44 @@ private:
 
     // Keeps of facet_ what lies below the planes; a plane in which it lies itself does not count,
     // but between it and an opposite one there is nothing.
-    bool clip_to(const Planes& planes) {
-        for (const FilterPlane* plane : planes) {
-            if (facet_plane().is_parallel_to(plane->exact)) {
-                const bool same = same_direction(facet_plane(), plane->exact);
-                const int beyond = distance_beyond(plane->exact, same);
-                if (beyond < 0 || (beyond == 0 && !same)) return false;
-            } else if (!facet_.clip(*plane)) {
-                return false;
+    bool clip_to(const Range& planes) {
+        if (planes.is_empty()) return true;
+        facet_.look(rows_, planes.begin, planes.end, glances_);
+        for (std::size_t i = planes.begin; i < planes.end; ++i) {
+            if (glances_.where[i] == Glance::Above) return false;
+        }
+        // Those first that leave least of it: most of the others do not meet what they leave.
+        cuts_.clear();
+        for (std::size_t i = planes.begin; i < planes.end; ++i) {
+            switch (glances_.where[i]) {
+                case Glance::Above:
+                case Glance::Below: break;
+                case Glance::Across:
+                    cuts_.emplace_back(glances_.low[i] / (glances_.low[i] - glances_.high[i]), i);
+                    break;
+                case Glance::Doubtful:
+                    const Plane& plane = rows_[i].exact;
+                    if (!facet_plane().is_parallel_to(plane)) {
+                        cuts_.emplace_back(1.0, i);
+                        break;
+                    }
+                    const bool same = same_direction(facet_plane(), plane);
+                    const int beyond = distance_beyond(plane, same);
+                    if (beyond < 0 || (beyond == 0 && !same)) return false;
+                    break;
             }
         }
-        return true;
+        std::sort(cuts_.begin(), cuts_.end());
+        return std::all_of(cuts_.begin(), cuts_.end(),
+                           [&](const auto& cut) { return facet_.clip(rows_[cut.second]); });
     }
 
     // The same, but nothing if it lies in one of the planes.
-    bool clip_strictly_to(const Planes& planes) {
-        return std::none_of(planes.begin(), planes.end(),
-                            [&](const FilterPlane* p) { return p->exact == facet_plane(); }) &&
-               clip_to(planes);
+    bool clip_strictly_to(const Range& planes) {
+        for (std::size_t i = planes.begin; i < planes.end; ++i) {
+            if (rows_[i].exact == facet_plane()) return false;
+        }
+        return clip_to(planes);
     }
 
     // Of a plane parallel to that of the facet: positive if the facet is below it, 0 if it lies in
@@ -212,10 +251,13 @@ private:
         ++result_.facets_tested;
         sections_in_use_ = 0;
         // Most facets are covered by one cell, and often by the one that covered the facet before.
-        if (killer_ < cells_.size() && &cells_[killer_] != self &&
-            taken_by(cells_[killer_], takes_coplanar, next_section()) == Overlap::Covered) {
-            return;
+        if (killer_ < cells_.size() && &cells_[killer_] != self) {
+            const Range& planes = cells_[killer_].planes;
+            facet_.look(rows_, planes.begin, planes.end, glances_);
+            if (taken_by(cells_[killer_], takes_coplanar, next_section()) == Overlap::Covered)
+                return;
         }
+        facet_.look(rows_, window_range_.end, rows_.size(), glances_);
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             if (&cells_[i] == self) continue;
             switch (taken_by(cells_[i], takes_coplanar, next_section())) {
@@ -232,25 +274,36 @@ private:
         return sections_[sections_in_use_];
     }
 
-    // What single planes tell of what `other` takes from facet_; the section holds those that do
-    // not.
+    // What single planes tell of what `other` takes from facet_, which has been looked at; the
+    // section holds those that do not.
     template <class TakesCoplanar>
     Overlap taken_by(const Local& other, TakesCoplanar takes_coplanar, Section& section) {
         bool coplanar_same = false;
         bool coplanar_opposite = false;
-        cuts_.clear();
-        for (const FilterPlane* plane : other.planes) {
-            if (!plane->exact.is_parallel_to(facet_plane())) {
-                cuts_.push_back(plane);
-                continue;
+        section.planes.clear();
+        const Range& planes = other.planes;
+        for (std::size_t i = planes.begin; i < planes.end; ++i) {
+            if (glances_.where[i] == Glance::Above) return Overlap::None;
+        }
+        for (std::size_t i = planes.begin; i < planes.end; ++i) {
+            if (glances_.where[i] == Glance::Below) continue;
+            const FilterPlane& plane = rows_[i];
+            if (glances_.where[i] == Glance::Across) {
+                section.planes.push_back(&plane);
+            } else if (!plane.exact.is_parallel_to(facet_plane())) {
+                const int where = facet_.classify(plane);
+                if (where < 0) return Overlap::None;
+                if (where == 0) section.planes.push_back(&plane);
+            } else {
+                const bool same = same_direction(facet_plane(), plane.exact);
+                const int beyond = distance_beyond(plane.exact, same);
+                if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same)))
+                    return Overlap::None;
+                if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
             }
-            const bool same = same_direction(facet_plane(), plane->exact);
-            const int beyond = distance_beyond(plane->exact, same);
-            if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same))) return Overlap::None;
-            if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
         }
         if (coplanar_same && coplanar_opposite) return Overlap::None;  // a flat cell
-        return facet_.overlap(cuts_, section.planes);
+        return section.planes.empty() ? Overlap::Covered : Overlap::Undecided;
     }
 
     void write_outlines(Origin origin, bool is_wall) {
@@ -393,12 +446,15 @@ private:
     std::array<FilterPlane, 6> walls_;
     Planes stock_, window_;
     std::vector<FilterPlane> leaf_planes_;
+    PlaneRows rows_;  // of the stock, of the window, of the cells
+    Range stock_range_, window_range_;
     std::vector<Local> cells_;
     std::size_t killer_ = 0;
     std::vector<BoxPlane> seen_window_, seen_cell_;
     // The facet at hand.
     FilteredPolygon facet_;
-    Planes cuts_;
+    Glances glances_;                                   // at rows_
+    std::vector<std::pair<double, std::size_t>> cuts_;  // what part of it is below; of rows_
     std::vector<Section> sections_;
     std::size_t sections_in_use_ = 0;
     std::vector<FilteredSegment> remaining_, rest_;

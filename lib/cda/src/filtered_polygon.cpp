@@ -24,8 +24,14 @@ Doubles load(const double* from) {
 constexpr double kCornerError = 0x1p-24;
 // A corner with a larger bound is computed from its planes instead.
 constexpr double kLargestError = 1e-2;
-// Rounding of n·p − d itself: products below 2^50, |d| below 2^52.
-constexpr double kHeightError = 4.0;
+// Rounding of n·p − d itself, for a plane of |n|₁ = 1: coordinates are below 2^26, and so is |d|
+// of a plane that meets the stock. Three products, two sums and a difference are off by 5 · 2^-27.
+constexpr double kHeightError = 0x1p-24;
+
+// By how much the height of a point above a plane may be off, in units of its normal.
+double height_error(const FilterPlane& plane, double error) {
+    return plane.one_norm * (kHeightError + error);
+}
 
 // On which side of `cut` the point lies where the planes a, b and c meet, which doubles found to be
 // within `most` of it. Hulls that follow each other have many planes in common, by the pose they
@@ -42,7 +48,7 @@ Side side_exactly(const FilterPlane& a, const FilterPlane& b, const FilterPlane&
 Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane& b,
              const FilterPlane& c, const FilterPlane& cut, double& height) {
     height = point.p.x * cut.nx + point.p.y * cut.ny + point.p.z * cut.nz - cut.d;
-    const double bound = kHeightError + cut.one_norm * point.error;
+    const double bound = height_error(cut, point.error);
     if (height > bound) return Side::Above;
     if (height < -bound) return Side::Below;
     const Side side = side_exactly(a, b, c, cut, 2.0 * bound);
@@ -57,7 +63,7 @@ FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const 
     const Vec3 along = b.p - a.p;
     const double length = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
     const double error = std::max(a.error, b.error);
-    const double bound = kHeightError + cut.one_norm * error;
+    const double bound = height_error(cut, error);
     const double span = std::abs(from - to);
     FilteredPoint c;
     // How far the crossing may slide along the line, and how far the line may lie off.
@@ -93,7 +99,74 @@ Found heights_above(const FilterPlane& cut, double bound, const double* x, const
     return {certainly_above[0] + certainly_above[1], certainly_below[0] + certainly_below[1]};
 }
 
+struct RowsOfPlanes {
+    const double *nx, *ny, *nz, *d, *one_norm;
+};
+struct RowsOfPoints {
+    const double *x, *y, *z;
+};
+struct RowsOfGlances {
+    Glance* where;
+    double *low, *high;
+};
+
+// So many planes at a time.
+constexpr std::size_t kVectors = 2;
+constexpr std::size_t kRowsAtOnce = kVectors * kLanes;
+
+void look_at(const RowsOfPlanes& planes, std::size_t count, const RowsOfPoints& points,
+             std::size_t corners, double error, const RowsOfGlances& glances) {
+    using Mask = decltype(Doubles{} > Doubles{});
+    const auto all = [](Glance glance) { return Mask{} + static_cast<std::int64_t>(glance); };
+    for (std::size_t i = 0; i < count; i += kRowsAtOnce) {
+        Doubles nx[kVectors], ny[kVectors], nz[kVectors], d[kVectors];
+        Doubles low[kVectors], high[kVectors];
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            nx[v] = load(planes.nx + i + v * kLanes);
+            ny[v] = load(planes.ny + i + v * kLanes);
+            nz[v] = load(planes.nz + i + v * kLanes);
+            d[v] = load(planes.d + i + v * kLanes);
+            low[v] = high[v] =
+                points.x[0] * nx[v] + points.y[0] * ny[v] + points.z[0] * nz[v] - d[v];
+        }
+        for (std::size_t k = 1; k < corners; ++k) {
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                const Doubles h =
+                    points.x[k] * nx[v] + points.y[k] * ny[v] + points.z[k] * nz[v] - d[v];
+                low[v] = h < low[v] ? h : low[v];
+                high[v] = h > high[v] ? h : high[v];
+            }
+        }
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const std::size_t at = i + v * kLanes;
+            const Doubles bound = load(planes.one_norm + at) * (kHeightError + error);
+            const Mask where = ((high[v] < -bound) & all(Glance::Below)) |
+                               ((low[v] > bound) & all(Glance::Above)) |
+                               ((high[v] > bound) & (low[v] < -bound) & all(Glance::Across));
+            std::memcpy(glances.where + at, &where, sizeof where);
+            std::memcpy(glances.low + at, &low[v], sizeof where);
+            std::memcpy(glances.high + at, &high[v], sizeof where);
+        }
+    }
+}
+
 }  // namespace
+
+void PlaneRows::add(const FilterPlane& plane) {
+    if (size_ + kRowsAtOnce >= nx_.size()) {
+        const std::size_t room = 2 * (size_ + kRowsAtOnce);
+        planes_.resize(room);
+        for (std::vector<double>* row : {&nx_, &ny_, &nz_, &d_, &one_norm_})
+            row->resize(room);
+    }
+    planes_[size_] = &plane;
+    nx_[size_] = plane.nx;
+    ny_[size_] = plane.ny;
+    nz_[size_] = plane.nz;
+    d_[size_] = plane.d;
+    one_norm_[size_] = plane.one_norm;
+    ++size_;
+}
 
 FilteredSegment::Clipped FilteredSegment::clip(const FilterPlane& cut) {
     double at_tail = 0.0;
@@ -170,7 +243,7 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
 
 int FilteredPolygon::classify_corners(const FilterPlane& cut) const {
     if (heights_.size() < padded_) heights_.resize(2 * padded_);
-    const double bound = kHeightError + cut.one_norm * error_;
+    const double bound = height_error(cut, error_);
     const Found found = heights_above(cut, bound, corners_.x.data(), corners_.y.data(),
                                       corners_.z.data(), padded_, heights_.data());
     if (found.below + found.above < static_cast<std::int64_t>(padded_))
@@ -236,15 +309,20 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
     return true;
 }
 
-Overlap FilteredPolygon::overlap(std::span<const FilterPlane* const> cuts,
-                                 std::vector<const FilterPlane*>& crossing) const {
-    crossing.clear();
-    for (const FilterPlane* cut : cuts) {
-        const int where = classify_corners(*cut);
-        if (where < 0) return Overlap::None;
-        if (where == 0) crossing.push_back(cut);
+void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size_t end,
+                           Glances& glances) const {
+    const std::size_t room = planes.size() + kRowsAtOnce;
+    if (glances.where.size() < room) {
+        glances.where.resize(room);
+        glances.low.resize(room);
+        glances.high.resize(room);
     }
-    return crossing.empty() ? Overlap::Covered : Overlap::Undecided;
+    const auto from = [&](const std::vector<double>& row) { return row.data() + begin; };
+    look_at(
+        {from(planes.nx_), from(planes.ny_), from(planes.nz_), from(planes.d_),
+         from(planes.one_norm_)},
+        end - begin, {corners_.x.data(), corners_.y.data(), corners_.z.data()}, size(), error_,
+        {glances.where.data() + begin, glances.low.data() + begin, glances.high.data() + begin});
 }
 
 FilteredSegment FilteredPolygon::edge(std::size_t i) const {

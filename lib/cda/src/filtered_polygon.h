@@ -34,6 +34,31 @@ struct FilterPlane {
     std::uint32_t source = 0;  ///< Whoever made it knows it by this number.
 };
 
+/// Planes side by side, for looking at many of them at once.
+class PlaneRows {
+public:
+    void clear() { size_ = 0; }
+    void add(const FilterPlane& plane);
+    std::size_t size() const { return size_; }
+    const FilterPlane& operator[](std::size_t i) const { return *planes_[i]; }
+
+private:
+    friend class FilteredPolygon;
+    std::size_t size_ = 0;
+    std::vector<const FilterPlane*> planes_;
+    std::vector<double> nx_, ny_, nz_, d_, one_norm_;  // longer, so that none is read beyond
+};
+
+/// Where a polygon lies to a plane, as far as doubles tell.
+enum class Glance : std::int64_t { Doubtful = 0, Below = 1, Above = 2, Across = 4 };
+
+/// The same for each plane of some rows, and how high above it the lowest and the highest corner
+/// are, nearly.
+struct Glances {
+    std::vector<Glance> where;
+    std::vector<double> low, high;
+};
+
 /// A point with its error, in lattice units.
 struct FilteredPoint {
     Vec3 p;
@@ -77,9 +102,12 @@ public:
     /// Keeps what lies below `cut`; false, and then undefined, if that has no area.
     bool clip(const FilterPlane& cut);
 
-    /// As overlap() of polygon.h; `crossing` as addresses.
-    Overlap overlap(std::span<const FilterPlane* const> cuts,
-                    std::vector<const FilterPlane*>& crossing) const;
+    /// Looks at planes `begin` … `end` of the rows: the glances at the same places, and nobody
+    /// knows what at a few more. O(corners · planes), with a small factor.
+    void look(const PlaneRows& planes, std::size_t begin, std::size_t end, Glances& glances) const;
+
+    /// 1: lies below or in the plane; -1: no part of it below; 0: on both sides. Exact.
+    int classify(const FilterPlane& cut) const { return classify_corners(cut); }
 
     /// The part in the polygon of the line where `cut` meets its plane. Requires that `cut` has
     /// parts of it on both sides.

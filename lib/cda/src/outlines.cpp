@@ -1,37 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outlines.h"
 
+#include "wide.h"
+
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace ncsim::cda {
+
+namespace {
+
+// Within a few units in the last place.
+double nearly(Int128 v) {
+    const UInt128 m = magnitude(v);
+    const double size = static_cast<double>(static_cast<std::uint64_t>(m >> 64)) * 0x1p64 +
+                        static_cast<double>(static_cast<std::uint64_t>(m));
+    return v < 0 ? -size : size;
+}
+
+}  // namespace
 
 FixedPoint FixedPoint::of(const ExactPoint& p) {
     // w has 3N + 2.6 bits (predicates.cpp) and coordinates are w times 2^26 at most: 24 bits more
     // than that.
     static_assert(3 * kNormalBits + 2.6 + kCoordinateBits + 1 + 24 < 127.0);
+    const double reciprocal = kScale / nearly(p.w);
     const auto rounded_down = [&](Int128 v) {
-        const Int128 scaled = v * (Int128{1} << 24);
-        const Int128 quotient = scaled / p.w;
-        return static_cast<std::int64_t>(quotient * p.w > scaled ? quotient - 1 : quotient);
+        // Quotients have 50 bits and a sign: doubles are off by one or two.
+        auto quotient = static_cast<std::int64_t>(nearly(v) * reciprocal);
+        Int128 rest = v * (Int128{1} << 24) - quotient * p.w;
+        for (; rest < 0; rest += p.w)
+            --quotient;
+        for (; rest >= p.w; rest -= p.w)
+            ++quotient;
+        return quotient;
     };
     return {{rounded_down(p.x), rounded_down(p.y), rounded_down(p.z)}};
 }
 
 std::uint32_t Outlines::point(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    std::array<std::uint32_t, 3> key{a, b, c};
-    std::sort(key.begin(), key.end());
-    const std::uint32_t number = triples_(key);
-    if (number == points_.size()) {
-        const auto exact = meet_exactly(planes_[key[0]], planes_[key[1]], planes_[key[2]]);
-        assert(exact);
-        points_.push_back({FixedPoint::of(*exact), key});
+    if (a > b) std::swap(a, b);
+    if (b > c) std::swap(b, c);
+    if (a > b) std::swap(a, b);
+    const std::array<std::uint32_t, 3> planes{a, b, c};
+    if (2 * (points_.size() - page_begin_) >= slots_.size()) grow();
+    std::size_t at = hash(planes) & (slots_.size() - 1);
+    for (; slots_[at].page == page_; at = (at + 1) & (slots_.size() - 1)) {
+        if (points_[slots_[at].point].planes == planes) return slots_[at].point;
     }
+    const auto number = static_cast<std::uint32_t>(points_.size());
+    const auto exact = meet_exactly(planes_[a], planes_[b], planes_[c]);
+    assert(exact);
+    points_.push_back({FixedPoint::of(*exact), planes});
+    slots_[at] = {page_, number};
     return number;
 }
 
+void Outlines::turn_page() {
+    page_begin_ = points_.size();
+    ++page_;
+}
+
+void Outlines::grow() {
+    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), {});
+    for (std::size_t i = page_begin_; i < points_.size(); ++i) {
+        std::size_t at = hash(points_[i].planes) & (slots_.size() - 1);
+        while (slots_[at].page == page_)
+            at = (at + 1) & (slots_.size() - 1);
+        slots_[at] = {page_, static_cast<std::uint32_t>(i)};
+    }
+}
+
 void Outlines::close() {
-    triples_ = decltype(triples_){};
+    slots_ = {};
     points_.shrink_to_fit();
     pieces_.shrink_to_fit();
 }

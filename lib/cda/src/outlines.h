@@ -54,8 +54,12 @@ public:
         planes_.push_back(plane);
         return static_cast<std::uint32_t>(planes_.size() - 1);
     }
-    /// The meeting point of three planes of the table; they must meet in one.
+    /// The meeting point of three planes of the table; they must meet in one. Of the points since
+    /// turn_page(), those of the same three planes are the same.
     std::uint32_t point(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    /// Points that follow have nothing to do with those before: what is looked up stays small. A
+    /// point that stands on two pages stands there twice.
+    void turn_page();
     void add(const Piece& piece) { pieces_.push_back(piece); }
     /// After the last point and piece: gives back memory that only adding needs.
     void close();
@@ -68,13 +72,20 @@ public:
     const std::vector<Piece>& pieces() const { return pieces_; }
 
 private:
-    struct Hash {
-        std::uint64_t operator()(const std::array<std::uint32_t, 3>& key) const {
-            return mix(mix(0, key[0] | std::uint64_t{key[1]} << 32), key[2]);
-        }
+    // A hash table of the points of this page: slots of other pages are free.
+    struct Slot {
+        std::uint32_t page = 0;
+        std::uint32_t point = 0;
     };
+    static std::uint64_t hash(const std::array<std::uint32_t, 3>& planes) {
+        return mix(planes[0] | std::uint64_t{planes[1]} << 32, planes[2]);
+    }
+    void grow();
+
     std::vector<Plane> planes_;
-    Interner<std::array<std::uint32_t, 3>, Hash> triples_;
+    std::vector<Slot> slots_;
+    std::uint32_t page_ = 1;
+    std::size_t page_begin_ = 0;
     std::vector<Point> points_;
     std::vector<Piece> pieces_;
 };
