@@ -70,8 +70,14 @@ private:
         std::uint32_t cell = 0;
         Range planes;
     };
-    // What a cell takes from the facet at hand: what lies below all of these.
+    // Planes of rows_, and how much of a polygon is below each.
+    using Cuts = std::vector<std::pair<double, std::size_t>>;
+    // What a cell takes from the facet at hand: what lies below all of these planes, each of which
+    // has an edge of it.
     struct Section {
+        const Local* cell = nullptr;
+        Cuts cuts;
+        FilteredPolygon area;
         Planes planes;
     };
 
@@ -203,30 +209,50 @@ private:
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
             if (glances_.where[i] == Glance::Above) return false;
         }
-        // Those first that leave least of it: most of the others do not meet what they leave.
         cuts_.clear();
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
-            switch (glances_.where[i]) {
-                case Glance::Above:
-                case Glance::Below: break;
-                case Glance::Across:
-                    cuts_.emplace_back(glances_.low[i] / (glances_.low[i] - glances_.high[i]), i);
-                    break;
-                case Glance::Doubtful:
-                    const Plane& plane = rows_[i].exact;
-                    if (!facet_plane().is_parallel_to(plane)) {
-                        cuts_.emplace_back(1.0, i);
-                        break;
-                    }
-                    const bool same = same_direction(facet_plane(), plane);
-                    const int beyond = distance_beyond(plane, same);
-                    if (beyond < 0 || (beyond == 0 && !same)) return false;
-                    break;
+            if (glances_.where[i] == Glance::Below) continue;
+            const Plane& plane = rows_[i].exact;
+            if (glances_.where[i] == Glance::Across || !facet_plane().is_parallel_to(plane)) {
+                cuts_.emplace_back(share_below(i), i);
+                continue;
             }
+            const bool same = same_direction(facet_plane(), plane);
+            const int beyond = distance_beyond(plane, same);
+            if (beyond < 0 || (beyond == 0 && !same)) return false;
         }
-        std::sort(cuts_.begin(), cuts_.end());
-        return std::all_of(cuts_.begin(), cuts_.end(),
-                           [&](const auto& cut) { return facet_.clip(rows_[cut.second]); });
+        return clip_in_order(facet_, cuts_);
+    }
+
+    // How much of facet_ is below a plane that it has been looked at from: a rough measure.
+    double share_below(std::size_t i) const {
+        const double low = glances_.low[i];
+        const double high = glances_.high[i];
+        return low < high ? low / (low - high) : 1.0;
+    }
+
+    // By planes of rows_; those first that leave least, since most others do not meet what those
+    // leave.
+    bool clip_in_order(FilteredPolygon& polygon, Cuts& cuts) {
+        constexpr std::size_t kFirst = 2;
+        constexpr std::size_t kWorthALook = 4;
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t k = 0; k < cuts.size(); ++k) {
+            if (!polygon.clip(rows_[cuts[k].second])) return false;
+            if (k + 1 != kFirst || cuts.size() < kFirst + kWorthALook) continue;
+            others_.clear();
+            for (std::size_t i = kFirst; i < cuts.size(); ++i)
+                others_.add(rows_[cuts[i].second]);
+            polygon.look(others_, 0, others_.size(), glances_at_others_);
+            std::size_t kept = kFirst;
+            for (std::size_t i = kFirst; i < cuts.size(); ++i) {
+                const Glance where = glances_at_others_.where[i - kFirst];
+                if (where == Glance::Above) return false;
+                if (where != Glance::Below) cuts[kept++] = cuts[i];
+            }
+            cuts.resize(kept);
+        }
+        return true;
     }
 
     // The same, but nothing if it lies in one of the planes.
@@ -266,6 +292,13 @@ private:
                 case Overlap::Undecided: ++sections_in_use_; break;
             }
         }
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < sections_in_use_; ++i) {
+            if (!find_area(sections_[i])) continue;
+            if (kept != i) std::swap(sections_[kept], sections_[i]);
+            ++kept;
+        }
+        sections_in_use_ = kept;
         write_outlines(origin, is_wall);
     }
 
@@ -275,35 +308,56 @@ private:
     }
 
     // What single planes tell of what `other` takes from facet_, which has been looked at; the
-    // section holds those that do not.
+    // section receives those that do not.
     template <class TakesCoplanar>
     Overlap taken_by(const Local& other, TakesCoplanar takes_coplanar, Section& section) {
         bool coplanar_same = false;
         bool coplanar_opposite = false;
-        section.planes.clear();
         const Range& planes = other.planes;
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
             if (glances_.where[i] == Glance::Above) return Overlap::None;
         }
+        section.cell = &other;
+        section.cuts.clear();
         for (std::size_t i = planes.begin; i < planes.end; ++i) {
             if (glances_.where[i] == Glance::Below) continue;
-            const FilterPlane& plane = rows_[i];
+            const Plane& plane = rows_[i].exact;
             if (glances_.where[i] == Glance::Across) {
-                section.planes.push_back(&plane);
-            } else if (!plane.exact.is_parallel_to(facet_plane())) {
-                const int where = facet_.classify(plane);
+                section.cuts.emplace_back(share_below(i), i);
+            } else if (!plane.is_parallel_to(facet_plane())) {
+                const int where = facet_.classify(rows_[i]);
                 if (where < 0) return Overlap::None;
-                if (where == 0) section.planes.push_back(&plane);
+                if (where == 0) section.cuts.emplace_back(share_below(i), i);
             } else {
-                const bool same = same_direction(facet_plane(), plane.exact);
-                const int beyond = distance_beyond(plane.exact, same);
+                const bool same = same_direction(facet_plane(), plane);
+                const int beyond = distance_beyond(plane, same);
                 if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same)))
                     return Overlap::None;
                 if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;
             }
         }
         if (coplanar_same && coplanar_opposite) return Overlap::None;  // a flat cell
-        return section.planes.empty() ? Overlap::Covered : Overlap::Undecided;
+        return section.cuts.empty() ? Overlap::Covered : Overlap::Undecided;
+    }
+
+    // From the planes that cross the facet: the part of it that is below them all. False if that
+    // has no area.
+    bool find_area(Section& section) {
+        section.area.assign(facet_);
+        if (!clip_in_order(section.area, section.cuts)) return false;
+        section.planes.clear();
+        for (std::size_t i = 0; i < section.area.size(); ++i) {
+            const FilterPlane& edge = section.area.edge_plane(i);
+            if (is_of(edge, section.cell->planes)) section.planes.push_back(&edge);
+        }
+        return true;
+    }
+
+    // Planes of cells stand in leaf_planes_ as in rows_.
+    bool is_of(const FilterPlane& plane, const Range& planes) const {
+        const std::less_equal<const FilterPlane*> comes_first;
+        return comes_first(&rows_[planes.begin], &plane) &&
+               comes_first(&plane, &rows_[planes.end - 1]);
     }
 
     void write_outlines(Origin origin, bool is_wall) {
@@ -316,8 +370,12 @@ private:
             write_remaining(origin, is_wall, false);
         }
         for (std::size_t k = 0; k < sections.size(); ++k) {
-            for (std::size_t t = 0; t < sections[k].planes.size(); ++t) {
-                if (!outline_of_section(sections[k].planes, t)) continue;
+            const FilteredPolygon& area = sections[k].area;
+            for (std::size_t i = 0; i < area.size(); ++i) {
+                const auto& planes = sections[k].planes;
+                if (std::find(planes.begin(), planes.end(), &area.edge_plane(i)) == planes.end())
+                    continue;
+                remaining_.assign(1, area.edge(i));
                 // Where two sections have an edge on the same side, the first keeps it.
                 for (std::size_t j = 0; j < sections.size() && !remaining_.empty(); ++j) {
                     if (j != k) subtract(sections[j], j < k);
@@ -328,30 +386,6 @@ private:
         if (result_.outlines.pieces().size() == before) return;
         ++result_.facets_alive;
         add_volume(before);
-    }
-
-    // The edge of a section in plane t, if it has one.
-    bool outline_of_section(const Planes& planes, std::size_t t) {
-        FilteredSegment edge = facet_.section(*planes[t]);
-        remaining_.clear();
-        for (std::size_t i = 0; i < planes.size(); ++i) {
-            if (i == t) continue;
-            switch (edge.clip(*planes[i])) {
-                case FilteredSegment::Clipped::Nothing: return false;
-                case FilteredSegment::Clipped::Inside:
-                    // Two planes of a cell meet the facet in one line: the first has the edge;
-                    // opposite ones leave nothing between.
-                    if (i < t || !same_side(facet_plane(), planes[t]->exact, planes[i]->exact)) {
-                        return false;
-                    }
-                    break;
-                case FilteredSegment::Clipped::Whole:
-                case FilteredSegment::Clipped::Tail:
-                case FilteredSegment::Clipped::Head: break;
-            }
-        }
-        remaining_.push_back(edge);
-        return true;
     }
 
     // Takes a section from remaining_. Of pieces in an edge of the section, those that have it on
@@ -453,8 +487,10 @@ private:
     std::vector<BoxPlane> seen_window_, seen_cell_;
     // The facet at hand.
     FilteredPolygon facet_;
-    Glances glances_;                                   // at rows_
-    std::vector<std::pair<double, std::size_t>> cuts_;  // what part of it is below; of rows_
+    Glances glances_;  // at rows_
+    Cuts cuts_;
+    PlaneRows others_;
+    Glances glances_at_others_;
     std::vector<Section> sections_;
     std::size_t sections_in_use_ = 0;
     std::vector<FilteredSegment> remaining_, rest_;

@@ -110,45 +110,103 @@ struct RowsOfGlances {
     double *low, *high;
 };
 
-// So many planes at a time.
-constexpr std::size_t kVectors = 2;
-constexpr std::size_t kRowsAtOnce = kVectors * kLanes;
+// So many planes at a time, at most.
+constexpr std::size_t kRowsAtOnce = 8;
 
-void look_at(const RowsOfPlanes& planes, std::size_t count, const RowsOfPoints& points,
-             std::size_t corners, double error, const RowsOfGlances& glances) {
-    using Mask = decltype(Doubles{} > Doubles{});
-    const auto all = [](Glance glance) { return Mask{} + static_cast<std::int64_t>(glance); };
-    for (std::size_t i = 0; i < count; i += kRowsAtOnce) {
-        Doubles nx[kVectors], ny[kVectors], nz[kVectors], d[kVectors];
-        Doubles low[kVectors], high[kVectors];
+// Vectors of several lengths. Not by a template: GCC does not see attributes there.
+struct Twos {
+    using Numbers = double __attribute__((vector_size(2 * sizeof(double))));
+    using Masks = std::int64_t __attribute__((vector_size(2 * sizeof(double))));
+    static void load(Numbers& to, const double* from) {
+        using Anywhere =
+            double __attribute__((vector_size(2 * sizeof(double)), aligned(8), may_alias));
+        to = *reinterpret_cast<const Anywhere*>(from);
+    }
+};
+struct Fours {
+    using Numbers = double __attribute__((vector_size(4 * sizeof(double))));
+    using Masks = std::int64_t __attribute__((vector_size(4 * sizeof(double))));
+    static void load(Numbers& to, const double* from) {
+        using Anywhere =
+            double __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
+        to = *reinterpret_cast<const Anywhere*>(from);
+    }
+};
+
+// Two vectors of planes at a time; compiled for more than one kind of machine, with the same
+// results: there is no fused multiplication, and lanes know nothing of each other.
+template <class Lanes>
+[[gnu::always_inline]] inline void look_at_with(const RowsOfPlanes& planes, std::size_t count,
+                                                const RowsOfPoints& points, std::size_t corners,
+                                                double error, const RowsOfGlances& glances) {
+    using Wide = typename Lanes::Numbers;
+    using Mask = typename Lanes::Masks;
+    constexpr std::size_t kWide = sizeof(Wide) / sizeof(double);
+    constexpr std::size_t kVectors = 2;
+    static_assert(kVectors * kWide <= kRowsAtOnce);
+    constexpr auto kBelow = static_cast<std::int64_t>(Glance::Below);
+    constexpr auto kAbove = static_cast<std::int64_t>(Glance::Above);
+    constexpr auto kAcross = static_cast<std::int64_t>(Glance::Across);
+    for (std::size_t i = 0; i < count; i += kVectors * kWide) {
+        Wide nx[kVectors], ny[kVectors], nz[kVectors], d[kVectors];
+        Wide low[kVectors], high[kVectors];
+#pragma GCC unroll 2
         for (std::size_t v = 0; v < kVectors; ++v) {
-            nx[v] = load(planes.nx + i + v * kLanes);
-            ny[v] = load(planes.ny + i + v * kLanes);
-            nz[v] = load(planes.nz + i + v * kLanes);
-            d[v] = load(planes.d + i + v * kLanes);
+            const std::size_t j = i + v * kWide;
+            Lanes::load(nx[v], planes.nx + j);
+            Lanes::load(ny[v], planes.ny + j);
+            Lanes::load(nz[v], planes.nz + j);
+            Lanes::load(d[v], planes.d + j);
             low[v] = high[v] =
                 points.x[0] * nx[v] + points.y[0] * ny[v] + points.z[0] * nz[v] - d[v];
         }
         for (std::size_t k = 1; k < corners; ++k) {
+#pragma GCC unroll 2
             for (std::size_t v = 0; v < kVectors; ++v) {
-                const Doubles h =
+                const Wide h =
                     points.x[k] * nx[v] + points.y[k] * ny[v] + points.z[k] * nz[v] - d[v];
                 low[v] = h < low[v] ? h : low[v];
                 high[v] = h > high[v] ? h : high[v];
             }
         }
+#pragma GCC unroll 2
         for (std::size_t v = 0; v < kVectors; ++v) {
-            const std::size_t at = i + v * kLanes;
-            const Doubles bound = load(planes.one_norm + at) * (kHeightError + error);
-            const Mask where = ((high[v] < -bound) & all(Glance::Below)) |
-                               ((low[v] > bound) & all(Glance::Above)) |
-                               ((high[v] > bound) & (low[v] < -bound) & all(Glance::Across));
-            std::memcpy(glances.where + at, &where, sizeof where);
-            std::memcpy(glances.low + at, &low[v], sizeof where);
-            std::memcpy(glances.high + at, &high[v], sizeof where);
+            const std::size_t j = i + v * kWide;
+            Wide bound;
+            Lanes::load(bound, planes.one_norm + j);
+            bound *= kHeightError + error;
+            const Mask where = ((high[v] < -bound) & kBelow) | ((low[v] > bound) & kAbove) |
+                               ((high[v] > bound) & (low[v] < -bound) & kAcross);
+            std::memcpy(glances.where + j, &where, sizeof(Wide));
+            std::memcpy(glances.low + j, &low[v], sizeof(Wide));
+            std::memcpy(glances.high + j, &high[v], sizeof(Wide));
         }
     }
 }
+
+using LookAt = void (*)(const RowsOfPlanes&, std::size_t, const RowsOfPoints&, std::size_t, double,
+                        const RowsOfGlances&);
+
+void look_at_by_twos(const RowsOfPlanes& planes, std::size_t count, const RowsOfPoints& points,
+                     std::size_t corners, double error, const RowsOfGlances& glances) {
+    look_at_with<Twos>(planes, count, points, corners, error, glances);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void look_at_by_fours(const RowsOfPlanes& planes, std::size_t count,
+                                              const RowsOfPoints& points, std::size_t corners,
+                                              double error, const RowsOfGlances& glances) {
+    look_at_with<Fours>(planes, count, points, corners, error, glances);
+}
+
+LookAt fastest_look() {
+    return __builtin_cpu_supports("avx2") ? look_at_by_fours : look_at_by_twos;
+}
+#else
+LookAt fastest_look() {
+    return look_at_by_twos;
+}
+#endif
 
 }  // namespace
 
@@ -318,6 +376,7 @@ void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size
         glances.high.resize(room);
     }
     const auto from = [&](const std::vector<double>& row) { return row.data() + begin; };
+    static const LookAt look_at = fastest_look();
     look_at(
         {from(planes.nx_), from(planes.ny_), from(planes.nz_), from(planes.d_),
          from(planes.one_norm_)},
@@ -325,35 +384,21 @@ void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size
         {glances.where.data() + begin, glances.low.data() + begin, glances.high.data() + begin});
 }
 
-FilteredSegment FilteredPolygon::edge(std::size_t i) const {
-    return {plane_, edges_[i], edges_[before(i)], edges_[after(i)], corner(i), corner(after(i))};
+void FilteredPolygon::assign(const FilteredPolygon& other) {
+    plane_ = other.plane_;
+    const std::size_t n = other.size();
+    corners_.clear(n);
+    corners_.size = n;
+    padded_ = other.padded_;
+    std::copy_n(other.corners_.x.begin(), padded_, corners_.x.begin());
+    std::copy_n(other.corners_.y.begin(), padded_, corners_.y.begin());
+    std::copy_n(other.corners_.z.begin(), padded_, corners_.z.begin());
+    error_ = other.error_;
+    edges_ = other.edges_;
 }
 
-FilteredSegment FilteredPolygon::section(const FilterPlane& cut) const {
-    // Counter-clockwise, what lies below is left where the section begins.
-    classify_corners(cut);
-    FilteredSegment segment;
-    segment.plane = plane_;
-    segment.line = &cut;
-    for (std::size_t i = 0; i < size(); ++i) {
-        const std::size_t k = after(i);
-        const Side here = sides_[i];
-        const Side next = sides_[k];
-        if (here == next || next == Side::On) continue;
-        // Past a corner in the plane it goes to one side; that it came from the other is implied.
-        const bool on_edge = here != Side::On;
-        const FilteredPoint at = on_edge ? crossing(*plane_, *edges_[i], cut, corner(i), corner(k),
-                                                    heights_[i], heights_[k])
-                                         : corner(i);
-        if (next == Side::Above) {
-            segment.tail = at;
-            segment.tail_cut = edges_[i];
-        } else {
-            segment.head = at;
-            segment.head_cut = edges_[i];
-        }
-    }
-    return segment;
+FilteredSegment FilteredPolygon::edge(std::size_t i) const {
+    return {plane_, edges_[i], edges_[before(i)], edges_[after(i)], corner(i), corner(after(i))};
 }
 
 }  // namespace ncsim::cda

@@ -94,8 +94,12 @@ public:
                         const std::array<std::int64_t, 3>& max,
                         const std::array<FilterPlane, 6>& walls);
 
+    void assign(const FilteredPolygon& other);
+
     const FilterPlane& plane() const { return *plane_; }
     std::size_t size() const { return edges_.size(); }
+    /// The plane that cuts off the edge from corner `i` to the next.
+    const FilterPlane& edge_plane(std::size_t i) const { return *edges_[i]; }
     /// From corner `i` to the next.
     FilteredSegment edge(std::size_t i) const;
 
@@ -108,10 +112,6 @@ public:
 
     /// 1: lies below or in the plane; -1: no part of it below; 0: on both sides. Exact.
     int classify(const FilterPlane& cut) const { return classify_corners(cut); }
-
-    /// The part in the polygon of the line where `cut` meets its plane. Requires that `cut` has
-    /// parts of it on both sides.
-    FilteredSegment section(const FilterPlane& cut) const;
 
 private:
     struct Corners {
