@@ -18,6 +18,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -30,6 +31,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 struct Corner {
     std::uint32_t vertex = kNone;
+    std::uint32_t next = kNone;  // of a face whose corners stand once: the one after it
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Corner, Kernel>;
 using FaceInfoBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel>;
@@ -79,9 +81,10 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> net_;
 };
 
-// Writes into the triangles how often the way winds around them. All edges of it are constrained.
-template <class Triangulation>
-void wind(Triangulation& cdt, const Passes& passes) {
+// Writes into the triangles how often the way winds around them. All edges of it are constrained;
+// `net(from, to)` tells how often it passes an edge, there minus back.
+template <class Triangulation, class Net>
+void wind(Triangulation& cdt, Net net) {
     constexpr int kUnknown = std::numeric_limits<int>::min();
     for (auto f : cdt.all_face_handles())
         f->info() = kUnknown;
@@ -95,8 +98,8 @@ void wind(Triangulation& cdt, const Passes& passes) {
             if (next->info() != kUnknown) continue;
             next->info() = f->info();
             if (f->is_constrained(i)) {
-                next->info() -= passes.net(f->vertex(Triangulation::ccw(i))->info().vertex,
-                                           f->vertex(Triangulation::cw(i))->info().vertex);
+                next->info() -= net(f->vertex(Triangulation::ccw(i))->info(),
+                                    f->vertex(Triangulation::cw(i))->info());
             }
             open.push_back(next);
         }
@@ -119,40 +122,43 @@ void append_wound(const Triangulation& cdt, std::vector<Triangle>& triangles) {
 std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const BoundaryFace& face) {
     const Projection view(face.normal);
     Delaunay cdt;
-    std::map<std::uint32_t, Delaunay::Vertex_handle> handles;
-    std::size_t corners = 0;
+    std::vector<Delaunay::Vertex_handle> handles;
     for (const auto& loop : face.loops) {
-        for (const std::uint32_t v : loop) {
-            const auto handle = cdt.insert(view(boundary.vertices[v]));
-            handle->info().vertex = v;
-            handles[v] = handle;
-            ++corners;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            handles.push_back(cdt.insert(view(boundary.vertices[loop[i]])));
+            handles.back()->info() = {loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]};
         }
     }
-    if (handles.size() != corners || cdt.number_of_vertices() != corners) return std::nullopt;
+    const std::size_t corners = handles.size();
+    if (cdt.number_of_vertices() != corners) return std::nullopt;
     if (cdt.dimension() < 2) return std::nullopt;
-    try {
+    // Calls edge(from, to) until one is not as it should be.
+    const auto all_edges = [&](auto edge) {
+        auto first = handles.begin();
         for (const auto& loop : face.loops) {
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                cdt.insert_constraint(handles[loop[i]], handles[loop[(i + 1) % loop.size()]]);
+            const auto last = first + static_cast<std::ptrdiff_t>(loop.size()) - 1;
+            for (auto at = first; at != last; ++at) {
+                if (!edge(*at, *std::next(at))) return false;
             }
+            if (!edge(*last, *first)) return false;
+            first = std::next(last);
         }
+        return true;
+    };
+    using Handle = Delaunay::Vertex_handle;
+    try {
+        all_edges([&](Handle from, Handle to) {
+            cdt.insert_constraint(from, to);
+            return true;
+        });
     } catch (const Delaunay::Intersection_of_constraints_exception&) {
         return std::nullopt;
     }
-    for (const auto& loop : face.loops) {
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            if (!cdt.is_edge(handles[loop[i]], handles[loop[(i + 1) % loop.size()]])) {
-                return std::nullopt;
-            }
-        }
-    }
-    Passes passes;
-    for (const auto& loop : face.loops) {
-        for (std::size_t i = 0; i < loop.size(); ++i)
-            passes.add(loop[i], loop[(i + 1) % loop.size()]);
-    }
-    wind(cdt, passes);
+    if (!all_edges([&](Handle from, Handle to) { return cdt.is_edge(from, to); }))
+        return std::nullopt;
+    wind(cdt, [](const Corner& from, const Corner& to) {
+        return static_cast<int>(from.next == to.vertex) - static_cast<int>(to.next == from.vertex);
+    });
     const auto all = cdt.finite_face_handles();
     if (std::any_of(all.begin(), all.end(),
                     [](const auto f) { return f->info() != 0 && f->info() != 1; }))
@@ -242,7 +248,9 @@ public:
                 fill(face_.loops[l][i], face_.loops[l][next], chain);
             }
         }
-        wind(cdt_, passes_);
+        wind(cdt_, [this](const Corner& from, const Corner& to) {
+            return passes_.net(from.vertex, to.vertex);
+        });
         append_wound(cdt_, triangles_);
         return outline_is_right() ? std::move(triangles_) : fans();
     }
@@ -339,17 +347,29 @@ public:
             std::uint32_t face, triangle;
             bool is_forward;
         };
-        std::vector<Side> sides;
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-            for (std::size_t i = 0; i < 3; ++i) {
-                const std::uint32_t a = mesh_.triangles[t][i];
-                const std::uint32_t b = mesh_.triangles[t][(i + 1) % 3];
-                sides.push_back({std::minmax(a, b), mesh_.face[t], t, a < b});
+        // By the first vertex of the edge, then by the second, …
+        std::vector<std::uint32_t> first(mesh_.vertices.size() + 1, 0);
+        const auto for_each_side = [&](auto take) {
+            for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::uint32_t a = mesh_.triangles[t][i];
+                    const std::uint32_t b = mesh_.triangles[t][(i + 1) % 3];
+                    take(Side{std::minmax(a, b), mesh_.face[t], t, a < b});
+                }
             }
+        };
+        for_each_side([&](const Side& side) { ++first[side.edge.first + 1]; });
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        std::vector<Side> sides(3 * mesh_.triangles.size());
+        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        for_each_side([&](const Side& side) { sides[next[side.edge.first]++] = side; });
+        for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+            std::sort(sides.begin() + first[v], sides.begin() + first[v + 1],
+                      [](const Side& a, const Side& b) {
+                          return std::tie(a.edge, a.face, a.triangle) <
+                                 std::tie(b.edge, b.face, b.triangle);
+                      });
         }
-        std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-            return std::tie(a.edge, a.face, a.triangle) < std::tie(b.edge, b.face, b.triangle);
-        });
         for (auto begin = sides.begin(); begin != sides.end();) {
             const auto end = std::find_if(begin, sides.end(),
                                           [&](const Side& s) { return s.edge != begin->edge; });
