@@ -20,7 +20,10 @@ namespace ncsim::cda {
 /// planes made them. Coordinates within 2^26 units.
 struct FixedPoint {
     std::array<std::int64_t, 3> at{};
-    bool operator==(const FixedPoint&) const = default;
+    // Not by a call for so few bytes.
+    bool operator==(const FixedPoint& o) const {
+        return at[0] == o.at[0] && at[1] == o.at[1] && at[2] == o.at[2];
+    }
 
     static constexpr double kScale = 16777216.0;
     static FixedPoint of(const ExactPoint& p);

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -201,20 +202,29 @@ private:
             count += part.pieces().size();
         named.reserve(count);
         Interner<Owner, HashOwner> owners;
-        Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
-        std::vector<std::uint32_t> line_of_pair;
+        std::vector<PlaneRef> planes;
+        std::vector<PointKey> keys;
+        std::vector<std::uint32_t> points;
         for (Outlines& part : parts_) {
-            std::vector<PlaneRef> planes;
+            planes.clear();
             for (const Plane& plane : part.planes())
                 planes.push_back(number(plane));
-            std::vector<std::uint32_t> points;
+            keys.clear();
             for (const Outlines::Point& point : part.points()) {
                 PointKey key{point.fixed, {}};
                 for (std::size_t i = 0; i < 3; ++i)
                     key.planes[i] = planes[point.planes[i]] / 2;
                 std::sort(key.planes.begin(), key.planes.end());
-                points.push_back(points_(key));
+                keys.push_back(key);
             }
+            points.resize(keys.size());
+            points_.number_all(keys, [&](std::size_t i, std::uint32_t n) { points[i] = n; });
+            // Few planes meet in a line of this part and of others: a small table is enough. And
+            // pieces of one facet, of one line come in a row.
+            Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
+            std::vector<std::uint32_t> line_of_pair;
+            std::optional<Owner> last_owner;
+            std::uint32_t owner = 0;
             for (const Outlines::Piece& piece : part.pieces()) {
                 const std::uint32_t tail = points[piece.tail];
                 const std::uint32_t head = points[piece.head];
@@ -232,7 +242,12 @@ private:
                         directions_.push_back({line.d[0], line.d[1], line.d[2]});
                     }
                 }
-                named.push_back({line_of_pair[p], tail, head, owners({plane, piece.origin})});
+                const Owner here{plane, piece.origin};
+                if (here != last_owner) {
+                    owner = owners(here);
+                    last_owner = here;
+                }
+                named.push_back({line_of_pair[p], tail, head, owner});
             }
             part = {};  // Of a large part, the largest share of all memory.
         }
@@ -357,21 +372,31 @@ private:
     // 3. Two covers of an owner that follow each other are one edge, unless the owner has a corner
     // between them: another edge of it begins or ends there.
     void find_corners(Groups<Interval>& covers) {
-        std::vector<bool> is_asked(points_.size(), false);
+        asked_.assign(points_.size(), kNone);
+        std::uint32_t count = 0;
         for (std::size_t line = 0; line < lines_.size(); ++line) {
             const std::span<Interval> here = covers.of(line);
             for (std::size_t i = 1; i < here.size(); ++i) {
-                if (follows(here[i - 1], here[i])) is_asked[here[i].tail] = true;
+                std::uint32_t& asked = asked_[here[i].tail];
+                if (asked == kNone && follows(here[i - 1], here[i])) asked = count++;
             }
         }
-        for (const Interval& c : covers.items) {
-            for (const std::uint32_t end : {c.tail, c.head}) {
-                if (!is_asked[end]) continue;
-                const std::uint32_t n = ends_({c.owner, end});
-                if (n == degrees_.size()) degrees_.push_back(0);
-                ++degrees_[n];
+        ends_ = Groups<std::uint32_t>(count);
+        const auto for_each_end = [&](auto take) {
+            for (const Interval& c : covers.items) {
+                for (const std::uint32_t end : {c.tail, c.head}) {
+                    if (asked_[end] != kNone) take(asked_[end], c.owner);
+                }
             }
-        }
+        };
+        for_each_end([&](std::uint32_t asked, std::uint32_t) { ends_.count(asked); });
+        ends_.reserve();
+        for_each_end([&](std::uint32_t asked, std::uint32_t owner) { ends_.add(asked, owner); });
+    }
+    // Whether nothing of the owner but two covers ends there; asked only of points that are asked_.
+    bool is_passed(std::uint32_t owner, std::uint32_t point) {
+        const std::span<const std::uint32_t> owners = ends_.of(asked_[point]);
+        return std::count(owners.begin(), owners.end(), owner) == 2;
     }
     static bool follows(const Interval& first, const Interval& second) {
         return first.owner == second.owner && first.head == second.tail &&
@@ -382,8 +407,7 @@ private:
     void break_up(std::uint32_t line, std::span<Interval> here) {
         joined_.clear();
         for (const Interval& c : here) {
-            if (!joined_.empty() && follows(joined_.back(), c) &&
-                degrees_[ends_({c.owner, c.tail})] == 2) {
+            if (!joined_.empty() && follows(joined_.back(), c) && is_passed(c.owner, c.tail)) {
                 joined_.back().head = c.head;
             } else {
                 joined_.push_back(c);
@@ -698,9 +722,8 @@ private:
     Interner<LineKey, HashLine, SameLine> lines_;
     std::vector<Direction> directions_;  // of lines
     std::vector<std::pair<Plane, Origin>> owners_;
-    // (owner, point) → how many of its covers end there
-    Interner<std::array<std::uint32_t, 2>, PairHash> ends_;
-    std::vector<std::uint32_t> degrees_;
+    std::vector<std::uint32_t> asked_;  // for each point its number among those asked about
+    Groups<std::uint32_t> ends_{0};     // at those, the owner of each cover that ends there
     std::vector<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
     std::vector<bool> done_;
