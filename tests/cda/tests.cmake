@@ -7,12 +7,14 @@ ncsim_add_test(cda
     account_test.cpp
     check_test.cpp
     collision_test.cpp
+    filtered_polygon_test.cpp
     flat_test.cpp
     hull_test.cpp
     intersect_test.cpp
     lattice_test.cpp
     loops_test.cpp
     normal_table_test.cpp
+    outlines_test.cpp
     polytope_test.cpp
     predicates_test.cpp
     shape_test.cpp

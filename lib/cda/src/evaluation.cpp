@@ -231,20 +231,22 @@ private:
         return low < high ? low / (low - high) : 1.0;
     }
 
-    // By planes of rows_; those first that leave least, since most others do not meet what those
-    // leave.
+    // By planes of rows_. Those first that leave least, since most others do not meet what those
+    // leave: after two of them, the others are looked at once more.
     bool clip_in_order(FilteredPolygon& polygon, Cuts& cuts) {
         constexpr std::size_t kFirst = 2;
         constexpr std::size_t kWorthALook = 4;
-        std::sort(cuts.begin(), cuts.end());
-        for (std::size_t k = 0; k < cuts.size(); ++k) {
-            if (!polygon.clip(rows_[cuts[k].second])) return false;
-            if (k + 1 != kFirst || cuts.size() < kFirst + kWorthALook) continue;
+        if (cuts.size() >= kFirst + kWorthALook) {
+            for (std::size_t k = 0; k < kFirst; ++k) {
+                const auto begin = cuts.begin() + static_cast<std::ptrdiff_t>(k);
+                std::iter_swap(begin, std::min_element(begin, cuts.end()));
+                if (!polygon.clip(rows_[cuts[k].second])) return false;
+            }
             others_.clear();
             for (std::size_t i = kFirst; i < cuts.size(); ++i)
                 others_.add(rows_[cuts[i].second]);
             polygon.look(others_, 0, others_.size(), glances_at_others_);
-            std::size_t kept = kFirst;
+            std::size_t kept = 0;
             for (std::size_t i = kFirst; i < cuts.size(); ++i) {
                 const Glance where = glances_at_others_.where[i - kFirst];
                 if (where == Glance::Above) return false;
@@ -252,7 +254,9 @@ private:
             }
             cuts.resize(kept);
         }
-        return true;
+        std::sort(cuts.begin(), cuts.end());
+        return std::all_of(cuts.begin(), cuts.end(),
+                           [&](const auto& cut) { return polygon.clip(rows_[cut.second]); });
     }
 
     // The same, but nothing if it lies in one of the planes.

@@ -64,10 +64,12 @@ FilteredPoint crossing(const FilterPlane& plane, const FilterPlane& line, const 
     const double length = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
     const double error = std::max(a.error, b.error);
     const double bound = height_error(cut, error);
-    const double span = std::abs(from - to);
+    // Between the true ends, the heights above `cut` differ by this much at least.
+    const double span = std::abs(from - to) - 2.0 * bound;
     FilteredPoint c;
-    // How far the crossing may slide along the line, and how far the line may lie off.
-    c.error = span > 0.0 ? error + kCornerError + 2.0 * length * bound / span : 1.0;
+    // What is between a and b is off the true line by no more than they are. There, `cut` is
+    // missed by `bound`: so far away is the crossing at most, along the line.
+    c.error = span > 0.0 ? error + kCornerError + length * bound / span : 1.0;
     if (c.error <= kLargestError) {
         c.p = a.p + (from / (from - to)) * along;
     } else {
@@ -338,27 +340,55 @@ int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) con
 bool FilteredPolygon::clip(const FilterPlane& cut) {
     const int where = classify_corners(cut);
     if (where != 0) return where > 0;
+    // Corners above stand in a row: from `first` to before `next`, around the end perhaps.
     const std::size_t n = size();
+    std::size_t first = 0;
+    while (sides_[first] != Side::Above || sides_[before(first)] == Side::Above)
+        first = after(first);
+    std::size_t next = first;
+    while (sides_[next] == Side::Above)
+        next = after(next);
     kept_corners_.clear(n + 2);
-    kept_edges_.clear();
+    kept_edges_.resize(n + 2);
     double error = error_;
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t k = after(i);
-        const bool enters = sides_[i] == Side::Above && sides_[k] == Side::Below;
-        const bool leaves = sides_[i] == Side::Below && sides_[k] == Side::Above;
-        if (sides_[i] != Side::Above) {
+    const auto keep = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            kept_edges_[kept_corners_.size] = edges_[i];
             kept_corners_.add(corners_.at(i));
-            kept_edges_.push_back(sides_[i] == Side::On && sides_[k] != Side::Below ? &cut
-                                                                                    : edges_[i]);
         }
-        if (enters || leaves) {
-            const FilteredPoint at =
-                crossing(*plane_, *edges_[i], cut, corner(i), corner(k), heights_[i], heights_[k]);
-            error = std::max(error, at.error);
-            kept_corners_.add(at.p);
-            kept_edges_.push_back(enters ? edges_[i] : &cut);
+    };
+    const auto cross = [&](std::size_t i, std::size_t k, const FilterPlane* edge) {
+        const FilteredPoint at =
+            crossing(*plane_, *edges_[i], cut, corner(i), corner(k), heights_[i], heights_[k]);
+        error = std::max(error, at.error);
+        kept_edges_[kept_corners_.size] = edge;
+        kept_corners_.add(at.p);
+    };
+    // The edge in `cut` begins at the last corner before those above, if that lies in it.
+    const auto leave = [&] {
+        const std::size_t last = before(first);
+        if (sides_[last] == Side::On) {
+            kept_edges_[kept_corners_.size - 1] = &cut;
+        } else {
+            cross(last, first, &cut);
         }
+    };
+    const auto enter = [&] {
+        const std::size_t last = before(next);
+        if (sides_[next] != Side::On) cross(last, next, edges_[last]);
+    };
+    if (first < next) {
+        keep(0, first);
+        if (first > 0) leave();
+        enter();
+        keep(next, n);
+        if (first == 0) leave();
+    } else {
+        enter();
+        keep(next, first);
+        leave();
     }
+    kept_edges_.resize(kept_corners_.size);
     std::swap(corners_, kept_corners_);
     edges_.swap(kept_edges_);
     error_ = error;
