@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -120,11 +119,8 @@ private:
     struct HashPlane {
         std::uint64_t operator()(const Plane& p) const { return PlaneHash{}(p); }
     };
-    PlaneRef number(const Plane& plane) {
-        const bool flip = plane.nx != 0   ? plane.nx < 0
-                          : plane.ny != 0 ? plane.ny < 0
-                                          : plane.nz < 0;
-        return 2 * planes_(flip ? plane.opposite() : plane) + static_cast<PlaneRef>(flip);
+    static bool is_turned(const Plane& plane) {
+        return plane.nx != 0 ? plane.nx < 0 : plane.ny != 0 ? plane.ny < 0 : plane.nz < 0;
     }
     Plane plane_of(PlaneRef ref) const {
         const Plane& plane = planes_.keys()[ref / 2];
@@ -202,29 +198,42 @@ private:
             count += part.pieces().size();
         named.reserve(count);
         Interner<Owner, HashOwner> owners;
+        // Of one part, all kept for their memory.
+        std::vector<Plane> plane_keys;
         std::vector<PlaneRef> planes;
-        std::vector<PointKey> keys;
+        std::vector<PointKey> point_keys;
         std::vector<std::uint32_t> points;
+        std::vector<LineKey> line_keys;
+        std::vector<Direction> directions;
+        std::vector<std::uint32_t> lines;
+        std::vector<Owner> owner_keys;
+        std::vector<std::uint32_t> owner_numbers;
         for (Outlines& part : parts_) {
-            planes.clear();
+            plane_keys.clear();
             for (const Plane& plane : part.planes())
-                planes.push_back(number(plane));
-            keys.clear();
+                plane_keys.push_back(is_turned(plane) ? plane.opposite() : plane);
+            planes.resize(plane_keys.size());
+            planes_.number_all(plane_keys, [&](std::size_t i, std::uint32_t n) {
+                planes[i] = 2 * n + static_cast<PlaneRef>(is_turned(part.planes()[i]));
+            });
+            point_keys.clear();
             for (const Outlines::Point& point : part.points()) {
                 PointKey key{point.fixed, {}};
                 for (std::size_t i = 0; i < 3; ++i)
                     key.planes[i] = planes[point.planes[i]] / 2;
                 std::sort(key.planes.begin(), key.planes.end());
-                keys.push_back(key);
+                point_keys.push_back(key);
             }
-            points.resize(keys.size());
-            points_.number_all(keys, [&](std::size_t i, std::uint32_t n) { points[i] = n; });
+            points.resize(point_keys.size());
+            points_.number_all(point_keys, [&](std::size_t i, std::uint32_t n) { points[i] = n; });
+
             // Few planes meet in a line of this part and of others: a small table is enough. And
-            // pieces of one facet, of one line come in a row.
+            // pieces of one facet come in a row.
+            const std::size_t first = named.size();
             Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
-            std::vector<std::uint32_t> line_of_pair;
-            std::optional<Owner> last_owner;
-            std::uint32_t owner = 0;
+            line_keys.clear();
+            directions.clear();
+            owner_keys.clear();
             for (const Outlines::Piece& piece : part.pieces()) {
                 const std::uint32_t tail = points[piece.tail];
                 const std::uint32_t head = points[piece.head];
@@ -234,20 +243,26 @@ private:
                 const std::array<std::uint32_t, 2> pair{std::min(plane / 2, edge),
                                                         std::max(plane / 2, edge)};
                 const std::uint32_t p = pairs(pair);
-                if (p == line_of_pair.size()) {
+                if (p == line_keys.size()) {
                     const Pluecker line(planes_.keys()[pair[0]], planes_.keys()[pair[1]]);
-                    const std::uint32_t l = lines_({pair, line.hash()});
-                    line_of_pair.push_back(l);
-                    if (l == directions_.size()) {
-                        directions_.push_back({line.d[0], line.d[1], line.d[2]});
-                    }
+                    line_keys.push_back({pair, line.hash()});
+                    directions.push_back({line.d[0], line.d[1], line.d[2]});
                 }
-                const Owner here{plane, piece.origin};
-                if (here != last_owner) {
-                    owner = owners(here);
-                    last_owner = here;
-                }
-                named.push_back({line_of_pair[p], tail, head, owner});
+                const Owner owner{plane, piece.origin};
+                if (owner_keys.empty() || owner != owner_keys.back()) owner_keys.push_back(owner);
+                named.push_back({p, tail, head, static_cast<std::uint32_t>(owner_keys.size() - 1)});
+            }
+            lines.resize(line_keys.size());
+            lines_.number_all(line_keys, [&](std::size_t i, std::uint32_t n) {
+                lines[i] = n;
+                if (n == directions_.size()) directions_.push_back(directions[i]);
+            });
+            owner_numbers.resize(owner_keys.size());
+            owners.number_all(owner_keys,
+                              [&](std::size_t i, std::uint32_t n) { owner_numbers[i] = n; });
+            for (std::size_t i = first; i < named.size(); ++i) {
+                named[i].line = lines[named[i].line];
+                named[i].owner = owner_numbers[named[i].owner];
             }
             part = {};  // Of a large part, the largest share of all memory.
         }
