@@ -143,13 +143,15 @@ Judge::Effect Judge::effect(std::size_t i, const Vec& p_W) const {
     if (closest_approach(round, course, p_W, a.beyond()).lower > a.beyond()) return Effect::None;
     if (closest_approach(round, course, p_W, -a.missed).upper < -a.missed) return Effect::Removes;
     // Within the polygon's error of the round tool, but not in the box around it. A tool that turns
-    // is round for all that is said of it: how its polygons stand does not matter then.
+    // is round for all that is said of it: how its polygons stand does not matter then, nor that a
+    // ball's polygons end where the ball does.
     const double r = widest(tool);
     const double twist = course.twist(0.0);
     const double c = std::cos(twist), s = std::sin(twist);
     const auto polygon = [&](const Vec& p_T) {
-        const double distance = std::max(
-            {tool.signed_distance(p_T) - a.tool, -p_T[2], p_T[2] - rounded_up(tool.height())});
+        const double beyond = tool.signed_distance(p_T) - a.tool;
+        if (course.turns() && tool.is_rounded()) return beyond;
+        const double distance = std::max({beyond, -p_T[2], p_T[2] - rounded_up(tool.height())});
         if (course.turns()) return distance;
         return std::max({distance, std::abs(c * p_T[0] - s * p_T[1]) - r,
                          std::abs(s * p_T[0] + c * p_T[1]) - r});
