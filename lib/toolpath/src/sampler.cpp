@@ -254,10 +254,11 @@ std::array<Vec3, 8> corners_of(const cda::Box& box) {
     return corners;
 }
 
-// Of a whole motion with such ends; `path` is that of its linear axes, and its tip is never farther
-// from the axis than at its ends by more than `bulge_mm`.
-Turning turning_of(const Position& from, const Position& to, const cda::Box& path, double bulge_mm,
-                   const std::optional<cda::Box>& place) {
+// Of a whole motion with such ends; its tip is never farther from the axis than at its ends by more
+// than `bulge_mm`, and as low as `lowest_mm()`, which is only asked of motions that turn.
+template <class Lowest>
+Turning turning_of(const Position& from, const Position& to, const Lowest& lowest_mm,
+                   double bulge_mm, const std::optional<cda::Box>& place) {
     Turning t;
     const auto radians = [](Angle a, Angle b) {
         return kRadiansPerDegree * std::abs((b - a).degrees());
@@ -295,17 +296,15 @@ Turning turning_of(const Position& from, const Position& to, const cda::Box& pat
                                         std::sqrt(std::max(0.0, 1.0 - lean * lean)) * distance);
     }
     if (!axis) highest = farthest;
-    t.top_mm = std::min(highest, at_ends + t.tilt_rad / 2 * farthest) - path.min.z;
+    t.top_mm = std::min(highest, at_ends + t.tilt_rad / 2 * farthest) - lowest_mm();
     return t;
 }
 
 Samples sample_linear(const gcode::Linear& m, const ToolExtent& tool,
                       const SamplingOptions& options, const std::optional<cda::Box>& place) {
     Course c;
-    cda::Box path;
-    path.add(linear_axes(m.from));
-    path.add(linear_axes(m.to));
-    c.turning = turning_of(m.from, m.to, path, 0.0, place);
+    const auto lowest_mm = [&m] { return std::min(linear_axes(m.from).z, linear_axes(m.to).z); };
+    c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, place);
     c.turning.moved_mm = norm(linear_axes(m.to) - linear_axes(m.from));
     return sample_course(c, tool, options, [&m](double t) { return between(m.from, m.to, t); });
 }
@@ -317,7 +316,8 @@ Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const ToolE
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
-    c.turning = turning_of(m.from, m.to, extent_of_path(motion), 2 * c.radius_mm, place);
+    const auto lowest_mm = [&motion] { return extent_of_path(motion).min.z; };
+    c.turning = turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, place);
     c.turning.moved_mm = c.radius_mm * c.sweep_rad + c.radius_change_mm +
                          norm(linear_axes(m.to) - linear_axes(m.from));
     return sample_course(c, tool, options, [&](double t) { return on_arc(m, p, t); });
