@@ -125,7 +125,7 @@ std::uint32_t BlockTree::Accounting::take_in(const HalfBox& box, std::size_t beg
     const auto longest = static_cast<double>(box.extent(box.longest_axis()));
     if (hopeful != kNone) {
         Item item = items_[hopeful];
-        if (look(frame, item) == Place::Covers) last = std::min(last, item.turn);
+        if (look(frame, item) == Place::Covers) last = item.turn;
     }
     std::size_t kept = mine;
     for (std::size_t i = mine; i < met; ++i) {
