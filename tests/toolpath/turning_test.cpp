@@ -151,10 +151,12 @@ Case random_case(test::Random& random) {
     const double aside = random.one_in(2) ? 0.0 : random.within(-1, 1);
     double x[6] = {random.within(-50, 50), random.within(-20, 20), random.within(-60, 60), 0, 0, 0};
     double v[6] = {aside, aside * random.within(-1, 1), aside * random.within(-1, 1), 0, 0, 0};
-    switch (random.next() % 4) {
+    switch (random.next() % 6) {
         case 0: x[3] = angle(), v[3] = turn; break;
         case 1: x[3] = angle() / 9, x[4] = angle(), v[4] = turn; break;
-        case 2: x[3] = angle(), x[4] = angle(), v[5] = turn; break;
+        case 2: x[3] = angle(), x[4] = angle(), x[5] = angle(), v[3] = turn; break;
+        case 3: x[3] = angle(), x[4] = angle(), x[5] = angle(), v[4] = turn; break;
+        case 4: x[3] = angle(), x[4] = angle(), v[5] = turn; break;
         default:
             for (int i = 3; i < 6; ++i)
                 x[i] = angle(), v[i] = random.within(-1, 1) * turn;
@@ -211,6 +213,22 @@ TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
     EXPECT_GT(worst_gain(about_itself, 4000, random), 0.5);
     EXPECT_GT(worst_gain(far_away, 4000, random), 0.5);
     EXPECT_GT(worst_gain(goes_on, 4000, random), 0.5);
+}
+
+// A table that stands at C90, with the stock on it, changes nothing about what A and B do.
+TEST(Turning, AxesThatStandStillTurnTheOnesBeforeThem) {
+    const auto bounds = [](double b, double c, cda::Box place) {
+        return Case{ball_end_mill(10, 60).pieces[0], place_at(0, 50, 5, 0, b, c),
+                    place_at(0, 50, 5, 4, b, c), place}
+            .samples()
+            .bounds;
+    };
+    const SampleBounds straight = bounds(0, 0, {{-5, 40, 0}, {5, 60, 20}});
+    const SampleBounds turned = bounds(0, 90, {{-60, -5, 0}, {-40, 5, 20}});
+    const SampleBounds twice = bounds(90, 90, {{-60, 0, -5}, {-40, 20, 5}});
+    EXPECT_DOUBLE_EQ(turned.missed_mm, straight.missed_mm);
+    EXPECT_DOUBLE_EQ(turned.gained_mm, straight.gained_mm);
+    EXPECT_DOUBLE_EQ(twice.missed_mm, straight.missed_mm);
 }
 
 TEST(Turning, ABallFarFromTheAxisGainsNothingOfFirstOrder) {

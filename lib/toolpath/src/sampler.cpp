@@ -233,13 +233,12 @@ Vec3 axis_of(const Pose& X_WT) {
 std::optional<Vec3> turning_axis(const Position& from, const Position& to) {
     const bool a = from.a != to.a, b = from.b != to.b, c = from.c != to.c;
     if (a + b + c != 1) return {};
-    // Turned by what comes after it in pose_at().
+    // A point on it, turned by what comes after it in pose_at().
     Position at;
+    at.*(a ? &Position::x : b ? &Position::y : &Position::z) = Length::from_mm(1.0);
     if (a) at.b = from.b;
     if (a || b) at.c = from.c;
-    const auto& rows = pose_at(at).rows;
-    const int axis = a ? 0 : b ? 1 : 2;
-    return Vec3{rows[0][axis], rows[1][axis], rows[2][axis]};
+    return pose_at(at).translation;
 }
 
 double distance_from(const std::optional<Vec3>& axis, Vec3 p) {

@@ -42,8 +42,8 @@ struct PieceExtent {
     double radius_mm = 0.0;  ///< The largest.
     /// Of the body that a ball rolls around to make the piece: the piece itself where it has edges.
     double core_low_mm = 0.0, core_high_mm = 0.0, core_radius_mm = 0.0;
-    bool open_above =
-        false;  ///< It ends flat, where the core ends, too: the ball is cut off there.
+    /// It ends flat, where the core ends, too: the ball is cut off there.
+    bool open_above = false;
     /// From here on it is a cylinder, which may be cut off anywhere; high_mm if there is none.
     double straight_mm = 0.0;
     bool operator==(const PieceExtent&) const = default;
