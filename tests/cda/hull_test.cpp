@@ -68,6 +68,71 @@ TEST(ConvexHull, OutwardHullsLoseNoPointAndInwardHullsStayInside) {
     }
 }
 
+// Two discs that lean a little from each other, as those at the ends of a tool that turns do; some
+// of them sharp cones.
+std::vector<LatticePoint> leaning_discs(Random& random) {
+    std::vector<LatticePoint> points;
+    const double height = random.within(1e4, 1e6), radius = random.within(1e4, 1e6);
+    const double lean = random.within(0.0, 0.005);
+    const bool is_cone = random.one_in(3);
+    for (int k = 0; k < 24; ++k) {
+        const double x = radius * std::cos(0.2618 * k), y = radius * std::sin(0.2618 * k);
+        for (const double z : {0.0, height}) {
+            const double r = is_cone && z == 0.0 ? 0.0 : 1.0;
+            points.push_back({std::llround(r * x), std::llround(r * y), std::llround(z)});
+            points.push_back({std::llround(r * x + lean * z), std::llround(r * y),
+                              std::llround(z - lean * r * x)});
+        }
+    }
+    return points;
+}
+
+TEST(ConvexHullWithin, ContainsTheHullAndStaysWithinTheSlack) {
+    Random random(11);
+    std::size_t plain = 0, fewer = 0;
+    for (int round = 0; round < 60; ++round) {
+        SCOPED_TRACE(round);
+        const std::vector<LatticePoint> points = leaning_discs(random);
+        const double slack = random.within(10, 3000);
+        const auto cell = convex_hull_within(points, kLattice, Origin{1}, slack);
+        ASSERT_TRUE(cell);
+        plain += convex_hull(points, kLattice, Origin{1})->planes.size();
+        fewer += cell->planes.size();
+        for (const LatticePoint& p : points)
+            EXPECT_TRUE(contains(*cell, p));
+        // How much farther one of two bodies, of which it contains the other, reaches along any
+        // direction is its distance from the other.
+        const auto polytope = ConvexPolytope::of(*cell, kLattice);
+        ASSERT_TRUE(polytope);
+        for (int k = 0; k < 500; ++k) {
+            const Vec3 u =
+                normalized(Vec3{random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)});
+            double hull = -1e300, around = -1e300;
+            for (const LatticePoint& p : points)
+                hull = std::max(hull, dot(u, kLattice.to_mm(p)));
+            for (const ExactPoint& p : polytope->vertices())
+                around = std::max(around, dot(u, kLattice.to_mm(p.approx)));
+            ASSERT_LE(around - hull, (slack + 0.5) * kLattice.unit_mm);
+        }
+    }
+    EXPECT_LT(fewer, 0.8 * static_cast<double>(plain));
+}
+
+TEST(ConvexHullWithin, DoesNotDependOnTheOrderOfThePoints) {
+    Random random(12);
+    for (int round = 0; round < 20; ++round) {
+        std::vector<LatticePoint> points = leaning_discs(random);
+        const auto cell = convex_hull_within(points, kLattice, Origin{1}, 500.0);
+        std::reverse(points.begin(), points.end());
+        EXPECT_EQ(cell->planes, convex_hull_within(points, kLattice, Origin{1}, 500.0)->planes);
+    }
+}
+
+TEST(ConvexHullWithin, WithoutSlackIsTheHull) {
+    const auto points = cube_corners(1000);
+    EXPECT_EQ(convex_hull_within(points, kLattice, Origin{3}, 0.0)->planes.size(), 6U);
+}
+
 TEST(TranslationSweep, OfACubeAlongXIsABox) {
     const auto sweep = TranslationSweep::of(cube_corners(1000), kLattice);
     ASSERT_TRUE(sweep);

@@ -6,6 +6,7 @@
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
+#include "ncsim/toolpath/walk.h"
 
 #include "support/random.h"
 
@@ -252,7 +253,7 @@ TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
         tool.pieces.push_back(c.piece);
         Cutter cutter(tool, lattice, {0.02, Side::Circumscribed});
         std::vector<cda::Cell> cells;
-        cutter.trace(s.poses[0], s.poses[1], {}, cells, s.turning.top_mm);
+        cutter.trace(s.poses[0], s.poses[1], {}, cells, {s.turning.top_mm, 0.0});
         for (int k = 0; k < 50; ++k) {
             const Vec3 p = pose_at(c.at(random.unit())) * point_of(section, random);
             if (c.place && !c.place->contains(p)) continue;
@@ -269,6 +270,31 @@ TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
         }
     }
     EXPECT_GT(worst, 0.5);
+}
+
+// A shank is longer than its cutter: what its hull gains is more. Who judges it asks for steps that
+// are small enough for it, too.
+TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
+    Tool tool = flat_end_mill(10.0, 5.0);
+    add_holder_segment(tool, 10.0, 10.0, 60.0);
+    gcode::Motion motion;
+    motion.what = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
+    motion.kind = gcode::MoveKind::Feed;
+    motion.tool = 1;
+    motion.known_start = motion.known_end = {true, true, true};
+    const cda::Box stock{{-50, -50, -50}, {50, 50, 50}};
+    const auto worst_of_shank = [&](bool shanks) {
+        Walk walk(cda::Lattice::for_stock(stock), stock, {}, {}, {}, {{}, shanks});
+        walk.add_tool(1, tool);
+        double worst = 0.0;
+        walk.take(motion, {}, [&](const Step& step) {
+            worst = std::max(worst, gained_mm(step.X_WA, step.X_WB, step.turning,
+                                              {{extent_of(tool.pieces[1])}}));
+        });
+        return worst;
+    };
+    EXPECT_GT(worst_of_shank(false), 2 * SamplingOptions{}.rotation_gain_mm);
+    EXPECT_LE(worst_of_shank(true), SamplingOptions{}.rotation_gain_mm);
 }
 
 }  // namespace

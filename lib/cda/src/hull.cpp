@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace ncsim::cda {
 
@@ -157,10 +160,228 @@ std::size_t add(std::vector<Plane>& planes, const Plane& plane) {
     return index;
 }
 
+// A unit vector that leans as little as is easily found from the worst of `normals`, of unit
+// length; the cosine between them, below 0 if there is none.
+double common_cosine(std::span<const Vec3> normals) {
+    const auto worst_of = [&](Vec3 m) {
+        return *std::min_element(normals.begin(), normals.end(),
+                                 [m](Vec3 a, Vec3 b) { return dot(m, a) < dot(m, b); });
+    };
+    Vec3 sum;
+    for (const Vec3 n : normals)
+        sum = sum + n;
+    Vec3 m = normalized(sum);
+    double best = dot(m, worst_of(m));
+    // Towards the worst by ever less: the middle of the smallest ball around the normals (Badoiu
+    // and Clarkson, Smaller core-sets for balls, 2003).
+    constexpr int kSteps = 8;
+    for (int i = 1; i <= kSteps; ++i) {
+        m = m + (1.0 / (i + 1)) * (worst_of(m) - m);
+        const Vec3 unit = normalized(m);
+        best = std::max(best, dot(unit, worst_of(unit)));
+    }
+    return best;
+}
+
+// Which facet is on the other side of an edge of a facet.
+class Neighbours {
+public:
+    explicit Neighbours(const std::vector<std::vector<std::uint32_t>>& loops) {
+        for (std::size_t f = 0; f < loops.size(); ++f) {
+            for (std::size_t k = 0; k < loops[f].size(); ++k)
+                edges_.push_back({loops[f][k], loops[f][(k + 1) % loops[f].size()],
+                                  static_cast<std::uint32_t>(f)});
+        }
+        std::sort(edges_.begin(), edges_.end(), comes_before);
+        is_closed_ = std::all_of(edges_.begin(), edges_.end(), [this](const Edge& e) {
+            return find(e.from, e.to) == &e && find(e.to, e.from);
+        });
+    }
+    // Does each edge of a facet belong to one other, the other way round?
+    bool is_closed() const { return is_closed_; }
+    // Requires that they are closed.
+    std::uint32_t across(std::uint32_t from, std::uint32_t to) const {
+        return find(to, from)->facet;
+    }
+
+private:
+    struct Edge {
+        std::uint32_t from, to, facet;
+    };
+    static bool comes_before(const Edge& a, const Edge& b) {
+        return std::tie(a.from, a.to, a.facet) < std::tie(b.from, b.to, b.facet);
+    }
+    // The first of its kind.
+    const Edge* find(std::uint32_t from, std::uint32_t to) const {
+        const auto at =
+            std::lower_bound(edges_.begin(), edges_.end(), Edge{from, to, 0}, comes_before);
+        return at != edges_.end() && at->from == from && at->to == to ? &*at : nullptr;
+    }
+
+    std::vector<Edge> edges_;
+    bool is_closed_ = false;
+};
+
+// The outline of facets that are one patch; empty if it is not one loop.
+std::vector<std::uint32_t> outline(const LatticeHull& hull, const std::vector<std::uint32_t>& patch,
+                                   const std::vector<std::uint32_t>& patch_of,
+                                   const Neighbours& neighbours) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const std::uint32_t f : patch) {
+        const auto& loop = hull.loops[f];
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const std::uint32_t from = loop[k], to = loop[(k + 1) % loop.size()];
+            if (patch_of[neighbours.across(from, to)] != patch_of[f]) edges.emplace_back(from, to);
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::uint32_t> loop;
+    if (edges.empty()) return loop;
+    std::uint32_t at = edges.front().first;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        loop.push_back(at);
+        at = std::lower_bound(edges.begin(), edges.end(), std::pair{at, std::uint32_t{0}})->second;
+        if (at == loop.front()) break;
+    }
+    if (loop.size() != edges.size()) loop.clear();
+    return loop;
+}
+
+struct Patches {
+    LatticeHull hull;
+    std::vector<Plane> planes;  // one a patch, with all points below it
+};
+
+// The hull in patches, each with the plane of its largest facet: around that, all whose corners are
+// less than `depth` units below. Nothing if the facets do not close, or a patch is no disc.
+std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const LatticePoint> points,
+                                  double depth) {
+    const Neighbours neighbours(hull.loops);
+    if (!neighbours.is_closed()) return std::nullopt;
+    const auto count = static_cast<std::uint32_t>(hull.loops.size());
+    std::vector<double> areas;
+    for (const auto& loop : hull.loops) {
+        const Wide a = area_vector(points, loop);
+        areas.push_back(norm(
+            Vec3{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)}));
+    }
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+    constexpr std::uint32_t kNone = ~0U;
+    std::vector<std::uint32_t> patch_of(count, kNone);
+    std::vector<std::vector<std::uint32_t>> patches;
+    Patches result;
+    for (const std::uint32_t seed : order) {
+        if (patch_of[seed] != kNone) continue;
+        const auto number = static_cast<std::uint32_t>(patches.size());
+        const Normal n = hull.normals[seed];
+        const double length = norm(
+            Vec3{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)});
+        const std::int64_t d = support(n, points);
+        const auto lowest = d - static_cast<std::int64_t>(depth * length);
+        const auto is_near = [&](std::uint32_t f) {
+            return std::all_of(hull.loops[f].begin(), hull.loops[f].end(),
+                               [&](std::uint32_t p) { return dot(n, points[p]) >= lowest; });
+        };
+        std::vector<std::uint32_t> patch{seed};
+        patch_of[seed] = number;
+        for (std::size_t i = 0; i < patch.size(); ++i) {
+            const auto& loop = hull.loops[patch[i]];
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const std::uint32_t next = neighbours.across(loop[k], loop[(k + 1) % loop.size()]);
+                if (patch_of[next] != kNone || !is_near(next)) continue;
+                patch_of[next] = number;
+                patch.push_back(next);
+            }
+        }
+        patches.push_back(std::move(patch));
+        result.planes.push_back(plane_of(n, d));
+    }
+    for (const auto& patch : patches) {
+        auto loop =
+            patch.size() == 1 ? hull.loops[patch[0]] : outline(hull, patch, patch_of, neighbours);
+        if (loop.size() < 3) return std::nullopt;
+        result.hull.loops.push_back(std::move(loop));
+        result.hull.normals.push_back(hull.normals[patch[0]]);
+    }
+    return result;
+}
+
+// How far the cell of these planes, one a facet, is from the hull of the points, in units; infinite
+// if that is not known. Each plane has all points below it.
+//
+// Around each corner the normals of the facets span a cone. If the facets close, and each faces
+// away from a point inside at all of its corners, these cones cover all directions: the map from
+// the surface to its normals can be shrunk to that from its points to where they are seen from
+// inside. So any unit vector u is a sum Σ λi ni over the facets around one corner p, and no point
+// of the cell is farther along it than Σ λi (ni·p + e) = u·p + e Σ λi, where e is how far the
+// planes are above p, which is in the hull. If m is a unit vector with m·ni ≥ c for these facets,
+// then c Σ λi ≤ m·u ≤ 1: the cell is no farther away along u than e/c.
+double distance_bound(const LatticeHull& hull, std::span<const LatticePoint> points,
+                      const std::vector<Plane>& planes) {
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    const auto vec_of = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    };
+    if (!Neighbours(hull.loops).is_closed()) return kUnknown;
+    struct Incidence {
+        std::uint32_t corner;
+        Vec3 normal;
+        double above;
+    };
+    std::vector<Incidence> incidences;
+    Vec3 inside;
+    for (std::size_t f = 0; f < hull.loops.size(); ++f) {
+        const Normal n = hull.normals[f];
+        const double length = norm(vec_of(n.x, n.y, n.z));
+        for (const std::uint32_t corner : hull.loops[f]) {
+            const auto above = static_cast<double>(planes[f].d - dot(n, points[corner])) / length;
+            incidences.push_back({corner, (1 / length) * vec_of(n.x, n.y, n.z), above});
+            const LatticePoint p = points[corner] - points[0];
+            inside = inside + vec_of(p.x, p.y, p.z);
+        }
+    }
+    inside = (1.0 / static_cast<double>(incidences.size())) * inside;
+    std::stable_sort(incidences.begin(), incidences.end(),
+                     [](const Incidence& a, const Incidence& b) { return a.corner < b.corner; });
+    double worst = 0.0;
+    std::vector<Vec3> normals;
+    for (std::size_t i = 0; i < incidences.size();) {
+        const std::uint32_t corner = incidences[i].corner;
+        const LatticePoint p = points[corner] - points[0];
+        double above = 0.0;
+        normals.clear();
+        for (; i < incidences.size() && incidences[i].corner == corner; ++i) {
+            normals.push_back(incidences[i].normal);
+            above = std::max(above, incidences[i].above);
+            if (!(dot(incidences[i].normal, vec_of(p.x, p.y, p.z) - inside) > 0.0)) return kUnknown;
+        }
+        const double cosine = common_cosine(normals);
+        if (!(cosine > 0.0)) return kUnknown;
+        worst = std::max(worst, above / cosine);
+    }
+    return worst;
+}
+
 // Six planes that keep a cell within the box of its points: where facets are nearly parallel,
 // quantising them could let a corner run far away.
 constexpr std::array<Normal, 6> kBoxNormals{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+Cell cell_of(const std::vector<Plane>& planes, std::span<const LatticePoint> points,
+             const Lattice& lattice, Origin origin) {
+    Cell cell;
+    cell.origin = origin;
+    for (const Plane& plane : planes)
+        add(cell.planes, plane);
+    for (const Normal& n : kBoxNormals)
+        add(cell.planes, plane_of(n, support(n, points)));
+    const Extent e = extent(points);
+    cell.bounds = {lattice.to_mm(e.min), lattice.to_mm(e.max)};
+    return cell;
+}
 
 }  // namespace
 
@@ -168,15 +389,33 @@ std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Latt
                                 Origin origin, Rounding rounding) {
     const auto hull = lattice_hull(points);
     if (!hull) return std::nullopt;
-    Cell cell;
-    cell.origin = origin;
+    std::vector<Plane> planes;
     for (std::size_t i = 0; i < hull->loops.size(); ++i)
-        add(cell.planes, plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding)));
-    for (const Normal& n : kBoxNormals)
-        add(cell.planes, plane_of(n, support(n, points)));
-    const Extent e = extent(points);
-    cell.bounds = {lattice.to_mm(e.min), lattice.to_mm(e.max)};
-    return cell;
+        planes.push_back(plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding)));
+    return cell_of(planes, points, lattice, origin);
+}
+
+std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, const Lattice& lattice,
+                                       Origin origin, double slack) {
+    // Which facets qhull finds in one plane may depend on the order of the points.
+    std::vector<LatticePoint> sorted(points.begin(), points.end());
+    std::sort(sorted.begin(), sorted.end(), [](const LatticePoint& a, const LatticePoint& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    const auto hull = lattice_hull(sorted);
+    if (!hull) return std::nullopt;
+    // Where the normals around a corner are far apart the cell reaches farther out than its planes.
+    constexpr double kShare = 0.5;
+    if (kShare * slack >= 1.0) {
+        if (const auto patches = in_patches(*hull, sorted, kShare * slack)) {
+            if (distance_bound(patches->hull, sorted, patches->planes) <= slack)
+                return cell_of(patches->planes, sorted, lattice, origin);
+        }
+    }
+    std::vector<Plane> planes;
+    for (const Normal& n : hull->normals)
+        planes.push_back(plane_of(n, support(n, sorted)));
+    return cell_of(planes, sorted, lattice, origin);
 }
 
 std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,

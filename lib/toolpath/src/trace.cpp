@@ -97,7 +97,7 @@ const Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
 }
 
 void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-                   std::vector<cda::Cell>& cells, double top_mm) {
+                   std::vector<cda::Cell>& cells, const Liberties& liberties) {
     const LatticePoint from = lattice_.round(X_WA.translation);
     const LatticePoint to = lattice_.round(X_WB.translation);
     if (X_WA.rows == X_WB.rows) {
@@ -107,19 +107,23 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
         return;
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        if (is_above(extent_.pieces[i], top_mm)) continue;
-        std::vector<LatticePoint> points = turned(X_WA.rows, i, top_mm);
+        if (is_above(extent_.pieces[i], liberties.top_mm)) continue;
+        std::vector<LatticePoint> points = turned(X_WA.rows, i, liberties.top_mm);
         for (LatticePoint& p : points)
             p = p + from;
-        for (const LatticePoint& p : turned(X_WB.rows, i, top_mm))
+        for (const LatticePoint& p : turned(X_WB.rows, i, liberties.top_mm))
             points.push_back(p + to);
-        if (auto cell = cda::convex_hull(points, lattice_, origin, rounding_)) {
+        auto cell = rounding_ == cda::Rounding::Inward
+                        ? cda::convex_hull(points, lattice_, origin, rounding_)
+                        : cda::convex_hull_within(points, lattice_, origin,
+                                                  liberties.slack_mm / lattice_.unit_mm);
+        if (cell) {
             cells.push_back(std::move(*cell));
         }
     }
 }
 
-cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, double top_mm) const {
+cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties) const {
     // The cylinder around all corners, turned: along a unit direction it reaches its radius times
     // the sine, and its ends times the cosine, of the angle to the axis. A unit more for the
     // rounding of the turned corners; in lattice units, as the cells' own bounds are.
@@ -127,7 +131,7 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, double top_mm) const
     if (X_WA.rows != X_WB.rows) {
         double kept = low_;
         for (const PieceExtent& piece : extent_.pieces) {
-            const double cut = cut_off(piece, top_mm);
+            const double cut = cut_off(piece, liberties.top_mm);
             kept = std::max(kept, cut < piece.high_mm ? std::ceil(cut / lattice_.unit_mm) : high_);
         }
         end = std::min(end, kept);

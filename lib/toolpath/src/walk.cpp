@@ -71,6 +71,9 @@ Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccurac
       rapid_(rapid),
       watch_(watch),
       place_(stock) {
+    constexpr double kShare = 0.1;
+    slack_mm_ = kShare * sampling.rotation_gain_mm;
+    sampling_.rotation_gain_mm -= slack_mm_;
     place_.add(watch.place);
 }
 
@@ -93,10 +96,10 @@ const Cutter* Walk::cutter(int number) const {
 
 // Into cells_: what may meet the stock.
 void Walk::trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-                 double top_mm) {
+                 const Liberties& liberties) {
     cells_.clear();
-    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB, top_mm))) return;
-    cutter.trace(X_WA, X_WB, origin, cells_, top_mm);
+    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB, liberties))) return;
+    cutter.trace(X_WA, X_WB, origin, cells_, liberties);
     std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
@@ -106,7 +109,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     const gcode::Position* end = end_of(motion);
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = pose_at(*end);
-    trace(found->second.cutter, X_WT, X_WT, origin, Turning::kInf);
+    trace(found->second.cutter, X_WT, X_WT, origin, {});
     step({X_WT, X_WT, cells_, {}, {}});
 }
 
@@ -118,7 +121,13 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
-        const Samples samples = sample(part, followed, sampling_, place_);
+        Samples samples = sample(part, followed, sampling_, place_);
+        Liberties liberties{samples.turning.top_mm, 0.0};
+        // A rapid move is followed exactly, so that it meets nothing where a cut has been.
+        if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
+            liberties.slack_mm = slack_mm_;
+            samples.bounds.gained_mm += slack_mm_;
+        }
         worst.missed_mm = std::max(worst.missed_mm, samples.bounds.missed_mm);
         worst.gained_mm = std::max(worst.gained_mm, samples.bounds.gained_mm);
         for (std::size_t i = 1; i < samples.poses.size(); ++i) {
@@ -126,7 +135,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             const Pose& X_WB = samples.poses[i];
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
-            trace(cutter, X_WA, X_WB, origin, samples.turning.top_mm);
+            trace(cutter, X_WA, X_WB, origin, liberties);
             step({X_WA, X_WB, cells_, samples.bounds, samples.turning});
         }
     };

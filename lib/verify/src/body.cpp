@@ -135,13 +135,13 @@ std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
     std::vector<Cell> cells;
     toolpath::Cutter& cutter = side == Side::Circumscribed ? outer_ : inner_;
     cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells,
-                 step.turning.top_mm - raise);
+                 {step.turning.top_mm - raise, 0.0});
     return cells;
 }
 
 Box Body::bounds(const Step& step, double raise) const {
     return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise),
-                         step.turning.top_mm - raise);
+                         {step.turning.top_mm - raise, 0.0});
 }
 
 double Body::gained(const Step& step, double raise) const {

@@ -592,7 +592,7 @@ private:
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
         const toolpath::Turning& turning = step.turning;
-        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, turning.top_mm);
+        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, {turning.top_mm, 0.0});
         const double gained =
             turning.chord_mm +
             toolpath::gained_mm(step.X_WA, step.X_WB, turning,

@@ -27,6 +27,12 @@ enum class Rounding : std::uint8_t { Outward, Inward };
 std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Lattice& lattice,
                                 Origin origin, Rounding rounding = Rounding::Outward);
 
+/// A cell that contains the hull of `points` and is nowhere farther from it than `slack` units,
+/// with fewer facets: those in nearly one plane become one. Nothing if the points lie in a plane.
+/// The order of the points does not matter.
+std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, const Lattice& lattice,
+                                       Origin origin, double slack);
+
 /// The plane of a triangle, its normal quantised, moved out as far as it takes for `points` to lie
 /// below or on it. Nothing if the corners lie on a line.
 std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,

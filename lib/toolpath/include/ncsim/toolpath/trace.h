@@ -19,6 +19,14 @@
 
 namespace ncsim::toolpath {
 
+/// What the hulls of a tool that turns may leave out.
+struct Liberties {
+    /// What is farther than this above the tip, as cut_off() says, mm.
+    double top_mm = std::numeric_limits<double>::infinity();
+    /// Facets without which the hull gains no more than this, mm. Inscribed tools keep all.
+    double slack_mm = 0.0;
+};
+
 /// The cutting pieces of a tool as polytopes on a lattice, ready to be moved.
 class Cutter {
 public:
@@ -30,16 +38,12 @@ public:
     /// their translation only make exact hulls; turned ones are rounded to the lattice corner by
     /// corner (half a unit an axis). Errs on the side of the tool's accuracy. A tool at rest leaves
     /// its own shape. Poses beyond cda::kMaxPose units are clamped to it.
-    ///
-    /// Of a tool that turns, what is farther than `top_mm` above its tip is left out, as cut_off()
-    /// says.
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-               std::vector<cda::Cell>& cells,
-               double top_mm = std::numeric_limits<double>::infinity());
+               std::vector<cda::Cell>& cells, const Liberties& liberties = {});
 
-    /// Encloses everything `trace` makes of these poses; in mm. Cheap: to ask before tracing.
-    cda::Box bounds(const Pose& X_WA, const Pose& X_WB,
-                    double top_mm = std::numeric_limits<double>::infinity()) const;
+    /// Encloses everything `trace` makes of these poses, but for the slack; in mm. Cheap: to ask
+    /// before tracing.
+    cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties = {}) const;
 
     const ToolExtent& extent() const { return extent_; }
     /// Bound on the distance between the tool and its polytopes.

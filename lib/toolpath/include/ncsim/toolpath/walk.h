@@ -77,12 +77,13 @@ private:
         ToolExtent followed;
     };
     void trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
-               double top_mm);
+               const Liberties& liberties);
 
     cda::Lattice lattice_;
     cda::Box stock_;
     ToolAccuracy accuracy_;
     SamplingOptions sampling_;
+    double slack_mm_;  // the share of the gain that facets may be left out for
     RapidPath rapid_;
     Watch watch_;
     cda::Box place_;  // that matters: the stock and what is watched
