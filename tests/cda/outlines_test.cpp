@@ -80,6 +80,80 @@ TEST(Outlines, TellsPointsOfOnePageApartByTheirPlanes) {
     }
 }
 
+// Two squares of one face side by side, on pages of their own: their common edge goes if both name
+// it alike, have one owner and go opposite ways along all of it.
+TEST(Outlines, DropsWhatGoesThereAndBack) {
+    enum class Second { Beside, OfAnother, SameWay, Longer };
+    for (const Second second :
+         {Second::Beside, Second::OfAnother, Second::SameWay, Second::Longer}) {
+        Outlines outlines;
+        const std::uint32_t floor = outlines.add_plane({0, 0, 1, 0});
+        const std::uint32_t left = outlines.add_plane({1, 0, 0, 0});
+        const std::uint32_t seam = outlines.add_plane({1, 0, 0, 10});
+        const std::uint32_t right = outlines.add_plane({1, 0, 0, 20});
+        const std::uint32_t front = outlines.add_plane({0, 1, 0, 0});
+        const std::uint32_t back = outlines.add_plane({0, 1, 0, 10});
+        const std::uint32_t beyond = outlines.add_plane({0, 1, 0, 20});
+        std::vector<std::uint32_t> seams;
+        const auto add = [&](std::uint32_t edge, std::uint32_t tail, std::uint32_t head,
+                             Origin origin) {
+            if (edge == seam) seams.push_back(static_cast<std::uint32_t>(outlines.pieces().size()));
+            outlines.add({2 * floor, edge, origin, outlines.point(floor, edge, tail),
+                          outlines.point(floor, edge, head)});
+        };
+        const Origin first{1};
+        add(front, left, seam, first);
+        add(seam, front, back, first);
+        add(back, seam, left, first);
+        add(left, back, front, first);
+        outlines.turn_page();
+        const Origin other = second == Second::OfAnother ? Origin{2} : first;
+        const std::uint32_t end = second == Second::Longer ? beyond : back;
+        add(front, seam, right, other);
+        add(right, front, end, other);
+        add(end, right, seam, other);
+        second == Second::SameWay ? add(seam, front, end, other) : add(seam, end, front, other);
+        EXPECT_EQ(outlines.points().size(), 8U);
+        outlines.cancel(seams);
+        const bool cancels = second == Second::Beside;
+        EXPECT_EQ(outlines.pieces().size(), cancels ? 6U : 8U);
+        EXPECT_EQ(outlines.points().size(), 8U);  // others end there, still
+        double doubled_area = 0.0;
+        for (const Outlines::Piece& piece : outlines.pieces()) {
+            const Vec3 tail = outlines.points()[piece.tail].fixed.approx();
+            const Vec3 head = outlines.points()[piece.head].fixed.approx();
+            doubled_area += tail.x * head.y - tail.y * head.x;
+        }
+        if (cancels) {
+            EXPECT_EQ(doubled_area, 2.0 * 200.0);
+        }
+    }
+}
+
+// Points that only dropped pieces had are dropped, and the others named anew.
+TEST(Outlines, DropsPointsOfDroppedPieces) {
+    Outlines outlines;
+    const std::uint32_t floor = outlines.add_plane({0, 0, 1, 0});
+    const std::uint32_t seam = outlines.add_plane({1, 0, 0, 10});
+    std::vector<std::uint32_t> across;
+    for (std::int32_t i = 0; i < 4; ++i)
+        across.push_back(outlines.add_plane({0, 1, 0, 10 * i}));
+    const auto add = [&](std::size_t from, std::size_t to) {
+        outlines.add({2 * floor, seam, Origin{1}, outlines.point(floor, seam, across[from]),
+                      outlines.point(floor, seam, across[to])});
+    };
+    add(0, 1);
+    add(2, 3);
+    outlines.turn_page();
+    add(1, 0);
+    const std::vector<std::uint32_t> seams{0, 1, 2};
+    outlines.cancel(seams);
+    ASSERT_EQ(outlines.pieces().size(), 1U);
+    ASSERT_EQ(outlines.points().size(), 2U);
+    EXPECT_EQ(outlines.points()[outlines.pieces()[0].tail].fixed.approx().y, 20.0);
+    EXPECT_EQ(outlines.points()[outlines.pieces()[0].head].fixed.approx().y, 30.0);
+}
+
 TEST(Interner, NumbersManyKeysAsOneByOne) {
     struct Hash {
         std::uint64_t operator()(const std::uint64_t& key) const { return mix(0, key / 2); }

@@ -55,6 +55,8 @@ public:
                      [this](const HalfBox& box, std::span<const BlockTree::Entry> entries) {
                          take_leaf(box, entries);
                      });
+        // What is asked with a window is whether there is any piece, and where.
+        if (!input_.window) result_.outlines.cancel(seams_);
     }
 
 private:
@@ -438,22 +440,37 @@ private:
     }
 
     // `reversed`: the face lies above the line plane.
-    void write_remaining(Origin origin, bool is_wall, bool reversed) {
+    void write_remaining(Origin origin, bool is_wall_of_part, bool reversed) {
         for (const FilteredSegment& piece : remaining_) {
             const std::uint32_t plane = index_of(*piece.plane);
             const std::uint32_t edge = index_of(*piece.line);
             std::uint32_t tail = result_.outlines.point(plane, edge, index_of(*piece.tail_cut));
             std::uint32_t head = result_.outlines.point(plane, edge, index_of(*piece.head_cut));
-            if (reversed != is_wall) std::swap(tail, head);
+            if (reversed != is_wall_of_part) std::swap(tail, head);
+            if (is_wall(*piece.line))
+                seams_.push_back(static_cast<std::uint32_t>(result_.outlines.pieces().size()));
             result_.outlines.add(
-                {2 * plane + static_cast<PlaneRef>(is_wall), edge, origin, tail, head});
+                {2 * plane + static_cast<PlaneRef>(is_wall_of_part), edge, origin, tail, head});
         }
     }
 
     std::uint32_t index_of(const FilterPlane& plane) {
         std::uint32_t& index = table_[plane.source];
-        if (index == kNone) index = result_.outlines.add_plane(plane.exact);
+        if (index == kNone) {
+            index = is_wall(plane) ? index_of_wall(plane.source - first_wall_)
+                                   : result_.outlines.add_plane(plane.exact);
+        }
         return index;
+    }
+    bool is_wall(const FilterPlane& plane) const { return plane.source >= first_wall_; }
+    // The same for all leaves that have a wall there, on either side.
+    std::uint32_t index_of_wall(std::size_t wall) {
+        const std::size_t axis = wall / 2;
+        const std::int64_t at = wall % 2 == 0 ? box_->min[axis] : box_->max[axis];
+        const std::uint32_t number = wall_numbers_({static_cast<std::int64_t>(axis), at});
+        if (number == wall_indices_.size())
+            wall_indices_.push_back(result_.outlines.add_plane(walls_[wall].exact));
+        return wall_indices_[number];
     }
 
     // A third of distance times area, from the pieces of the facet written last.
@@ -479,6 +496,15 @@ private:
     std::vector<FilterPlane> stock_planes_, window_planes_;
     std::uint32_t first_wall_ = 0;
     std::vector<std::uint32_t> table_;  // source of a plane → index in the outlines
+    // Walls of leaves by axis and place → index in the outlines.
+    struct HashWall {
+        std::uint64_t operator()(const std::array<std::int64_t, 2>& wall) const {
+            return mix(static_cast<std::uint64_t>(wall[0]), static_cast<std::uint64_t>(wall[1]));
+        }
+    };
+    Interner<std::array<std::int64_t, 2>, HashWall> wall_numbers_;
+    std::vector<std::uint32_t> wall_indices_;
+    std::vector<std::uint32_t> seams_;  // pieces on walls
     // The leaf at hand.
     const HalfBox* box_ = nullptr;
     std::array<FilterPlane, 6> walls_;

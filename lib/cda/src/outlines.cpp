@@ -4,12 +4,15 @@
 #include "wide.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <utility>
 
 namespace ncsim::cda {
 
 namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // Within a few units in the last place.
 double nearly(Int128 v) {
@@ -70,6 +73,54 @@ void Outlines::grow() {
             at = (at + 1) & (slots_.size() - 1);
         slots_[at] = {page_, static_cast<std::uint32_t>(i)};
     }
+}
+
+void Outlines::cancel(std::span<const std::uint32_t> pieces) {
+    std::vector<std::uint32_t> open(std::bit_ceil(2 * pieces.size() + 2), kNone);
+    std::vector<bool> is_gone(pieces_.size(), false);
+    const auto planes_at = [&](std::uint32_t p) -> const auto& {
+        return points_[p].planes;
+    };
+    for (const std::uint32_t number : pieces) {
+        const Piece& piece = pieces_[number];
+        // The same there and back.
+        const std::uint64_t ends = hash(planes_at(piece.tail)) + hash(planes_at(piece.head));
+        std::size_t at = mix(mix(piece.plane | std::uint64_t{piece.edge} << 32, ends),
+                             static_cast<std::uint32_t>(piece.origin)) &
+                         (open.size() - 1);
+        for (; open[at] != kNone; at = (at + 1) & (open.size() - 1)) {
+            const Piece& other = pieces_[open[at]];
+            if (is_gone[open[at]] || other.plane != piece.plane || other.edge != piece.edge ||
+                other.origin != piece.origin || planes_at(other.tail) != planes_at(piece.head) ||
+                planes_at(other.head) != planes_at(piece.tail)) {
+                continue;
+            }
+            is_gone[open[at]] = is_gone[number] = true;
+            break;
+        }
+        if (!is_gone[number]) open[at] = number;
+    }
+    std::vector<std::uint32_t> moved(points_.size(), kNone);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (is_gone[i]) continue;
+        pieces_[kept] = pieces_[i];
+        moved[pieces_[kept].tail] = moved[pieces_[kept].head] = 0;
+        ++kept;
+    }
+    pieces_.resize(kept);
+    std::uint32_t points = 0;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+        if (moved[p] == kNone) continue;
+        points_[points] = points_[p];
+        moved[p] = points++;
+    }
+    points_.resize(points);
+    for (Piece& piece : pieces_) {
+        piece.tail = moved[piece.tail];
+        piece.head = moved[piece.head];
+    }
+    turn_page();
 }
 
 void Outlines::close() {

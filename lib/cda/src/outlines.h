@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ncsim::cda {
@@ -64,6 +65,10 @@ public:
     /// point that stands on two pages stands there twice.
     void turn_page();
     void add(const Piece& piece) { pieces_.push_back(piece); }
+    /// Drops those of `pieces` (numbers) of which one goes from point to point on a line of a face
+    /// and another one back, and the points that nobody names then. Points are the same if they
+    /// are made by the same planes, on whichever pages. O(pieces).
+    void cancel(std::span<const std::uint32_t> pieces);
     /// After the last point and piece: gives back memory that only adding needs.
     void close();
 
