@@ -224,6 +224,19 @@ TEST(Sample, ATurningToolIsDividedUntilBothBoundsHold) {
     EXPECT_LE(worst, s.bounds.missed_mm);
 }
 
+// High above a place that matters nothing is missed or gained; the path is one to be drawn.
+TEST(Sample, ATurnIsNeverOneStepThroughThePart) {
+    const cda::Box place{{-10, -10, -10}, {10, 10, 10}};
+    const Motion m = line(at(0, 0, 80), at(0, 0, 80, 720));
+    const Samples samples = sample(m, kTool, {}, place);
+    ASSERT_GE(samples.poses.size(), 145U);
+    for (std::size_t i = 1; i < samples.poses.size(); ++i) {
+        const cda::Vec3 middle =
+            0.5 * (samples.poses[i - 1].translation + samples.poses[i].translation);
+        EXPECT_GT(norm(middle), 79.9);
+    }
+}
+
 TEST(Sample, StopsAtMaxStepsAndSaysWhatThatCosts) {
     SamplingOptions options;
     options.max_steps = 10;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 namespace ncsim::gcode {
 namespace {
@@ -26,11 +28,24 @@ std::vector<double> clamped_knots(std::size_t points, int order) {
     return knots;
 }
 
+// An axis that the command names beside those that `name` moves, as a word of one letter.
+std::optional<std::string_view> other_axis(const Command& command, std::string_view followed) {
+    static constexpr std::string_view kAxes = "XYZABCUVW@^";
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        if (command.has(kAxes[i]) && followed.find(kAxes[i]) == std::string_view::npos)
+            return kAxes.substr(i, 1);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool Machine::spline(const Command& command, int motion) {
     const std::string_view name = motion == 50 ? "G5" : "G5.1";
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
+    if (const auto axis = other_axis(command, "XYZUVW@^")) {
+        return fail(Message::SplineAxes, command.span, {name, "linear axes", *axis});
+    }
     if (!needs_feed(command, name)) return false;
     Axes end{};
     AxisMask mask = 0;
@@ -80,6 +95,9 @@ bool Machine::nurbs(const Command& command, int motion) {
                 point(state_.position[kX], state_.position[kY], command.get('P', 1.0)));
             spline_open_ = true;
         }
+        if (const auto axis = other_axis(command, "XY")) {
+            return fail(Message::SplineAxes, command.span, {"G5.2", "X and Y", *axis});
+        }
         if (!command.has_any(letters('X', 'Y'))) return true;
         constexpr std::size_t kMostPoints = 100'000;
         if (nurbs_.control_points.size() >= kMostPoints) {
@@ -112,6 +130,9 @@ bool Machine::nurbs(const Command& command, int motion) {
 /// knot alone end the curve. It begins in its first point.
 bool Machine::nurbs_with_knots(const Command& command) {
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {"G6.2"});
+    if (const auto axis = other_axis(command, "XY")) {
+        return fail(Message::SplineAxes, command.span, {"G6.2", "X and Y", *axis});
+    }
     if (!needs_feed(command, "G6.2")) return false;
     if (!knots_open_) {
         nurbs_ = {};

@@ -142,10 +142,14 @@ std::uint32_t fewest(std::uint32_t low, std::uint32_t most, const Enough& enough
     return high;
 }
 
-// An arc never becomes one chord, whatever the tolerance: three make a full circle a body.
+// An arc never becomes one chord, whatever the tolerance: three make a full circle a body. Nor does
+// a turn, even where nothing is to be cut: whoever draws the path sees where the tool goes.
 std::uint32_t least_steps(const Course& c, const SamplingOptions& o) {
+    constexpr double kLongestTurn = 5.0 * kRadiansPerDegree;
     const double thirds = std::ceil(c.sweep_rad / (2 * std::numbers::pi / 3));
-    std::uint32_t low = static_cast<std::uint32_t>(std::clamp(thirds, 1.0, double{1e9}));
+    const double turns = std::ceil(c.turning.turn_rad / kLongestTurn);
+    const double least = std::clamp(std::max(thirds, turns), 1.0, double{1e9});
+    auto low = static_cast<std::uint32_t>(least);
     if (c.sweep_rad > 0) low = std::max(low, 2U);
     return std::min(low, std::max(1U, o.max_steps));
 }
