@@ -117,7 +117,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
     const auto found = tools_.find(motion.tool);
     if (found == tools_.end() || !has_known_start(motion)) return {};
-    auto& [cutter, followed] = found->second;
+    Cutter& cutter = found->second.cutter;
+    const ToolExtent& followed = found->second.followed;
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
