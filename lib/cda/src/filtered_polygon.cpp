@@ -119,21 +119,17 @@ constexpr std::size_t kRowsAtOnce = 8;
 struct Twos {
     using Numbers = double __attribute__((vector_size(2 * sizeof(double))));
     using Masks = std::int64_t __attribute__((vector_size(2 * sizeof(double))));
-    static void load(Numbers& to, const double* from) {
-        using Anywhere =
-            double __attribute__((vector_size(2 * sizeof(double)), aligned(8), may_alias));
-        to = *reinterpret_cast<const Anywhere*>(from);
-    }
 };
 struct Fours {
     using Numbers = double __attribute__((vector_size(4 * sizeof(double))));
     using Masks = std::int64_t __attribute__((vector_size(4 * sizeof(double))));
-    static void load(Numbers& to, const double* from) {
-        using Anywhere =
-            double __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
-        to = *reinterpret_cast<const Anywhere*>(from);
-    }
 };
+
+// From anywhere, however it is aligned.
+template <class Numbers>
+[[gnu::always_inline]] inline void load_into(Numbers& to, const double* from) {
+    std::memcpy(&to, from, sizeof to);
+}
 
 // Two vectors of planes at a time; compiled for more than one kind of machine, with the same
 // results: there is no fused multiplication, and lanes know nothing of each other.
@@ -155,10 +151,10 @@ template <class Lanes>
 #pragma GCC unroll 2
         for (std::size_t v = 0; v < kVectors; ++v) {
             const std::size_t j = i + v * kWide;
-            Lanes::load(nx[v], planes.nx + j);
-            Lanes::load(ny[v], planes.ny + j);
-            Lanes::load(nz[v], planes.nz + j);
-            Lanes::load(d[v], planes.d + j);
+            load_into(nx[v], planes.nx + j);
+            load_into(ny[v], planes.ny + j);
+            load_into(nz[v], planes.nz + j);
+            load_into(d[v], planes.d + j);
             low[v] = high[v] =
                 points.x[0] * nx[v] + points.y[0] * ny[v] + points.z[0] * nz[v] - d[v];
         }
@@ -175,7 +171,7 @@ template <class Lanes>
         for (std::size_t v = 0; v < kVectors; ++v) {
             const std::size_t j = i + v * kWide;
             Wide bound;
-            Lanes::load(bound, planes.one_norm + j);
+            load_into(bound, planes.one_norm + j);
             bound *= kHeightError + error;
             const Mask where = ((high[v] < -bound) & kBelow) | ((low[v] > bound) & kAbove) |
                                ((high[v] > bound) & (low[v] < -bound) & kAcross);
