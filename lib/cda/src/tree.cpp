@@ -335,7 +335,19 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
     const Vec3 middle = 0.5 * (cell.bounds.min + cell.bounds.max);
     const Vec3 centre = (1.0 / lattice_.unit_mm) * middle;
     const EvaluationInput input{stock_planes_, &window, *cells_, centre, only_first};
+    // Bounds are rounded to millimetres: four half units more are enough.
+    HalfBox near;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        near.min[i] =
+            static_cast<std::int64_t>(std::floor(2.0 * cell.bounds.min[axis] / lattice_.unit_mm)) -
+            4;
+        near.max[i] =
+            static_cast<std::int64_t>(std::ceil(2.0 * cell.bounds.max[axis] / lattice_.unit_mm)) +
+            4;
+    }
     for (const Block& block : blocks_) {
+        if (intersection(block.tree->box(), near).is_empty()) continue;
         Evaluation here = evaluate(*block.tree, input);
         sum.volume += here.volume;
         if (!here.outlines.pieces().empty()) sum.outlines = std::move(here.outlines);
