@@ -60,6 +60,27 @@ TEST(Diff, TellsVolumesPlacesAndLines) {
     EXPECT_NE(ran.out.find("cut by b.nc:8"), std::string::npos) << ran.out;
 }
 
+// An arc that removes something in one quarter alone: there is the region, not all around.
+TEST(Diff, TellsWhereOfALongBlock) {
+    const std::string start =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,10.,30.,30.,10.)\n"
+        "G21 G90 G17 G94\nT1 M6\nS1000 M3\nG0 X-40. Y-25. Z5.\nG1 Z-2. F500.\n";
+    std::string pocket;
+    for (int y = -25; y <= 7; y += 4)
+        pocket += "Y" + std::to_string(y) + ".\nX40.\nX-40.\n";
+    Folder folder;
+    folder.write("a.nc", start + pocket + "G0 Z5.\nM30\n");
+    folder.write(
+        "b.nc", start + pocket + "G0 Z5.\nX20. Y0.\nG1 Z-2.\nG2 X20. Y0. I-20. J0.\nG0 Z5.\nM30\n");
+    const Ran ran = folder.run({"diff", "a.nc", "b.nc", "--json", "d.json"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.err;
+    const json d = json::parse(folder.read("d.json"));
+    ASSERT_EQ(d["only_in_old"]["regions"].size(), 1U) << ran.out;
+    const json box = d["only_in_old"]["regions"][0]["box"];
+    EXPECT_GT(double(box["min"][1]), 0.0) << ran.out;
+    EXPECT_NEAR(box["max"][1], 23.0, 0.1) << ran.out;
+}
+
 TEST(Diff, LetsATolerancePass) {
     Folder folder;
     folder.write("a.nc", kSlot);

@@ -110,7 +110,8 @@ public:
             }
             if (rule.judge) judges_.push_back(rule.judge);
         }
-        volumes_ = (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
+        volumes_ = setup_.places ||
+                   (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
                    (asked("removal-rate") && !needs_removal_limit(setup_));
         books_ = setup_.ledger && !volumes_;
         contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);

@@ -23,7 +23,9 @@ struct LedgerRow {
     double removed_mm3 = 0.0;
     /// By the model of cycle_time.h; empty where feed or rapid rates are not known.
     std::optional<double> seconds;
-    cda::Box contact;  ///< Encloses where the tool met the stock's box; empty: not at all.
+    /// Encloses where the tool was in the stock's box, of motions (Setup::places: of steps) that
+    /// removed something; empty: none did.
+    cda::Box contact;
     /// mm³/min; empty without a time.
     std::optional<double> removal_rate() const {
         if (!seconds || *seconds <= 0.0) return std::nullopt;
