@@ -4,7 +4,7 @@
 // anywhere, and planes that meet in corners of the polygon.
 #include "filtered_polygon.h"
 
-#include "support/random.h"
+#include "support/random_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +21,7 @@ using test::Random;
 // A corner of the box and what goes through it, or through others of its kind, is met often.
 Plane random_plane(Random& random, std::int64_t reach) {
     const std::int64_t size = random.between(0, 2) == 0 ? 2 : 1 << 24;
-    Plane plane;
-    do {
-        plane.nx = static_cast<std::int32_t>(random.between(-size, size));
-        plane.ny = static_cast<std::int32_t>(random.between(-size, size));
-        plane.nz = static_cast<std::int32_t>(random.between(-size, size));
-    } while (plane.nx == 0 && plane.ny == 0 && plane.nz == 0);
+    Plane plane = test::random_normal(random, size);
     // Through one of few points of the lattice, or near it.
     const auto coordinate = [&] { return reach / 4 * random.between(-3, 3); };
     const std::int64_t x = coordinate();

@@ -3,7 +3,7 @@
 // Bounds in floats against the linear program that they bound, solved by looking at all corners.
 #include "normal_table.h"
 
-#include "support/random.h"
+#include "support/random_shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -35,12 +35,7 @@ BoxFrame random_box(Random& random) {
 
 Seen random_plane(Random& random, const BoxFrame& box) {
     const std::int64_t size = random.between(0, 3) == 0 ? 2 : 1 << 24;
-    Plane plane;
-    do {
-        plane.nx = static_cast<std::int32_t>(random.between(-size, size));
-        plane.ny = static_cast<std::int32_t>(random.between(-size, size));
-        plane.nz = static_cast<std::int32_t>(random.between(-size, size));
-    } while (plane.nx == 0 && plane.ny == 0 && plane.nz == 0);
+    Plane plane = test::random_normal(random, size);
     HalfPlane h(plane);
     const double reach = Sight(box, h).reach;
     const double share = 1e-6 * static_cast<double>(random.between(-999999, 999999));

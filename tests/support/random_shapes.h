@@ -21,6 +21,17 @@ inline cda::LatticePoint random_point(Random& random, std::int64_t reach) {
             random.between(-reach, reach)};
 }
 
+/// A plane through the origin with a normal of components up to `size`, not 0.
+inline cda::Plane random_normal(Random& random, std::int64_t size) {
+    cda::Plane plane;
+    do {
+        plane.nx = static_cast<std::int32_t>(random.between(-size, size));
+        plane.ny = static_cast<std::int32_t>(random.between(-size, size));
+        plane.nz = static_cast<std::int32_t>(random.between(-size, size));
+    } while (plane.nx == 0 && plane.ny == 0 && plane.nz == 0);
+    return plane;
+}
+
 /// The hull of a few points about `centre`, in general position.
 inline cda::Cell random_hull(Random& random, cda::LatticePoint centre, std::int64_t reach,
                              int points, cda::Origin origin = cda::kStockOrigin) {

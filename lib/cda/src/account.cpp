@@ -17,15 +17,6 @@
 
 namespace ncsim::cda {
 
-namespace {
-
-// The sign of how far a plane is below another one that is parallel to it.
-int below_parallel(const Plane& facet, const Plane& other, bool same) {
-    return compare_distances(facet, same ? other : other.opposite()) * (same ? 1 : -1);
-}
-
-}  // namespace
-
 class BlockTree::Accounting : Descent {
 public:
     void run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
@@ -202,9 +193,9 @@ bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, b
             continue;
         }
         const bool same = same_direction(plane, *cut);
-        const int below = below_parallel(plane, *cut, same);
-        if (below < 0 || (below == 0 && !(same ? takes_same : takes_opposite))) return false;
-        if (below == 0) (same ? has_same : has_opposite) = true;
+        const int beyond = distance_beyond(plane, *cut, same);
+        if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
+        if (beyond == 0) (same ? has_same : has_opposite) = true;
     }
     return !(has_same && has_opposite);  // else it is flat
 }
@@ -214,8 +205,8 @@ bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane* c
     return std::ranges::all_of(planes, [&](const Plane* cut) {
         if (!cut->is_parallel_to(plane)) return facet_.clip(*cut);
         const bool same = same_direction(plane, *cut);
-        const int below = below_parallel(plane, *cut, same);
-        return below > 0 || (below == 0 && same);
+        const int beyond = distance_beyond(plane, *cut, same);
+        return beyond > 0 || (beyond == 0 && same);
     });
 }
 

@@ -63,6 +63,14 @@ struct IncomingCell {
     std::vector<std::uint16_t> loose;    ///< Indices of the other planes that cut the stock.
     std::array<double, 3> min{}, max{};  ///< Encloses it, in half units.
 
+    /// From its bounds in mm: four half units more for the rounding to millimetres and back.
+    void enclose(const Box& bounds, double unit_mm) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int axis = static_cast<int>(i);
+            min[i] = 2.0 * bounds.min[axis] / unit_mm - 4.0;
+            max[i] = 2.0 * bounds.max[axis] / unit_mm + 4.0;
+        }
+    }
     double least_extent() const {
         return std::min({max[0] - min[0], max[1] - min[1], max[2] - min[2]});
     }

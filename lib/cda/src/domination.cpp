@@ -112,4 +112,8 @@ int compare_distances(const Plane& a, const Plane& b) {
     return difference > 0 ? 1 : difference < 0 ? -1 : 0;
 }
 
+int distance_beyond(const Plane& facet, const Plane& plane, bool same) {
+    return compare_distances(facet, same ? plane : plane.opposite()) * (same ? 1 : -1);
+}
+
 }  // namespace ncsim::cda

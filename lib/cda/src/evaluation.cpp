@@ -220,7 +220,7 @@ private:
                 continue;
             }
             const bool same = same_direction(facet_plane(), plane);
-            const int beyond = distance_beyond(plane, same);
+            const int beyond = distance_beyond(facet_plane(), plane, same);
             if (beyond < 0 || (beyond == 0 && !same)) return false;
         }
         return clip_in_order(facet_, cuts_);
@@ -267,12 +267,6 @@ private:
             if (rows_[i].exact == facet_plane()) return false;
         }
         return clip_to(planes);
-    }
-
-    // Of a plane parallel to that of the facet: positive if the facet is below it, 0 if it lies in
-    // it.
-    int distance_beyond(const Plane& plane, bool same) const {
-        return compare_distances(facet_plane(), same ? plane : plane.opposite()) * (same ? 1 : -1);
     }
 
     // The facet rule: takes from facet_ what other cells have of it. `takes_coplanar(cell, same)`
@@ -336,7 +330,7 @@ private:
                 if (where == 0) section.cuts.emplace_back(share_below(i), i);
             } else {
                 const bool same = same_direction(facet_plane(), plane);
-                const int beyond = distance_beyond(plane, same);
+                const int beyond = distance_beyond(facet_plane(), plane, same);
                 if (beyond < 0 || (beyond == 0 && !takes_coplanar(other, same)))
                     return Overlap::None;
                 if (beyond == 0) (same ? coplanar_same : coplanar_opposite) = true;

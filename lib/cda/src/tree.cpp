@@ -178,12 +178,7 @@ void TreeCda::take_in(const Cell& cell) {
             here.loose.push_back(static_cast<std::uint16_t>(i));
         }
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-        // Four half units for the rounding to millimetres and back.
-        const int axis = static_cast<int>(i);
-        here.min[i] = 2.0 * cell.bounds.min[axis] / lattice_.unit_mm - 4.0;
-        here.max[i] = 2.0 * cell.bounds.max[axis] / lattice_.unit_mm + 4.0;
-    }
+    here.enclose(cell.bounds, lattice_.unit_mm);
     here.number = cells_->size();
     cells_->add(cell.origin, facets > 0 ? cell.normals : nullptr);
     ++counts_.cells;
@@ -335,19 +330,10 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
     const Vec3 middle = 0.5 * (cell.bounds.min + cell.bounds.max);
     const Vec3 centre = (1.0 / lattice_.unit_mm) * middle;
     const EvaluationInput input{stock_planes_, &window, *cells_, centre, only_first};
-    // Bounds are rounded to millimetres: four half units more are enough.
-    HalfBox near;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int axis = static_cast<int>(i);
-        near.min[i] =
-            static_cast<std::int64_t>(std::floor(2.0 * cell.bounds.min[axis] / lattice_.unit_mm)) -
-            4;
-        near.max[i] =
-            static_cast<std::int64_t>(std::ceil(2.0 * cell.bounds.max[axis] / lattice_.unit_mm)) +
-            4;
-    }
+    IncomingCell near;
+    near.enclose(cell.bounds, lattice_.unit_mm);
     for (const Block& block : blocks_) {
-        if (intersection(block.tree->box(), near).is_empty()) continue;
+        if (!block.tree->meets(near)) continue;
         Evaluation here = evaluate(*block.tree, input);
         sum.volume += here.volume;
         if (!here.outlines.pieces().empty()) sum.outlines = std::move(here.outlines);

@@ -144,11 +144,15 @@ Box Body::bounds(const Step& step, double raise) const {
                          {step.turning.top_mm - raise, 0.0});
 }
 
-double Body::gained(const Step& step, double raise) const {
+double gained_by(const toolpath::Cutter& cutter, const Step& step, double raise) {
     const toolpath::Turning turning = step.turning.raised(raise);
-    const toolpath::ToolExtent inner = toolpath::below(inner_.extent(), turning.top_mm);
+    const toolpath::ToolExtent kept = toolpath::below(cutter.extent(), turning.top_mm);
     return turning.chord_mm +
-           toolpath::gained_mm(raised(step.X_WA, raise), raised(step.X_WB, raise), turning, inner);
+           toolpath::gained_mm(raised(step.X_WA, raise), raised(step.X_WB, raise), turning, kept);
+}
+
+double Body::gained(const Step& step, double raise) const {
+    return gained_by(inner_, step, raise);
 }
 
 double Body::rounding(const Step& step) const {

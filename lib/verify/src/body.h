@@ -43,6 +43,10 @@ void find_places(const cda::Cell& cell, const cda::TreeCda& part, const cda::Box
 /// The part common to both boxes; empty where there is none.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
 
+/// What the cells that a cutter leaves in this step, `raise` mm higher, are beyond its sweep, mm,
+/// at places that matter.
+double gained_by(const toolpath::Cutter& cutter, const toolpath::Step& step, double raise = 0.0);
+
 class Body {
 public:
     /// `below`: what cuts before it, whose corners it has if it is as thick.

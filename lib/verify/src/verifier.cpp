@@ -592,13 +592,8 @@ private:
     void ask_certainty(const Step& step, const cda::TreeCda& part, std::optional<Vec3>& point) {
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
-        const toolpath::Turning& turning = step.turning;
-        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, {turning.top_mm, 0.0});
-        const double gained =
-            turning.chord_mm +
-            toolpath::gained_mm(step.X_WA, step.X_WB, turning,
-                                toolpath::below(now_->inscribed->extent(), turning.top_mm));
-        const double less = gained + rounding_now(step);
+        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, {step.turning.top_mm, 0.0});
+        const double less = gained_by(*now_->inscribed, step) + rounding_now(step);
         for (const Cell& cell : cells_) {
             const auto inside = contact(cell, less, part);
             if (!inside) continue;
