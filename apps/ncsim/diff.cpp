@@ -88,7 +88,7 @@ const cda::TreeCda& tree_of(const Simulation& simulation) {
 // What `side` still takes away from the finished `part`.
 OneSided remainder(const Side& side, const Simulation& other) {
     verify::Setup setup;
-    setup.ledger = setup.places = true;
+    setup.ledger = true;
     for (const verify::RuleInfo& rule : verify::rules())
         setup.selection.ignored.emplace(rule.id);
     for (const auto& [number, used] : side.survey.tools)

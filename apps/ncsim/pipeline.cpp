@@ -146,10 +146,10 @@ public:
         result_.standing = standing;
         result_.part_volume = verifier_ ? result_.part->volume() : volume_;
         if (!places_) return;
-        for (const auto& [origin, removed] : result_.part->account()) {
+        for (const auto& [origin, taken] : result_.part->account()) {
             const auto place = places_->find(origin);
-            if (place != places_->end() && removed > 0.0)
-                result_.removed_by_block[place->second] += removed;
+            if (place != places_->end() && taken.volume > 0.0)
+                result_.removed_by_block[place->second] += taken.volume;
         }
     }
 

@@ -30,8 +30,11 @@ Account booked(const std::vector<Cell>& cuts, const TreeParameters& parameters) 
 Account measured(const std::vector<Cell>& cuts) {
     TreeCda part(kStock, kLattice);
     Account account;
-    for (const Cell& cut : cuts)
-        account[cut.origin] += part.subtract(cut);
+    for (const Cell& cut : cuts) {
+        const double volume = part.subtract(cut);
+        account[cut.origin].volume += volume;
+        if (volume > 0.0) account[cut.origin].bounds.add(cut.bounds);
+    }
     return account;
 }
 
@@ -43,17 +46,17 @@ void expect_booked(const std::vector<Cell>& cuts, double tolerance = 1e-11) {
           TreeParameters{80, 1, 25}, TreeParameters{80, 1, 8192}}) {
         SCOPED_TRACE(testing::Message() << parameters.leaf << ' ' << parameters.batch);
         const Account account = booked(cuts, parameters);
-        for (const auto& [origin, volume] : expected) {
+        for (const auto& [origin, taken] : expected) {
             const auto found = account.find(origin);
-            const double got = found == account.end() ? 0.0 : found->second;
-            EXPECT_NEAR(got, volume, tolerance) << static_cast<std::uint32_t>(origin);
+            const Taking got = found == account.end() ? Taking{} : found->second;
+            EXPECT_NEAR(got.volume, taken.volume, tolerance) << static_cast<std::uint32_t>(origin);
             // What takes nothing takes nothing at all.
-            if (volume == 0.0) {
-                EXPECT_EQ(got, 0.0) << static_cast<std::uint32_t>(origin);
+            if (taken.volume == 0.0) {
+                EXPECT_EQ(got, Taking{}) << static_cast<std::uint32_t>(origin);
             }
         }
-        for (const auto& [origin, volume] : account)
-            EXPECT_TRUE(volume == 0.0 || expected.contains(origin));
+        for (const auto& [origin, taken] : account)
+            EXPECT_TRUE(taken.volume == 0.0 || expected.contains(origin));
     }
 }
 
@@ -109,7 +112,7 @@ TEST(Account, SumsUpToWhatThePartLost) {
     const Account account = part.account();
     const double sum =
         std::accumulate(account.begin(), account.end(), 0.0,
-                        [](double all, const auto& one) { return all + one.second; });
+                        [](double all, const auto& one) { return all + one.second.volume; });
     EXPECT_NEAR(sum, before - part.volume(), 1e-10);
 }
 
@@ -120,15 +123,33 @@ TEST(Account, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one, booked(passes, {.threads = 5, .batch = 100}));
 }
 
+// Ten cells of one origin in a row, the first five through what is empty already.
+TEST(Account, IsWhereSomethingWasTaken) {
+    for (const std::uint32_t batch : {1U, 3U, 8192U}) {
+        TreeCda part(kStock, kLattice, {.batch = batch});
+        part.keep_account();
+        part.subtract_unmeasured(mm_box(-3, -3, 0, 1, 3, 3, Origin{1}));
+        for (std::int64_t x = -3; x < 3; x += 1)
+            part.subtract_unmeasured(mm_box(x, -1, 1, x + 1, 1, 2, Origin{2}));
+        part.subtract_unmeasured(mm_box(-3, -1, 1, 3, 1, 2, Origin{3}));
+        const Account account = part.account();
+        EXPECT_NEAR(account.at(Origin{2}).volume, 4.0, 1e-12);
+        EXPECT_EQ(account.at(Origin{2}).bounds, (Box{{1, -1, 1}, {3, 1, 2}}));
+        EXPECT_TRUE(!account.contains(Origin{3}) || account.at(Origin{3}) == Taking{});
+    }
+}
+
 TEST(Account, OfTheFlatAggregateIsTheSame) {
     const auto cuts = test::random_cuts(4, 30, 120000);
     FlatCda flat(kStock, kLattice);
     flat.keep_account();
     flat.subtract_unmeasured(cuts);
     const Account expected = flat.account();
-    for (const auto& [origin, volume] : booked(cuts, {})) {
+    for (const auto& [origin, taken] : booked(cuts, {})) {
         const auto found = expected.find(origin);
-        EXPECT_NEAR(volume, found == expected.end() ? 0.0 : found->second, 1e-11);
+        const Taking other = found == expected.end() ? Taking{} : found->second;
+        EXPECT_NEAR(taken.volume, other.volume, 1e-11);
+        EXPECT_EQ(taken.bounds, other.bounds);
     }
 }
 
@@ -140,7 +161,7 @@ TEST(Account, GoesOnWhereQuestionsAreAsked) {
     Account expected;
     TreeCda reference(kStock, kLattice);
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        expected[passes[i].origin] += reference.subtract(passes[i]);
+        expected[passes[i].origin].volume += reference.subtract(passes[i]);
         part.subtract_unmeasured(passes[i]);
         if (i % 5 == 0) {
             EXPECT_EQ(part.contact(passes[i]), std::nullopt);
@@ -152,9 +173,10 @@ TEST(Account, GoesOnWhereQuestionsAreAsked) {
     const TreeCda copy(part);
     for (const TreeCda* model : {static_cast<const TreeCda*>(&part), &copy}) {
         const Account account = model->account();
-        for (const auto& [origin, volume] : expected) {
+        for (const auto& [origin, taken] : expected) {
             const auto found = account.find(origin);
-            EXPECT_NEAR(found == account.end() ? 0.0 : found->second, volume, 1e-11);
+            const double got = found == account.end() ? 0.0 : found->second.volume;
+            EXPECT_NEAR(got, taken.volume, 1e-11);
         }
     }
 }
@@ -167,7 +189,7 @@ TEST(Account, OfNobodyIsEmpty) {
     part.subtract_unmeasured(mm_box(0, 0, 0, 1, 1, 2, Origin{2}));
     const Account account = part.account();
     ASSERT_EQ(account.size(), 1U);
-    EXPECT_NEAR(account.at(Origin{2}), 1.0, 1e-12);
+    EXPECT_NEAR(account.at(Origin{2}).volume, 1.0, 1e-12);
 }
 
 }  // namespace

@@ -47,11 +47,12 @@ inline cda::Boundary sound_boundary(const cda::TreeCda& part, double scale) {
 /// nothing.
 inline void require_booked(const cda::Account& account, const cda::Account& taken, double stock) {
     double sum = 0.0;
-    for (const auto& [origin, volume] : taken) {
+    for (const auto& [origin, expected] : taken) {
         const auto found = account.find(origin);
-        const double booked = found == account.end() ? 0.0 : found->second;
-        require(std::abs(booked - volume) <= 1e-9 * stock, "the account of an origin is wrong");
-        sum += booked - volume;
+        const double booked = found == account.end() ? 0.0 : found->second.volume;
+        const double off = booked - expected.volume;
+        require(std::abs(off) <= 1e-9 * stock, "the account of an origin is wrong");
+        sum += off;
     }
     require(std::abs(sum) <= 1e-9 * stock, "the account does not add up");
 }
@@ -65,9 +66,9 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
     cda::Account taken;
     for (const auto& b : boxes) {
         const cda::Origin origin{static_cast<std::uint32_t>(cells.size() + 1)};
-        taken[origin] = cubes.volume();
+        taken[origin].volume = cubes.volume();
         cubes.remove(b);
-        taken[origin] -= cubes.volume();
+        taken[origin].volume -= cubes.volume();
         cells.push_back(mm_box(b[0], b[1], b[2], b[3], b[4], b[5], origin));
     }
     cda::TreeCda part(mm_box(0, 0, 0, n, n, n), kLattice, {leaf, 1});

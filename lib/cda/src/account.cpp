@@ -27,6 +27,13 @@ private:
     // Those of before have taken theirs.
     static constexpr std::uint32_t kBefore = 0;
     static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+    // After whose turn nothing is left in a box, and the cell that covers it.
+    struct Last {
+        std::uint32_t turn = kNobody, number = 0;
+        bool is_nobody() const { return turn == kNobody; }
+    };
+    // Areas below this share of a facet are rounding: nobody took them.
+    static constexpr double kRounding = 1e-9;
 
     // A cell with a surface in the box.
     struct Local {
@@ -34,15 +41,14 @@ private:
         std::size_t first = 0, count = 0;  // in planes_
     };
 
-    void go_down(std::uint32_t node, std::size_t begin, std::size_t end, std::uint32_t last);
+    void go_down(std::uint32_t node, std::size_t begin, std::size_t end, Last last);
     void divide(const HalfBox& box, std::size_t begin, std::size_t end, int fruitless,
-                std::size_t parent_load, std::uint32_t last);
-    std::uint32_t take_in(const HalfBox& box, std::size_t begin, std::size_t end,
-                          std::uint32_t last);
+                std::size_t parent_load, Last last);
+    Last take_in(const HalfBox& box, std::size_t begin, std::size_t end, Last last);
     void split(const HalfBox& box, std::size_t axis, std::size_t begin, int fruitless,
-               std::size_t parent_load, std::uint32_t last);
-    void settle(const HalfBox& box, std::size_t begin, std::uint32_t last);
-    void follow(const Plane& plane, double sign, const Local& self, std::uint32_t last);
+               std::size_t parent_load, Last last);
+    void settle(const HalfBox& box, std::size_t begin, Last last);
+    void follow(const Plane& plane, double sign, const Local& self, Last last);
     bool takes_from(const Local& other, const Plane& plane, bool takes_same, bool takes_opposite);
     bool clip_to(const Plane& plane, std::span<const Plane* const> planes);
     std::span<const Plane* const> planes_of(const Local& local) const {
@@ -74,21 +80,25 @@ void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingC
     begin(tree, cells, input.cells);
     for (Item& item : items_) {
         const Origin origin = input.cells.origin(item.number);
-        if (taken.size() == 1 || taken.back().origin != origin) taken.push_back({origin, 0.0});
+        if (taken.size() == 1 || taken.back().origin != origin) taken.push_back({origin, 0.0, {}});
         item.turn = static_cast<std::uint32_t>(taken.size() - 1);
     }
-    go_down(0, 0, items_.size(), kNobody);
+    go_down(0, 0, items_.size(), {});
+    for (Taken& turn : taken) {
+        std::ranges::sort(turn.cells);
+        const auto rest = std::ranges::unique(turn.cells);
+        turn.cells.erase(rest.begin(), rest.end());
+    }
     taken.erase(taken.begin());
 }
 
-// Items [begin, end) of the level above, in the order of time. `last`: whose turn ends with nothing
-// left in the box.
+// Items [begin, end) of the level above, in the order of time.
 void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::size_t end,
-                                    std::uint32_t last) {
+                                    Last last) {
     const HalfBox box = tree_->nodes_[node].box();
     const Level above = level();
     last = take_in(box, begin, end, last);
-    if (items_.size() == above.items && last == kNobody) {
+    if (items_.size() == above.items && last.is_nobody()) {
         // Nothing is taken here.
     } else if (tree_->nodes_[node].kind == Kind::Material) {
         take_out(node);
@@ -105,8 +115,8 @@ void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::
 
 // Adds what items [begin, end) have in the box, without those whose turn is not before that of the
 // first that covers it. Whose that is.
-std::uint32_t BlockTree::Accounting::take_in(const HalfBox& box, std::size_t begin, std::size_t end,
-                                             std::uint32_t last) {
+BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, std::size_t begin,
+                                                           std::size_t end, Last last) {
     turn_to_another_box();
     const BoxFrame frame(box);
     const std::size_t mine = items_.size();
@@ -116,17 +126,17 @@ std::uint32_t BlockTree::Accounting::take_in(const HalfBox& box, std::size_t beg
     const auto longest = static_cast<double>(box.extent(box.longest_axis()));
     if (hopeful != kNone) {
         Item item = items_[hopeful];
-        if (look(frame, item) == Place::Covers) last = item.turn;
+        if (look(frame, item) == Place::Covers) last = {item.turn, item.number};
     }
     std::size_t kept = mine;
     for (std::size_t i = mine; i < met; ++i) {
         Item item = items_[i];
-        if (item.turn >= last) continue;
+        if (item.turn >= last.turn) continue;
         if (!is_coarse || !is_small_for(longest, item)) {
             const Place place = look(frame, item);
             if (place == Place::Outside) continue;
             if (place == Place::Covers) {
-                last = item.turn;
+                last = {item.turn, item.number};
                 continue;
             }
         }
@@ -136,20 +146,20 @@ std::uint32_t BlockTree::Accounting::take_in(const HalfBox& box, std::size_t beg
     // Others of its turn came before it.
     const auto begin_of_mine = items_.begin() + static_cast<std::ptrdiff_t>(mine);
     items_.erase(std::remove_if(begin_of_mine, items_.end(),
-                                [last](const Item& item) { return item.turn >= last; }),
+                                [last](const Item& item) { return item.turn >= last.turn; }),
                  items_.end());
     return last;
 }
 
 // A box in a leaf of the tree, of which items [begin, end) are all that is there.
 void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::size_t end,
-                                   int fruitless, std::size_t parent_load, std::uint32_t last) {
+                                   int fruitless, std::size_t parent_load, Last last) {
     const Level above = level();
     const std::size_t mine = above.items;
     last = take_in(box, begin, end, last);
     const std::span<const Item> items = std::span(items_).subspan(mine);
     const auto changes = [](const Item& item) { return item.turn != kBefore; };
-    if (last == kNobody && std::ranges::none_of(items, changes)) {
+    if (last.is_nobody() && std::ranges::none_of(items, changes)) {
         // Nothing is taken here.
     } else if (std::ranges::any_of(items, [](const Item& item) { return !item.is_looked_at; })) {
         const Cut cut = cut_of_boxes(box, mine);
@@ -162,7 +172,7 @@ void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::s
         fruitless = was_in_vain ? fruitless + 1 : 0;
         Cut cut;
         if (planes > input_->leaf && fruitless < kFruitlessSplits) cut = best_cut(box, mine);
-        if (last == kNobody && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
+        if (last.is_nobody() && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
             // Nothing is taken here.
         } else if (cut.axis == 3) {
             settle(box, mine, last);
@@ -174,7 +184,7 @@ void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::s
 }
 
 void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::size_t begin,
-                                  int fruitless, std::size_t parent_load, std::uint32_t last) {
+                                  int fruitless, std::size_t parent_load, Last last) {
     const std::size_t end = items_.size();
     for (const bool upper : {false, true})
         divide(box.half(axis, upper), begin, end, fruitless, parent_load, last);
@@ -211,7 +221,7 @@ bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane* c
 }
 
 // A leaf: follows all facets.
-void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, std::uint32_t last) {
+void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last last) {
     const BoxFrame frame(box);
     stock_.clear();
     for (const Plane& plane : input_->stock) {
@@ -242,13 +252,13 @@ void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, std::u
 }
 
 // facet_ through time: from what `self`, if it is a cell, has first. `sign`: 1 out of the part.
-void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local& self,
-                                   std::uint32_t last) {
+void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local& self, Last last) {
     const bool is_wall = self.count > 0;
+    const double rounding = kRounding * facet_.area();
     const auto begin_of_later = static_cast<std::size_t>(
         std::ranges::upper_bound(locals_, self.turn, {}, &Local::turn) - locals_.begin());
     // What was there before is only looked at where somebody takes some of it.
-    if (self.turn == kBefore && last == kNobody) {
+    if (self.turn == kBefore && last.is_nobody()) {
         std::size_t takers = 0;
         std::size_t taker = 0;
         for (std::size_t i = begin_of_later; i < locals_.size() && takers < 2; ++i) {
@@ -278,14 +288,21 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
         facet_.take(cuts_);
         if (facet_.is_empty()) return;
     }
-    if (self.turn != kBefore) (*taken_)[self.turn].volume -= height * facet_.area();
+    const auto give = [&](std::uint32_t turn, std::uint32_t number, double area,
+                          double sign_of_it) {
+        Taken& taken = (*taken_)[turn];
+        taken.volume += sign_of_it * height * area;
+        if (area > rounding && (taken.cells.empty() || taken.cells.back() != number))
+            taken.cells.push_back(number);
+    };
+    if (self.turn != kBefore) give(self.turn, self.number, facet_.area(), -1.0);
     for (std::size_t i = begin_of_later; i < locals_.size(); ++i) {
         const Local& other = locals_[i];
         if (!takes_from(other, plane, !is_wall, is_wall)) continue;
-        (*taken_)[other.turn].volume += height * facet_.take(cuts_);
+        give(other.turn, other.number, facet_.take(cuts_), 1.0);
         if (facet_.is_empty()) return;
     }
-    if (last != kNobody) (*taken_)[last].volume += height * facet_.area();
+    if (!last.is_nobody()) give(last.turn, last.number, facet_.area(), 1.0);
 }
 
 }  // namespace ncsim::cda

@@ -92,11 +92,13 @@ struct AccountInput {
     std::uint32_t leaf;  ///< Boxes with more planes are halved.
 };
 
-/// Volume that cells of one origin, one after the other, took from a block, in cubic units; of a
-/// block by itself no volume, only summed up.
+/// What cells of one origin, one after the other, took from a block.
 struct Taken {
     Origin origin = kStockOrigin;
-    double volume = 0.0;
+    double volume = 0.0;  ///< Cubic units; of a block by itself no volume, only summed up.
+    /// Numbers of those that took something, ascending; of cells that took the same, one may stand
+    /// for the others.
+    std::vector<std::uint32_t> cells;
 };
 
 class BlockTree {

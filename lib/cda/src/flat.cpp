@@ -187,13 +187,18 @@ bool FlatCda::add_contact(std::uint32_t first, std::uint32_t second) {
 
 Account FlatCda::account() const {
     Account result;
-    for (const StepStatistics& step : steps_)
-        result[step.origin] += step.removed_volume;
+    for (const StepStatistics& step : steps_) {
+        if (step.removed_volume > 0.0) {
+            result[step.origin].volume += step.removed_volume;
+            result[step.origin].bounds.add(step.bounds);
+        }
+    }
     return result;
 }
 
 double FlatCda::subtract(const Cell& cell) {
     totals_.origin = cell.origin;
+    totals_.bounds = cell.bounds;
     totals_.negative = {};
     totals_.zero = {};
     totals_.new_zero_cells = 0;

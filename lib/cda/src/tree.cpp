@@ -72,7 +72,7 @@ struct TreeCda::Block {
     std::shared_ptr<BlockTree> tree;
     std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in the order they came
     mutable std::optional<double> volume;  // cubic units; of what is there now, once asked for
-    std::vector<Taken> taken;              // what is not in the books yet
+    std::vector<std::pair<Origin, Taking>> taken;  // what is not in the books yet; cubic units
 
     // To change it: not what others see.
     BlockTree& own() {
@@ -199,8 +199,17 @@ void TreeCda::settle(Block& block) const {
     for (const auto& cell : block.waiting)
         cells.push_back(&cell->incoming);
     if (account_) {
-        block.tree->account(cells, {stock_planes_, *cells_, centre_, parameters_.leaf},
-                            block.taken);
+        std::vector<Taken> taken;
+        block.tree->account(cells, {stock_planes_, *cells_, centre_, parameters_.leaf}, taken);
+        for (const Taken& turn : taken) {
+            Taking taking{turn.volume, {}};
+            for (const std::uint32_t number : turn.cells) {
+                const auto cell = std::ranges::lower_bound(
+                    block.waiting, number, {}, [](const auto& w) { return w->incoming.number; });
+                taking.bounds.add((*cell)->cell.bounds);
+            }
+            block.taken.emplace_back(turn.origin, taking);
+        }
     }
     block.own().insert(cells, *cells_, parameters_.leaf);
     block.waiting.clear();
@@ -224,8 +233,11 @@ void TreeCda::settle() const {
 // In the order of the blocks, whichever thread was first.
 void TreeCda::close_books() const {
     for (Block& block : blocks_) {
-        for (const Taken& taken : block.taken)
-            (*account_)[taken.origin] += taken.volume;
+        for (const auto& [origin, taken] : block.taken) {
+            Taking& sum = (*account_)[origin];
+            sum.volume += taken.volume;
+            sum.bounds.add(taken.bounds);
+        }
         block.taken.clear();
     }
 }
@@ -289,8 +301,10 @@ Account TreeCda::account() const {
     if (!account_) return result;
     const double unit = cube(lattice_.unit_mm);
     const double rounding = kAccountRounding * stock_volume_;
-    for (const auto& [origin, volume] : *account_)
-        result[origin] = std::abs(volume) < rounding ? 0.0 : volume * unit;
+    for (const auto& [origin, taken] : *account_) {
+        const bool is_nothing = std::abs(taken.volume) < rounding;
+        result[origin] = is_nothing ? Taking{} : Taking{taken.volume * unit, taken.bounds};
+    }
     return result;
 }
 

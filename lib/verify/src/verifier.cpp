@@ -110,8 +110,7 @@ public:
             }
             if (rule.judge) judges_.push_back(rule.judge);
         }
-        volumes_ = setup_.places ||
-                   (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
+        volumes_ = (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
                    (asked("removal-rate") && !needs_removal_limit(setup_));
         books_ = setup_.ledger && !volumes_;
         contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
@@ -721,7 +720,6 @@ private:
         std::size_t row = 0;
         cda::Origin origin = cda::kStockOrigin;
         double feed_mm = 0.0;
-        Box box;  // around the cells, as far as they are in that of the stock
         // What cells take that are where the cutter was before, but for rounding, at most.
         double sliver_mm3 = 0.0;
     };
@@ -767,7 +765,6 @@ private:
         for (const Cell& cell : step.cells) {
             const Box met = intersection(cell.bounds, stock_);
             if (met.is_empty()) continue;
-            cut_now_.box.add(met);
             // Of what does not turn, planes alone are rounded: 2^-24 of their length.
             const Vec3 e = met.max - met.min;
             const double thickness = is_upright ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;
@@ -779,12 +776,12 @@ private:
         double air_mm = 0.0;
         for (const Cut& cut : cuts_) {
             const auto found = account.find(cut.origin);
-            const double removed = found == account.end() ? 0.0 : found->second;
+            const double removed = found == account.end() ? 0.0 : found->second.volume;
             if (cut.feed_mm > 0.0 && removed <= cut.sliver_mm3) air_mm += cut.feed_mm;
             if (removed <= 0.0) continue;
             LedgerRow& row = ledger_.rows[cut.row];
             row.removed_mm3 += removed;
-            row.contact.add(cut.box);
+            row.contact.add(intersection(found->second.bounds, stock_));
             ledger_.removed_mm3 += removed;
         }
         if (!contacts_) ledger_.air_mm = air_mm;

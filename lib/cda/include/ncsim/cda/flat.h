@@ -70,6 +70,7 @@ struct StepStatistics {
     std::uint64_t visible_negative_facets = 0;     ///< Drawn, though not all of them can be seen.
     std::uint64_t zero_facets = 0;                 ///< Bound up, thus drawn as masks.
     double removed_volume = 0.0;                   ///< mm³
+    Box bounds;                                    ///< Of the cell, mm.
 };
 
 class FlatCda final : public WorkpieceModel {

@@ -32,8 +32,13 @@ public:
     virtual void draw(const MaskedFacet& facet) = 0;
 };
 
-/// Volume (mm³) that the cells of each origin took from a part.
-using Account = std::map<Origin, double>;
+/// What the cells of an origin took from a part.
+struct Taking {
+    double volume = 0.0;  ///< mm³
+    Box bounds;           ///< Around those of the cells that took something, mm; empty: none did.
+    bool operator==(const Taking&) const = default;
+};
+using Account = std::map<Origin, Taking>;
 
 /// A workpiece being machined. The one abstract class of the flow: the user picks the model by
 /// name. A prototype: `create` makes a new workpiece of the same kind.
@@ -54,7 +59,7 @@ public:
             subtract(cell);
     }
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
-    /// From now on it is booked how much the cells of each origin take away.
+    /// From now on it is booked what the cells of each origin take away.
     virtual void keep_account() {}
     /// What is in the books; less than 1e-15 of the stock is told as 0.
     virtual Account account() const = 0;

@@ -23,8 +23,8 @@ struct LedgerRow {
     double removed_mm3 = 0.0;
     /// By the model of cycle_time.h; empty where feed or rapid rates are not known.
     std::optional<double> seconds;
-    /// Encloses where the tool was in the stock's box, of motions (Setup::places: of steps) that
-    /// removed something; empty: none did.
+    /// Encloses where the tool was in the stock's box while it removed something; empty: it did
+    /// not.
     cda::Box contact;
     /// mm³/min; empty without a time.
     std::optional<double> removal_rate() const {

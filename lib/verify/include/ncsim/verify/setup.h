@@ -76,9 +76,6 @@ struct Setup {
     bool design = false;          ///< Somebody compares the part with a design.
     bool air_cuts = false;        ///< Somebody asks for feed moves that remove nothing.
     bool ledger = false;          ///< Keep a row a block, with exact volumes.
-    /// And tell in each row where steps removed something, not where they went: step by step,
-    /// slower.
-    bool places = false;
     /// The program uses G43: then every tool has to.
     bool uses_length_offsets = false;
     std::set<int> cutting_tools;  ///< All that cut somewhere in the program.
