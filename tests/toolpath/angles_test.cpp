@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace ncsim::toolpath {
 namespace {
@@ -33,6 +35,27 @@ TEST(SinCos, AgreesWithTheLibraryToTheLastBits) {
 TEST(SinCos, OfUnwoundAnglesIsThatOfTheAngleItself) {
     EXPECT_EQ(sin_cos(-153720.0 - 30.0).sin, sin_cos(-30.0).sin);
     EXPECT_EQ(sin_cos(360.0 * 4096 + 12.5).cos, sin_cos(12.5).cos);
+}
+
+// What is left of turns and quarter turns is that of the library: as if they had not been there.
+TEST(SinCos, TakesTurnsAwayExactly) {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 200000; ++i) {
+        const double whole = static_cast<double>(random() % 4000) - 2000.0;
+        const double off =
+            std::ldexp(static_cast<double>(random() % 64), -static_cast<int>(random() % 60));
+        for (const double degrees : {45.0 * whole + off, 45.0 * whole - off, 90.0 * whole * off}) {
+            const double turned = std::remainder(degrees, 360.0);
+            const double rest = std::remainder(turned, 90.0);
+            const int quarters = (static_cast<int>(std::nearbyint(turned / 90.0)) + 4) % 4;
+            const SinCos left = sin_cos(rest);
+            const SinCos v = sin_cos(degrees);
+            ASSERT_EQ(v.sin, (std::array{left.sin, left.cos, -left.sin, -left.cos}[quarters]))
+                << degrees;
+            ASSERT_EQ(v.cos, (std::array{left.cos, -left.sin, -left.cos, left.sin}[quarters]))
+                << degrees;
+        }
+    }
 }
 
 TEST(AngleOf, IsExactOnAxesAndDiagonals) {

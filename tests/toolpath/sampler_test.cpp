@@ -45,9 +45,10 @@ TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
     const auto number = [&](double from, double to) {
         return from + (to - from) * static_cast<double>(random() >> 5) / 134217728.0;
     };
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 400; ++i) {
         const double c1 = number(-50, 50), c2 = number(-50, 50);
-        const double r0 = number(0.1, 80), r1 = i % 2 ? r0 : r0 * number(0.9, 1.1);
+        const double r0 = number(0.1, 80);
+        const double r1 = i % 2 ? r0 : r0 * (i % 4 ? number(0.9, 1.1) : number(0.05, 5));
         const double a0 = number(0, 6.28), a1 = number(0, 6.28);
         const int turns = static_cast<int>(random() % 7) - 3;
         constexpr gcode::Plane kPlanes[] = {gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ};

@@ -4,6 +4,7 @@ ncsim_add_test(verify
   SOURCES
     cycle_time_test.cpp
     design_test.cpp
+    passes_test.cpp
     rules_test.cpp
     solids_test.cpp
     verified.cpp)

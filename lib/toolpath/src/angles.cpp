@@ -41,12 +41,24 @@ double arctangent(double t) {
     return 4.0 * (t * sum) / kRadiansPerDegree;
 }
 
+// `x` less the nearest multiple of `step`, a whole number: the remainder of IEEE 754, which the
+// library computes bit by bit. Exact, since what is left is a multiple of the last bit of `x`.
+double remainder_of(double x, double step) {
+    if (!(std::abs(x) < 0x1p40)) return std::remainder(x, step);
+    constexpr double kToWhole = 0x1.8p52;  // added and taken away, it rounds to even
+    const double rest = x - (x / step + kToWhole - kToWhole) * step;
+    // The quotient was rounded.
+    if (rest > step / 2) return rest - step;
+    if (rest < -step / 2) return rest + step;
+    return rest == 0.0 ? std::copysign(0.0, x) : rest;
+}
+
 }  // namespace
 
 SinCos sin_cos(double degrees) {
-    // Both steps are exact: IEEE 754 defines the remainder without rounding.
-    const double quarter_turns = std::nearbyint(std::remainder(degrees, 360.0) / 90.0);
-    const double rest = std::remainder(std::remainder(degrees, 360.0), 90.0);
+    const double turned = remainder_of(degrees, 360.0);
+    const double rest = remainder_of(turned, 90.0);
+    const double quarter_turns = std::nearbyint(turned / 90.0);
     const double s = sine_near_zero(rest * kRadiansPerDegree);
     const double c = cosine_near_zero(rest * kRadiansPerDegree);
     switch (static_cast<int>(quarter_turns)) {

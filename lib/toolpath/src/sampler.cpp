@@ -442,36 +442,36 @@ Samples sample_spline(const gcode::Spline& m, const ToolExtent& tool,
 
 namespace {
 
+// How much farther than at right angles to its axis a coordinate of a spiral is farthest out, in
+// degrees. `radius`: at right angles; `growth`: that of the radius a radian.
+double spiral_lead(double radius, double growth) {
+    // r' cos d = r sin d, thus cot d = radius / growth + d =: x + d, for d up to a quarter turn.
+    // The cotangent is convex: Newton's steps from below stay below.
+    constexpr double kRadian = 180.0 / std::numbers::pi;
+    const double x = radius / std::abs(growth);
+    const double least = x + std::numbers::pi / 2;
+    if (growth == 0.0 || !(least > 0.0)) return 0.0;
+    double d = angle_of(least, 1.0) / kRadian;
+    for (int i = 0; i < 8 && d > 0.0; ++i) {
+        const SinCos at = sin_cos(d * kRadian);
+        d += (at.cos * at.sin - (x + d) * at.sin * at.sin) / (1.0 + at.sin * at.sin);
+    }
+    return std::copysign(d * kRadian, growth);
+}
+
 // Where a coordinate of an arc is farthest out: at right angles to its axis, on a spiral near by.
 void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
     const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
     const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
-    const auto time_of = [&](double degrees) {
-        return std::clamp((degrees - p.start_degrees) / p.sweep_degrees, 0.0, 1.0);
-    };
-    const auto at = [&](double t) { return linear_axes(on_arc(arc, p, t)); };
-    const bool is_spiral = p.start_radius != p.end_radius;
-    for (double q = std::ceil(low / 90.0) * 90.0; q <= high; q += 90.0) {
+    const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
+    const double beyond = growth == 0.0 ? 0.0 : 90.0;
+    for (double q = std::ceil((low - beyond) / 90.0) * 90.0; q <= high + beyond; q += 90.0) {
         // Radii grow or shrink all the way: the first and the last turn are farthest out.
         if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
-        box.add(at(time_of(q)));
-        if (!is_spiral) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const double sign : {-1.0, 1.0}) {
-                double t0 = time_of(q - 45.0), t1 = time_of(q + 45.0);
-                if (t0 > t1) std::swap(t0, t1);
-                const auto value = [&](double t) { return sign * at(t)[axis]; };
-                for (int k = 0; k < 64; ++k) {  // one extreme between, or none
-                    const double third = (t1 - t0) / 3.0;
-                    if (value(t0 + third) < value(t1 - third)) {
-                        t0 += third;
-                    } else {
-                        t1 -= third;
-                    }
-                }
-                box.add(at(0.5 * (t0 + t1)));
-            }
-        }
+        const double radius = p.start_radius + (q - p.start_degrees) * growth;
+        const double at = q + spiral_lead(radius, growth * 180.0 / std::numbers::pi);
+        if (at < low || at > high) continue;
+        box.add(linear_axes(on_arc(arc, p, (at - p.start_degrees) / p.sweep_degrees)));
     }
 }
 

@@ -117,6 +117,10 @@ void find_places(const Cell& cell, const cda::TreeCda& part, const Box& stock,
     places.insert(places.end(), open.begin(), open.end());
 }
 
+bool is_upright(const Step& step) {
+    return step.X_WA.rows == Pose{}.rows && step.X_WB.rows == step.X_WA.rows;
+}
+
 Box intersection(const Box& a, const Box& b) {
     Box box;
     box.min = {std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)};
@@ -179,6 +183,15 @@ Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, con
         meeting.point = point;
     }
     return meeting;
+}
+
+bool Body::meets_certainly(const Step& step, double raise, const cda::TreeCda& part,
+                           const Box& stock) {
+    if (!stock.overlaps(bounds(step, raise))) return false;
+    const double less = gained(step, raise) + rounding(step);
+    return std::ranges::any_of(cells(step, raise, Side::Inscribed), [&](const Cell& cell) {
+        return part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell).has_value();
+    });
 }
 
 double Body::common_volume(const Step& step, double raise, const cda::TreeCda& part,

@@ -40,6 +40,8 @@ cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice
 /// would be more than a few. Adds to `places`.
 void find_places(const cda::Cell& cell, const cda::TreeCda& part, const cda::Box& stock,
                  std::vector<cda::Box>& places);
+/// Does the tool stand along Z, all the time?
+bool is_upright(const toolpath::Step& step);
 /// The part common to both boxes; empty where there is none.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
 
@@ -60,6 +62,9 @@ public:
     /// `stock`. Certain if the inscribed polytope does, less what the motion's sampling gained.
     Meeting meet(const toolpath::Step& step, double raise, const cda::TreeCda& part,
                  const cda::Box& stock);
+    /// Is that certain? Cheaper, where nobody asks what may be.
+    bool meets_certainly(const toolpath::Step& step, double raise, const cda::TreeCda& part,
+                         const cda::Box& stock);
 
     /// Volume (mm³) that the circumscribed sweep, `raise` mm higher, has in common with the part.
     double common_volume(const toolpath::Step& step, double raise, const cda::TreeCda& part,

@@ -40,8 +40,7 @@ bool ascends(const Step& step) {
 // Straight down along an axis that is upright.
 bool falls_straight(const Step& step) {
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
-    return step.X_WA.rows == toolpath::Pose{}.rows && step.X_WB.rows == step.X_WA.rows &&
-           way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
+    return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
 }
 
 // Of an arc, which may be a spiral; mm.
@@ -166,13 +165,14 @@ public:
                 now_->aside_since.reset();
             }
         }
-        if (!now_->too_high.empty() && move_.motion->kind == MoveKind::Feed)
+        if (!now_->too_high.bodies.empty() && move_.motion->kind == MoveKind::Feed)
             meet_too_high(step, part);
         const bool goes_on = has_cut_at(step.X_WA);
         const bool only_up = goes_on && goes_back_up(step);
         // Going straight down, what is certain cuts ahead of what is not.
-        const bool only_down = goes_on && now_->straight_above && falls_straight(step);
-        if (!now_->uncertain.empty() && !only_up && !only_down) meet_uncertain(step, part);
+        const bool only_down =
+            goes_on && now_->straight_from_mm <= now_->uncertain.from_mm && falls_straight(step);
+        if (!now_->uncertain.bodies.empty() && !only_up && !only_down) meet_uncertain(step, part);
         meets_now_ = false;
         if (books_) note_cells(step);
         if (!move_.asked || step.cells.empty()) return;
@@ -186,6 +186,7 @@ public:
 
     void look_back(const Step& step, const cda::TreeCda& part, double removed) {
         cut_at_ = CutAt{move_.motion->tool, step.X_WB};
+        if (asks_above() && stands_out(step)) now_->passes.add(step);
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
             // Cells that are exact meet material if they remove some; of the others slivers may be
             // left where they were before.
@@ -453,9 +454,15 @@ private:
     // ends below its upper end.
     bool goes_back_up(const Step& step) const {
         const Vec3 way = step.X_WB.translation - step.X_WA.translation;
-        return now_->widens && step.X_WA.rows == toolpath::Pose{}.rows &&
-               step.X_WB.rows == step.X_WA.rows && way.x == 0.0 && way.y == 0.0 && way.z > 0.0 &&
-               step.X_WA.translation.z + toolpath::cutting_height_of(tool_now()) >= stock_.max.z;
+        return now_->widens && is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z > 0.0 &&
+               stands_out(step);
+    }
+
+    // Is the upper end of what cuts above the stock?
+    bool stands_out(const Step& step) const {
+        return std::min(step.X_WA.translation.z, step.X_WB.translation.z) +
+                   toolpath::cutting_height_of(tool_now()) >=
+               stock_.max.z;
     }
 
     // How far the cutter's cells of this step may lie off for rounding alone.
@@ -668,30 +675,35 @@ private:
     double fall_on_material(const Step& step, const cda::TreeCda& part, double fall,
                             double allowed) {
         // The core is not known to a hundredth; a rim that touches is no plunge.
-        if (now_->core->meet(step, 0.0, part, stock_).certainty != Certainty::Certain) return 0.0;
+        if (!now_->core->meets_certainly(step, 0.0, part, stock_)) return 0.0;
         if (now_->fallen_mm + fall <= allowed) return fall;
         if (now_->core->meet(step, fall, part, stock_).is_there) return fall;
         return needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_);
     }
 
+    bool asks_above() const {
+        return !now_->too_high.bodies.empty() || !now_->uncertain.bodies.empty();
+    }
+
     // How much higher than at `known` what cuts above some height would have to sit not to cut,
     // where what cuts below it has not been before.
-    double needed_above(std::vector<Body>& above, std::vector<Body>& below, const Step& step,
-                        const cda::TreeCda& part, double known, double raise_step) {
+    double needed_above(Above& above, const Step& step, const cda::TreeCda& part, double known,
+                        double raise_step) {
+        if (now_->passes.cover(step, above.from_mm + known - now_->straight_from_mm)) return known;
         const auto meets = [&](const cda::TreeCda& rest) {
-            return std::ranges::any_of(above, [&](Body& body) {
-                return body.meet(step, known, rest, stock_).certainty == Certainty::Certain;
+            return std::ranges::any_of(above.bodies, [&](Body& body) {
+                return body.meets_certainly(step, known, rest, stock_);
             });
         };
         if (!meets(part)) return known;
         cda::TreeCda rest(part);
         if (!ascends(step)) {
-            for (Body& body : below)
+            for (Body& body : above.below)
                 rest.subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
             if (!meets(rest)) return known;
         }
         const double height = toolpath::cutting_height_of(tool_now());
-        for (Body& body : above) {
+        for (Body& body : above.bodies) {
             if (!body.meet(step, known, rest, stock_).is_there) continue;
             known = needed_raise(body, step, known, height, raise_step, rest, stock_);
         }
@@ -699,8 +711,7 @@ private:
     }
 
     void meet_too_high(const Step& step, const cda::TreeCda& part) {
-        move_.too_deep_mm =
-            needed_above(now_->too_high, now_->within, step, part, move_.too_deep_mm, kRaiseStep);
+        move_.too_deep_mm = needed_above(now_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
     }
 
     // Flutes that nobody told: only what was not needed before is new. How much it is is told
@@ -710,8 +721,7 @@ private:
         const double known = now_->uncertain_mm;
         const double raise_step = std::max(
             kRaiseStep, kPart * facts_of(setup_, move_.motion->tool)->certain_flutes.value_or(0.0));
-        now_->uncertain_mm =
-            needed_above(now_->uncertain, now_->certain, step, part, known, raise_step);
+        now_->uncertain_mm = needed_above(now_->uncertain, step, part, known, raise_step);
         if (known == 0.0 && now_->uncertain_mm > 0.0) now_->uncertain_place = place();
     }
 
@@ -760,14 +770,13 @@ private:
         if (step.cells.empty()) return;
         cut_now_.origin = step.cells.front().origin;
         const double rounding = rounding_now(step);
-        const bool is_upright =
-            step.X_WA.rows == toolpath::Pose{}.rows && step.X_WB.rows == step.X_WA.rows;
         for (const Cell& cell : step.cells) {
             const Box met = intersection(cell.bounds, stock_);
             if (met.is_empty()) continue;
             // Of what does not turn, planes alone are rounded: 2^-24 of their length.
             const Vec3 e = met.max - met.min;
-            const double thickness = is_upright ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;
+            const double thickness =
+                is_upright(step) ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;
             cut_now_.sliver_mm3 += 2.0 * thickness * (e.x * e.y + e.y * e.z + e.z * e.x);
         }
     }

@@ -55,6 +55,17 @@ bool is_straight_above(const toolpath::Tool& tool, double low) {
     });
 }
 
+// The least height from which what cuts is one.
+double straight_from(const toolpath::Tool& tool) {
+    double least = toolpath::cutting_height_of(tool);
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        for (const toolpath::ProfilePoint& p : piece.profile) {
+            if (p.height < least && is_straight_above(tool, p.height)) least = p.height;
+        }
+    }
+    return least;
+}
+
 // What of the cutting pieces lies between two heights.
 std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
                          const cda::Lattice& lattice, const toolpath::ToolAccuracy& accuracy) {
@@ -65,6 +76,12 @@ std::vector<Body> slices(const toolpath::Tool& tool, double low, double high,
         if (!part.profile.empty()) bodies.emplace_back(part, lattice, accuracy);
     }
     return bodies;
+}
+
+Above above(const toolpath::Tool& tool, double height, const cda::Lattice& lattice,
+            const toolpath::ToolAccuracy& accuracy) {
+    return {height, slices(tool, height, kAll, lattice, accuracy),
+            slices(tool, 0.0, height, lattice, accuracy)};
 }
 
 }  // namespace
@@ -84,14 +101,12 @@ Watched watch(const ToolFacts& facts, const Selection& selection, const cda::Lat
         w.core.emplace(cylinder(*facts.blind_diameter, 0.0, height), lattice, accuracy);
     }
     if (facts.max_depth && *facts.max_depth < height && selection.includes("depth-limit")) {
-        w.too_high = slices(facts.tool, *facts.max_depth, kAll, lattice, accuracy);
-        w.within = slices(facts.tool, 0.0, *facts.max_depth, lattice, accuracy);
+        w.too_high = above(facts.tool, *facts.max_depth, lattice, accuracy);
     }
     if (facts.certain_flutes && *facts.certain_flutes < height) {
-        w.uncertain = slices(facts.tool, *facts.certain_flutes, kAll, lattice, accuracy);
-        w.certain = slices(facts.tool, 0.0, *facts.certain_flutes, lattice, accuracy);
-        w.straight_above = is_straight_above(facts.tool, *facts.certain_flutes);
+        w.uncertain = above(facts.tool, *facts.certain_flutes, lattice, accuracy);
     }
+    w.straight_from_mm = straight_from(facts.tool);
     w.widens = widens(facts.tool);
     toolpath::ToolAccuracy inner = accuracy;
     inner.side = toolpath::Side::Inscribed;

@@ -6,12 +6,20 @@
 #include "ncsim/verify/setup.h"
 
 #include "body.h"
+#include "passes.h"
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace ncsim::verify {
+
+// Of what cuts, that above some height, which had better have nothing to cut.
+struct Above {
+    double from_mm = 0.0;      ///< Above the tip.
+    std::vector<Body> bodies;  ///< What cuts above that height,
+    std::vector<Body> below;   ///< and what cuts below it.
+};
 
 struct Watched {
     struct Part {
@@ -23,17 +31,16 @@ struct Watched {
     std::optional<Body> core;              ///< What does not cut at the centre,
     std::optional<cda::Vec3> aside_since;  ///< where the tool was when it had last been aside,
     double fallen_mm = 0.0;                ///< and how far it has come down on it since.
-    std::vector<Body> too_high;            ///< What cuts, but above the limit of depth,
-    std::vector<Body> within;              ///< and what cuts below it.
-    std::vector<Body> uncertain;           ///< What cuts above the flutes that there certainly are,
-    std::vector<Body> certain;             ///< and those.
+    Above too_high;                        ///< The limit of depth.
+    Above uncertain;                       ///< The flutes that there certainly are.
     double uncertain_mm = 0.0;             ///< How much of that was needed so far,
     Place uncertain_place;                 ///< and where first.
     std::vector<cda::Vec3> probes_T;       ///< Points strictly inside the cutting pieces.
     bool prism = true;                     ///< All of what cuts.
     bool widens = true;                    ///< What cuts is nowhere narrower above.
-    /// What cuts is a cylinder above the flutes that there certainly are.
-    bool straight_above = false;
+    /// What cuts is a cylinder of its largest radius from here on, mm above the tip.
+    double straight_from_mm = 0.0;
+    Passes passes;                              ///< Of what cuts.
     std::optional<toolpath::Cutter> inscribed;  ///< The cutter, for certainty.
 };
 
