@@ -52,9 +52,9 @@ TEST(Stitch, TellsThatFacesAreMissing) {
     std::vector<Fragment> sides{side(x, y, far, z), side(y, z, far, x), side(z, x, far, y),
                                 side(far, x, y, z)};
     const auto stitched = [&] {
-        std::vector<Outlines> parts;
-        parts.push_back(outlines_of(sides));
-        return stitch(std::move(parts), kLattice);
+        Stitcher stitcher(kLattice);
+        stitcher.take(outlines_of(sides));
+        return stitcher.finish();
     };
     EXPECT_TRUE(check(stitched()).is_closed());
     sides.pop_back();

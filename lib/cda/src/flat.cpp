@@ -312,7 +312,9 @@ Boundary FlatCda::boundary() const {
             add(negative_[n], {CellKind::Negative, n, i}, negative_remainders_[n][i]);
         }
     }
-    return stitch({outlines_of(fragments)}, lattice_);
+    Stitcher stitcher(lattice_);
+    stitcher.take(outlines_of(fragments));
+    return stitcher.finish();
 }
 
 bool FlatCda::contains(Vec3 point) const {

@@ -4,6 +4,8 @@
 // keeps its keys in one array.
 #pragma once
 
+#include "chunks.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -54,13 +56,16 @@ public:
             }
         }
     }
-    const std::vector<Key>& keys() const { return keys_; }
+    const Chunks<Key>& keys() const { return keys_; }
     std::size_t size() const { return keys_.size(); }
     /// Forgets all keys but keeps the room.
     void clear() {
         keys_.clear();
         slots_.assign(slots_.size(), {});
     }
+
+    /// After the last key: gives back memory that only numbering needs.
+    void close() { slots_ = {}; }
 
 private:
     static constexpr std::uint32_t kFree = ~std::uint32_t{0};
@@ -102,7 +107,7 @@ private:
 
     Hash hash_;
     Equal equal_;
-    std::vector<Key> keys_;
+    Chunks<Key> keys_;
     std::vector<Slot> slots_;
 };
 

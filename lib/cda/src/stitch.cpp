@@ -4,7 +4,7 @@
 // edge of a face with its direction; the face lies on its left. An *owner* is an oriented plane
 // together with an origin.
 //
-//  1. name           equal planes, points, owners and lines get equal numbers; pieces of outlines
+//  1. Naming         equal planes, points, owners and lines get equal numbers; pieces of outlines
 //                    become intervals on lines
 //  2. cancel         drop what two pieces of one owner both have, in opposite directions
 //  3. find_corners   where the outline of an owner turns or touches itself
@@ -17,7 +17,10 @@
 
 #include "ncsim/cda/check.h"
 
+#include "chunks.h"
+#include "groups.h"
 #include "loops.h"
+#include "naming.h"
 #include "numbering.h"
 
 #include <algorithm>
@@ -31,11 +34,6 @@ namespace ncsim::cda {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-struct Direction {
-    std::int64_t x = 0, y = 0, z = 0;
-    Direction operator-() const { return {-x, -y, -z}; }
-};
 
 // (a × b) · n for directions of 50 bits and normals of 24.
 int turn_sign(const Direction& a, const Direction& b, const Plane& n) {
@@ -53,13 +51,6 @@ int dot_sign(const Direction& a, const Direction& b) {
     return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
-// A piece of an outline on its line, tail before head along the line.
-struct Interval {
-    std::uint32_t tail, head;  // points
-    std::uint32_t owner;
-    bool forward;
-};
-
 struct HalfEdge {
     std::uint32_t tail, head;  // points
     std::uint32_t owner;
@@ -70,43 +61,21 @@ struct HalfEdge {
     std::uint32_t next = kNone;
 };
 
-// Lists that are counted first and filled then: items of group g are at begin[g] … begin[g + 1].
-template <class Item>
-struct Groups {
-    std::vector<std::size_t> begin;
-    std::vector<Item> items;
+}  // namespace
 
-    explicit Groups(std::size_t groups) : begin(groups + 1, 0) {}
-    void count(std::uint32_t group) { ++begin[group + 1]; }
-    void reserve() {
-        std::partial_sum(begin.begin(), begin.end(), begin.begin());
-        items.resize(begin.back());
-        at_ = begin;
-    }
-    void add(std::uint32_t group, const Item& item) { items[at_[group]++] = item; }
-    std::span<Item> of(std::size_t group) {
-        return std::span(items).subspan(begin[group], begin[group + 1] - begin[group]);
-    }
-
-private:
-    std::vector<std::size_t> at_;
-};
-
-class Stitcher {
+class Stitcher::Impl {
 public:
-    Stitcher(std::vector<Outlines> parts, const Lattice& lattice)
-        : parts_(std::move(parts)),
-          lattice_(lattice),
-          points_({}, SamePoint{&planes_.keys()}),
-          lines_({}, SameLine{&planes_.keys()}) {}
+    explicit Impl(const Lattice& lattice) : lattice_(lattice) {}
 
-    Boundary run() {
-        Groups<Interval> intervals = name();
-        Groups<Interval> covers(lines_.size());
+    void take(const Outlines& part) { names_.take(part); }
+
+    Boundary finish() {
+        Groups<Interval> intervals = names_.finish();
+        Groups<Interval> covers(names_.lines());
         cancel(intervals, covers);
         intervals = Groups<Interval>(0);
         find_corners(covers);
-        for (std::uint32_t i = 0; i < lines_.size(); ++i)
+        for (std::uint32_t i = 0; i < names_.lines(); ++i)
             break_up(i, covers.of(i));
         covers = Groups<Interval>(0);
         trace();
@@ -114,206 +83,12 @@ public:
     }
 
 private:
-    // Planes are numbered without their orientation: the first component that is not zero is
-    // positive. A reference has the orientation in its lowest bit.
-    struct HashPlane {
-        std::uint64_t operator()(const Plane& p) const { return PlaneHash{}(p); }
-    };
-    static bool is_turned(const Plane& plane) {
-        return plane.nx != 0 ? plane.nx < 0 : plane.ny != 0 ? plane.ny < 0 : plane.nz < 0;
-    }
-    Plane plane_of(PlaneRef ref) const {
-        const Plane& plane = planes_.keys()[ref / 2];
-        return ref & 1 ? plane.opposite() : plane;
-    }
-
-    // Points are told apart by what they are rounded to, and where that is the same, exactly.
-    struct PointKey {
-        FixedPoint fixed;
-        std::array<std::uint32_t, 3> planes{};
-    };
-    struct HashPoint {
-        std::uint64_t operator()(const PointKey& key) const {
-            std::uint64_t h = 0;
-            for (const std::int64_t v : key.fixed.at)
-                h = mix(h, static_cast<std::uint64_t>(v));
-            return h;
-        }
-    };
-    static ExactPoint exact(const PointKey& key, const std::vector<Plane>& planes) {
-        return *meet(planes[key.planes[0]], planes[key.planes[1]], planes[key.planes[2]]);
-    }
-    struct SamePoint {
-        const std::vector<Plane>* planes;
-        bool operator()(const PointKey& a, const PointKey& b) const {
-            if (a.fixed != b.fixed) return false;
-            if (a.planes == b.planes) return true;
-            const ExactPoint p = exact(b, *planes);
-            return std::all_of(a.planes.begin(), a.planes.end(), [&](std::uint32_t plane) {
-                return classify_exact(p, (*planes)[plane]) == Side::On;
-            });
-        }
-    };
-
-    // Lines likewise: by quotients of their Plücker coordinates, rounded, then exactly.
-    struct LineKey {
-        std::array<std::uint32_t, 2> planes{};
-        std::uint64_t hash = 0;
-    };
-    struct HashLine {
-        std::uint64_t operator()(const LineKey& key) const { return key.hash; }
-    };
-    struct SameLine {
-        const std::vector<Plane>* planes;
-        bool operator()(const LineKey& a, const LineKey& b) const {
-            return a.hash == b.hash &&
-                   are_same(Pluecker((*planes)[a.planes[0]], (*planes)[a.planes[1]]),
-                            Pluecker((*planes)[b.planes[0]], (*planes)[b.planes[1]]));
-        }
-    };
-    struct PairHash {
-        std::uint64_t operator()(const std::array<std::uint32_t, 2>& key) const {
-            return mix(0, key[0] | std::uint64_t{key[1]} << 32);
-        }
-    };
-    struct Owner {
-        PlaneRef plane = 0;
-        Origin origin = kStockOrigin;
-        bool operator==(const Owner&) const = default;
-    };
-    struct HashOwner {
-        std::uint64_t operator()(const Owner& o) const {
-            return mix(0, o.plane | std::uint64_t{static_cast<std::uint32_t>(o.origin)} << 32);
-        }
-    };
-
-    // 1.
-    Groups<Interval> name() {
-        struct Named {
-            std::uint32_t line, tail, head, owner;
-        };
-        std::vector<Named> named;
-        std::size_t count = 0;
-        for (const Outlines& part : parts_)
-            count += part.pieces().size();
-        named.reserve(count);
-        Interner<Owner, HashOwner> owners;
-        // Of one part, all kept for their memory.
-        std::vector<Plane> plane_keys;
-        std::vector<PlaneRef> planes;
-        std::vector<PointKey> point_keys;
-        std::vector<std::uint32_t> points;
-        std::vector<LineKey> line_keys;
-        std::vector<Direction> directions;
-        std::vector<std::uint32_t> lines;
-        std::vector<Owner> owner_keys;
-        std::vector<std::uint32_t> owner_numbers;
-        for (Outlines& part : parts_) {
-            plane_keys.clear();
-            for (const Plane& plane : part.planes())
-                plane_keys.push_back(is_turned(plane) ? plane.opposite() : plane);
-            planes.resize(plane_keys.size());
-            planes_.number_all(plane_keys, [&](std::size_t i, std::uint32_t n) {
-                planes[i] = 2 * n + static_cast<PlaneRef>(is_turned(part.planes()[i]));
-            });
-            point_keys.clear();
-            for (const Outlines::Point& point : part.points()) {
-                PointKey key{point.fixed, {}};
-                for (std::size_t i = 0; i < 3; ++i)
-                    key.planes[i] = planes[point.planes[i]] / 2;
-                std::sort(key.planes.begin(), key.planes.end());
-                point_keys.push_back(key);
-            }
-            points.resize(point_keys.size());
-            points_.number_all(point_keys, [&](std::size_t i, std::uint32_t n) { points[i] = n; });
-
-            // Few planes meet in a line of this part and of others: a small table is enough. And
-            // pieces of one facet come in a row.
-            const std::size_t first = named.size();
-            Interner<std::array<std::uint32_t, 2>, PairHash> pairs;
-            line_keys.clear();
-            directions.clear();
-            owner_keys.clear();
-            for (const Outlines::Piece& piece : part.pieces()) {
-                const std::uint32_t tail = points[piece.tail];
-                const std::uint32_t head = points[piece.head];
-                if (tail == head) continue;
-                const PlaneRef plane = planes[piece.plane / 2] ^ (piece.plane & 1);
-                const std::uint32_t edge = planes[piece.edge] / 2;
-                const std::array<std::uint32_t, 2> pair{std::min(plane / 2, edge),
-                                                        std::max(plane / 2, edge)};
-                const std::uint32_t p = pairs(pair);
-                if (p == line_keys.size()) {
-                    const Pluecker line(planes_.keys()[pair[0]], planes_.keys()[pair[1]]);
-                    line_keys.push_back({pair, line.hash()});
-                    directions.push_back({line.d[0], line.d[1], line.d[2]});
-                }
-                const Owner owner{plane, piece.origin};
-                if (owner_keys.empty() || owner != owner_keys.back()) owner_keys.push_back(owner);
-                named.push_back({p, tail, head, static_cast<std::uint32_t>(owner_keys.size() - 1)});
-            }
-            lines.resize(line_keys.size());
-            lines_.number_all(line_keys, [&](std::size_t i, std::uint32_t n) {
-                lines[i] = n;
-                if (n == directions_.size()) directions_.push_back(directions[i]);
-            });
-            owner_numbers.resize(owner_keys.size());
-            owners.number_all(owner_keys,
-                              [&](std::size_t i, std::uint32_t n) { owner_numbers[i] = n; });
-            for (std::size_t i = first; i < named.size(); ++i) {
-                named[i].line = lines[named[i].line];
-                named[i].owner = owner_numbers[named[i].owner];
-            }
-            part = {};  // Of a large part, the largest share of all memory.
-        }
-        // Owners in an order that depends on the geometry only.
-        std::vector<std::uint32_t> order(owners.size());
-        std::iota(order.begin(), order.end(), 0U);
-        std::vector<std::pair<Plane, Origin>> values;
-        for (const Owner& owner : owners.keys())
-            values.emplace_back(plane_of(owner.plane), owner.origin);
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
-        std::vector<std::uint32_t> rank(order.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i) {
-            rank[order[i]] = i;
-            owners_.push_back(values[order[i]]);
-        }
-        Groups<Interval> intervals(lines_.size());
-        for (const Named& n : named)
-            intervals.count(n.line);
-        intervals.reserve();
-        for (const Named& n : named) {
-            const bool forward = comes_before(directions_[n.line], n.tail, n.head);
-            intervals.add(n.line, {forward ? n.tail : n.head, forward ? n.head : n.tail,
-                                   rank[n.owner], forward});
-        }
-        return intervals;
-    }
-
-    // Along the axis in which the direction is longest: coordinates are then as far apart as they
-    // get.
-    bool comes_before(const Direction& d, std::uint32_t a, std::uint32_t b) const {
-        const std::array<std::int64_t, 3> c{d.x, d.y, d.z};
-        const std::size_t axis = longest(c);
-        const std::int64_t p = points_.keys()[a].fixed.at[axis];
-        const std::int64_t q = points_.keys()[b].fixed.at[axis];
-        int order = p < q ? -1 : 1;
-        if (p == q) {
-            if (a == b) return false;
-            order = compare_coordinate(exact(points_.keys()[a], planes_.keys()),
-                                       exact(points_.keys()[b], planes_.keys()),
-                                       static_cast<int>(axis));
-        }
-        return c[axis] > 0 ? order < 0 : order > 0;
-    }
-
     // 2. Where a forward and a backward piece of one owner lie on each other, they cancel; what is
     // left is covered.
     void cancel(Groups<Interval>& intervals, Groups<Interval>& covers) {
         std::vector<Interval> all;
         all.reserve(intervals.items.size());
-        for (std::uint32_t line = 0; line < lines_.size(); ++line) {
+        for (std::uint32_t line = 0; line < names_.lines(); ++line) {
             const std::size_t before = all.size();
             cancel(line, intervals.of(line), all);
             covers.begin[line + 1] = covers.begin[line] + (all.size() - before);
@@ -373,7 +148,7 @@ private:
         for (const std::uint32_t stop : stops_)
             by_number_.emplace_back(stop, 0U);
         std::sort(stops_.begin(), stops_.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return comes_before(directions_[line], a, b);
+            return names_.comes_before(line, a, b);
         });
         for (std::uint32_t i = 0; i < stops_.size(); ++i) {
             std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{stops_[i], 0U})
@@ -387,9 +162,9 @@ private:
     // 3. Two covers of an owner that follow each other are one edge, unless the owner has a corner
     // between them: another edge of it begins or ends there.
     void find_corners(Groups<Interval>& covers) {
-        asked_.assign(points_.size(), kNone);
+        asked_.assign(names_.points(), kNone);
         std::uint32_t count = 0;
-        for (std::size_t line = 0; line < lines_.size(); ++line) {
+        for (std::size_t line = 0; line < names_.lines(); ++line) {
             const std::span<Interval> here = covers.of(line);
             for (std::size_t i = 1; i < here.size(); ++i) {
                 std::uint32_t& asked = asked_[here[i].tail];
@@ -453,7 +228,7 @@ private:
                 here_.push_back(static_cast<std::uint32_t>(half_edges_.size()));
                 add_half_edge(*c, stops_[b], stops_[b + 1], line);
             }
-            if (!here_.empty()) pair(directions_[line], here_);
+            if (!here_.empty()) pair(names_.direction(line), here_);
         }
     }
 
@@ -477,7 +252,7 @@ private:
             return link(here[0], here[1]);
         }
         const auto normal = [&](std::uint32_t h) {
-            const Plane& p = owners_[half_edges_[h].owner].first;
+            const Plane& p = names_.owners()[half_edges_[h].owner].first;
             const int sign = half_edges_[h].forward ? 1 : -1;
             return Direction{sign * std::int64_t{p.nx}, sign * std::int64_t{p.ny},
                              sign * std::int64_t{p.nz}};
@@ -514,22 +289,22 @@ private:
     }
 
     Direction direction_of(const HalfEdge& h) const {
-        const Direction d = directions_[h.line];
+        const Direction d = names_.direction(h.line);
         return h.forward ? d : -d;
     }
 
     // 6. Half-edges by owner. Where an owner has several edges leaving a point, the next one is the
     // first met clockwise from the way back: the wedge between is the face's own.
     void trace() {
-        by_owner_ = Groups<std::uint32_t>(owners_.size());
-        for (const HalfEdge& h : half_edges_)
-            by_owner_.count(h.owner);
+        by_owner_ = Groups<std::uint32_t>(names_.owners().size());
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h)
+            by_owner_.count(half_edges_[h].owner);
         by_owner_.reserve();
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h)
             by_owner_.add(half_edges_[h].owner, h);
-        for (std::size_t owner = 0; owner < owners_.size(); ++owner) {
+        for (std::size_t owner = 0; owner < names_.owners().size(); ++owner) {
             const std::span<std::uint32_t> here = by_owner_.of(owner);
-            const Plane& plane = owners_[owner].first;
+            const Plane& plane = names_.owners()[owner].first;
             const auto tail = [&](std::uint32_t h) { return half_edges_[h].tail; };
             std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
                 return std::pair{tail(a), a} < std::pair{tail(b), b};
@@ -557,8 +332,7 @@ private:
         }
     }
 
-    Vec3 point(std::uint32_t p) const { return points_.keys()[p].fixed.approx(); }
-    Vec3 position_of(std::uint32_t h) const { return point(half_edges_[h].tail); }
+    Vec3 position_of(std::uint32_t h) const { return names_.point(half_edges_[h].tail); }
 
     struct Loop {
         std::vector<std::uint32_t> edges;   // the least corner first
@@ -571,29 +345,16 @@ private:
         std::vector<const Loop*> holes;
     };
 
-    // Points by their coordinates, exactly: two of them may be nearer to each other than what they
-    // are rounded to, and whoever was first must not decide.
-    int compare(std::uint32_t a, std::uint32_t b) const {
-        if (a == b) return 0;
-        const PointKey& p = points_.keys()[a];
-        const PointKey& q = points_.keys()[b];
-        if (p.fixed != q.fixed) return p.fixed.at < q.fixed.at ? -1 : 1;
-        const ExactPoint v = exact(p, planes_.keys());
-        const ExactPoint w = exact(q, planes_.keys());
-        for (int axis = 0; axis < 3; ++axis) {
-            if (const int order = compare_coordinate(v, w, axis)) return order;
-        }
-        return 0;
-    }
     // Half-edges by their tails, then by their heads; no two of an owner have both.
     bool comes_first(std::uint32_t h, std::uint32_t k) const {
-        const int tails = compare(half_edges_[h].tail, half_edges_[k].tail);
-        return tails != 0 ? tails < 0 : compare(half_edges_[h].head, half_edges_[k].head) < 0;
+        const int tails = names_.compare(half_edges_[h].tail, half_edges_[k].tail);
+        return tails != 0 ? tails < 0
+                          : names_.compare(half_edges_[h].head, half_edges_[k].head) < 0;
     }
 
     std::vector<Loop> loops_of(std::size_t owner) {
         std::vector<Loop> loops;
-        const Plane& plane = owners_[owner].first;
+        const Plane& plane = names_.owners()[owner].first;
         for (const std::uint32_t start : by_owner_.of(owner)) {
             if (done_[start]) continue;
             Loop loop;
@@ -692,13 +453,13 @@ private:
                 if (!is_twin[h]) continue;
                 // A vertex of its own in the middle tells the edge from its twins.
                 const std::uint32_t pair = std::min(h, half_edges_[h].partner);
-                const Vec3 head = point(half_edges_[h].head);
+                const Vec3 head = names_.point(half_edges_[h].head);
                 ring.push_back(name(middle[pair], 0.5 * (position_of(h) + head)));
             }
             return ring;
         };
-        for (std::size_t owner = 0; owner < owners_.size(); ++owner) {
-            const auto& [plane, origin] = owners_[owner];
+        for (std::size_t owner = 0; owner < names_.owners().size(); ++owner) {
+            const auto& [plane, origin] = names_.owners()[owner];
             const Vec3 normal = unit_normal(plane);
             const std::vector<Loop> loops = loops_of(owner);
             for (const Face& face : faces_of(loops, plane)) {
@@ -730,29 +491,21 @@ private:
         }
     }
 
-    std::vector<Outlines> parts_;
-    const Lattice& lattice_;
-    Interner<Plane, HashPlane> planes_;
-    Interner<PointKey, HashPoint, SamePoint> points_;
-    Interner<LineKey, HashLine, SameLine> lines_;
-    std::vector<Direction> directions_;  // of lines
-    std::vector<std::pair<Plane, Origin>> owners_;
+    Lattice lattice_;
+    Naming names_;
     std::vector<std::uint32_t> asked_;  // for each point its number among those asked about
     Groups<std::uint32_t> ends_{0};     // at those, the owner of each cover that ends there
-    std::vector<HalfEdge> half_edges_;
+    Chunks<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
     std::vector<bool> done_;
-    const LoopPoints loop_points_{
-        [this](std::uint32_t p) { return point(p); },
-        [this](std::uint32_t p) { return exact(points_.keys()[p], planes_.keys()); }};
+    const LoopPoints loop_points_{[this](std::uint32_t p) { return names_.point(p); },
+                                  [this](std::uint32_t p) { return names_.exact(p); }};
     // Of one line, kept for their memory.
     std::vector<std::uint32_t> stops_, breaks_, here_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
     std::vector<const Interval*> active_;
     std::vector<Interval> joined_;
 };
-
-}  // namespace
 
 Outlines outlines_of(const std::vector<Fragment>& fragments) {
     Outlines outlines;
@@ -774,8 +527,15 @@ Outlines outlines_of(const std::vector<Fragment>& fragments) {
     return outlines;
 }
 
-Boundary stitch(std::vector<Outlines> parts, const Lattice& lattice) {
-    Boundary boundary = Stitcher(std::move(parts), lattice).run();
+Stitcher::Stitcher(const Lattice& lattice) : impl_(std::make_unique<Impl>(lattice)) {}
+Stitcher::~Stitcher() = default;
+
+void Stitcher::take(const Outlines& part) {
+    impl_->take(part);
+}
+
+Boundary Stitcher::finish() {
+    Boundary boundary = impl_->finish();
     // Nothing that follows, from volumes to meshes, would be right.
     if (!is_closed(boundary)) throw std::logic_error("the surface of the part has a gap");
     return boundary;

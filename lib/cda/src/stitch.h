@@ -9,6 +9,7 @@
 
 #include "outlines.h"
 
+#include <memory>
 #include <vector>
 
 namespace ncsim::cda {
@@ -32,10 +33,23 @@ Outlines outlines_of(const std::vector<Fragment>& fragments);
 /// Joins outlines that together are the whole surface of a solid. Pieces of one plane and one
 /// origin grow together; every breakpoint of an edge is shared by all faces at it, so there are no
 /// T-junctions; where four or more faces meet in an edge they are paired around the material, and
-/// each surface gets vertices of its own. The result does not depend on the order of the pieces
-/// nor on how faces were cut into them. Expected O(n log n), most of it O(n); a hole is looked for
-/// in all outlines of its plane and origin. Throws std::logic_error if they are not the whole
-/// surface: a fault of the caller's.
-Boundary stitch(std::vector<Outlines> parts, const Lattice& lattice);
+/// each surface gets vertices of its own.
+class Stitcher {
+public:
+    explicit Stitcher(const Lattice& lattice);
+    ~Stitcher();
+
+    /// Expected O(pieces).
+    void take(const Outlines& part);
+    /// After all parts. The result does not depend on the order of the pieces nor on how faces were
+    /// cut into them. Expected O(n log n), most of it O(n); a hole is looked for in all outlines of
+    /// its plane and origin. Throws std::logic_error if they are not the whole surface: a fault of
+    /// the caller's.
+    Boundary finish();
+
+private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace ncsim::cda

@@ -18,6 +18,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -379,40 +380,50 @@ std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
     return lattice_.to_mm(0.5 * (at(piece.tail) + at(piece.head)));
 }
 
-void TreeCda::evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const {
+double TreeCda::volume() const {
     settle();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
-    results.resize(blocks_.size());
     for_each(blocks_.size(), [&](std::size_t i) {
-        if (!keep_outlines && blocks_[i].volume) return;
-        results[i] = evaluate(*blocks_[i].tree, input);
-        blocks_[i].volume = results[i].volume;
-        if (!keep_outlines) results[i].outlines = {};
+        const Block& block = blocks_[i];
+        if (!block.volume) block.volume = evaluate(*block.tree, input).volume;
     });
-}
-
-double TreeCda::volume() const {
-    std::vector<Evaluation> results;
-    evaluate_blocks(false, results);
     double sum = 0.0;
     for (const Block& block : blocks_)
         sum += *block.volume;
     return sum * cube(lattice_.unit_mm);
 }
 
+// Blocks are evaluated by all threads; their outlines are taken in order, by whichever thread is
+// there when the next one is ready: then few of them have to be kept.
 Boundary TreeCda::boundary() const {
-    std::vector<Evaluation> results;
-    evaluate_blocks(true, results);
+    settle();
+    const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     counts_.leaves = counts_.facets_tested = counts_.facets_alive = counts_.pieces = 0;
-    std::vector<Outlines> outlines;
-    for (Evaluation& result : results) {
+    Stitcher stitcher(lattice_);
+    std::mutex mutex;
+    std::vector<std::optional<Outlines>> ready(blocks_.size());
+    std::size_t next = 0;
+    bool is_taking = false;
+    for_each(blocks_.size(), [&](std::size_t i) {
+        Evaluation result = evaluate(*blocks_[i].tree, input);
+        blocks_[i].volume = result.volume;
+        std::unique_lock lock(mutex);
         counts_.leaves += result.leaves;
         counts_.facets_tested += result.facets_tested;
         counts_.facets_alive += result.facets_alive;
         counts_.pieces += result.outlines.pieces().size();
-        outlines.push_back(std::move(result.outlines));
-    }
-    return stitch(std::move(outlines), lattice_);
+        ready[i] = std::move(result.outlines);
+        if (is_taking) return;
+        is_taking = true;
+        for (; next < ready.size() && ready[next]; ++next) {
+            const Outlines part = *std::exchange(ready[next], std::nullopt);
+            lock.unlock();
+            stitcher.take(part);
+            lock.lock();
+        }
+        is_taking = false;
+    });
+    return stitcher.finish();
 }
 
 TreeCounts TreeCda::counts() const {

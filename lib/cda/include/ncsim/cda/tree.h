@@ -96,7 +96,6 @@ private:
     bool is_waited_for_near(Vec3 point) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
-    void evaluate_blocks(bool keep_outlines, std::vector<Evaluation>& results) const;
     void for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
 
     TreeParameters parameters_;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace ncsim::cda {
+
+/// An array that grows without moving what is in it: at no time are there two of it, nor more room
+/// than a chunk that nobody needs. For what grows to a large share of all memory.
+template <class T>
+class Chunks {
+public:
+    void push_back(T item) {
+        if (size_ % kChunk == 0 && size_ / kChunk == chunks_.size())
+            chunks_.push_back(std::make_unique_for_overwrite<T[]>(kChunk));
+        chunks_[size_ / kChunk][size_ % kChunk] = std::move(item);
+        ++size_;
+    }
+    T& operator[](std::size_t i) { return chunks_[i / kChunk][i % kChunk]; }
+    const T& operator[](std::size_t i) const { return chunks_[i / kChunk][i % kChunk]; }
+    std::size_t size() const { return size_; }
+    /// Keeps the room.
+    void clear() { size_ = 0; }
+
+private:
+    static constexpr std::size_t kChunk = 4096;
+    std::vector<std::unique_ptr<T[]>> chunks_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace ncsim::cda
