@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -9,26 +11,51 @@
 
 namespace ncsim::cda {
 
-/// Lists that are counted first and filled then: items of group g are at begin[g] … begin[g + 1].
+/// A list for each of many groups, all in one array: items are counted first, and filled in then.
 template <class Item>
-struct Groups {
-    std::vector<std::size_t> begin;
-    std::vector<Item> items;
+class Groups {
+public:
+    explicit Groups(std::size_t groups) : begin_(groups + 2, 0) {}
 
-    explicit Groups(std::size_t groups) : begin(groups + 1, 0) {}
-    void count(std::uint32_t group) { ++begin[group + 1]; }
+    void count(std::uint32_t group) { ++begin_[group + 2]; }
+    /// After all are counted.
     void reserve() {
-        std::partial_sum(begin.begin(), begin.end(), begin.begin());
-        items.resize(begin.back());
-        at_ = begin;
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        items_.resize(begin_.back());
     }
-    void add(std::uint32_t group, const Item& item) { items[at_[group]++] = item; }
+    /// As many times as counted.
+    void add(std::uint32_t group, const Item& item) { items_[begin_[group + 1]++] = item; }
+
+    // After all are added.
+
     std::span<Item> of(std::size_t group) {
-        return std::span(items).subspan(begin[group], begin[group + 1] - begin[group]);
+        return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
+    }
+    std::span<const Item> all() const { return items_; }
+    /// Replaces each list by what `change(group, list, result)` adds to `result`, which must not be
+    /// more.
+    template <class Change>
+    void replace(Change change) {
+        std::vector<Item> result;
+        std::size_t to = 0;
+        for (std::size_t group = 0; group + 2 < begin_.size(); ++group) {
+            const std::span<Item> list = of(group);
+            result.clear();
+            change(group, list, result);
+            assert(result.size() <= list.size());
+            begin_[group] = to;
+            std::ranges::copy(result, items_.begin() + static_cast<std::ptrdiff_t>(to));
+            to += result.size();
+        }
+        begin_[begin_.size() - 2] = to;
+        items_.resize(to);
     }
 
 private:
-    std::vector<std::size_t> at_;
+    // Group g is from begin_[g] to begin_[g + 1]; until all are added, the next of it goes where
+    // the latter is.
+    std::vector<std::size_t> begin_;
+    std::vector<Item> items_;
 };
 
 }  // namespace ncsim::cda

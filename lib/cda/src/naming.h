@@ -64,6 +64,9 @@ public:
     /// Of points on a line.
     bool comes_before(std::uint32_t line, std::uint32_t a, std::uint32_t b) const;
 
+    /// Lines have no directions any more.
+    void forget_directions() { directions_ = {}; }
+
     /// An oriented plane together with an origin.
     const std::vector<std::pair<Plane, Origin>>& owners() const { return owners_; }
 

@@ -26,7 +26,9 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
 
 namespace ncsim::cda {
@@ -70,32 +72,25 @@ public:
     void take(const Outlines& part) { names_.take(part); }
 
     Boundary finish() {
-        Groups<Interval> intervals = names_.finish();
-        Groups<Interval> covers(names_.lines());
-        cancel(intervals, covers);
-        intervals = Groups<Interval>(0);
+        Groups<Interval> covers = names_.finish();
+        covers.replace(
+            [&](std::size_t line, std::span<Interval> here, std::vector<Interval>& left) {
+                cancel(static_cast<std::uint32_t>(line), here, left);
+            });
         find_corners(covers);
         for (std::uint32_t i = 0; i < names_.lines(); ++i)
             break_up(i, covers.of(i));
         covers = Groups<Interval>(0);
+        asked_ = {};
+        ends_ = Groups<std::uint32_t>(0);
         trace();
+        names_.forget_directions();
         return write_faces();
     }
 
 private:
     // 2. Where a forward and a backward piece of one owner lie on each other, they cancel; what is
-    // left is covered.
-    void cancel(Groups<Interval>& intervals, Groups<Interval>& covers) {
-        std::vector<Interval> all;
-        all.reserve(intervals.items.size());
-        for (std::uint32_t line = 0; line < names_.lines(); ++line) {
-            const std::size_t before = all.size();
-            cancel(line, intervals.of(line), all);
-            covers.begin[line + 1] = covers.begin[line] + (all.size() - before);
-        }
-        covers.items = std::move(all);
-    }
-
+    // left is covered. Where a cover ends, a piece does: there are no more of them.
     void cancel(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
         if (here.size() == 2 && here[0].tail == here[1].tail && here[0].head == here[1].head) {
             if (here[0].owner == here[1].owner) return;
@@ -173,7 +168,7 @@ private:
         }
         ends_ = Groups<std::uint32_t>(count);
         const auto for_each_end = [&](auto take) {
-            for (const Interval& c : covers.items) {
+            for (const Interval& c : covers.all()) {
                 for (const std::uint32_t end : {c.tail, c.head}) {
                     if (asked_[end] != kNone) take(asked_[end], c.owner);
                 }
@@ -435,7 +430,7 @@ private:
 
         Boundary boundary;
         std::vector<std::uint32_t> vertex(half_edges_.size(), kNone);
-        std::vector<std::uint32_t> middle(half_edges_.size(), kNone);
+        std::unordered_map<std::uint32_t, std::uint32_t> middles;
         std::vector<std::uint32_t> face_of(half_edges_.size(), kNone);
         const auto name = [&](std::uint32_t& number, Vec3 p) {
             if (number == kNone) {
@@ -454,7 +449,8 @@ private:
                 // A vertex of its own in the middle tells the edge from its twins.
                 const std::uint32_t pair = std::min(h, half_edges_[h].partner);
                 const Vec3 head = names_.point(half_edges_[h].head);
-                ring.push_back(name(middle[pair], 0.5 * (position_of(h) + head)));
+                std::uint32_t& middle = middles.try_emplace(pair, kNone).first->second;
+                ring.push_back(name(middle, 0.5 * (position_of(h) + head)));
             }
             return ring;
         };
