@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 namespace ncsim::cda {
 
@@ -88,6 +89,8 @@ void Naming::take(const Outlines& part) {
 }
 
 Groups<Interval> Naming::finish() {
+    if (owner_numbers_.size() > kMostOwners || lines() > kMostLines)
+        throw std::length_error("the surface of the part has too many faces");
     lines_ = Interner<LineKey, HashLine, SameLine>({}, SameLine{&planes_.keys()});
     points_.close();
     std::vector<std::uint32_t> order(owner_numbers_.size());
@@ -116,7 +119,7 @@ Groups<Interval> Naming::finish() {
         for (const Named& n : part) {
             const bool forward = comes_before(n.line, n.tail, n.head);
             intervals.add(n.line, {forward ? n.tail : n.head, forward ? n.head : n.tail,
-                                   rank[n.owner], forward});
+                                   rank[n.owner] & kMostOwners, forward});
         }
         part = {};
     }

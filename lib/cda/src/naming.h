@@ -30,11 +30,15 @@ struct Direction {
     Direction operator-() const { return {-x, -y, -z}; }
 };
 
+/// More than fit into memory beside what they name.
+inline constexpr std::uint32_t kMostOwners = (std::uint32_t{1} << 31) - 1;
+inline constexpr std::uint32_t kMostLines = (std::uint32_t{1} << 30) - 1;
+
 /// A piece of an outline on its line, tail before head along the line. Points and owners by number.
 struct Interval {
     std::uint32_t tail, head;
-    std::uint32_t owner;
-    bool forward;
+    std::uint32_t owner : 31;
+    std::uint32_t forward : 1;
 };
 
 class Naming {
@@ -46,7 +50,7 @@ public:
     /// Numbers depend on the order of the parts. Expected O(pieces).
     void take(const Outlines& part);
     /// After the last part: all pieces by line. Owners are numbered in an order that depends on the
-    /// geometry only.
+    /// geometry only. Throws std::length_error if there are too many of them, or of lines.
     Groups<Interval> finish();
 
     // All that follows is for after finish().

@@ -56,9 +56,9 @@ int dot_sign(const Direction& a, const Direction& b) {
 struct HalfEdge {
     std::uint32_t tail, head;  // points
     std::uint32_t owner;
-    std::uint32_t line;
-    bool forward;
-    bool crowded;  // more than two faces meet here
+    std::uint32_t line : 30;
+    std::uint32_t forward : 1;
+    std::uint32_t crowded : 1;  // more than two faces meet here
     std::uint32_t partner = kNone;
     std::uint32_t next = kNone;
 };
@@ -229,8 +229,8 @@ private:
 
     void add_half_edge(const Interval& c, std::uint32_t low, std::uint32_t high,
                        std::uint32_t line) {
-        half_edges_.push_back(
-            {c.forward ? low : high, c.forward ? high : low, c.owner, line, c.forward, false});
+        half_edges_.push_back({c.forward ? low : high, c.forward ? high : low, c.owner,
+                               line & kMostLines, c.forward, false});
     }
 
     // 5.
