@@ -7,7 +7,7 @@
 
 namespace ncsim::test {
 
-/// splitmix64.
+/// splitmix64, of its own: what judges the program uses nothing of it.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/check.h"
 
+#include "ncsim/cda/mix.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -80,13 +82,7 @@ SurfaceCheck check(const TriangleMesh& mesh) {
 }
 
 bool is_closed(const Boundary& boundary) {
-    // Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014: mix64.
-    const auto hash = [](std::uint64_t a, std::uint64_t b) {
-        std::uint64_t z = (a << 32 | b) + 0x9e3779b97f4a7c15U;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31);
-    };
+    const auto hash = [](std::uint64_t a, std::uint64_t b) { return mix(0, a << 32 | b); };
     std::uint64_t sum = 0;
     for (const BoundaryFace& face : boundary.faces) {
         for (const auto& loop : face.loops) {

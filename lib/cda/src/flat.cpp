@@ -36,10 +36,6 @@ void turn_over(Fragment& fragment) {
     }
 }
 
-double cube(double x) {
-    return x * x * x;
-}
-
 }  // namespace
 
 FlatCda::FlatCda(Clock clock) : clock_(clock) {}
@@ -242,13 +238,13 @@ double FlatCda::subtract(const Cell& cell) {
         }
     }
     const double change = settle_volume();
-    totals_.removed_volume = change == 0.0 ? 0.0 : -change * cube(lattice_.unit_mm);
+    totals_.removed_volume = change == 0.0 ? 0.0 : -change * lattice_.cubic_unit_mm3();
     steps_.push_back(totals_);
     return totals_.removed_volume;
 }
 
 double FlatCda::volume() const {
-    return volume_ * cube(lattice_.unit_mm);
+    return volume_ * lattice_.cubic_unit_mm3();
 }
 
 void FlatCda::render(FacetCanvas& canvas) const {

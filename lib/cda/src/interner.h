@@ -4,6 +4,8 @@
 // keeps its keys in one array.
 #pragma once
 
+#include "ncsim/cda/mix.h"
+
 #include "chunks.h"
 
 #include <array>
@@ -15,14 +17,6 @@
 #include <vector>
 
 namespace ncsim::cda {
-
-/// The finalizer of splitmix64: the same on every machine and in every run.
-constexpr std::uint64_t mix(std::uint64_t h, std::uint64_t v) {
-    h = (h ^ v) + 0x9e3779b97f4a7c15ULL;
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
-    return h ^ (h >> 31);
-}
 
 /// `Hash` is a function of a key; `Equal` of two, and need not be transitive to the eye: it is only
 /// asked of keys with equal hashes.

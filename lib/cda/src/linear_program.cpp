@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "linear_program.h"
 
+#include "ncsim/cda/mix.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,21 +13,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-// splitmix64: small, seeded, the same everywhere (std::shuffle is not).
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
-
-private:
-    std::uint64_t state_;
-};
 
 // a·s + b·t <= c in the coordinates (s, t) of a plane.
 struct Halfplane {
@@ -93,7 +80,7 @@ std::optional<Vec3> farthest_point(std::span<const Halfspace> halfspaces, const 
                                  {{0, -1, 0}, -start.min.y}, {{0, 0, -1}, -start.min.z}};
     const auto bounding = static_cast<std::ptrdiff_t>(order.size());
     order.insert(order.end(), halfspaces.begin(), halfspaces.end());
-    Random random(seed);
+    SplitMix random(seed);
     for (auto i = static_cast<std::ptrdiff_t>(order.size()) - 1; i > bounding; --i) {
         const auto span = static_cast<std::uint64_t>(i - bounding + 1);
         std::swap(order[static_cast<std::size_t>(i)],
@@ -133,7 +120,7 @@ std::optional<Vec3> farthest_point(std::span<const Halfspace> halfspaces, const 
 
 std::optional<Vec3> interior_point(std::span<const Halfspace> halfspaces, const Box& start,
                                    std::uint64_t seed) {
-    Random random(seed);
+    SplitMix random(seed);
     const auto component = [&] { return 0.25 + 1e-3 * static_cast<double>(random.next() % 1000); };
     const double cx = component();
     const double cy = component();

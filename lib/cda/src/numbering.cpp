@@ -87,20 +87,4 @@ int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
     return compare_fractions(numerator(a), a.w, numerator(b), b.w);
 }
 
-DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t DisjointSets::find(std::uint32_t i) {
-    while (parent_[i] != i)
-        i = parent_[i] = parent_[parent_[i]];
-    return i;
-}
-
-void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-}
-
 }  // namespace ncsim::cda

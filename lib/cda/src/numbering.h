@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names for exact things: keys for lines, order of points, sets that grow together.
+// Names for exact things: keys for lines, order of points.
 #pragma once
 
 #include "ncsim/cda/predicates.h"
@@ -39,16 +39,5 @@ inline std::size_t longest(const std::array<std::int64_t, 3>& d) {
 
 /// Sign of a[axis] − b[axis], exactly.
 int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis);
-
-/// Sets that are united, never split (Tarjan). The representative is the smallest member.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t size);
-    std::uint32_t find(std::uint32_t i);
-    void unite(std::uint32_t a, std::uint32_t b);
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 }  // namespace ncsim::cda

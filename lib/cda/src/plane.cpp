@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/plane.h"
 
+#include "ncsim/cda/mix.h"
+
 #include <numeric>
 
 namespace ncsim::cda {
@@ -29,14 +31,9 @@ double distance_about(const Plane& plane, Vec3 centre) {
 }
 
 std::size_t PlaneHash::operator()(const Plane& p) const noexcept {
-    // Fixed multipliers (splitmix64): the same on every machine and in every run.
     std::uint64_t h = static_cast<std::uint64_t>(p.d);
-    for (const std::int32_t n : {p.nx, p.ny, p.nz}) {
-        h = (h ^ static_cast<std::uint32_t>(n)) + 0x9e3779b97f4a7c15ULL;
-        h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
-        h ^= h >> 31;
-    }
+    for (const std::int32_t n : {p.nx, p.ny, p.nz})
+        h = mix(h, static_cast<std::uint32_t>(n));
     return h;
 }
 

@@ -16,6 +16,7 @@
 #include "stitch.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/disjoint_sets.h"
 
 #include "chunks.h"
 #include "groups.h"

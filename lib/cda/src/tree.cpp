@@ -56,10 +56,6 @@ bool has_its_normals(const Cell& cell) {
     return is_so;
 }
 
-double cube(double x) {
-    return x * x * x;
-}
-
 }  // namespace
 
 // A cell that some blocks have not taken in yet.
@@ -288,7 +284,7 @@ double TreeCda::subtract(const Cell& cell) {
     // rounded, and may come out as less than nothing.
     if (result.outlines.pieces().empty()) return 0.0;
     WorkpieceModel::subtract_unmeasured(cell);
-    return std::max(0.0, result.volume * cube(lattice_.unit_mm));
+    return std::max(0.0, result.volume * lattice_.cubic_unit_mm3());
 }
 
 void TreeCda::keep_account() {
@@ -300,7 +296,7 @@ Account TreeCda::account() const {
     settle();
     Account result;
     if (!account_) return result;
-    const double unit = cube(lattice_.unit_mm);
+    const double unit = lattice_.cubic_unit_mm3();
     const double rounding = kAccountRounding * stock_volume_;
     for (const auto& [origin, taken] : *account_) {
         const bool is_nothing = std::abs(taken.volume) < rounding;
@@ -360,8 +356,9 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
 double TreeCda::common_volume(const Cell& cell) const {
     settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
-    return result.outlines.pieces().empty() ? 0.0
-                                            : std::max(0.0, result.volume * cube(lattice_.unit_mm));
+    return result.outlines.pieces().empty()
+               ? 0.0
+               : std::max(0.0, result.volume * lattice_.cubic_unit_mm3());
 }
 
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
@@ -390,7 +387,7 @@ double TreeCda::volume() const {
     double sum = 0.0;
     for (const Block& block : blocks_)
         sum += *block.volume;
-    return sum * cube(lattice_.unit_mm);
+    return sum * lattice_.cubic_unit_mm3();
 }
 
 // Blocks are evaluated by all threads; their outlines are taken in order, by whichever thread is

@@ -21,6 +21,7 @@
 // turn; the rest of the triangle is apart then, or holds another one that has yet to move.
 #include "float_mesh.h"
 
+#include "ncsim/cda/mix.h"
 #include "ncsim/cda/predicates.h"
 
 #include "slivers.h"
@@ -201,8 +202,8 @@ struct HashPoint {
     std::size_t operator()(const FloatPoint& p) const {
         std::uint64_t h = 0;
         for (const float x : p)
-            h = (h ^ std::bit_cast<std::uint32_t>(x)) * 0x9e3779b97f4a7c15U;
-        return static_cast<std::size_t>(h ^ (h >> 32));
+            h = cda::mix(h, std::bit_cast<std::uint32_t>(x));
+        return h;
     }
 };
 

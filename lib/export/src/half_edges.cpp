@@ -37,21 +37,4 @@ std::vector<std::uint32_t> twins_of(const std::vector<HalfEdge>& edges) {
     return twins;
 }
 
-Groups::Groups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t Groups::find(std::uint32_t i) {
-    while (parent_[i] != i)
-        i = parent_[i] = parent_[parent_[i]];
-    return i;
-}
-
-void Groups::join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    // So that the order of faces stays.
-    parent_[std::max(a, b)] = std::min(a, b);
-}
-
 }  // namespace ncsim::exporter

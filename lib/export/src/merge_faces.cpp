@@ -85,7 +85,7 @@ std::vector<std::vector<VertexIndex>> walk(const std::vector<Vec3>& vertices,
 
 }  // namespace
 
-MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups) {
+MergedFaces merge_groups(const cda::Boundary& boundary, cda::DisjointSets& groups) {
     const std::vector<HalfEdge> edges = half_edges(boundary);
     const std::vector<std::uint32_t> twins = twins_of(edges);
     // What is left of each group, by the number of its first face.

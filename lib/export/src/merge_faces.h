@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/cda/disjoint_sets.h"
 
 #include "half_edges.h"
 
@@ -18,12 +19,12 @@ struct MergedFaces {
     cda::Boundary boundary;
     /// For each merged face the origins of the faces it is made of, ascending, each once.
     std::vector<std::vector<cda::Origin>> origins;
-    std::vector<std::uint32_t> group;  ///< The number that stands for it in Groups.
+    std::vector<std::uint32_t> group;  ///< The number that stands for it in the groups.
 };
 
 /// Makes one face of each of `groups`, which hold the numbers of faces that hang together and lie
 /// in the plane of the group's first one, more or less. A group that has no outline, since it is a
 /// whole shell, has no face either. All vertices stay. O(n log n).
-MergedFaces merge_groups(const cda::Boundary& boundary, Groups& groups);
+MergedFaces merge_groups(const cda::Boundary& boundary, cda::DisjointSets& groups);
 
 }  // namespace ncsim::exporter

@@ -11,6 +11,7 @@
 // all of it, which is seen by comparing the surfaces, everything is done again with half as much.
 #include "ncsim/export/simplify.h"
 
+#include "ncsim/cda/disjoint_sets.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/triangle_tree.h"
 
@@ -159,7 +160,7 @@ public:
     /// Of the largest face in the group of `face`.
     cda::Origin origin(std::uint32_t face) { return flats_[groups_.find(face)].origin; }
 
-    Groups& groups() { return groups_; }
+    cda::DisjointSets& groups() { return groups_; }
 
 private:
     struct Flat {
@@ -195,13 +196,13 @@ private:
         both.vertices = std::move(large.vertices);
         both.vertices.insert(both.vertices.end(), small.vertices.begin(), small.vertices.end());
         small.vertices.clear();
-        groups_.join(a, b);
+        groups_.unite(a, b);
         flats_[groups_.find(a)] = std::move(both);
     }
 
     cda::Boundary& boundary_;
     double tolerance_;
-    Groups groups_;
+    cda::DisjointSets groups_;
     std::vector<Flat> flats_;  // of a group: that of its first face
 };
 

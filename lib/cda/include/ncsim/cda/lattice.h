@@ -51,6 +51,7 @@ struct Lattice {
     /// The same for points between lattice points. Divides by the units in a millimetre, a whole
     /// number for units below one: what was a round number of millimetres stays one.
     Vec3 to_mm(Vec3 p_units) const;
+    double cubic_unit_mm3() const { return unit_mm * unit_mm * unit_mm; }
 };
 
 }  // namespace ncsim::cda

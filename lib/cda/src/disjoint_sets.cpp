@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/disjoint_sets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ncsim::cda {
+
+DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+std::uint32_t DisjointSets::find(std::uint32_t i) {
+    while (parent_[i] != i)
+        i = parent_[i] = parent_[parent_[i]];
+    return i;
+}
+
+void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+}
+
+}  // namespace ncsim::cda
