@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/export/image.h"
-#include "ncsim/export/render.h"
+#include "ncsim/export/render_options.h"
 
 #include "surface.h"
 #include "visibility.h"
