@@ -243,11 +243,6 @@ void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origi
     }
 }
 
-std::string base_name(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
 Job read_job(Options options, InputSet& inputs) {
     Job job;
     job.budget = Budget(options.max_memory_gb, options.max_seconds);

@@ -44,7 +44,4 @@ void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origi
 /// must outlive the job.
 Job read_job(Options options, InputSet& inputs);
 
-/// The program's name without folders.
-std::string base_name(const std::string& path);
-
 }  // namespace ncsim::app

@@ -5,11 +5,9 @@
 #include "ncsim/verify/setup.h"
 
 #include "findings.h"
-#include "job.h"
+#include "input.h"
 #include "plain_text.h"
-#include "sheet.h"
 #include "stock_file.h"
-#include "survey.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
 #include "version.h"
@@ -19,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
@@ -350,19 +347,7 @@ void write_tool(std::ostream& out, const ToolSpec& spec, cda::Vec3 offset) {
     }
 }
 
-cda::Vec3 offset_of(const Job& job, int number) {
-    const toolpath::ToolEntry* entry = toolpath::find_tool(job.tools, number);
-    return entry ? entry->offset : cda::Vec3{};
-}
-
-// How a job file names another file.
-std::string seen_from(const std::string& job_file, const std::string& path) {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::absolute(job_file).lexically_normal().parent_path();
-    return fs::absolute(path).lexically_normal().lexically_proximate(folder).generic_string();
-}
-
-void write_stock(std::ostream& out, const toolpath::Stock& stock, const std::string& job_file) {
+void write_stock(std::ostream& out, const toolpath::Stock& stock) {
     if (!stock.from) {
         out << "min = " << triple(stock.box.min) << "\nmax = " << triple(stock.box.max) << '\n'
             << (stock.is_round ? "round = true\n" : "");
@@ -371,7 +356,7 @@ void write_stock(std::ostream& out, const toolpath::Stock& stock, const std::str
                 << "XYZ"[stock.axis] << "\"\n";
         return;
     }
-    out << "file = " << quoted(seen_from(job_file, stock.from->path)) << '\n';
+    out << "file = " << quoted(stock.from->path) << '\n';
     if (!stock.from->turn.empty()) out << "turn = " << quoted(stock.from->turn) << '\n';
     if (!(stock.from->move == cda::Vec3{})) out << "move = " << triple(stock.from->move) << '\n';
 }
@@ -382,19 +367,17 @@ JobFile parse_job_file(const gcode::SourceFile& file) {
     return Reader(file).read();
 }
 
-void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
-                    const std::string& path) {
+void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
     out << "# Written by ncsim " << kVersion
         << ": what a program stood on. Lengths in mm, angles in degrees.\n"
         << "version = 1\n";
-    if (job.options.program != "-")
-        out << "program = " << quoted(seen_from(path, job.options.program)) << '\n';
-    out << "units = \"" << (job.options.inches.value_or(false) ? "inch" : "mm")
+    if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
+    out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
-        << gcode::name_of(survey.interpretation.dialect.dialect) << "\"\n";
-    if (job.options.strict) out << "strict = true\n";
-    if (job.options.increments) out << "increments = true\n";
-    if (job.options.block_delete) out << "block_delete = true\n";
+        << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto)) << "\"\n";
+    if (file.strict) out << "strict = true\n";
+    if (file.increments) out << "increments = true\n";
+    if (file.block_delete) out << "block_delete = true\n";
     const auto list = [&out](const char* key, const std::vector<std::string>& words) {
         if (words.empty()) return;
         out << key << " = [";
@@ -402,37 +385,29 @@ void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
             out << (i == 0 ? "" : ", ") << quoted(words[i]);
         out << "]\n";
     };
-    list("allow", job.options.allow);
-    list("accept", job.options.accept);
-    list("require", job.options.require);
-    if (job.start) out << "start = " << triple(*job.start) << "  # in G54\n";
-    if (!job.options.offsets.empty()) {
+    list("allow", file.allow);
+    list("accept", file.accept);
+    list("require", file.require);
+    if (file.start) out << "start = " << triple(*file.start) << "  # in G54\n";
+    if (!file.offsets.empty()) {
         out << "\n[offsets]\n";
-        for (const auto& [system, origin] : job.options.offsets)
+        for (const auto& [system, origin] : file.offsets)
             out << quoted(name_of_system(system)) << " = " << triple(origin) << '\n';
     }
-    if (survey.stock) {
-        out << "\n[stock]\n"
-            << remark(told(survey.stock->told_by, survey.stock->span, survey.stock->text,
-                           survey.stock->file, "--stock"));
-        write_stock(out, *survey.stock, path);
+    if (file.stock) {
+        out << "\n[stock]\n" << remark(remarks.stock);
+        write_stock(out, *file.stock);
     }
-    for (const auto& [number, used] : survey.tools) {
-        out << '\n' << remark(told(used.told_by, used.span, used.text, used.file, "--tool"));
-        if (!used.filled_in.empty()) out << remark("assumed: " + used.filled_in);
-        write_tool(out, used.spec, offset_of(job, number));
+    for (std::size_t i = 0; i < file.tools.size(); ++i) {
+        out << '\n';
+        for (const std::string& line : remarks.tools.at(i))
+            out << remark(line);
+        write_tool(out, file.tools[i].spec, file.tools[i].offset);
     }
-    for (const toolpath::ToolEntry& entry : job.tools) {
-        if (survey.tools.contains(entry.spec.number)) continue;
-        out << '\n'
-            << remark("not used; " +
-                      told(entry.told_by, entry.span, entry.text, entry.file, "--tool"));
-        write_tool(out, entry.spec, entry.offset);
-    }
-    for (const auto& [number, first] : survey.unknown_tools) {
+    for (const auto& [number, line] : remarks.unknown_tools) {
         out << '\n'
             << remark(fmt::format("tool {} moves from line {} on and nobody describes it: fill in",
-                                  number, first.line))
+                                  number, line))
             << "#[[tool]]\n#number = " << number << "\n#kind = \"flat\"\n#diameter = 10.0\n";
     }
 }

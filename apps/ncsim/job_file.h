@@ -9,6 +9,7 @@
 #include "ncsim/gcode/source.h"
 #include "ncsim/toolpath/tool_table.h"
 
+#include <cstdint>
 #include <iosfwd>
 #include <map>
 #include <optional>
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace ncsim::app {
-
-struct Job;
-struct Survey;
 
 /// What a job file says; what it does not say is empty. Lengths in mm, angles in degrees.
 struct JobFile {
@@ -40,10 +38,15 @@ struct JobFile {
 /// not known or makes no sense: a key that is passed over is a set-up that is not what it seems.
 JobFile parse_job_file(const gcode::SourceFile& file);
 
-/// The tools, the stock and the reading of the program as they were used, also what had to be
-/// assumed (with a comment that says so). `path` is where it will stand: the program is named as
-/// seen from there.
-void write_job_file(std::ostream& out, const Job& job, const Survey& survey,
-                    const std::string& path);
+/// What a job file tells people beside its values: remarks of one line each.
+struct JobRemarks {
+    std::string stock;
+    std::vector<std::vector<std::string>> tools;  ///< For each of JobFile::tools.
+    /// Tools to fill in, since nobody describes them, and the line from which they move.
+    std::map<int, std::uint32_t> unknown_tools;
+};
+
+/// What parse_job_file() reads back. Paths stand there as they are in `file`.
+void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);
 
 }  // namespace ncsim::app

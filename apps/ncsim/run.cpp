@@ -16,12 +16,12 @@
 #include "animation.h"
 #include "findings.h"
 #include "job.h"
-#include "job_file.h"
 #include "output.h"
 #include "picture.h"
 #include "pipeline.h"
 #include "progress.h"
 #include "report.h"
+#include "save_job.h"
 #include "sheet.h"
 #include "stock_file.h"
 #include "survey.h"
@@ -177,9 +177,8 @@ int run(Options options) {
         }
         write_outputs(outcome, outputs);
     }
-    outputs.write(o.save_job, [&](std::ostream& out) {
-        write_job_file(out, job, survey, job.options.save_job);
-    });
+    outputs.write(o.save_job,
+                  [&](std::ostream& out) { save_job(out, job, survey, job.options.save_job); });
     outputs.write(o.report, [&](std::ostream& out) { write_report(out, outcome); });
     outputs.commit();
 

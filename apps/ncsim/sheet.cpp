@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sheet.h"
 
-#include "pipeline.h"
 #include "plain_text.h"
 #include "version.h"
 

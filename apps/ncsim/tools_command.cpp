@@ -3,8 +3,8 @@
 
 #include "findings.h"
 #include "job.h"
-#include "job_file.h"
 #include "output.h"
+#include "save_job.h"
 #include "sheet.h"
 #include "survey.h"
 
@@ -206,7 +206,7 @@ int run(const ToolsOptions& options) {
     }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,
-                  [&](std::ostream& out) { write_job_file(out, job, survey, options.save_job); });
+                  [&](std::ostream& out) { save_job(out, job, survey, options.save_job); });
     outputs.commit();
     return gcode::has_errors(survey.diagnostics) ? kFindings : kClean;
 }
