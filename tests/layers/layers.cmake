@@ -1,0 +1,27 @@
+# Who may see whom: a room and the rooms whose headers it may include, leaves first. An arrow that is
+# not here does not exist; the picture of it, with one line a room, is in CONTRIBUTING.md.
+set(layers
+  "gcode:"
+  "cda:"
+  "toolpath: gcode cda"
+  "verify:   gcode toolpath cda"
+  "export:   cda"
+  "app:      gcode toolpath cda verify export")
+
+# Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
+set(folders_app apps/ncsim)
+foreach(library gcode cda toolpath verify export)
+  set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
+endforeach()
+
+# Arrows within a room that close a circle and are still there: ROOM/FROM>TO. One that is gone has to
+# be struck off; none may come in.
+set(known_circles
+  cda/lattice>cell
+  cda/visitor>flat
+  cda/wide>predicates
+  gcode/interpreter>runner
+  gcode/message>diagnostic
+  toolpath/ring_polygon>tool_polytope
+  toolpath/tool_phrase>tool_comment
+  verify/rule>rule_table)
