@@ -1,5 +1,5 @@
 # ncsim_embed(<target> <name> <file>): <file> becomes part of <target> as
-#     extern const std::string_view <name>;   (namespace ncsim::app)
+#     extern const std::string_view <name>;   (namespace ncsim::report)
 # Made anew when the file changes.
 function(ncsim_embed target name file)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.cpp)

@@ -3,11 +3,11 @@ file(READ ${INPUT} bytes HEX)
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${bytes}")
 file(WRITE ${OUTPUT} "// Generated from ${INPUT}.
 #include <string_view>
-namespace ncsim::app {
+namespace ncsim::report {
 namespace {
 const char kBytes[] = {${bytes} 0};
 }
 extern const std::string_view ${NAME};
 const std::string_view ${NAME}(kBytes, sizeof kBytes - 1);
-}  // namespace ncsim::app
+}  // namespace ncsim::report
 ")

@@ -5,8 +5,8 @@
 
 #include "ncsim/export/gif.h"
 
+#include "outcome.h"
 #include "output.h"
-#include "report.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check.h"
 
-#include "check_outputs.h"
-#include "check_text.h"
-#include "checked.h"
-#include "findings.h"
+#include "ncsim/report/annotations.h"
+#include "ncsim/report/check_json.h"
+#include "ncsim/report/check_text.h"
+#include "ncsim/report/junit.h"
+#include "ncsim/report/ledger_csv.h"
+#include "ncsim/report/page.h"
+#include "ncsim/report/rules.h"
+#include "ncsim/report/sarif.h"
+
+#include "check_program.h"
+#include "console.h"
 #include "in_order.h"
 #include "mesh_file.h"
 #include "output.h"
-#include "page.h"
 
 #include <algorithm>
 #include <optional>
@@ -50,42 +56,46 @@ int run(CheckOptions options) {
     // Many programs share the cores; a single one has them all.
     const unsigned threads = jobs > 1 ? 1 : options.threads;
 
+    const report::TextOptions text{options.notes, options.quiet};
     const bool aside = outputs.takes_standard_output();
-    std::vector<Checked> all(options.programs.size());
+    std::vector<report::Checked> all(options.programs.size());
+    std::vector<int> exit_codes(all.size(), kClean);
     in_order(
         all.size(), jobs,
         [&](std::size_t i, const std::stop_token& stop) {
-            all[i] = check_program(options.programs[i], options, machine,
-                                   design ? &*design : nullptr, threads, inputs, stop);
+            exit_codes[i] = check_program(all[i], options.programs[i], options, machine,
+                                          design ? &*design : nullptr, threads, inputs, stop);
         },
         [&](std::size_t i) {
             if (options.github) {
-                put_out(github_annotations(all[i]));
+                put_out(report::github_annotations(all[i]));
             } else {
-                put_text(text_of(all[i], options), aside);
+                put_text(report::text_of(all[i], text), aside);
             }
         });
-    if (!options.quiet && all.size() > 1) put_text(summary_of(all), aside);
+    if (!options.quiet && all.size() > 1) put_text(report::summary_of(all), aside);
 
-    outputs.write(options.json, [&](std::ostream& out) { write_check_json(out, all); });
-    outputs.write(options.sarif, [&](std::ostream& out) { write_sarif(out, all); });
-    outputs.write(options.junit, [&](std::ostream& out) { write_junit(out, all, options); });
-    outputs.write(options.csv, [&](std::ostream& out) { write_ledger_csv(out, all); });
-    outputs.write(options.html, [&](std::ostream& out) { write_page(out, all.front()); });
+    outputs.write(options.json, [&](std::ostream& out) { report::write_check_json(out, all); });
+    outputs.write(options.sarif, [&](std::ostream& out) { report::write_sarif(out, all); });
+    outputs.write(options.junit, [&](std::ostream& out) {
+        report::write_junit(out, all, options.selection, options.warnings_as_errors);
+    });
+    outputs.write(options.csv, [&](std::ostream& out) { report::write_ledger_csv(out, all); });
+    outputs.write(options.html, [&](std::ostream& out) { report::write_page(out, all.front()); });
     outputs.commit();
 
     int worst = kClean;
-    for (const Checked& checked : all)
-        worst = std::max(worst, checked.exit_code, is_better);
+    for (const int code : exit_codes)
+        worst = std::max(worst, code, is_better);
     const bool judged = worst == kFindings || worst == kNotProven;
     return judged && options.exit_zero ? int{kClean} : worst;
 }
 
 int run(const RulesOptions& options) {
     if (options.json) {
-        put_out(rules_json());
+        put_out(report::rules_json());
     } else {
-        put_text(rules_text());
+        put_text(report::rules_text());
     }
     return kClean;
 }

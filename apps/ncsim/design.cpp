@@ -2,13 +2,8 @@
 #include "design.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/report/describe.h"
 #include "ncsim/verify/design.h"
-
-#include "findings.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 
 namespace ncsim::app {
 
@@ -50,7 +45,7 @@ Finding gouge(const DesignRegion& region, const Design& design, const Simulation
     f.message = "the part is cut into the design";
     const auto lines = lines_of(region, simulation);
     if (lines.size() > 1 || (!lines.empty() && lines.front().first != lines.front().last)) {
-        f.message += ", around here by lines " + lines_text(lines);
+        f.message += ", around here by lines " + report::lines_text(lines);
     }
     f.quantity = verify::Quantity{"depth", region.depth_mm, "mm"};
     return f;
@@ -65,7 +60,7 @@ Finding excess(const DesignRegion& region, const Design& design, const Simulatio
     f.message = "material is left that the design does not have";
     const auto lines = lines_of(region, simulation);
     f.message += lines.empty() ? ", where nothing was cut"
-                               : ", beside what was cut by lines " + lines_text(lines);
+                               : ", beside what was cut by lines " + report::lines_text(lines);
     f.quantity = verify::Quantity{"thickness", region.depth_mm, "mm"};
     return f;
 }
@@ -78,23 +73,15 @@ Finding nothing_left(const Design& design) {
     return f;
 }
 
-DesignFacts::Side side_of(const verify::DesignSide& side) {
+report::DesignFacts::Side side_of(const verify::DesignSide& side) {
     return {side.regions.empty() ? 0.0 : side.regions.front().depth_mm, side.volume_mm3,
             side.regions.size()};
-}
-
-std::string text_of(const DesignFacts::Side& side, const char* what) {
-    if (side.regions == 0) return {};
-    std::string text = fmt::format("; {} in {} place{}, up to {:.4g} mm", what, side.regions,
-                                   side.regions == 1 ? "" : "s", side.largest_mm);
-    if (side.volume_mm3) text += fmt::format(", {:.4g} mm3 in all", *side.volume_mm3);
-    return text;
 }
 
 }  // namespace
 
 std::vector<Finding> compare_with(const Design& design, const Simulation& simulation,
-                                  DesignFacts& facts) {
+                                  report::DesignFacts& facts) {
     std::vector<Finding> findings;
     facts.path = design.path;
     facts.tolerance_mm = design.tolerance_mm;
@@ -118,16 +105,6 @@ std::vector<Finding> compare_with(const Design& design, const Simulation& simula
         f.assumptions.push_back("design: '" + design.path + "' is in the frame of G54");
     }
     return findings;
-}
-
-std::string text_of(const DesignFacts& facts) {
-    std::string text = fmt::format("{} within {:g} mm", facts.path, facts.tolerance_mm);
-    if (facts.gouge.regions == 0 && facts.excess.regions == 0) {
-        text += ": nothing beyond";
-    } else {
-        text += text_of(facts.gouge, "gouged") + text_of(facts.excess, "too much left");
-    }
-    return text + fmt::format("; farthest apart {:.4g} mm", facts.deviation_mm);
 }
 
 }  // namespace ncsim::app

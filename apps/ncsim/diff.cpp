@@ -5,25 +5,20 @@
 #include "diff.h"
 
 #include "ncsim/cda/tree.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/report/difference.h"
 #include "ncsim/verify/verifier.h"
 
-#include "check_outputs.h"
-#include "findings.h"
+#include "console.h"
 #include "job.h"
 #include "output.h"
 #include "pipeline.h"
-#include "plain_text.h"
-#include "sheet.h"
 #include "survey.h"
-#include "version.h"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
@@ -86,7 +81,7 @@ const cda::TreeCda& tree_of(const Simulation& simulation) {
 }
 
 // What `side` still takes away from the finished `part`.
-OneSided remainder(const Side& side, const Simulation& other) {
+report::OneSided remainder(const Side& side, const Simulation& other) {
     verify::Setup setup;
     setup.ledger = true;
     for (const verify::RuleInfo& rule : verify::rules())
@@ -100,15 +95,15 @@ OneSided remainder(const Side& side, const Simulation& other) {
     const Simulation cut = simulate(side.job, side.survey, verification, {});
     const verify::Verdict verdict =
         verifier.finish(side.survey.interpretation, &tree_of(cut), cut.stock_volume);
-    OneSided result;
+    report::OneSided result;
     result.regions = verify::regions_of(verdict.ledger);
     result.volume_mm3 = verdict.ledger.removed_mm3;
     result.files = verdict.files;
     return result;
 }
 
-Difference difference(const Side& a, const Side& b) {
-    Difference d;
+report::Difference difference(const Side& a, const Side& b) {
+    report::Difference d;
     const Simulation made_a = simulate(a.job, a.survey, {}, {});
     d.old_mm3 = made_a.part_volume;
     d.same_motions = moves_alike(a, b);
@@ -121,82 +116,6 @@ Difference difference(const Side& a, const Side& b) {
     d.only_old = remainder(b, made_a);
     d.only_new = remainder(a, made_b);
     return d;
-}
-
-void put_side(std::string& text, const OneSided& side, const std::string& has,
-              const std::string& cuts) {
-    constexpr std::size_t kShown = 10;
-    auto out = std::back_inserter(text);
-    fmt::format_to(out, "only in {}: {:.6g} mm3\n", has, side.volume_mm3);
-    for (std::size_t i = 0; i < side.regions.size() && i < kShown; ++i) {
-        const verify::Region& r = side.regions[i];
-        fmt::format_to(out, "  {:.6g} mm3, cut by {}:{}\n    within {}\n", r.volume_mm3, cuts,
-                       lines_text(r.lines), describe(r.box));
-    }
-    if (side.regions.size() > kShown) {
-        fmt::format_to(out, "  and {} smaller regions\n", side.regions.size() - kShown);
-    }
-}
-
-std::string text_of(const Difference& d, const DiffOptions& o, bool differs) {
-    std::string text;
-    auto out = std::back_inserter(text);
-    const std::string old_name = shown_path(name_of_input(o.program));
-    const std::string new_name = shown_path(name_of_input(o.new_program));
-    if (!d.stocks.empty()) fmt::format_to(out, "{}\n", one_line(d.stocks));
-    if (d.same_motions) {
-        text += "both programs make the same motions with the same tools\n";
-    } else {
-        put_side(text, d.only_old, old_name, new_name);
-        put_side(text, d.only_new, new_name, old_name);
-    }
-    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name,
-                   d.new_mm3, differs ? "the parts differ" : "the same part");
-    return text;
-}
-
-using Json = nlohmann::ordered_json;
-
-double tidy(double value) {
-    return std::round(value * 1e6) / 1e6 + 0.0;
-}
-
-Json to_json(cda::Vec3 v) {
-    return Json::array({tidy(v.x), tidy(v.y), tidy(v.z)});
-}
-
-Json to_json(const OneSided& side, const std::string& cut_by) {
-    Json json{{"volume_mm3", tidy(side.volume_mm3)}, {"regions", Json::array()}};
-    for (const verify::Region& r : side.regions) {
-        Json lines = Json::array();
-        for (const verify::LineRange& range : r.lines) {
-            const bool main = range.file == 0 || range.file >= side.files.size();
-            lines.push_back({{"file", main ? relative_path(cut_by) : side.files[range.file]},
-                             {"first", range.first},
-                             {"last", range.last}});
-        }
-        json["regions"].push_back(
-            {{"volume_mm3", tidy(r.volume_mm3)},
-             {"box", {{"min", to_json(r.box.min)}, {"max", to_json(r.box.max)}}},
-             {"lines", std::move(lines)}});
-    }
-    return json;
-}
-
-void write_json(std::ostream& out, const Difference& d, const DiffOptions& o, bool differs) {
-    Json json{{"version", 1},
-              {"ncsim", kVersion},
-              {"old", relative_path(name_of_input(o.program))},
-              {"new", relative_path(name_of_input(o.new_program))},
-              {"differs", differs},
-              {"tolerance_mm3", o.tolerance_mm3},
-              {"same_motions", d.same_motions},
-              {"old_mm3", tidy(d.old_mm3)},
-              {"new_mm3", tidy(d.new_mm3)},
-              {"only_in_old", to_json(d.only_old, name_of_input(o.new_program))},
-              {"only_in_new", to_json(d.only_new, name_of_input(o.program))}};
-    if (!d.stocks.empty()) json["stocks"] = d.stocks;
-    out << to_text(json);
 }
 
 // Programs that cannot be cut cannot be compared: says why.
@@ -245,19 +164,23 @@ int run(const DiffOptions& options) {
     const Side b = read_side(options, options.new_program, stock, inputs);
     if (!is_usable(b)) return kFindings;
 
-    Difference d = difference(a, b);
+    report::Difference d = difference(a, b);
     // A stock that nobody told follows from the motions and says nothing of its own.
     const auto& other = b_alone.survey.stock;
     const bool both_told = other && other->told_by != toolpath::ToldBy::Assumption &&
                            a.survey.stock->told_by != toolpath::ToldBy::Assumption;
     if (both_told && !(*other == stock)) {
         d.stocks = fmt::format("the blocks differ: {} and {}; both were cut from the first",
-                               describe(stock), describe(*other));
+                               report::describe(stock), report::describe(*other));
     }
     const bool differs = !d.stocks.empty() || d.only_old.volume_mm3 > options.tolerance_mm3 ||
                          d.only_new.volume_mm3 > options.tolerance_mm3;
-    if (!options.quiet) put_text(text_of(d, options, differs), outputs.takes_standard_output());
-    outputs.write(options.json, [&](std::ostream& out) { write_json(out, d, options, differs); });
+    d.old_name = name_of_input(options.program);
+    d.new_name = name_of_input(options.new_program);
+    d.tolerance_mm3 = options.tolerance_mm3;
+    d.differs = differs;
+    if (!options.quiet) put_text(report::text_of(d), outputs.takes_standard_output());
+    outputs.write(options.json, [&](std::ostream& out) { report::write_difference(out, d); });
     outputs.commit();
     return differs ? kFindings : kClean;
 }

@@ -134,11 +134,6 @@ std::string name_of_input(const std::string& path) {
     return path == kStandardInput ? "<stdin>" : path;
 }
 
-std::string base_name(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
 std::string seen_in(const std::string& folder, const std::string& name) {
     const std::string path = (std::filesystem::path(folder) / name).string();
     return path == kStandardInput ? "./-" : path;

@@ -51,9 +51,6 @@ private:
 /// How messages name an input: "<stdin>" for "-", else its path.
 std::string name_of_input(const std::string& path);
 
-/// The name of a file without folders.
-std::string base_name(const std::string& path);
-
 /// How a file in `folder` names the file `name`; "-" is no standard input there.
 std::string seen_in(const std::string& folder, const std::string& name);
 

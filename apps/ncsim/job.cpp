@@ -2,7 +2,9 @@
 #include "job.h"
 
 #include "ncsim/gcode/subprogram_file.h"
+#include "ncsim/report/file_names.h"
 #include "ncsim/toolpath/tool_file.h"
+#include "ncsim/verify/machine.h"
 
 #include "holder_file.h"
 #include "job_file.h"
@@ -151,7 +153,8 @@ JobFile take_job_file(Options& options, InputSet& inputs) {
 std::vector<toolpath::ToolFile> read_tables(Options& options, InputSet& inputs) {
     std::vector<toolpath::ToolFile> tables;
     for (const std::string& path : options.tool_tables) {
-        gcode::SourceFile file{base_name(name_of_input(path)), inputs.read(path, kMostSetUpBytes)};
+        gcode::SourceFile file{report::base_name(name_of_input(path)),
+                               inputs.read(path, kMostSetUpBytes)};
         tables.push_back(toolpath::read_tool_file(file, options.inches.value_or(false)));
         for (const gcode::Diagnostic& d : tables.back().diagnostics) {
             if (d.severity != gcode::Severity::Error) continue;
@@ -216,7 +219,7 @@ std::optional<toolpath::StockEntry> choose_stock(const Options& options, const J
     }
     if (file.stock) {
         toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
-        entry.file = base_name(name_of_input(options.job));
+        entry.file = report::base_name(name_of_input(options.job));
         if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from, inputs);
         return entry;
     }
@@ -269,7 +272,7 @@ Job read_job(Options options, InputSet& inputs) {
         return read_subprogram(folders, name, inputs);
     };
     for (gcode::Position& origin : job.interpreter.work_offsets) {
-        origin.z = gcode::Length::from_mm(-kHomeHeight);
+        origin.z = gcode::Length::from_mm(-verify::kHomeHeight);
     }
     for (const auto& [system, origin] : options.offsets)
         tell_offset(job.interpreter, system, origin);

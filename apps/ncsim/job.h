@@ -19,10 +19,6 @@
 
 namespace ncsim::app {
 
-/// Where the origins of G54 … G59.3 are assumed to be, seen from machine zero: so far below it that
-/// G28 and G53 Z0 lead away from the part. mm.
-inline constexpr double kHomeHeight = 300.0;
-
 struct Job {
     Options options;
     gcode::SourceFile program;

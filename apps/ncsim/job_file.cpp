@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job_file.h"
 
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/json_string.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/setup.h"
 
-#include "findings.h"
-#include "input.h"
-#include "plain_text.h"
 #include "stock_file.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
-#include "version.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 #include <string_view>
@@ -273,7 +272,7 @@ private:
         entry.told_by = toolpath::ToldBy::Table;
         entry.span = {static_cast<std::uint32_t>(t.source().begin.line), 1, 0};
         entry.text = spec.description;
-        entry.file = base_name(r_.name());
+        entry.file = report::base_name(r_.name());
         return entry;
     }
 
@@ -284,7 +283,7 @@ private:
 
 // JSON's strings are TOML's basic strings, but for the two characters that only TOML escapes.
 std::string quoted(const std::string& text) {
-    std::string result = to_line(nlohmann::ordered_json(text));
+    std::string result = report::json_string(text);
     for (std::size_t at = 0; (at = result.find('\x7f', at)) != std::string::npos;)
         result.replace(at, 1, "\\u007F");
     return result;
@@ -303,9 +302,9 @@ std::string triple(cda::Vec3 v) {
 
 // A remark of one line.
 std::string remark(const std::string& text) {
-    std::string line = one_line(text);
+    std::string line = report::one_line(text);
     // Comments must be UTF-8, too.
-    line = to_line(nlohmann::ordered_json(line));
+    line = report::json_string(line);
     return fmt::format("# {}\n", line.substr(1, line.size() - 2));
 }
 
@@ -368,7 +367,7 @@ JobFile parse_job_file(const gcode::SourceFile& file) {
 }
 
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
-    out << "# Written by ncsim " << kVersion
+    out << "# Written by ncsim " << report::kVersion
         << ": what a program stood on. Lengths in mm, angles in degrees.\n"
         << "version = 1\n";
     if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';

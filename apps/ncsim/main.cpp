@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The ncsim program: argv in, an exit code out, and the one place that catches exceptions.
+#include "ncsim/report/plain_text.h"
+
 #include "check.h"
+#include "console.h"
 #include "diff.h"
-#include "findings.h"
 #include "options.h"
-#include "plain_text.h"
 #include "run.h"
 
 #include <fcntl.h>
@@ -53,10 +54,10 @@ int main(int argc, char** argv) {
         std::fputs("ncsim: out of memory\n", stderr);
         return kEnvironment;
     } catch (const std::logic_error& e) {
-        say("ncsim: a bug of ours, please report it: " + one_line(e.what()) + '\n');
+        say("ncsim: a bug of ours, please report it: " + ncsim::report::one_line(e.what()) + '\n');
         return kBug;
     } catch (const std::exception& e) {
-        say("ncsim: " + one_line(e.what()) + '\n');
+        say("ncsim: " + ncsim::report::one_line(e.what()) + '\n');
         return kEnvironment;
     }
 }

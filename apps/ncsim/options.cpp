@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 
-#include "plain_text.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+
 #include "suggestion.h"
-#include "version.h"
 
 #include <fmt/format.h>
 
@@ -94,7 +95,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
     CLI::App app{
         "ncsim runs an NC milling program without a machine and shows what is left of the block.",
         "ncsim"};
-    app.set_version_flag("--version", fmt::format("ncsim {}", kVersion));
+    app.set_version_flag("--version", fmt::format("ncsim {}", report::kVersion));
     app.require_subcommand(1);
     const char* const run_example =
         "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
@@ -148,15 +149,15 @@ Command parse_options(const std::vector<std::string>& arguments) {
     } catch (const CLI::CallForHelp&) {
         return Farewell{kClean, chosen()->help()};
     } catch (const CLI::CallForVersion&) {
-        return Farewell{kClean, fmt::format("ncsim {}\n", kVersion)};
+        return Farewell{kClean, fmt::format("ncsim {}\n", report::kVersion)};
     } catch (const CLI::ParseError& e) {
         const std::string of = chosen() == &app ? "" : chosen()->get_name() + " ";
         std::string what = mistyped(app, words);
         if (what.empty()) what = e.what();
-        return Farewell{kEnvironment,
-                        fmt::format("ncsim: {}\nTry: ncsim {}--help\n", one_line(what), of)};
+        return Farewell{kEnvironment, fmt::format("ncsim: {}\nTry: ncsim {}--help\n",
+                                                  report::one_line(what), of)};
     } catch (const Refusal& e) {
-        return Farewell{kEnvironment, fmt::format("ncsim: {}\n", one_line(e.text))};
+        return Farewell{kEnvironment, fmt::format("ncsim: {}\n", report::one_line(e.text))};
     }
 }
 

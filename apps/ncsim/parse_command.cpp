@@ -2,258 +2,14 @@
 #include "parse_command.h"
 
 #include "ncsim/gcode/parser.h"
-#include "ncsim/gcode/print.h"
+#include "ncsim/report/listing.h"
 
-#include "findings.h"
+#include "console.h"
 #include "job.h"
-#include "plain_text.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace ncsim::app {
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-// Lines on their way out, a chunk at a time: memory does not grow with the program.
-class Lines {
-public:
-    void add(std::string_view line) {
-        text_.append(line);
-        if (text_.size() > (1U << 16)) flush();
-    }
-    void flush() {
-        put_out(text_);
-        text_.clear();
-    }
-
-private:
-    std::string text_;
-};
-
-// The elements of one JSON array, a line each, between a head and a tail.
-class JsonLines {
-public:
-    JsonLines(const std::string& program, const char* name) {
-        out_.add("{\"program\":" + to_line(program) + ",\"" + name + "\":[");
-    }
-    void add(const Json& element) {
-        out_.add(first_ ? "\n" : ",\n");
-        out_.add(to_line(element));
-        first_ = false;
-    }
-    void finish(const gcode::Diagnostics& diagnostics) {
-        out_.add("\n],\"findings\":" + to_line(findings_json(diagnostics)) + "}\n");
-        out_.flush();
-    }
-
-private:
-    Lines out_;
-    bool first_ = true;
-};
-
-// "G1" or "X[#1*2]", the way blocks are printed.
-std::string text_of(const gcode::Word& word) {
-    std::string text;
-    if (word.comma) text += ',';
-    text += word.letter;
-    if (word.literal) {
-        gcode::print_number(text, word.number);
-    } else {
-        text.append(word.text);
-    }
-    return text;
-}
-
-Json to_json(const gcode::Block& block) {
-    Json json{{"line", block.line}};
-    std::string text;
-    gcode::print(text, block);
-    json["text"] = text;
-    switch (block.kind) {
-        case gcode::BlockKind::Words: json["kind"] = "words"; break;
-        case gcode::BlockKind::Percent: json["kind"] = "percent"; break;
-        case gcode::BlockKind::Command: json["kind"] = "command"; break;
-        case gcode::BlockKind::Unreadable: json["kind"] = "unreadable"; break;
-    }
-    if (block.block_delete) json["block_delete"] = true;
-    if (block.has_number) json["number"] = block.number;
-    for (const gcode::Word& word : block.words) {
-        json["words"].push_back({{"text", text_of(word)}, {"column", word.span.column}});
-    }
-    for (const gcode::Assignment& a : block.assignments) {
-        json["assignments"].push_back(
-            {{"parameter", std::string(a.target)}, {"value", std::string(a.value)}});
-    }
-    for (const gcode::Comment& comment : block.comments) {
-        json["comments"].push_back(std::string(comment.text));
-    }
-    return json;
-}
-
-// As in the text of motions: to 1e-9 mm.
-double tidy(gcode::Length length) {
-    const double mm = length.mm();
-    return std::abs(mm) < 1e6 ? std::round(mm * 1e9) / 1e9 + 0.0 : mm;
-}
-
-Json to_json(const gcode::Position& p) {
-    Json json{{"x", tidy(p.x)}, {"y", tidy(p.y)}, {"z", tidy(p.z)}};
-    const auto more = [&json](const char* name, double value) {
-        if (value != 0.0) json[name] = value;
-    };
-    more("a", p.a.degrees());
-    more("b", p.b.degrees());
-    more("c", p.c.degrees());
-    more("u", tidy(p.u));
-    more("v", tidy(p.v));
-    more("w", tidy(p.w));
-    return json;
-}
-
-const char* name_of(gcode::MoveKind kind) {
-    switch (kind) {
-        case gcode::MoveKind::Rapid: return "rapid";
-        case gcode::MoveKind::Feed: return "feed";
-        case gcode::MoveKind::Probe: break;
-    }
-    return "probe";
-}
-
-const char* name_of(gcode::Plane plane) {
-    switch (plane) {
-        case gcode::Plane::XY: return "XY";
-        case gcode::Plane::ZX: return "ZX";
-        case gcode::Plane::YZ: return "YZ";
-        case gcode::Plane::UV: return "UV";
-        case gcode::Plane::WU: return "WU";
-        case gcode::Plane::VW: break;
-    }
-    return "VW";
-}
-
-const char* name_of(gcode::FeedMode mode) {
-    switch (mode) {
-        case gcode::FeedMode::PerMinute: return "per_minute";
-        case gcode::FeedMode::InverseTime: return "inverse_time";
-        case gcode::FeedMode::PerRevolution: break;
-    }
-    return "per_revolution";
-}
-
-struct WhatJson {
-    Json& json;
-
-    void operator()(const gcode::Linear& line) const {
-        json["what"] = "line";
-        json["from"] = to_json(line.from);
-        json["to"] = to_json(line.to);
-    }
-    void operator()(const gcode::Arc& arc) const {
-        json["what"] = "arc";
-        json["from"] = to_json(arc.from);
-        json["to"] = to_json(arc.to);
-        json["plane"] = name_of(arc.plane);
-        json["centre"] = {tidy(arc.centre_1), tidy(arc.centre_2)};
-        json["turns"] = arc.turns;
-    }
-    void operator()(const gcode::Spline& spline) const {
-        json["what"] = "spline";
-        json["from"] = to_json(spline.from);
-        json["to"] = to_json(spline.to);
-        json["order"] = spline.order;
-        for (const auto& p : spline.control_points) {
-            json["control_points"].push_back({tidy(p.x), tidy(p.y), p.weight});
-        }
-        json["knots"] = spline.knots;
-    }
-    void operator()(const gcode::Dwell& dwell) const {
-        json["what"] = "dwell";
-        json["seconds"] = dwell.seconds;
-    }
-    void operator()(const gcode::ToolChange& change) const {
-        json["what"] = "tool_change";
-        json["tool"] = change.tool;
-        json["at"] = to_json(change.at);
-    }
-};
-
-Json to_json(const gcode::Motion& motion) {
-    Json json{{"line", motion.span.line}};
-    if (motion.file != 0) json["file"] = motion.file;
-    std::visit(WhatJson{json}, motion.what);
-    if (!gcode::start_of(motion)) return json;
-    json["kind"] = name_of(motion.kind);
-    if (motion.kind != gcode::MoveKind::Rapid) {
-        json["feed"] = motion.feed;
-        json["feed_mode"] = name_of(motion.feed_mode);
-    }
-    if (motion.spindle != gcode::SpindleTurning::Stopped) {
-        const bool clockwise = motion.spindle == gcode::SpindleTurning::Clockwise;
-        json["spindle_rpm"] = clockwise ? motion.spindle_rpm : -motion.spindle_rpm;
-    }
-    json["tool"] = motion.tool;
-    if (motion.machine_coordinates) json["machine_coordinates"] = true;
-    std::string unknown;
-    if (!motion.known_start.x) unknown += 'x';
-    if (!motion.known_start.y) unknown += 'y';
-    if (!motion.known_start.z) unknown += 'z';
-    if (!unknown.empty()) json["unknown_start"] = unknown;
-    if (motion.start_assumed) json["start_assumed"] = true;
-    return json;
-}
-
-gcode::Diagnostics show_blocks(const Job& job, bool as_json) {
-    gcode::DiagnosticLog log;
-    gcode::ParserOptions options;
-    options.strict = job.options.strict;
-    gcode::BlockReader reader(job.program, options);
-    gcode::Block block;
-    if (as_json) {
-        JsonLines out(base_name(job.program.name), "blocks");
-        while (reader.next(block, log)) {
-            if (!block.text.empty()) out.add(to_json(block));
-        }
-        out.finish(log.diagnostics());
-        return log.take();
-    }
-    Lines out;
-    std::string text;
-    while (reader.next(block, log)) {
-        text.assign("L").append(std::to_string(block.line)).append(1, ' ');
-        const std::size_t head = text.size();
-        gcode::print(text, block);
-        if (text.size() == head) continue;
-        out.add(one_line(text) + '\n');
-    }
-    out.flush();
-    return log.take();
-}
-
-gcode::Diagnostics show_motions(const Job& job, bool as_json) {
-    if (as_json) {
-        JsonLines out(base_name(job.program.name), "motions");
-        auto result = gcode::interpret(job.program, job.interpreter,
-                                       [&out](const gcode::Motion& m) { out.add(to_json(m)); });
-        out.finish(result.diagnostics);
-        return std::move(result.diagnostics);
-    }
-    Lines out;
-    std::string text;
-    auto result = gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
-        text.clear();
-        gcode::print(text, motion);
-        text += '\n';
-        out.add(text);
-    });
-    out.flush();
-    return std::move(result.diagnostics);
-}
-
-}  // namespace
 
 CLI::App* add_parse(CLI::App& app, ParseOptions& options) {
     CLI::App* parse =
@@ -272,8 +28,12 @@ int run(const ParseOptions& options) {
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     const Job job = read_job(std::move(all), inputs);
+    gcode::ParserOptions parser;
+    parser.strict = job.options.strict;
     const gcode::Diagnostics diagnostics =
-        options.canonical ? show_motions(job, options.json) : show_blocks(job, options.json);
+        options.canonical
+            ? report::list_motions(job.program, job.interpreter, options.json, put_out)
+            : report::list_blocks(job.program, parser, options.json, put_out);
     print_findings(job.program, diagnostics);
     return gcode::has_errors(diagnostics) ? kFindings : kClean;
 }

@@ -4,9 +4,10 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/machining_time.h"
 
-#include "machining_time.h"
-#include "sheet.h"
 #include "tool_body.h"
 
 #include <fmt/format.h>
@@ -104,15 +105,16 @@ std::vector<std::string> caption(const Outcome& outcome) {
     const Simulation& s = *outcome.simulation;
     const cda::Vec3 size = outcome.survey.stock->box.size();
     const double removed = s.stock_volume - s.part_volume;
-    const Distances& path = s.distances;
+    const verify::Distances& path = s.distances;
     std::string travelled = fmt::format("{:.1f} mm at feed", path.feed_mm);
-    if (const auto total = time_of(path).total()) travelled = time_text(*total) + ", " + travelled;
+    if (const auto total = report::time_of(path).total())
+        travelled = report::time_text(*total) + ", " + travelled;
     std::vector<std::string> lines{
-        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", base_name(outcome.job.program.name), size.x,
-                    size.y, size.z),
+        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", report::base_name(outcome.job.program.name),
+                    size.x, size.y, size.z),
         s.stock_volume > 0.0
-            ? fmt::format("{} of {} removed ({:.1f} %)", volume_text(removed),
-                          volume_text(s.stock_volume), 100.0 * removed / s.stock_volume)
+            ? fmt::format("{} of {} removed ({:.1f} %)", report::volume_text(removed),
+                          report::volume_text(s.stock_volume), 100.0 * removed / s.stock_volume)
             : std::string("nothing is cut"),
         fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
     const Options& o = outcome.job.options;
@@ -131,7 +133,7 @@ void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
             lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));
     }
     if (survey.stock->told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
-        lines.push_back("guessed: stock " + describe(*survey.stock));
+        lines.push_back("guessed: stock " + report::describe(*survey.stock));
     if (!survey.interpretation.units_stated) {
         lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
                                                              : "guessed: millimetres");

@@ -5,7 +5,7 @@
 
 #include "ncsim/export/image.h"
 
-#include "report.h"
+#include "outcome.h"
 
 namespace ncsim::app {
 

@@ -8,6 +8,7 @@
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/shape.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/report/file_names.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
@@ -79,7 +80,7 @@ public:
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
         }
-        result.provenance.program = base_name(job.program.name);
+        result.provenance.program = report::base_name(job.program.name);
         result.provenance.entries.push_back({});  // the stock
         if (keep_cuts_) result.cuts.push_back({});
         if (job.options.block_volumes) places_.emplace();
@@ -94,7 +95,7 @@ public:
         if (motions_ == most_motions_) return;
         ++motions_;
         result_.line = line_;
-        add(result_.distances, motion);
+        verify::add(result_.distances, motion);
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
@@ -219,8 +220,8 @@ private:
     std::uint64_t motions_ = 0;
     std::uint64_t most_motions_ = std::numeric_limits<std::uint64_t>::max();
     bool shows_path_;
-    bool measured_;                                            // cell by cell
-    std::optional<std::map<cda::Origin, BlockPlace>> places_;  // where blocks are asked for
+    bool measured_;                                                    // cell by cell
+    std::optional<std::map<cda::Origin, report::BlockPlace>> places_;  // where blocks are asked for
     bool keep_cuts_;
     bool keeps_cells_;
     const Budget& budget_;

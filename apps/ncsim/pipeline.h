@@ -4,13 +4,12 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/lattice.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/overlay.h"
 #include "ncsim/export/provenance.h"
+#include "ncsim/report/facts.h"
 #include "ncsim/toolpath/pose.h"
-#include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/verifier.h"
 
@@ -19,22 +18,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace ncsim::app {
-
-/// A round tool as it was moved.
-struct CutterFacts {
-    int sides = 0;
-    double error_mm = 0.0;
-};
-
-/// File (index into Interpretation::files, 0: the program) and line.
-using BlockPlace = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A motion that met the block.
 struct Cut {
@@ -44,25 +32,15 @@ struct Cut {
 };
 
 /// The part, and what happened on the way to it.
-struct Simulation {
-    cda::Lattice lattice;
+struct Simulation : report::PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
     exporter::Provenance provenance;        ///< For the origins in `part`.
     std::vector<Cut> cuts;                  ///< For the same origins; only if they are kept.
     std::optional<cda::Boundary> boundary;  ///< Of `part`, if needs_surface().
-    double stock_volume = 0.0;              ///< mm³
-    double part_volume = 0.0;
-    std::uint64_t hulls = 0;                ///< Cells that were subtracted.
     std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
-    std::map<int, double> removed_by_tool;  ///< mm³; not where a program is verified.
-    /// mm³. Only where it was asked for.
-    std::map<BlockPlace, double> removed_by_block;
     std::vector<cda::Cell> carved;  ///< What was taken away, if it is to be written (--save-stock).
-    std::map<int, CutterFacts> cutters;
     verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
     std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
-    toolpath::SampleBounds bounds;  ///< The worst of all motions that met the stock.
-    Distances distances;            ///< Of the motions that were made.
     std::uint32_t line = 0;         ///< Of the last motion that was made; 0: none yet.
     /// Where the tool stands, once it has moved.
     struct Standing {

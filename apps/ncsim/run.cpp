@@ -12,17 +12,18 @@
 #include "ncsim/export/stl.h"
 #include "ncsim/export/threemf.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/report/run_report.h"
+#include "ncsim/report/sheet.h"
 
 #include "animation.h"
-#include "findings.h"
+#include "console.h"
 #include "job.h"
+#include "outcome.h"
 #include "output.h"
 #include "picture.h"
 #include "pipeline.h"
 #include "progress.h"
-#include "report.h"
 #include "save_job.h"
-#include "sheet.h"
 #include "stock_file.h"
 #include "survey.h"
 
@@ -142,7 +143,8 @@ int run(Options options) {
     if (survey.is_flat() || survey.only_rapid) job.options.shows_path = true;
     coarsen(job.options, survey);
     // Of a program that is not read, there is nothing to assume.
-    if (!o.quiet && !survey.interpretation.refused) say(assumption_sheet(job, survey));
+    if (!o.quiet && !survey.interpretation.refused)
+        say(report::assumption_sheet(job.program.name, survey, cutting_facts(job)));
     print_findings(job.program, survey.diagnostics);
 
     if (o.at_line && *o.at_line > survey.interpretation.lines) {
@@ -179,14 +181,16 @@ int run(Options options) {
     }
     outputs.write(o.save_job,
                   [&](std::ostream& out) { save_job(out, job, survey, job.options.save_job); });
-    outputs.write(o.report, [&](std::ostream& out) { write_report(out, outcome); });
+    outputs.write(o.report,
+                  [&](std::ostream& out) { report::write_report(out, run_facts(outcome)); });
     outputs.commit();
 
     const bool faulty = gcode::has_errors(survey.diagnostics);
     if (!survey.is_ready()) {
         say("ncsim: the program was not simulated\n");
     } else {
-        if (!o.quiet) put_text(summary(outcome), outputs.takes_standard_output());
+        if (!o.quiet)
+            put_text(report::summary(run_facts(outcome)), outputs.takes_standard_output());
         if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
     }
     return faulty ? kFindings : kClean;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "save_job.h"
 
+#include "ncsim/report/told.h"
+
 #include "job_file.h"
-#include "sheet.h"
 
 #include <filesystem>
 #include <utility>
@@ -26,7 +27,7 @@ std::string seen_from(const std::string& job_file, const std::string& path) {
 void add_tools(JobFile& file, JobRemarks& remarks, const Job& job, const Survey& survey) {
     for (const auto& [number, used] : survey.tools) {
         std::vector<std::string> lines{
-            told(used.told_by, used.span, used.text, used.file, "--tool")};
+            report::told(used.told_by, used.span, used.text, used.file, "--tool")};
         if (!used.filled_in.empty()) lines.push_back("assumed: " + used.filled_in);
         toolpath::ToolEntry entry;
         entry.spec = used.spec;
@@ -37,8 +38,8 @@ void add_tools(JobFile& file, JobRemarks& remarks, const Job& job, const Survey&
     for (const toolpath::ToolEntry& entry : job.tools) {
         if (survey.tools.contains(entry.spec.number)) continue;
         file.tools.push_back(entry);
-        remarks.tools.push_back(
-            {"not used; " + told(entry.told_by, entry.span, entry.text, entry.file, "--tool")});
+        remarks.tools.push_back({"not used; " + report::told(entry.told_by, entry.span, entry.text,
+                                                             entry.file, "--tool")});
     }
     for (const auto& [number, first] : survey.unknown_tools)
         remarks.unknown_tools.emplace(number, first.line);
@@ -63,8 +64,8 @@ void save_job(std::ostream& out, const Job& job, const Survey& survey, const std
     if (survey.stock) {
         file.stock = *survey.stock;
         if (file.stock->from) file.stock->from->path = seen_from(path, file.stock->from->path);
-        remarks.stock = told(survey.stock->told_by, survey.stock->span, survey.stock->text,
-                             survey.stock->file, "--stock");
+        remarks.stock = report::told(survey.stock->told_by, survey.stock->span, survey.stock->text,
+                                     survey.stock->file, "--stock");
     }
     add_tools(file, remarks, job, survey);
     write_job_file(out, file, remarks);

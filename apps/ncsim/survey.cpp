@@ -39,52 +39,6 @@ void tell(Survey& survey, Severity severity, const char* code, std::string messa
     survey.diagnostics.push_back(std::move(d));
 }
 
-std::optional<double> sum(std::optional<double> a, std::optional<double> b) {
-    return a && b ? std::optional(*a + *b) : std::nullopt;
-}
-
-// Of a move at its feed all the way; `length` in mm. Turns of rotary axes alone go by degrees.
-std::optional<double> seconds_of(const gcode::Motion& motion, double length) {
-    if (!(motion.feed > 0.0)) return std::nullopt;
-    if (motion.feed_mode == gcode::FeedMode::InverseTime) return 60.0 / motion.feed;
-    if (length == 0.0) {
-        const gcode::Position* from = start_of(motion);
-        const gcode::Position* to = end_of(motion);
-        length = norm(cda::Vec3{to->a.degrees(), to->b.degrees(), to->c.degrees()} -
-                      cda::Vec3{from->a.degrees(), from->b.degrees(), from->c.degrees()});
-    }
-    if (motion.feed_mode == gcode::FeedMode::PerMinute) return 60.0 * length / motion.feed;
-    if (!(motion.spindle_rpm > 0.0)) return std::nullopt;
-    return 60.0 * length / (motion.feed * motion.spindle_rpm);
-}
-
-toolpath::Samples coarse_samples(const gcode::Motion& motion) {
-    toolpath::SamplingOptions coarse;
-    coarse.chord_tolerance_mm = 0.01;
-    coarse.rotation_miss_mm = 0.5;
-    return toolpath::sample(motion, {}, coarse);
-}
-
-void add_length(Distances& distances, const gcode::Motion& motion,
-                const toolpath::Samples& samples) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < samples.poses.size(); ++i)
-        length += norm(samples.poses[i].translation - samples.poses[i - 1].translation);
-    if (motion.kind == gcode::MoveKind::Rapid) {
-        distances.rapid_mm += length;
-        return;
-    }
-    distances.feed_mm += length;
-    distances.feed_seconds = sum(distances.feed_seconds, seconds_of(motion, length));
-}
-
-// Of what does not move.
-void add_rest(Distances& distances, const gcode::Motion& motion) {
-    if (const auto* dwell = std::get_if<gcode::Dwell>(&motion.what))
-        distances.dwell_seconds += dwell->seconds;
-    if (std::holds_alternative<gcode::ToolChange>(motion.what)) ++distances.tool_changes;
-}
-
 // What the motions alone tell, gathered in one pass.
 class MotionSurvey {
 public:
@@ -107,7 +61,7 @@ public:
             const auto* change = std::get_if<gcode::ToolChange>(&motion.what);
             const int tool = change ? change->tool : motion.tool;
             if (change || std::holds_alternative<gcode::Dwell>(motion.what))
-                add_rest(result_.distances[tool], motion);
+                verify::add_rest(result_.distances[tool], motion);
             return;
         }
         if (result_.moves++ == 0) result_.first_move = motion.span;
@@ -132,7 +86,7 @@ public:
         ToolTrack& track = track_of(motion);
         if (feed) result_.cutting_tools.insert(motion.tool);
         if (feed) track.clues.take(motion);
-        const toolpath::Samples samples = coarse_samples(motion);
+        const toolpath::Samples samples = verify::coarse_samples(motion);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
             result_.tip_positions.add(p);
@@ -150,7 +104,7 @@ public:
                 track.farthest_tip[axis] = std::max(track.farthest_tip[axis], norm(out));
             }
         }
-        add_length(result_.distances[motion.tool], motion, samples);
+        verify::add_path(result_.distances[motion.tool], motion, samples);
     }
 
     const std::map<int, ToolTrack>& tracks() const { return tracks_; }
@@ -208,7 +162,7 @@ bool touches_only(const Job& job, const Survey& result) {
 void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
     const double length = assumed_length(result, motions, job.stock);
     for (const auto& [number, track] : motions.tracks()) {
-        UsedTool used;
+        report::UsedTool used;
         used.first = track.first;
         toolpath::ToolSpec spec;
         if (const auto* entry = entry_for(job, number, motions.tracks().size() == 1)) {
@@ -367,24 +321,6 @@ bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
 }
 
 }  // namespace
-
-void add(Distances& distances, const gcode::Motion& motion) {
-    add_rest(distances, motion);
-    if (start_of(motion) && toolpath::has_known_start(motion))
-        add_length(distances, motion, coarse_samples(motion));
-}
-
-Distances total_distances(const Survey& survey) {
-    Distances total;
-    for (const auto& [number, d] : survey.distances) {
-        total.rapid_mm += d.rapid_mm;
-        total.feed_mm += d.feed_mm;
-        total.feed_seconds = sum(total.feed_seconds, d.feed_seconds);
-        total.dwell_seconds += d.dwell_seconds;
-        total.tool_changes += d.tool_changes;
-    }
-    return total;
-}
 
 namespace {
 

@@ -6,11 +6,12 @@ set(layers
   "toolpath: gcode cda"
   "verify:   gcode toolpath cda"
   "export:   cda"
-  "app:      gcode toolpath cda verify export")
+  "report:   gcode toolpath cda verify"
+  "app:      gcode toolpath cda verify export report")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library gcode cda toolpath verify export)
+foreach(library gcode cda toolpath verify export report)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 

@@ -14,6 +14,10 @@
 
 namespace ncsim::verify {
 
+/// Where the origins of G54 … G59.3 are assumed to be, seen from machine zero: so far below it that
+/// G28 and G53 Z0 lead away from the part. mm.
+inline constexpr double kHomeHeight = 300.0;
+
 struct AxisRange {
     double min = 0.0, max = 0.0;
     bool operator==(const AxisRange&) const = default;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the path of a program to a verdict, whatever is wrong with it.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/toolpath/walk.h"
+
+#include "check_options.h"
+#include "design.h"
+#include "machine_file.h"
+
+#include <stop_token>
+#include <string>
+
+namespace ncsim::app {
+
+/// Reads and verifies `path`; returns the exit code that the program alone would have. Never
+/// throws: what is wrong is in the result. The result depends on the file and the options only.
+/// `design` may be null. `threads` evaluate at a time. Gives up when it is asked to `stop`.
+int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
+                  const MachineFile& machine, const Design* design, unsigned threads,
+                  InputSet& inputs, std::stop_token stop);
+
+/// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
+toolpath::RapidPath rapid_path(const CheckOptions& options,
+                               const verify::MachineDescription& machine);
+
+}  // namespace ncsim::app

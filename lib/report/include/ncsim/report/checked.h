@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One program, verified, as reports tell it: from a path to a verdict, whatever is wrong with it.
+#pragma once
+
+#include "ncsim/cda/mesh.h"
+#include "ncsim/report/design_facts.h"
+#include "ncsim/verify/finding.h"
+#include "ncsim/verify/verdict.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ncsim::report {
+
+/// What a page shows beside the verdict.
+struct Look {
+    std::string source;                ///< The program.
+    cda::TriangleMesh mesh;            ///< Of the part; empty if nothing was simulated.
+    std::vector<std::uint32_t> lines;  ///< For each triangle the line that cut it; 0: the stock.
+    std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
+};
+
+struct Checked {
+    std::string path;                        ///< As it was named.
+    std::string_view word = "not-verified";  ///< "clean", "not-proven", "failed".
+    /// Why there is no verdict: it could not be read, or something broke. Empty: there is one.
+    std::string failure;
+    verify::Verdict verdict;
+    /// For each finding the line it points at, as written; empty where there is none.
+    std::vector<std::string> lines;
+    bool simulated = false;
+    std::string not_simulated;  ///< Why not.
+    std::string stock;          ///< What it was verified against, in words.
+    std::string time;           ///< How long it takes, in words; empty: it does not move.
+    std::uint64_t moves = 0;
+    std::optional<DesignFacts> design;  ///< Only where the part was compared with one.
+    std::optional<Look> look;           ///< Only where a page was asked for.
+};
+
+/// The file a finding is in, relative.
+std::string file_of(const Checked& checked, const verify::Place& place);
+
+/// "rapid move through material: removed 12.5 mm3": message and quantity.
+std::string headline(const verify::Finding& finding);
+
+}  // namespace ncsim::report

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is said at the end of a run: for people as text, for programs as JSON.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/report/facts.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace ncsim::report {
+
+/// A mesh with fewer faces.
+struct SimplifiedFacts {
+    double tolerance_mm = 0.0, deviation_mm = 0.0;
+    std::size_t faces = 0;
+};
+
+/// What is known at the end of a run. What is pointed to must outlive it.
+struct RunFacts {
+    std::string name;  ///< Of the program.
+    const ProgramFacts* program = nullptr;
+    CuttingFacts cutting;
+    const PartFacts* part = nullptr;          ///< Null: it could not be simulated.
+    const cda::Boundary* boundary = nullptr;  ///< Null: nobody asked for it.
+    std::optional<SimplifiedFacts> simplified;
+};
+
+/// A few lines for people.
+std::string summary(const RunFacts& run);
+
+/// JSON, UTF-8. Depends on the input and the options only: no times, no dates. Lengths in mm,
+/// volumes in mm³; lines count from 1. Keys are only ever added.
+void write_report(std::ostream& out, const RunFacts& run);
+
+}  // namespace ncsim::report

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Who said it.
+#pragma once
+
+#include "ncsim/gcode/source.h"
+#include "ncsim/toolpath/tool_table.h"
+
+#include <string>
+
+namespace ncsim::report {
+
+/// "comment", "option" …
+const char* name_of(toolpath::ToldBy by);
+
+/// "line 2: (…)", "from tool.tbl, line 3: …", "from --tool".
+std::string told(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text,
+                 const std::string& file, const char* option);
+
+}  // namespace ncsim::report

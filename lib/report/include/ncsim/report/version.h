@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which ncsim wrote it.
+#pragma once
+
+namespace ncsim::report {
+
+extern const char* const kVersion;  ///< "0.1.0"
+
+}  // namespace ncsim::report

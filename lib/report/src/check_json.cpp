@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/check_json.h"
+
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/version.h"
+
+#include "json.h"
+
+#include <ostream>
+
+namespace ncsim::report {
+
+namespace {
+
+using verify::Finding;
+using verify::Severity;
+
+Json to_json(const Checked& checked, const Finding& f) {
+    Json json{{"rule", f.rule}};
+    if (!f.code.empty()) json["code"] = f.code;
+    json["severity"] = verify::name_of(f.severity);
+    json["category"] = verify::name_of(f.category);
+    json["certain"] = f.certainty == verify::Certainty::Certain;
+    json["suppressed"] = f.suppressed;
+    json["file"] = file_of(checked, f.place);
+    if (f.place.span.line > 0) {
+        json["line"] = f.place.span.line;
+        json["column"] = f.place.span.column;
+        json["last_line"] = f.last.span.line;
+    }
+    if (f.last_motion > 0) {
+        json["first_motion"] = f.first_motion;
+        json["last_motion"] = f.last_motion;
+        json["tool"] = f.tool;
+    }
+    json["count"] = f.count;
+    if (f.goes_on) json["goes_on"] = true;
+    if (f.quantity) {
+        json["quantity"] = {{"name", f.quantity->name},
+                            {"value", tidy(f.quantity->value)},
+                            {"unit", f.quantity->unit}};
+    }
+    if (f.point) json["point"] = vector_json(*f.point);
+    if (!f.box.is_empty()) {
+        json["box"] = {{"min", vector_json(f.box.min)}, {"max", vector_json(f.box.max)}};
+    }
+    json["message"] = f.message;
+    json["hint"] = f.hint;
+    json["assumptions"] = f.assumptions;
+    return json;
+}
+
+Json to_json(const Checked& checked, const verify::Doubt& d) {
+    Json json{{"reason", d.reason}, {"message", d.message}, {"file", file_of(checked, d.place)}};
+    if (d.place.span.line > 0) {
+        json["line"] = d.place.span.line;
+        json["column"] = d.place.span.column;
+    }
+    json["count"] = d.count;
+    json["accepted"] = d.accepted;
+    json["tell"] = verify::find_reason(d.reason)->tell;
+    return json;
+}
+
+Json to_json(const verify::Ledger& ledger) {
+    const auto known = [](const std::optional<double>& value) {
+        return value ? Json(tidy(*value)) : Json(nullptr);
+    };
+    Json json{{"stock_mm3", tidy(ledger.stock_mm3)},
+              {"rest_mm3", tidy(ledger.rest_mm3)},
+              {"removed_mm3", ledger.measured ? Json(tidy(ledger.removed_mm3)) : Json(nullptr)},
+              {"feed_mm", tidy(ledger.feed_mm)},
+              {"rapid_mm", tidy(ledger.rapid_mm)},
+              {"air_mm", ledger.air_known ? Json(tidy(ledger.air_mm)) : Json(nullptr)},
+              {"feed_seconds", known(ledger.feed_seconds)},
+              {"rapid_seconds", known(ledger.rapid_seconds)},
+              {"other_seconds", known(ledger.other_seconds)}};
+    return json;
+}
+
+Json to_json(const DesignFacts::Side& side) {
+    return {{"largest_mm", tidy(side.largest_mm)},
+            {"volume_mm3", side.volume_mm3 ? Json(tidy(*side.volume_mm3)) : Json(nullptr)},
+            {"regions", side.regions}};
+}
+
+Json to_json(const DesignFacts& design) {
+    return {{"file", relative_path(design.path)},
+            {"tolerance_mm", design.tolerance_mm},
+            {"resolution_mm", tidy(design.resolution_mm)},
+            {"deviation_mm", tidy(design.deviation_mm)},
+            {"gouge", to_json(design.gouge)},
+            {"excess", to_json(design.excess)}};
+}
+
+Json to_json(const Checked& checked) {
+    Json json{{"file", relative_path(checked.path)}};
+    if (!checked.failure.empty()) {
+        json["verdict"] = "not-verified";
+        json["failure"] = checked.failure;
+        return json;
+    }
+    const verify::Verdict& v = checked.verdict;
+    json["verdict"] = checked.word;
+    json["simulated"] = checked.simulated;
+    if (!checked.not_simulated.empty()) json["not_simulated"] = checked.not_simulated;
+    if (!checked.stock.empty()) json["stock"] = checked.stock;
+    if (!checked.time.empty()) json["time"] = checked.time;
+    json["moves"] = checked.moves;
+    json["counts"] = {{"error", v.count(Severity::Error)},
+                      {"warning", v.count(Severity::Warning)},
+                      {"note", v.count(Severity::Note)},
+                      {"suppressed", v.suppressed()},
+                      {"doubt", v.open_doubts()}};
+    json["doubts"] = Json::array();
+    for (const verify::Doubt& d : v.doubts)
+        json["doubts"].push_back(to_json(checked, d));
+    json["findings"] = Json::array();
+    for (const Finding& f : v.findings)
+        json["findings"].push_back(to_json(checked, f));
+    json["unlisted"] = Json::object();
+    for (const auto& [rule, more] : v.unlisted)
+        json["unlisted"][rule] = more;
+    json["skipped"] = Json::array();
+    for (const verify::Skipped& s : v.skipped)
+        json["skipped"].push_back({{"rule", s.rule}, {"reason", s.reason}});
+    if (checked.simulated) json["ledger"] = to_json(v.ledger);
+    if (checked.design) json["design"] = to_json(*checked.design);
+    return json;
+}
+
+}  // namespace
+
+void write_check_json(std::ostream& out, std::span<const Checked> all) {
+    Json json{{"version", 1}, {"ncsim", kVersion}};
+    json["programs"] = Json::array();
+    for (const Checked& checked : all)
+        json["programs"].push_back(to_json(checked));
+    // Bytes of a program that are no UTF-8 become U+FFFD.
+    out << to_text(json);
+}
+
+}  // namespace ncsim::report

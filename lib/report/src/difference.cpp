@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/difference.h"
+
+#include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+
+#include "json.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <ostream>
+#include <utility>
+
+namespace ncsim::report {
+
+namespace {
+
+void put_side(std::string& text, const OneSided& side, const std::string& has,
+              const std::string& cuts) {
+    constexpr std::size_t kShown = 10;
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "only in {}: {:.6g} mm3\n", has, side.volume_mm3);
+    for (std::size_t i = 0; i < side.regions.size() && i < kShown; ++i) {
+        const verify::Region& r = side.regions[i];
+        fmt::format_to(out, "  {:.6g} mm3, cut by {}:{}\n    within {}\n", r.volume_mm3, cuts,
+                       lines_text(r.lines), describe(r.box));
+    }
+    if (side.regions.size() > kShown) {
+        fmt::format_to(out, "  and {} smaller regions\n", side.regions.size() - kShown);
+    }
+}
+
+Json to_json(const OneSided& side, const std::string& cut_by) {
+    Json json{{"volume_mm3", tidy(side.volume_mm3)}, {"regions", Json::array()}};
+    for (const verify::Region& r : side.regions) {
+        Json lines = Json::array();
+        for (const verify::LineRange& range : r.lines) {
+            const bool main = range.file == 0 || range.file >= side.files.size();
+            lines.push_back({{"file", main ? relative_path(cut_by) : side.files[range.file]},
+                             {"first", range.first},
+                             {"last", range.last}});
+        }
+        json["regions"].push_back(
+            {{"volume_mm3", tidy(r.volume_mm3)},
+             {"box", {{"min", vector_json(r.box.min)}, {"max", vector_json(r.box.max)}}},
+             {"lines", std::move(lines)}});
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string text_of(const Difference& d) {
+    std::string text;
+    auto out = std::back_inserter(text);
+    const std::string old_name = shown_path(d.old_name);
+    const std::string new_name = shown_path(d.new_name);
+    if (!d.stocks.empty()) fmt::format_to(out, "{}\n", one_line(d.stocks));
+    if (d.same_motions) {
+        text += "both programs make the same motions with the same tools\n";
+    } else {
+        put_side(text, d.only_old, old_name, new_name);
+        put_side(text, d.only_new, new_name, old_name);
+    }
+    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name,
+                   d.new_mm3, d.differs ? "the parts differ" : "the same part");
+    return text;
+}
+
+void write_difference(std::ostream& out, const Difference& d) {
+    Json json{{"version", 1},
+              {"ncsim", kVersion},
+              {"old", relative_path(d.old_name)},
+              {"new", relative_path(d.new_name)},
+              {"differs", d.differs},
+              {"tolerance_mm3", d.tolerance_mm3},
+              {"same_motions", d.same_motions},
+              {"old_mm3", tidy(d.old_mm3)},
+              {"new_mm3", tidy(d.new_mm3)},
+              {"only_in_old", to_json(d.only_old, d.new_name)},
+              {"only_in_new", to_json(d.only_new, d.old_name)}};
+    if (!d.stocks.empty()) json["stocks"] = d.stocks;
+    out << to_text(json);
+}
+
+}  // namespace ncsim::report

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "json.h"
+
+#include "ncsim/report/plain_text.h"
+#include "ncsim/verify/finding.h"
+
+#include <cmath>
+#include <utility>
+
+namespace ncsim::report {
+
+double tidy(double value) {
+    return std::round(value * 1e6) / 1e6 + 0.0;
+}
+
+Json vector_json(cda::Vec3 v) {
+    return Json::array({tidy(v.x), tidy(v.y), tidy(v.z)});
+}
+
+Json findings_json(const gcode::Diagnostics& diagnostics) {
+    Json findings = Json::array();
+    for (const gcode::Diagnostic& d : diagnostics) {
+        Json finding{
+            {"severity", verify::name_of(d.severity)}, {"code", d.code}, {"message", d.message}};
+        if (!d.file.empty()) finding["file"] = d.file;
+        if (d.span.line != 0) {
+            finding["line"] = d.span.line;
+            finding["column"] = d.span.column;
+        }
+        finding["count"] = d.count;
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
+std::string to_line(const Json& json) {
+    return shown_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string to_text(const Json& json) {
+    return shown_json(json.dump(1, ' ', false, Json::error_handler_t::replace)) + '\n';
+}
+
+}  // namespace ncsim::report

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/junit.h"
+
+#include "ncsim/report/file_names.h"
+
+#include "markup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <ostream>
+
+namespace ncsim::report {
+
+namespace {
+
+using verify::Finding;
+using verify::Severity;
+
+// Text of XML 1.0: line ends stay in attributes, what may not stand there becomes '?'.
+std::string xml(std::string_view text) {
+    std::string out;
+    for (const char c : escaped(text)) {
+        if (c == '\n') {
+            out += "&#10;";
+        } else {
+            out += static_cast<unsigned char>(c) < 0x80 ? c : '?';
+        }
+    }
+    return out;
+}
+
+struct Case {
+    std::string_view rule;
+    std::string skipped;
+    std::string failures, remarks;  // a line a finding
+    std::size_t failed = 0;
+};
+
+std::string line_of(const Checked& checked, const Finding& f) {
+    std::string text = file_of(checked, f.place);
+    if (f.place.span.line > 0) {
+        text += fmt::format(":{}:{}", f.place.span.line, f.place.span.column);
+    }
+    text += fmt::format(": {}: {}\n", verify::name_of(f.severity), headline(f));
+    for (const std::string& assumption : f.assumptions)
+        text += "  assumed " + assumption + "\n";
+    return text;
+}
+
+std::string line_of(const Checked& checked, const verify::Doubt& d) {
+    std::string text = file_of(checked, d.place);
+    if (d.place.span.line > 0)
+        text += fmt::format(":{}:{}", d.place.span.line, d.place.span.column);
+    return text + fmt::format(": {}: {}\n", d.reason, d.message);
+}
+
+// One more case, of all doubts.
+constexpr std::string_view kProven = "proven";
+
+std::vector<Case> cases_of(const Checked& checked, const verify::Selection& selection,
+                           bool warnings_as_errors) {
+    std::vector<Case> cases;
+    for (const verify::RuleInfo& rule : verify::rules()) {
+        if (!selection.includes(rule.id)) continue;
+        Case one{rule.id, {}, {}, {}, 0};
+        for (const verify::Skipped& s : checked.verdict.skipped) {
+            if (s.rule == rule.id) one.skipped = s.reason;
+        }
+        for (const Finding& f : checked.verdict.findings) {
+            if (f.rule != rule.id) continue;
+            const bool fails =
+                !f.suppressed && (f.severity == Severity::Error ||
+                                  (warnings_as_errors && f.severity == Severity::Warning));
+            (fails ? one.failures : one.remarks) += line_of(checked, f);
+            if (fails) ++one.failed;
+        }
+        cases.push_back(std::move(one));
+    }
+    Case proven{kProven, {}, {}, {}, 0};
+    for (const verify::Doubt& d : checked.verdict.doubts) {
+        (d.accepted ? proven.remarks : proven.failures) += line_of(checked, d);
+        if (!d.accepted) ++proven.failed;
+    }
+    cases.push_back(std::move(proven));
+    return cases;
+}
+
+void put_case(std::string& text, const Case& c, const std::string& program) {
+    auto out = std::back_inserter(text);
+    fmt::format_to(out, "  <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xml(program),
+                   c.rule);
+    if (c.failures.empty() && c.remarks.empty() && c.skipped.empty()) {
+        text += "/>\n";
+        return;
+    }
+    text += ">\n";
+    if (!c.failures.empty()) {
+        fmt::format_to(out, "   <failure message=\"{} {}{}\" type=\"{}\">{}</failure>\n", c.failed,
+                       c.rule == kProven ? "doubt" : "finding", c.failed == 1 ? "" : "s", c.rule,
+                       xml(c.failures));
+    } else if (!c.skipped.empty()) {
+        fmt::format_to(out, "   <skipped message=\"{}\"/>\n", xml(c.skipped));
+    }
+    if (!c.remarks.empty()) fmt::format_to(out, "   <system-out>{}</system-out>\n", xml(c.remarks));
+    text += "  </testcase>\n";
+}
+
+}  // namespace
+
+void write_junit(std::ostream& out, std::span<const Checked> all,
+                 const verify::Selection& selection, bool warnings_as_errors) {
+    std::string body;
+    std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+    for (const Checked& checked : all) {
+        const std::string program = relative_path(checked.path);
+        if (!checked.failure.empty()) {
+            ++tests, ++errors;
+            body += fmt::format(
+                " <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" "
+                "time=\"0\">\n  <testcase classname=\"{0}\" name=\"verified\" time=\"0\">\n"
+                "   <error message=\"{1}\"/>\n  </testcase>\n </testsuite>\n",
+                xml(program), xml(checked.failure));
+            continue;
+        }
+        const std::vector<Case> cases = cases_of(checked, selection, warnings_as_errors);
+        const auto failed = static_cast<std::size_t>(
+            std::ranges::count_if(cases, [](const Case& c) { return !c.failures.empty(); }));
+        const auto passed_over = static_cast<std::size_t>(std::ranges::count_if(
+            cases, [](const Case& c) { return c.failures.empty() && !c.skipped.empty(); }));
+        body += fmt::format(
+            " <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" "
+            "time=\"0\">\n",
+            xml(program), cases.size(), failed, passed_over);
+        for (const Case& c : cases)
+            put_case(body, c, program);
+        body += " </testsuite>\n";
+        tests += cases.size(), failures += failed, skipped += passed_over;
+    }
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        << fmt::format(
+               "<testsuites name=\"ncsim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
+               "skipped=\"{}\" time=\"0\">\n",
+               tests, failures, errors, skipped)
+        << body << "</testsuites>\n";
+}
+
+}  // namespace ncsim::report

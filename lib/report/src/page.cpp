@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/page.h"
+
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+
+#include "json.h"
+#include "markup.h"
+#include "plot.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <ostream>
+#include <string_view>
+
+namespace ncsim::report {
+
+extern const std::string_view kPageStyle;
+extern const std::string_view kPageScript;
+extern const std::string_view kThreeScript;
+
+namespace {
+
+using verify::Finding;
+using verify::Severity;
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    out.reserve(bytes.size() / 3 * 4 + 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            group =
+                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            out += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+        }
+    }
+    return out;
+}
+
+// Little-endian, as typed arrays of browsers are.
+template <class Word>
+void put_word(std::string& bytes, Word word) {
+    const auto bits = std::bit_cast<std::uint32_t>(word);
+    for (int shift = 0; shift < 32; shift += 8)
+        bytes += static_cast<char>(bits >> shift & 0xffU);
+}
+
+Json mesh_json(const Look& look) {
+    std::string vertices, triangles, lines;
+    for (const cda::Vec3& v : look.mesh.vertices) {
+        for (const double c : {v.x, v.y, v.z})
+            put_word(vertices, static_cast<float>(c));
+    }
+    for (const auto& triangle : look.mesh.triangles) {
+        for (const std::uint32_t corner : triangle)
+            put_word(triangles, corner);
+    }
+    for (const std::uint32_t line : look.lines)
+        put_word(lines, line);
+    return {
+        {"vertices", base64(vertices)}, {"triangles", base64(triangles)}, {"lines", base64(lines)}};
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find_first_of("\r\n");
+        lines.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) break;
+        const bool pair = text.substr(end, 2) == "\r\n";
+        text.remove_prefix(end + (pair ? 2 : 1));
+    }
+    return lines;
+}
+
+// What the script wants to know. Marks: the heaviest finding of a line.
+Json data_json(const Checked& checked) {
+    const Look& look = *checked.look;
+    Json data;
+    data["source"] = Json::array();
+    for (const std::string_view line : lines_of(look.source))
+        data["source"].push_back(one_line(line));
+    std::map<std::uint32_t, Severity> marks;
+    for (const Finding& f : checked.verdict.findings) {
+        if (f.suppressed || f.place.file != 0 || f.place.span.line == 0) continue;
+        auto& mark = marks.try_emplace(f.place.span.line, f.severity).first->second;
+        mark = std::max(mark, f.severity);
+    }
+    data["marks"] = Json::object();
+    for (const auto& [line, severity] : marks)
+        data["marks"][std::to_string(line)] = verify::name_of(severity);
+    std::map<std::uint32_t, double> removed;
+    for (const verify::LedgerRow& row : checked.verdict.ledger.rows) {
+        if (row.file == 0) removed[row.line] += row.removed_mm3;
+    }
+    data["removed"] = Json::object();
+    for (const auto& [line, volume] : removed)
+        data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
+    if (!look.mesh.triangles.empty()) data["mesh"] = mesh_json(look);
+    return data;
+}
+
+// JSON within a script element: what could end the element is escaped.
+std::string for_script(const Json& json) {
+    std::string out;
+    for (const char c : to_line(json)) {
+        if (c == '<') {
+            out += "\\u003c";
+        } else {
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string seconds_text(const std::optional<double>& seconds) {
+    if (!seconds) return "not known: rates are not told";
+    const auto whole = static_cast<long>(std::lround(*seconds));
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string finding_html(const Checked& checked, const Finding& f, const std::string& line) {
+    std::string text = fmt::format("<div class=\"finding {}{}\"{}>", verify::name_of(f.severity),
+                                   f.suppressed ? " suppressed" : "",
+                                   f.place.file == 0 && f.place.span.line > 0
+                                       ? fmt::format(" data-line=\"{}\"", f.place.span.line)
+                                       : "");
+    auto out = std::back_inserter(text);
+    std::string where = file_of(checked, f.place);
+    if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
+    if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
+    fmt::format_to(out, "<b>{}</b> {} <small>{} · {}{}</small>", verify::name_of(f.severity),
+                   escaped(headline(f)), escaped(where), f.rule,
+                   f.suppressed ? " · suppressed" : "");
+    if (!line.empty()) fmt::format_to(out, "<code>{}</code>", escaped(line.substr(0, 200)));
+    for (const std::string& assumption : f.assumptions)
+        fmt::format_to(out, "<small>assumed {}</small>", escaped(assumption));
+    if (f.last_motion > 0) fmt::format_to(out, "<small>{}</small>", escaped(f.hint));
+    return text + "</div>\n";
+}
+
+std::string findings_html(const Checked& checked) {
+    const auto& findings = checked.verdict.findings;
+    std::string text = "<section><h2>Findings</h2>\n";
+    if (findings.empty()) text += "<p>Nothing was found.</p>\n";
+    for (std::size_t i = 0; i < findings.size(); ++i)
+        text += finding_html(checked, findings[i], checked.lines[i]);
+    for (const auto& [rule, more] : checked.verdict.unlisted)
+        text += fmt::format("<p>{} more findings of {} are not listed.</p>\n", more, rule);
+    return text + "</section>\n";
+}
+
+std::string doubts_html(const Checked& checked) {
+    if (checked.verdict.doubts.empty()) return {};
+    std::string text = "<section><h2>Doubts</h2>\n";
+    auto out = std::back_inserter(text);
+    for (const verify::Doubt& d : checked.verdict.doubts) {
+        std::string where = file_of(checked, d.place);
+        if (d.place.span.line > 0) where += fmt::format(":{}", d.place.span.line);
+        fmt::format_to(out,
+                       "<div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
+                       "<small>to tell: {}</small></div>\n",
+                       d.accepted ? "note suppressed" : "warning",
+                       d.place.file == 0 && d.place.span.line > 0
+                           ? fmt::format(" data-line=\"{}\"", d.place.span.line)
+                           : "",
+                       d.accepted ? "accepted" : "doubt", escaped(d.message), escaped(where),
+                       d.reason, escaped(std::string(verify::find_reason(d.reason)->tell)));
+    }
+    return text + "</section>\n";
+}
+
+std::string ledger_html(const Checked& checked) {
+    const verify::Ledger& l = checked.verdict.ledger;
+    std::string text = "<section><h2>Ledger</h2>\n";
+    text += removed_plot(l);
+    text += rate_plot(l);
+    auto out = std::back_inserter(text);
+    const auto row = [&out](const char* name, const std::string& value) {
+        fmt::format_to(out, "<tr><th>{}</th><td>{}</td></tr>\n", name, escaped(value));
+    };
+    text += "<table>\n";
+    if (checked.simulated) {
+        row("stock", fmt::format("{:.6g} mm³", l.stock_mm3));
+        if (l.measured) row("removed", fmt::format("{:.9g} mm³", l.removed_mm3));
+        row("rest", fmt::format("{:.9g} mm³", l.rest_mm3));
+        if (l.measured) {
+            row("self-check",
+                fmt::format("removed + rest - stock = {:.2g} of the stock", l.imbalance()));
+        }
+        if (l.air_known && l.feed_mm > 0.0) {
+            row("air", fmt::format("{:.3g} % of the feed path", 100 * l.air_mm / l.feed_mm));
+        }
+    }
+    if (checked.design) row("design", text_of(*checked.design));
+    row("feed", fmt::format("{:.6g} mm, {}", l.feed_mm, seconds_text(l.feed_seconds)));
+    row("rapid", fmt::format("{:.6g} mm, {}", l.rapid_mm, seconds_text(l.rapid_seconds)));
+    text += "</table></section>\n";
+    return text;
+}
+
+std::string skipped_html(const Checked& checked) {
+    std::string text = "<section><h2>Not asked</h2><table>\n";
+    for (const verify::Skipped& s : checked.verdict.skipped)
+        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", s.rule, escaped(s.reason));
+    return text + "</table></section>\n";
+}
+
+std::string pictures_html(const Look& look) {
+    std::string text = "<section><h2>Pictures</h2>\n";
+    for (const auto& [name, png] : look.pictures) {
+        text += fmt::format(
+            "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}"
+            "</figcaption></figure>\n",
+            name, base64(png));
+    }
+    return text + "</section>\n";
+}
+
+std::string header_html(const Checked& checked) {
+    const verify::Verdict& v = checked.verdict;
+    std::string text = fmt::format(
+        "<header class=\"{0}\"><h1>{1}: {0}</h1><p>errors {2}, warnings {3}, notes {4}, suppressed "
+        "{5}, doubts {6} · ncsim {7}</p>",
+        checked.word, escaped(relative_path(checked.path)), v.count(Severity::Error),
+        v.count(Severity::Warning), v.count(Severity::Note), v.suppressed(), v.open_doubts(),
+        kVersion);
+    if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
+    if (!checked.stock.empty()) text += "<p>stock " + escaped(checked.stock) + "</p>";
+    if (!checked.time.empty()) text += "<p>time " + escaped(checked.time) + "</p>";
+    if (!checked.not_simulated.empty()) {
+        text += "<p>not simulated: " + escaped(checked.not_simulated) + "</p>";
+    }
+    return text + "</header>\n";
+}
+
+// Bytes that are no UTF-8, wherever they came from, become U+FFFD.
+std::string valid_utf8(const std::string& text) {
+    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json::parse(quoted).get<std::string>();
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const Checked& checked) {
+    std::string body = header_html(checked);
+    const bool verified = checked.look.has_value();
+    if (verified) {
+        body += "<main>\n<section><h2>Part</h2>";
+        if (!checked.look->mesh.triangles.empty() && !kThreeScript.empty()) {
+            body += "<div id=\"view\"></div>";
+        }
+        body +=
+            "<p id=\"picked\"></p></section>\n"
+            "<section><h2>Program</h2><div id=\"source\"></div></section>\n";
+        body += findings_html(checked) + doubts_html(checked) + ledger_html(checked);
+        if (!checked.look->pictures.empty()) body += pictures_html(*checked.look);
+        body += skipped_html(checked) + "</main>\n";
+    }
+    out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+           "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
+        << valid_utf8(escaped(relative_path(checked.path))) << " · ncsim check</title>\n<style>\n"
+        << kPageStyle << "</style></head>\n<body>\n"
+        << valid_utf8(body);
+    if (verified) {
+        out << "<script id=\"data\" type=\"application/json\">" << for_script(data_json(checked))
+            << "</script>\n<script>" << kThreeScript << "</script>\n<script>\n"
+            << kPageScript << "</script>\n";
+    }
+    out << "</body></html>\n";
+}
+
+}  // namespace ncsim::report

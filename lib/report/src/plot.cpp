@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace ncsim::report {
+
+namespace {
+
+constexpr double kWidth = 560, kHeight = 170, kLeft = 62, kBottom = 30, kTop = 10, kRight = 12;
+constexpr std::size_t kBins = 400;  // about a pixel each
+
+// One row as the plots see it: how long it lasts on their x axis, and what it took.
+struct Span {
+    double from = 0.0, to = 0.0, removed = 0.0;
+};
+
+struct Course {
+    std::vector<Span> spans;
+    double length = 0.0;
+    bool is_time = true;
+};
+
+Course course_of(const verify::Ledger& ledger) {
+    Course course;
+    // A first move from an unknown place has no length and no time; it takes nothing away.
+    course.is_time = std::ranges::all_of(ledger.rows, [](const verify::LedgerRow& row) {
+        return row.seconds.has_value() || row.length_mm <= 0.0;
+    });
+    for (const verify::LedgerRow& row : ledger.rows) {
+        const double step = course.is_time ? row.seconds.value_or(0.0) : row.length_mm;
+        course.spans.push_back({course.length, course.length + step, row.removed_mm3});
+        course.length += step;
+    }
+    return course;
+}
+
+// 1, 2 or 5 times a power of ten, so that about four of them fit.
+double tick_for(double range) {
+    const double rough = range / 4;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= rough) return factor * power;
+    }
+    return 10 * power;
+}
+
+std::string frame(double x_max, double y_max, const std::string& x_name,
+                  const std::string& y_name) {
+    std::string svg =
+        fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>{} over {}</title>", kWidth,
+                    kHeight, y_name, x_name);
+    auto out = std::back_inserter(svg);
+    const double w = kWidth - kLeft - kRight;
+    const double h = kHeight - kTop - kBottom;
+    for (int i = 0; i * tick_for(y_max) <= y_max * 1.0001; ++i) {
+        const double y = i * tick_for(y_max);
+        const double at = kTop + h * (1 - y / y_max);
+        fmt::format_to(out,
+                       "<path d=\"M{} {:.1f}h{:.1f}\" stroke=\"#e3e7eb\"/><text x=\"{}\" "
+                       "y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>",
+                       kLeft, at, w, kLeft - 5, at + 4, y);
+    }
+    for (int i = 0; i * tick_for(x_max) <= x_max * 1.0001; ++i) {
+        const double x = i * tick_for(x_max);
+        fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.6g}</text>",
+                       kLeft + w * x / x_max, kHeight - 14, x);
+    }
+    fmt::format_to(out, "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight,
+                   kHeight - 2, x_name);
+    fmt::format_to(out, "<text x=\"{}\" y=\"{}\">{}</text>", kLeft + 4, kTop + 8, y_name);
+    return svg;
+}
+
+// Values at the ends of kBins equal steps, as a line from left to right.
+std::string curve(const std::vector<double>& values, double y_max, bool filled) {
+    const double w = kWidth - kLeft - kRight;
+    const double h = kHeight - kTop - kBottom;
+    std::string path;
+    auto out = std::back_inserter(path);
+    if (filled) fmt::format_to(out, "M{} {}", kLeft, kTop + h);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x =
+            kLeft + w * static_cast<double>(i) / static_cast<double>(values.size() - 1);
+        fmt::format_to(out, "{}{:.1f} {:.1f}", i == 0 && !filled ? "M" : "L", x,
+                       kTop + h * (1 - values[i] / y_max));
+    }
+    if (filled) fmt::format_to(out, "L{:.1f} {}Z", kLeft + w, kTop + h);
+    return fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"#1c7ed6\" stroke-width=\"1.2\"/></svg>",
+                       path, filled ? "#d0ebff" : "none");
+}
+
+// How much of each row falls into each of the bins.
+std::vector<double> binned(const Course& course) {
+    std::vector<double> bins(kBins, 0.0);
+    const double width = course.length / static_cast<double>(kBins);
+    for (const Span& s : course.spans) {
+        if (s.removed <= 0.0 || s.to <= s.from) continue;
+        const auto bin_of = [&](double x) {
+            return std::min(kBins - 1, static_cast<std::size_t>(std::max(0.0, x / width)));
+        };
+        for (std::size_t b = bin_of(s.from); b <= bin_of(s.to); ++b) {
+            const double low = std::max(s.from, width * static_cast<double>(b));
+            const double high = std::min(s.to, width * static_cast<double>(b + 1));
+            if (high > low) bins[b] += s.removed * (high - low) / (s.to - s.from);
+        }
+    }
+    return bins;
+}
+
+std::string plot(const verify::Ledger& ledger, bool rate) {
+    const Course course = course_of(ledger);
+    if (course.length <= 0.0 || ledger.removed_mm3 <= 0.0) return {};
+    std::vector<double> values = binned(course);
+    const double width = course.length / static_cast<double>(kBins);
+    if (rate) {
+        for (double& v : values)
+            v *= (course.is_time ? 60.0 : 1.0) / width;
+    } else {
+        double sum = 0.0;
+        for (double& v : values)
+            v = sum += v;
+        values.insert(values.begin(), 0.0);
+    }
+    const double most = *std::ranges::max_element(values);
+    if (most <= 0.0) return {};
+    const std::string y_name = !rate            ? "removed, mm³"
+                               : course.is_time ? "rate, mm³/min"
+                                                : "per path, mm³/mm";
+    return frame(course.length, most, course.is_time ? "time, s" : "path, mm", y_name) +
+           curve(values, most, rate);
+}
+
+}  // namespace
+
+std::string removed_plot(const verify::Ledger& ledger) {
+    return plot(ledger, false);
+}
+
+std::string rate_plot(const verify::Ledger& ledger) {
+    return plot(ledger, true);
+}
+
+}  // namespace ncsim::report

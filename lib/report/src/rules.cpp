@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/rules.h"
+
+#include "ncsim/verify/doubt.h"
+#include "ncsim/verify/rule.h"
+
+#include "json.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+namespace ncsim::report {
+
+std::string rules_text() {
+    std::string text;
+    auto out = std::back_inserter(text);
+    std::string_view category;
+    for (const verify::RuleInfo& rule : verify::rules()) {
+        if (verify::name_of(rule.category) != category) {
+            category = verify::name_of(rule.category);
+            fmt::format_to(out, "{}{}\n", text.empty() ? "" : "\n", category);
+        }
+        fmt::format_to(out, "  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", rule.id,
+                       verify::name_of(rule.severity), rule.why, "", "", rule.fix);
+    }
+    text += "\nreasons for doubt, for --accept\n";
+    for (const verify::ReasonInfo& reason : verify::reasons())
+        fmt::format_to(out, "  {:<20} {}\n  {:<20} to tell: {}\n", reason.id, reason.why, "",
+                       reason.tell);
+    return text;
+}
+
+std::string rules_json() {
+    auto rules = Json::array();
+    for (const verify::RuleInfo& rule : verify::rules()) {
+        rules.push_back({{"id", rule.id},
+                         {"category", verify::name_of(rule.category)},
+                         {"severity", verify::name_of(rule.severity)},
+                         {"why", rule.why},
+                         {"fix", rule.fix}});
+    }
+    auto reasons = Json::array();
+    for (const verify::ReasonInfo& reason : verify::reasons())
+        reasons.push_back({{"id", reason.id}, {"why", reason.why}, {"tell", reason.tell}});
+    Json json{{"rules", std::move(rules)}, {"reasons", std::move(reasons)}};
+    return json.dump(1) + "\n";
+}
+
+}  // namespace ncsim::report

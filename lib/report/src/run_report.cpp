@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/run_report.h"
+
+#include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/machining_time.h"
+#include "ncsim/report/told.h"
+#include "ncsim/report/version.h"
+#include "ncsim/verify/machine.h"
+
+#include "json.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <iterator>
+#include <ostream>
+
+namespace ncsim::report {
+
+namespace {
+
+Json to_json(const cda::Box& box) {
+    if (box.is_empty()) return nullptr;
+    return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
+}
+
+Json source(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& text) {
+    Json json{{"by", name_of(by)}};
+    if (span.line != 0) json["line"] = span.line;
+    if (!text.empty()) json["text"] = text;
+    return json;
+}
+
+// null: a feed is not told.
+Json time_json(const verify::Distances& distances) {
+    const MachiningTime time = time_of(distances);
+    const auto known = [](const std::optional<double>& s) { return s ? Json(tidy(*s)) : Json(); };
+    return {{"model", "constant feeds, no acceleration"},
+            {"total_seconds", known(time.total())},
+            {"feed_seconds", known(time.feed)},
+            {"rapid_seconds", tidy(time.rapid)},
+            {"rapid_mm_per_min", kAssumedRapid},
+            {"tool_changes", distances.tool_changes},
+            {"tool_change_seconds", tidy(time.tool_changes)},
+            {"dwell_seconds", tidy(time.dwells)}};
+}
+
+Json tools_json(const RunFacts& run) {
+    Json tools = Json::array();
+    for (const auto& [number, used] : run.program->tools) {
+        Json tool{{"number", number},
+                  {"shape", toolpath::describe(used.tool)},
+                  {"diameter_mm", toolpath::cutting_diameter_of(used.tool)},
+                  {"length_mm", toolpath::cutting_height_of(used.tool)},
+                  {"told", source(used.told_by, used.span, used.text)},
+                  {"assumed", used.filled_in}};
+        if (const auto d = run.program->distances.find(number); d != run.program->distances.end()) {
+            tool["rapid_mm"] = tidy(d->second.rapid_mm);
+            tool["feed_mm"] = tidy(d->second.feed_mm);
+            tool["time"] = time_json(d->second);
+        }
+        if (run.part) {
+            const auto removed = run.part->removed_by_tool.find(number);
+            tool["removed_mm3"] =
+                removed == run.part->removed_by_tool.end() ? 0.0 : tidy(removed->second);
+            const CutterFacts facts = run.part->cutters.at(number);
+            tool["sides"] = facts.sides;
+            tool["error_mm"] = tidy(facts.error_mm);
+        }
+        tools.push_back(std::move(tool));
+    }
+    return tools;
+}
+
+}  // namespace
+
+std::string summary(const RunFacts& run) {
+    std::string text;
+    auto out = std::back_inserter(text);
+    if (run.part) {
+        const PartFacts& s = *run.part;
+        fmt::format_to(out, "part      {} of {}; {} removed in {} hulls\n",
+                       volume_text(s.part_volume), volume_text(s.stock_volume),
+                       volume_text(s.stock_volume - s.part_volume), s.hulls);
+        for (const auto& [number, used] : run.program->tools) {
+            const auto removed = s.removed_by_tool.find(number);
+            fmt::format_to(out, "  T{:<7} {} removed\n", number,
+                           volume_text(removed == s.removed_by_tool.end() ? 0.0 : removed->second));
+        }
+        if (run.boundary) {
+            const cda::Box box = cda::bounds(*run.boundary);
+            fmt::format_to(out, "extents   {}\n",
+                           box.is_empty() ? "nothing is left" : describe(box));
+        }
+        if (run.simplified) {
+            fmt::format_to(out, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
+                           run.simplified->faces, run.boundary->faces.size(),
+                           run.simplified->deviation_mm);
+        }
+        fmt::format_to(out,
+                       "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
+                       s.bounds.missed_mm, s.bounds.gained_mm,
+                       run.cutting.join_tolerance > 0.0 ? "joined moves, " : "");
+    }
+    if (run.part && run.cutting.at_line)
+        fmt::format_to(out, "stopped   after line {}\n", *run.cutting.at_line);
+    const verify::Distances distances =
+        run.part ? run.part->distances : verify::total(run.program->distances);
+    fmt::format_to(out, "path      {:.1f} mm at feed, {:.1f} mm rapid\n", distances.feed_mm,
+                   distances.rapid_mm);
+    fmt::format_to(out, "time      {}\n", time_line(distances));
+    return text;
+}
+
+void write_report(std::ostream& out, const RunFacts& run) {
+    const verify::Distances distances =
+        run.part ? run.part->distances : verify::total(run.program->distances);
+    const gcode::Interpretation& read = run.program->interpretation;
+    Json json;
+    json["ncsim"] = kVersion;
+    json["program"] = {{"file", run.name},
+                       {"lines", read.lines},
+                       {"moves", run.program->moves},
+                       {"feed_moves", run.program->feed_moves}};
+    json["assumptions"] = {{"units", read.uses_inches ? "inch" : "mm"},
+                           {"units_stated", read.units_stated},
+                           {"moves_from_unknown_start", run.program->moves_from_nowhere},
+                           {"machine_zero_above_program_zero_mm", verify::kHomeHeight},
+                           {"uses_machine_coordinates", run.program->uses_machine_coordinates}};
+    if (run.program->stock) {
+        json["stock"] = to_json(run.program->stock->box);
+        if (const auto& from = run.program->stock->from) {
+            json["stock"]["file"] = base_name(from->path);
+            if (!from->turn.empty()) json["stock"]["turned"] = from->turn;
+            json["stock"]["moved"] = vector_json(from->move);
+        }
+        json["stock"]["told"] =
+            source(run.program->stock->told_by, run.program->stock->span, run.program->stock->text);
+    }
+    json["simulated"] = run.part != nullptr;
+    if (run.cutting.at_line) json["at_line"] = *run.cutting.at_line;
+    if (run.part) {
+        const PartFacts& s = *run.part;
+        json["model"] = {{"name", run.cutting.model},
+                         {"lattice_unit_mm", s.lattice.unit_mm},
+                         {"hulls", s.hulls}};
+        json["accuracy_mm"] = {{"chord_tolerance", run.cutting.tolerance},
+                               {"tool_tolerance", run.cutting.tool_tolerance},
+                               {"missed", tidy(s.bounds.missed_mm)},
+                               {"gained", tidy(s.bounds.gained_mm)}};
+        json["volume_mm3"] = {{"stock", tidy(s.stock_volume)},
+                              {"part", tidy(s.part_volume)},
+                              {"removed", tidy(s.stock_volume - s.part_volume)}};
+    }
+    if (run.boundary) {
+        json["part"] = {{"extents", to_json(cda::bounds(*run.boundary))},
+                        {"area_mm2", tidy(cda::area(*run.boundary))},
+                        {"faces", run.boundary->faces.size()},
+                        {"vertices", run.boundary->vertices.size()},
+                        {"shells", run.boundary->shells}};
+    }
+    if (run.simplified) {
+        json["simplified"] = {{"tolerance_mm", run.simplified->tolerance_mm},
+                              {"deviation_mm", run.simplified->deviation_mm},
+                              {"faces", run.simplified->faces}};
+    }
+    json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
+    if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);
+    json["time"] = time_json(distances);
+    json["tip_extents"] = to_json(run.program->tip_positions);
+    json["tools"] = tools_json(run);
+    if (run.part && !run.part->removed_by_block.empty()) {
+        Json blocks = Json::array();
+        for (const auto& [place, removed] : run.part->removed_by_block) {
+            const auto& [file, line] = place;
+            Json block{{"line", line}, {"removed_mm3", tidy(removed)}};
+            if (file > 0 && file < read.files.size()) block["file"] = read.files[file];
+            blocks.push_back(std::move(block));
+        }
+        json["blocks"] = std::move(blocks);
+    }
+    json["findings"] = findings_json(run.program->diagnostics);
+    // Bytes of the program that are no UTF-8 become U+FFFD.
+    out << to_text(json);
+}
+
+}  // namespace ncsim::report

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/sheet.h"
+
+#include "ncsim/report/describe.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/told.h"
+#include "ncsim/report/version.h"
+#include "ncsim/toolpath/stock.h"
+#include "ncsim/verify/machine.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace ncsim::report {
+
+namespace {
+
+class Sheet {
+public:
+    template <typename... Args>
+    void line(const char* key, fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), "  {:<11}", key);
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+    template <typename... Args>
+    void title(fmt::format_string<Args...> format, Args&&... args) {
+        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        text_ += '\n';
+    }
+    std::string text_;
+};
+
+std::string units(const ProgramFacts& program) {
+    const char* name = program.interpretation.uses_inches ? "inches" : "millimetres";
+    if (program.interpretation.units_stated) return fmt::format("{}, as the program says", name);
+    return fmt::format("{}, assumed: neither G20 nor G21 stands before the first length (--units)",
+                       name);
+}
+
+std::string dialect(const ProgramFacts& program) {
+    const gcode::DialectFindings& found = program.interpretation.dialect;
+    std::string text(gcode::name_of(found.dialect));
+    if (found.stated) return text;
+    if (found.evidence.empty()) return text + ", assumed: nothing speaks for another";
+    for (std::size_t i = 0; i < found.evidence.size() && i < 3; ++i) {
+        text += fmt::format("{} {} (line {})", i == 0 ? ", because of" : ",",
+                            one_line(found.evidence[i].text), found.evidence[i].line);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string assumption_sheet(const std::string& name, const ProgramFacts& program,
+                             const CuttingFacts& cutting) {
+    Sheet sheet;
+    sheet.title("ncsim {}: {}, {} lines, {} moves", kVersion, one_line(name),
+                program.interpretation.lines, program.moves);
+    sheet.line("dialect", "{}", dialect(program));
+    sheet.line("units", "{}", units(program));
+    if (program.moves_from_nowhere > 0) {
+        sheet.line("start", "not told: {} move{} until all of X, Y and Z are known leave no trace",
+                   program.moves_from_nowhere, program.moves_from_nowhere == 1 ? "" : "s");
+    } else {
+        sheet.line("start", "known");
+    }
+    for (std::size_t axis = 0; axis < program.untold.size(); ++axis) {
+        if (program.untold[axis])
+            sheet.line("", "assumed: {} 0, since the program never tells it", "XYZ"[axis]);
+    }
+    if (program.uses_machine_coordinates) {
+        sheet.line(
+            "home",
+            "assumed: machine zero {:g} mm above the program zero, tool lengths 0 (G28, G30, G53)",
+            verify::kHomeHeight);
+    }
+    if (program.turns_tools()) {
+        sheet.line("rotation",
+                   "assumed: A, B, C turn the tool about X, Y, Z through the program zero");
+    }
+    for (const auto& [number, used] : program.tools) {
+        sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}", toolpath::describe(used.tool),
+                   told(used.told_by, used.span, used.text, used.file, "--tool"));
+        if (!used.filled_in.empty()) sheet.line("", "assumed: {}", used.filled_in);
+    }
+    if (program.stock) {
+        sheet.line("stock", "{}", describe(*program.stock));
+        sheet.line("", "{}",
+                   told(program.stock->told_by, program.stock->span, program.stock->text,
+                        program.stock->file, "--stock"));
+        if (program.stock->place_assumed) {
+            sheet.line("",
+                       "assumed: where it lies; a corner or the middle is at zero, as the cuts "
+                       "have it");
+        }
+        sheet.line("model", "{}, lattice unit {:g} nm", cutting.model,
+                   toolpath::stock_lattice(*program.stock).unit_mm * 1e6);
+    }
+    sheet.line("tolerance",
+               "arcs {:g} mm; round tools {:g} mm; turning tools {:g} mm missed, {:g} mm gained",
+               cutting.tolerance, cutting.tool_tolerance, cutting.tolerance,
+               10 * cutting.tolerance);
+    if (cutting.join_tolerance > 0.0) {
+        sheet.line("draft",
+                   "coarse: tolerances grow with the block; moves in a row within {:g} mm of "
+                   "a line are one",
+                   cutting.join_tolerance);
+    }
+    return sheet.text_;
+}
+
+}  // namespace ncsim::report

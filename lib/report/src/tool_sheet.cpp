@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/tool_sheet.h"
+
+#include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/told.h"
+
+#include "json.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace ncsim::report {
+
+namespace {
+
+// How far a tool moves; null if it does not.
+const verify::Distances* distances_of(const ProgramFacts& program, int number) {
+    const auto found = program.distances.find(number);
+    if (found == program.distances.end()) return nullptr;
+    const verify::Distances& d = found->second;
+    return d.rapid_mm > 0.0 || d.feed_mm > 0.0 ? &d : nullptr;
+}
+
+// The numbers of all tools that move or are described, in order.
+std::set<int> numbers_of(const std::vector<toolpath::ToolEntry>& described,
+                         const ProgramFacts& program) {
+    std::set<int> numbers;
+    for (const auto& [number, distances] : program.distances) {
+        if (distances_of(program, number)) numbers.insert(number);
+    }
+    for (const auto& [number, used] : program.tools)
+        numbers.insert(number);
+    for (const auto& [number, first] : program.unknown_tools)
+        numbers.insert(number);
+    for (const toolpath::ToolEntry& entry : described)
+        numbers.insert(entry.spec.number);
+    return numbers;
+}
+
+// A tool as it is used, else as it is described; with a length that nobody told left open.
+std::string shape_of(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program,
+                     int number) {
+    const auto used = program.tools.find(number);
+    if (used != program.tools.end()) return toolpath::describe(used->second.tool);
+    const toolpath::ToolEntry* entry = toolpath::find_tool(described, number);
+    if (!entry) return program.unknown_tools.contains(number) ? "not described" : "only positioned";
+    constexpr double kLengthLeftOpen = 50.0;
+    const toolpath::Tool tool = toolpath::make_tool(entry->spec, kLengthLeftOpen);
+    std::string text = toolpath::describe(tool);
+    if (!entry->spec.length && entry->spec.pieces.empty()) {
+        const std::size_t length = text.find(" L");
+        text.erase(length, text.find(',', length) - length);
+    }
+    return text;
+}
+
+class ToolSheet {
+public:
+    ToolSheet(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program)
+        : described_(described), program_(program) {}
+
+    std::string text() {
+        for (const int number : numbers_of(described_, program_))
+            add_tool(number);
+        if (text_.empty()) add("no tool", "none is called, and none is described");
+        if (program_.stock) {
+            const toolpath::StockEntry& stock = *program_.stock;
+            add("stock", describe(stock.box));
+            add("  told", told(stock.told_by, stock.span, stock.text, stock.file, "--stock"));
+        } else {
+            add("stock", "not told");
+        }
+        return std::move(text_);
+    }
+
+private:
+    void add(const std::string& key, const std::string& what) {
+        fmt::format_to(std::back_inserter(text_), "{:<10}{}\n", key, what);
+    }
+
+    void add_tool(int number) {
+        add(number == 0 ? "no T" : fmt::format("T{}", number),
+            shape_of(described_, program_, number));
+        const auto used = program_.tools.find(number);
+        if (used != program_.tools.end()) {
+            const UsedTool& tool = used->second;
+            add("  told", told(tool.told_by, tool.span, tool.text, tool.file, "--tool"));
+            if (!tool.filled_in.empty()) add("  assumed", tool.filled_in);
+        } else if (const auto* entry = toolpath::find_tool(described_, number)) {
+            add("  told", told(entry->told_by, entry->span, entry->text, entry->file, "--tool"));
+        }
+        const verify::Distances* distances = distances_of(program_, number);
+        if (!distances) {
+            add("  used", program_.unknown_tools.contains(number) ? "yes" : "no");
+        } else {
+            const auto unknown = program_.unknown_tools.find(number);
+            const std::uint32_t line = used != program_.tools.end() ? used->second.first.line
+                                       : unknown != program_.unknown_tools.end()
+                                           ? unknown->second.line
+                                           : 0;
+            const std::string from = line > 0 ? fmt::format("from line {}, ", line) : "";
+            add("  used", fmt::format("{}{:.1f} mm cutting, {:.1f} mm in rapid moves", from,
+                                      distances->feed_mm, distances->rapid_mm));
+        }
+    }
+
+    const std::vector<toolpath::ToolEntry>& described_;
+    const ProgramFacts& program_;
+    std::string text_;
+};
+
+void add_spec(Json& json, const toolpath::ToolSpec& spec) {
+    const auto add = [&json](const char* key, const std::optional<double>& value) {
+        if (value) json[key] = *value;
+    };
+    if (spec.kind) json["kind"] = std::string(toolpath::name_of(*spec.kind));
+    add("diameter_mm", spec.diameter);
+    add("corner_radius_mm", spec.corner_radius);
+    add("tip_diameter_mm", spec.tip_diameter);
+    add("angle_deg", spec.angle);
+    add("taper_deg", spec.taper);
+    add("length_mm", spec.length);
+    add("shank_diameter_mm", spec.shank_diameter);
+}
+
+Json told_json(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& file,
+               const std::string& text) {
+    Json json{{"by", name_of(by)}};
+    if (!file.empty()) json["file"] = file;
+    if (span.line > 0) json["line"] = span.line;
+    if (!text.empty()) json["text"] = text;
+    return json;
+}
+
+}  // namespace
+
+std::string tool_sheet(const ProgramFacts& program,
+                       const std::vector<toolpath::ToolEntry>& described) {
+    return ToolSheet(described, program).text();
+}
+
+std::string tool_sheet_json(const std::string& name, const ProgramFacts& program,
+                            const std::vector<toolpath::ToolEntry>& described) {
+    Json tools = Json::array();
+    for (const int number : numbers_of(described, program)) {
+        Json tool{{"number", number}};
+        const auto used = program.tools.find(number);
+        const auto* entry = toolpath::find_tool(described, number);
+        const verify::Distances* distances = distances_of(program, number);
+        tool["described"] = used != program.tools.end() || entry != nullptr;
+        tool["used"] = distances != nullptr || program.unknown_tools.contains(number);
+        if (used != program.tools.end()) {
+            const UsedTool& u = used->second;
+            add_spec(tool, u.spec);
+            tool["told"] = told_json(u.told_by, u.span, u.file, u.text);
+            tool["assumed"] = u.filled_in;
+            tool["first_line"] = u.first.line;
+        } else if (entry) {
+            add_spec(tool, entry->spec);
+            tool["told"] = told_json(entry->told_by, entry->span, entry->file, entry->text);
+        }
+        if (distances) {
+            tool["feed_mm"] = tidy(distances->feed_mm);
+            tool["rapid_mm"] = tidy(distances->rapid_mm);
+        }
+        tools.push_back(std::move(tool));
+    }
+    Json json{{"program", base_name(name)}, {"tools", std::move(tools)}};
+    if (program.stock) {
+        const toolpath::StockEntry& stock = *program.stock;
+        const cda::Box& box = stock.box;
+        json["stock"] = {{"min", {box.min.x, box.min.y, box.min.z}},
+                         {"max", {box.max.x, box.max.y, box.max.z}},
+                         {"told", told_json(stock.told_by, stock.span, stock.file, stock.text)}};
+    }
+    json["findings"] = findings_json(program.diagnostics);
+    return to_text(json);
+}
+
+}  // namespace ncsim::report
