@@ -26,8 +26,8 @@ constexpr int kLastFrameTime = 200;
 
 }  // namespace
 
-Animation::Animation(const Job& job, const Survey& survey, OutputSet& outputs)
-    : options_(job.options), outputs_(outputs) {
+Animation::Animation(const Options& options, const Survey& survey, OutputSet& outputs)
+    : options_(options), outputs_(outputs) {
     if (options_.frames.empty() && options_.gif.empty()) return;
     every_ = options_.every != 0 ? options_.every
                                  : std::max<std::uint64_t>(1, survey.moves / kUsualFrames);

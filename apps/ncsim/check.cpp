@@ -9,11 +9,11 @@
 #include "ncsim/report/page.h"
 #include "ncsim/report/rules.h"
 #include "ncsim/report/sarif.h"
+#include "ncsim/setup/mesh_file.h"
 
 #include "check_program.h"
 #include "console.h"
 #include "in_order.h"
-#include "mesh_file.h"
 #include "output.h"
 
 #include <algorithm>
@@ -36,19 +36,20 @@ bool is_better(int a, int b) {
 }  // namespace
 
 int run(CheckOptions options) {
-    InputSet inputs;
+    setup::InputSet inputs;
     OutputSet outputs(inputs);
     if (options.github) outputs.claim_standard_output("--github");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     for (const std::string& path : outputs_of(options))
         outputs.reserve(path);
-    const MachineFile machine =
-        options.machine.empty() ? MachineFile{} : read_machine_file(options.machine, inputs);
+    const setup::MachineFile machine = options.machine.empty()
+                                           ? setup::MachineFile{}
+                                           : setup::read_machine_file(options.machine, inputs);
     std::optional<Design> design;
     if (!options.design.empty()) {
-        design = Design{name_of_input(options.design), read_mesh_file(options.design, inputs),
-                        options.design_tolerance};
+        design = Design{setup::name_of_input(options.design),
+                        setup::read_mesh_file(options.design, inputs), options.design_tolerance};
     }
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const auto count = static_cast<unsigned>(options.programs.size());

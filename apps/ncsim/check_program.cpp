@@ -7,14 +7,14 @@
 #include "ncsim/export/render.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/machining_time.h"
+#include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/verify/verifier.h"
 
 #include "cut_free.h"
-#include "job.h"
 #include "pipeline.h"
+#include "plan_options.h"
 #include "refine.h"
 #include "survey.h"
-#include "toml_reader.h"
 
 #include <fmt/format.h>
 
@@ -29,16 +29,6 @@
 namespace ncsim::app {
 
 namespace {
-
-Options options_for(const std::string& path, const CheckOptions& check, unsigned threads) {
-    Options options;
-    static_cast<ProgramOptions&>(options) = static_cast<const ProgramOptions&>(check);
-    static_cast<SimulationOptions&>(options) = static_cast<const SimulationOptions&>(check);
-    options.program = path;
-    options.model = "cda";
-    options.threads = threads;
-    return options;
-}
 
 // Where nobody tells where the shank ends, it is taller than any cut is deep; where nobody tells a
 // shank, it is as thick as the flutes.
@@ -89,35 +79,20 @@ std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
                      workpiece.origin[gcode::kZ]};
 }
 
-std::optional<cda::Vec3> origin_of(const gcode::InterpreterOptions& options, int system) {
-    const auto vector = [](const gcode::Position& p) {
-        return cda::Vec3{p.x.mm(), p.y.mm(), p.z.mm()};
-    };
-    const int named = static_cast<int>(options.work_offsets.size());
-    if (system > named) {
-        const auto found = options.extended_offsets.find(system - named);
-        if (found == options.extended_offsets.end()) return std::nullopt;
-        return vector(found->second);
-    }
-    const auto index = static_cast<std::size_t>(system - 1);
-    if (!options.work_offsets_told[index]) return std::nullopt;
-    return vector(options.work_offsets[index]);
-}
-
 // Moves fixtures that were told in another system to W. Those of which nobody knows how far that is
 // are left out, and named.
-std::vector<std::string> place_fixtures(verify::MachineDescription& machine, const Job& job,
+std::vector<std::string> place_fixtures(verify::MachineDescription& machine, const Plan& plan,
                                         const Survey& survey) {
     std::vector<std::string> lost;
     std::erase_if(machine.fixtures, [&](verify::Fixture& fixture) {
         const int here = survey.interpretation.workpiece_system;
         if (fixture.system == 0 || fixture.system == here) return false;
-        const auto origin = origin_of(job.interpreter, fixture.system);
+        const auto origin = setup::origin_of(plan.job.interpreter, fixture.system);
         if (!origin || !machine.work_zero) {
-            lost.push_back(
-                fmt::format("where the fixture '{}' stands: it is told in {}, and how far "
-                            "that is from {} is not",
-                            fixture.name, name_of_system(fixture.system), name_of_system(here)));
+            lost.push_back(fmt::format(
+                "where the fixture '{}' stands: it is told in {}, and how far "
+                "that is from {} is not",
+                fixture.name, setup::name_of_system(fixture.system), setup::name_of_system(here)));
             return true;
         }
         const cda::Vec3 shift = *origin - *machine.work_zero;
@@ -139,13 +114,13 @@ std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::strin
     return accepted;
 }
 
-verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions& options,
-                        const MachineFile& machine) {
+verify::Setup setup_for(const Plan& plan, const Survey& survey, const CheckOptions& options,
+                        const setup::MachineFile& machine) {
     verify::Setup setup;
     setup.machine = machine.machine;
     setup.machine.work_zero = work_zero(survey.interpretation.workpiece);
     setup.selection = options.selection;
-    setup.suppressions = verify::Suppressions(job.program);
+    setup.suppressions = verify::Suppressions(plan.job.program);
     setup.accuracy.tolerance_mm = options.tool_tolerance;
     setup.path_tolerance_mm = options.tolerance;
     setup.pieces_counted = options.cut_free;
@@ -155,8 +130,8 @@ verify::Setup setup_for(const Job& job, const Survey& survey, const CheckOptions
     setup.rapid = rapid_path(options, machine.machine);
     setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
     setup.cutting_tools = survey.cutting_tools;
-    setup.accepted = accepted_reasons(job.options.accept);
-    setup.required.insert(job.options.require.begin(), job.options.require.end());
+    setup.accepted = accepted_reasons(plan.job.options.accept);
+    setup.required.insert(plan.job.options.require.begin(), plan.job.options.require.end());
     for (const auto& [number, used] : survey.tools) {
         const auto told = machine.tools.find(number);
         setup.tools.emplace(number,
@@ -207,10 +182,11 @@ report::Look look_at(const Survey& survey, const Simulation& simulation) {
 }
 
 // What the machine tells, where the job does not tell it. Returns what cannot be used.
-std::vector<std::string> take_machine(Job& job, const MachineFile& file) {
+std::vector<std::string> take_machine(setup::Job& job, const setup::MachineFile& file) {
     std::vector<std::string> lost;
     for (const auto& [system, origin] : file.offsets) {
-        if (!origin_of(job.interpreter, system)) tell_offset(job.interpreter, system, origin);
+        if (!setup::origin_of(job.interpreter, system))
+            setup::tell_offset(job.interpreter, system, origin);
     }
     const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
         if (!told) return;
@@ -222,7 +198,7 @@ std::vector<std::string> take_machine(Job& job, const MachineFile& file) {
     lead(job.interpreter.homes[1], file.machine.tool_change);
     if (!file.start || job.start) return lost;
     constexpr int kG54 = 1;
-    const auto origin = origin_of(job.interpreter, kG54);
+    const auto origin = setup::origin_of(job.interpreter, kG54);
     if (!origin) {
         lost.emplace_back(
             "where the tool starts: the machine tells it, but not where G54 is in it");
@@ -257,14 +233,14 @@ std::string_view verdict_word(verify::Outcome outcome) {
                                                 : "not-proven";
 }
 
-int verify_program(report::Checked& checked, Job job, const CheckOptions& options,
-                   const MachineFile& machine, const Design* design) {
-    std::vector<std::string> not_used = take_machine(job, machine);
-    Survey survey = app::survey(job);
+int verify_program(report::Checked& checked, Plan plan, const CheckOptions& options,
+                   const setup::MachineFile& machine, const Design* design) {
+    std::vector<std::string> not_used = take_machine(plan.job, machine);
+    Survey survey = app::survey(plan);
     if (survey.only_rapid) cut_nothing(survey);
     checked.moves = survey.moves;
-    verify::Setup setup = setup_for(job, survey, options, machine);
-    for (std::string& lost : place_fixtures(setup.machine, job, survey))
+    verify::Setup setup = setup_for(plan, survey, options, machine);
+    for (std::string& lost : place_fixtures(setup.machine, plan, survey))
         not_used.push_back(std::move(lost));
     for (std::string& unused : unused_tools(options, survey))
         not_used.push_back(std::move(unused));
@@ -281,7 +257,7 @@ int verify_program(report::Checked& checked, Job job, const CheckOptions& option
     const toolpath::RapidPath rapid = setup.rapid;
     const toolpath::Watch watch = verify::watch_of(setup);
     const verify::Setup told = setup;
-    Refiner refiner(job, survey, told);
+    Refiner refiner(plan, survey, told);
     setup.second_look = [&refiner](const verify::OpenContact& contact) {
         return refiner.decide(contact);
     };
@@ -294,8 +270,8 @@ int verify_program(report::Checked& checked, Job job, const CheckOptions& option
             verifier.add_doubt("start-unknown",
                                fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
     }
-    job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
-                                                const gcode::ProgramFrame& frame) {
+    plan.job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
+                                                     const gcode::ProgramFrame& frame) {
         verifier.set_frame(frame);
     };
     if (checked.simulated) {
@@ -305,9 +281,9 @@ int verify_program(report::Checked& checked, Job job, const CheckOptions& option
         verification.rapid = rapid;
         verification.watch = watch;
         verification.keep_cuts = design != nullptr;
-        const Simulation simulation = simulate(job, survey, verification, {});
+        const Simulation simulation = simulate(plan, survey, verification, {});
         if (options.cut_free) {
-            for (verify::Finding& f : cut_free(job, survey, verification, simulation))
+            for (verify::Finding& f : cut_free(plan, survey, verification, simulation))
                 verifier.add(std::move(f));
         }
         const bool compared =
@@ -320,7 +296,7 @@ int verify_program(report::Checked& checked, Job job, const CheckOptions& option
         checked.verdict = verifier.finish(survey.interpretation, part, simulation.stock_volume);
         if (!options.html.empty()) checked.look = look_at(survey, simulation);
     } else {
-        gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
+        gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
             verifier.begin(motion);
             verifier.end();
         });
@@ -331,12 +307,12 @@ int verify_program(report::Checked& checked, Job job, const CheckOptions& option
         checked.time = report::time_line(verify::total(survey.distances));
     if (!options.html.empty()) {
         if (!checked.look) checked.look.emplace();
-        checked.look->source = job.program.text;
+        checked.look->source = plan.job.program.text;
     }
     for (const verify::Finding& f : checked.verdict.findings) {
         std::string line;
         if (f.place.file == 0 && f.place.span.line > 0) {
-            line = gcode::line_text(job.program, f.place.span.line);
+            line = gcode::line_text(plan.job.program, f.place.span.line);
         }
         checked.lines.push_back(std::move(line));
     }
@@ -363,14 +339,18 @@ toolpath::RapidPath rapid_path(const CheckOptions& options,
 }
 
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const MachineFile& machine, const Design* design, unsigned threads,
-                  InputSet& inputs, std::stop_token stop) {
-    checked.path = name_of_input(path);
+                  const setup::MachineFile& machine, const Design* design, unsigned threads,
+                  setup::InputSet& inputs, std::stop_token stop) {
+    checked.path = setup::name_of_input(path);
     int code = kEnvironment;
     try {
-        Job job = read_job(options_for(path, options, threads), inputs);
-        job.budget.stop_with(std::move(stop));
-        return verify_program(checked, std::move(job), options, machine, design);
+        ProgramOptions program = options;
+        program.program = path;
+        Plan plan = plan_for(program, options, inputs);
+        plan.model = "cda";
+        plan.threads = threads;
+        plan.budget.stop_with(std::move(stop));
+        return verify_program(checked, std::move(plan), options, machine, design);
     } catch (const std::bad_alloc&) {
         checked.failure = "out of memory";
     } catch (const std::logic_error& e) {

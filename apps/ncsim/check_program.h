@@ -4,11 +4,11 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
+#include "ncsim/setup/machine_file.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "check_options.h"
 #include "design.h"
-#include "machine_file.h"
 
 #include <stop_token>
 #include <string>
@@ -19,8 +19,8 @@ namespace ncsim::app {
 /// throws: what is wrong is in the result. The result depends on the file and the options only.
 /// `design` may be null. `threads` evaluate at a time. Gives up when it is asked to `stop`.
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const MachineFile& machine, const Design* design, unsigned threads,
-                  InputSet& inputs, std::stop_token stop);
+                  const setup::MachineFile& machine, const Design* design, unsigned threads,
+                  setup::InputSet& inputs, std::stop_token stop);
 
 /// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
 toolpath::RapidPath rapid_path(const CheckOptions& options,

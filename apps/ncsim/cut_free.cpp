@@ -29,8 +29,8 @@ struct Moment {
 
 class History {
 public:
-    History(const Job& job, const Survey& survey, const Verification& verification)
-        : job_(&job), survey_(&survey), verification_(verification) {
+    History(const Plan& plan, const Survey& survey, const Verification& verification)
+        : plan_(&plan), survey_(&survey), verification_(verification) {
         verification_.verifier = nullptr;
     }
 
@@ -39,7 +39,7 @@ public:
         if (!moment) {
             Verification limited = verification_;
             limited.most_cuts = cuts;
-            const Simulation s = simulate(*job_, *survey_, limited, {});
+            const Simulation s = simulate(*plan_, *survey_, limited, {});
             moment = std::make_unique<Moment>(
                 Moment{Solids(s.part->boundary()), s.last_cut, s.last_motion});
         }
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    const Job* job_;
+    const Plan* plan_;
     const Survey* survey_;
     Verification verification_;
     std::map<std::uint32_t, std::unique_ptr<Moment>> known_;
@@ -99,13 +99,13 @@ double accuracy(const Simulation& simulation) {
 
 }  // namespace
 
-std::vector<verify::Finding> cut_free(const Job& job, const Survey& survey,
+std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
                                       const Verification& verification,
                                       const Simulation& simulation) {
     std::vector<verify::Finding> findings;
     const Solids solids(simulation.part->boundary());
     if (solids.all().size() < 2) return findings;
-    History history(job, survey, verification);
+    History history(plan, survey, verification);
     const Solid& main = solids.all().front();
     const double least = 2 * accuracy(simulation);
     verify::Finding rest;

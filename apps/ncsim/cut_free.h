@@ -16,7 +16,7 @@ namespace ncsim::app {
 /// costs a few simulations where there is such a piece, and one boundary where there is none.
 /// Pieces no thicker than the tools are accurate are noted together, at no place. Pieces that were
 /// milled away later are not seen.
-std::vector<verify::Finding> cut_free(const Job& job, const Survey& survey,
+std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
                                       const Verification& verification,
                                       const Simulation& simulation);
 

@@ -10,9 +10,9 @@
 #include "ncsim/verify/verifier.h"
 
 #include "console.h"
-#include "job.h"
 #include "output.h"
 #include "pipeline.h"
+#include "plan_options.h"
 #include "survey.h"
 
 #include <fmt/format.h>
@@ -28,21 +28,19 @@ namespace ncsim::app {
 namespace {
 
 struct Side {
-    Job job;
+    Plan plan;
     Survey survey;
 };
 
 Side read_side(const DiffOptions& diff, const std::string& path,
-               const std::optional<toolpath::Stock>& stock, InputSet& inputs) {
-    Options options;
-    static_cast<ProgramOptions&>(options) = static_cast<const ProgramOptions&>(diff);
-    static_cast<SimulationOptions&>(options) = static_cast<const SimulationOptions&>(diff);
+               const std::optional<toolpath::Stock>& stock, setup::InputSet& inputs) {
+    ProgramOptions options = diff;
     options.program = path;
-    options.model = "cda";
     if (stock) options.stock = stock;
     Side side;
-    side.job = read_job(std::move(options), inputs);
-    side.survey = survey(side.job);
+    side.plan = plan_for(options, diff, inputs);
+    side.plan.model = "cda";
+    side.survey = survey(side.plan);
     return side;
 }
 
@@ -63,12 +61,12 @@ bool moves_alike(const Side& a, const Side& b) {
     };
     if (!std::ranges::equal(a.survey.tools, b.survey.tools, same_tool)) return false;
     std::vector<Trace> traces;
-    gcode::interpret(a.job.program, a.job.interpreter, [&](const gcode::Motion& m) {
+    gcode::interpret(a.plan.job.program, a.plan.job.interpreter, [&](const gcode::Motion& m) {
         if (gcode::start_of(m)) traces.emplace_back(m);
     });
     std::size_t next = 0;
     bool same = true;
-    gcode::interpret(b.job.program, b.job.interpreter, [&](const gcode::Motion& m) {
+    gcode::interpret(b.plan.job.program, b.plan.job.interpreter, [&](const gcode::Motion& m) {
         if (!gcode::start_of(m) || !same) return;
         same = next < traces.size() && traces[next] == Trace(m);
         ++next;
@@ -92,7 +90,7 @@ report::OneSided remainder(const Side& side, const Simulation& other) {
     Verification verification;
     verification.verifier = &verifier;
     verification.start = &tree_of(other);
-    const Simulation cut = simulate(side.job, side.survey, verification, {});
+    const Simulation cut = simulate(side.plan, side.survey, verification, {});
     const verify::Verdict verdict =
         verifier.finish(side.survey.interpretation, &tree_of(cut), cut.stock_volume);
     report::OneSided result;
@@ -104,14 +102,14 @@ report::OneSided remainder(const Side& side, const Simulation& other) {
 
 report::Difference difference(const Side& a, const Side& b) {
     report::Difference d;
-    const Simulation made_a = simulate(a.job, a.survey, {}, {});
+    const Simulation made_a = simulate(a.plan, a.survey, {}, {});
     d.old_mm3 = made_a.part_volume;
     d.same_motions = moves_alike(a, b);
     if (d.same_motions) {
         d.new_mm3 = d.old_mm3;
         return d;
     }
-    const Simulation made_b = simulate(b.job, b.survey, {}, {});
+    const Simulation made_b = simulate(b.plan, b.survey, {}, {});
     d.new_mm3 = made_b.part_volume;
     d.only_old = remainder(b, made_a);
     d.only_new = remainder(a, made_b);
@@ -121,7 +119,7 @@ report::Difference difference(const Side& a, const Side& b) {
 // Programs that cannot be cut cannot be compared: says why.
 bool is_usable(const Side& side) {
     if (side.survey.is_ready() && !gcode::has_errors(side.survey.diagnostics)) return true;
-    print_findings(side.job.program, side.survey.diagnostics);
+    print_findings(side.plan.job.program, side.survey.diagnostics);
     return false;
 }
 
@@ -151,7 +149,7 @@ void complete(const DiffOptions& o) {
 }
 
 int run(const DiffOptions& options) {
-    InputSet inputs;
+    setup::InputSet inputs;
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
@@ -175,8 +173,8 @@ int run(const DiffOptions& options) {
     }
     const bool differs = !d.stocks.empty() || d.only_old.volume_mm3 > options.tolerance_mm3 ||
                          d.only_new.volume_mm3 > options.tolerance_mm3;
-    d.old_name = name_of_input(options.program);
-    d.new_name = name_of_input(options.new_program);
+    d.old_name = setup::name_of_input(options.program);
+    d.new_name = setup::name_of_input(options.new_program);
     d.tolerance_mm3 = options.tolerance_mm3;
     d.differs = differs;
     if (!options.quiet) put_text(report::text_of(d), outputs.takes_standard_output());

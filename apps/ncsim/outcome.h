@@ -8,15 +8,17 @@
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
 
-#include "job.h"
 #include "pipeline.h"
+#include "plan.h"
+#include "run_options.h"
 #include "survey.h"
 
 namespace ncsim::app {
 
 /// `simulation` is null if the program could not be simulated, `boundary` if nobody asked for it.
 struct Outcome {
-    const Job& job;
+    const Options& options;
+    const Plan& plan;
     const Survey& survey;
     const Simulation* simulation = nullptr;
     const cda::Boundary* boundary = nullptr;
@@ -24,7 +26,6 @@ struct Outcome {
     const exporter::Simplified* simplified = nullptr;
 };
 
-report::CuttingFacts cutting_facts(const Job& job);
 /// What is reported of it; points into it.
 report::RunFacts run_facts(const Outcome& outcome);
 

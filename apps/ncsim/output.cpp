@@ -79,7 +79,7 @@ bool leads_to(int stream, const struct stat& status) {
     struct stat ours {};
     if (::fstat(stream, &ours) != 0) return false;
     if (S_ISCHR(ours.st_mode) && ::isatty(stream) == 0) return false;
-    return id_of(ours) == id_of(status);
+    return setup::id_of(ours) == setup::id_of(status);
 }
 
 extern "C" void remove_pending_files(int signal_number) {
@@ -123,7 +123,7 @@ struct OutputSet::File {
     }
 };
 
-OutputSet::OutputSet(InputSet& inputs) : inputs_(&inputs) {
+OutputSet::OutputSet(setup::InputSet& inputs) : inputs_(&inputs) {
     for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction old {};
         ::sigaction(signal_number, nullptr, &old);
@@ -143,7 +143,7 @@ void OutputSet::claim_standard_output(const std::string& what) {
     standard_output_ = what;
 }
 
-void OutputSet::add(const std::string& path, const FileId& id) {
+void OutputSet::add(const std::string& path, const setup::FileId& id) {
     if (!ids_.insert(id).second) {
         throw std::runtime_error(fmt::format(
             "'{}' is named twice: an output may overwrite neither an input nor another output",
@@ -163,7 +163,7 @@ void OutputSet::open_directly(File& file, int descriptor) {
         claim_standard_output(file.path);
         takes_standard_output_ = true;
     }
-    if (S_ISREG(status.st_mode)) add(file.path, id_of(status));
+    if (S_ISREG(status.st_mode)) add(file.path, setup::id_of(status));
 }
 
 std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
@@ -177,15 +177,15 @@ std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
         if (file->descriptor < 0) fail(path, "write", errno);
         struct stat status {};
         if (::fstat(file->descriptor, &status) == 0 && S_ISREG(status.st_mode))
-            add(path, id_of(status));
+            add(path, setup::id_of(status));
         return file;
     }
-    file->target = without_links(path);
+    file->target = setup::without_links(path);
     const std::string& target = file->target;
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) fail(path, "write", EISDIR);
-    if (const int ours = descriptor_named(target); ours >= 0) {
+    if (const int ours = setup::descriptor_named(target); ours >= 0) {
         open_directly(*file, ::fcntl(ours, F_DUPFD_CLOEXEC, 3));
         return file;
     }
@@ -203,7 +203,7 @@ std::unique_ptr<OutputSet::File> OutputSet::opened(const std::string& path) {
     const std::size_t slash = target.rfind('/');
     const std::size_t name = slash == std::string::npos ? 0 : slash + 1;
     if (name == target.size()) fail(path, "write", EISDIR);
-    add(path, exists ? id_of(status) : id_of_new(target));
+    add(path, exists ? setup::id_of(status) : setup::id_of_new(target));
     // The process id tells runs apart; O_EXCL makes sure.
     for (int attempt = 0;; ++attempt) {
         file->temporary = fmt::format("{}.{}.{}-{}.tmp", target.substr(0, name),

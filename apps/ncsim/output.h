@@ -3,7 +3,7 @@
 // Files that are written whole or not at all.
 #pragma once
 
-#include "input.h"
+#include "ncsim/setup/input.h"
 
 #include <functional>
 #include <iosfwd>
@@ -27,7 +27,7 @@ namespace ncsim::app {
 class OutputSet {
 public:
     /// `inputs` must outlive it.
-    explicit OutputSet(InputSet& inputs);
+    explicit OutputSet(setup::InputSet& inputs);
     ~OutputSet();
     OutputSet(const OutputSet&) = delete;
     OutputSet& operator=(const OutputSet&) = delete;
@@ -53,13 +53,13 @@ private:
 
     std::unique_ptr<File> opened(const std::string& path);
     void open_directly(File& file, int descriptor);
-    void add(const std::string& path, const FileId& id);
+    void add(const std::string& path, const setup::FileId& id);
     static void fill(File& file, const std::function<void(std::ostream&)>& writer);
     static void name(File& file);
 
-    InputSet* inputs_;
+    setup::InputSet* inputs_;
     std::vector<std::unique_ptr<File>> files_;
-    std::set<FileId> ids_;
+    std::set<setup::FileId> ids_;
     std::string standard_output_;  // who has it
     bool takes_standard_output_ = false;
 };

@@ -3,9 +3,9 @@
 
 #include "ncsim/gcode/parser.h"
 #include "ncsim/report/listing.h"
+#include "ncsim/setup/job.h"
 
 #include "console.h"
-#include "job.h"
 
 #include <CLI/CLI.hpp>
 
@@ -22,12 +22,10 @@ CLI::App* add_parse(CLI::App& app, ParseOptions& options) {
 }
 
 int run(const ParseOptions& options) {
-    Options all;
-    static_cast<ProgramOptions&>(all) = static_cast<const ProgramOptions&>(options);
-    InputSet inputs;
+    setup::InputSet inputs;
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    const Job job = read_job(std::move(all), inputs);
+    const setup::Job job = setup::read_job(options, inputs);
     gcode::ParserOptions parser;
     parser.strict = job.options.strict;
     const gcode::Diagnostics diagnostics =

@@ -25,7 +25,7 @@ namespace {
 constexpr double kSurroundings = 0.3;
 
 cda::Box seen_box(const Outcome& outcome) {
-    const Options& o = outcome.job.options;
+    const Options& o = outcome.options;
     cda::Box seen = outcome.survey.stock->box;
     if (!o.shows_path && !o.shows_tool) return seen;
     const double reach = kSurroundings * norm(seen.size());
@@ -46,7 +46,7 @@ cda::Box seen_box(const Outcome& outcome) {
 }
 
 exporter::RenderOptions render_options(const Outcome& outcome, exporter::View view) {
-    const Options& o = outcome.job.options;
+    const Options& o = outcome.options;
     const cda::Box& stock = outcome.survey.stock->box;
     const cda::Box& tips = outcome.survey.tip_positions;
     exporter::RenderOptions options;
@@ -79,7 +79,7 @@ exporter::Overlay overlay(const Outcome& outcome) {
     const toolpath::StockEntry& stock = *outcome.survey.stock;
     if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});
-    if (!outcome.job.options.shows_tool || !s.standing) return result;
+    if (!outcome.options.shows_tool || !s.standing) return result;
     const auto used = outcome.survey.tools.find(s.standing->tool);
     if (used != outcome.survey.tools.end())
         result.bodies = tool_bodies(used->second.tool, s.standing->X_WT);
@@ -90,7 +90,7 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const Simulation& s = *outcome.simulation;
     const exporter::RenderOptions options = render_options(outcome, view);
     // The flat aggregate is drawn by its masks, as the thesis does it.
-    if (outcome.job.options.model == "cda-flat")
+    if (outcome.plan.model == "cda-flat")
         return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
     return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome));
 }
@@ -98,7 +98,7 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
 // Its text, if there is only one file that could have such a line.
 std::string line_at(const Outcome& outcome) {
     if (outcome.survey.interpretation.files.size() > 1) return {};
-    return std::string(gcode::line_text(outcome.job.program, outcome.simulation->line));
+    return std::string(gcode::line_text(outcome.plan.job.program, outcome.simulation->line));
 }
 
 std::vector<std::string> caption(const Outcome& outcome) {
@@ -110,14 +110,14 @@ std::vector<std::string> caption(const Outcome& outcome) {
     if (const auto total = report::time_of(path).total())
         travelled = report::time_text(*total) + ", " + travelled;
     std::vector<std::string> lines{
-        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm", report::base_name(outcome.job.program.name),
-                    size.x, size.y, size.z),
+        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm",
+                    report::base_name(outcome.plan.job.program.name), size.x, size.y, size.z),
         s.stock_volume > 0.0
             ? fmt::format("{} of {} removed ({:.1f} %)", report::volume_text(removed),
                           report::volume_text(s.stock_volume), 100.0 * removed / s.stock_volume)
             : std::string("nothing is cut"),
         fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
-    const Options& o = outcome.job.options;
+    const Options& o = outcome.options;
     if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
         lines.push_back(s.line == 0 ? std::string("before the first move")
                                     : fmt::format("after line {}: {}", s.line, line_at(outcome)));
@@ -146,8 +146,8 @@ void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
 }  // namespace
 
 exporter::Image picture(const Outcome& outcome) {
-    const std::vector<exporter::View>& views = outcome.job.options.views;
-    const Options& o = outcome.job.options;
+    const std::vector<exporter::View>& views = outcome.options.views;
+    const Options& o = outcome.options;
     std::vector<std::string> lines;
     if (views.size() > 1 || o.has_caption) lines = caption(outcome);
     if (o.draft) add_guesses(outcome, lines);

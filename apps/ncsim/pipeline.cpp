@@ -31,59 +31,58 @@ double now_in_seconds() {
 }
 
 // Models by name; the one place that knows them.
-std::unique_ptr<cda::WorkpieceModel> prototype(const Options& options) {
-    if (options.model == "cda") {
+std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan) {
+    if (plan.model == "cda") {
         cda::TreeParameters parameters;
-        parameters.threads = options.threads;
+        parameters.threads = plan.threads;
         return std::make_unique<cda::TreeCda>(parameters);
     }
-    if (options.model == "cda-flat") {
-        const bool timed = !options.stats.empty();
-        return std::make_unique<cda::FlatCda>(timed ? &now_in_seconds : nullptr);
+    if (plan.model == "cda-flat") {
+        return std::make_unique<cda::FlatCda>(plan.hull_times ? &now_in_seconds : nullptr);
     }
-    throw std::logic_error("no such model: " + options.model);
+    throw std::logic_error("no such model: " + plan.model);
 }
 
-toolpath::Walk make_walk(const Job& job, const Survey& survey, const cda::Lattice& lattice,
+toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
                          const Verification& verification) {
     toolpath::ToolAccuracy accuracy;
     // What is saved may be checked later, which has to know as well.
-    accuracy.side =
-        job.options.save_stock.empty() ? verification.side : toolpath::Side::Circumscribed;
-    accuracy.tolerance_mm = job.options.tool_tolerance;
+    accuracy.side = !plan.keep_carved ? verification.side : toolpath::Side::Circumscribed;
+    accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::SamplingOptions sampling;
-    sampling.chord_tolerance_mm = job.options.tolerance;
-    sampling.rotation_miss_mm = job.options.tolerance;
-    sampling.rotation_gain_mm = 10 * job.options.tolerance;
+    sampling.chord_tolerance_mm = plan.tolerance;
+    sampling.rotation_miss_mm = plan.tolerance;
+    sampling.rotation_gain_mm = 10 * plan.tolerance;
     return {lattice, survey.stock->box, accuracy, sampling, verification.rapid, verification.watch};
 }
 
 class Mill {
 public:
-    Mill(const Job& job, const Survey& survey, const Verification& verification, Simulation& result)
+    Mill(const Plan& plan, const Survey& survey, const Verification& verification,
+         Simulation& result)
         : result_(result),
-          walk_(make_walk(job, survey, result.lattice, verification)),
+          walk_(make_walk(plan, survey, result.lattice, verification)),
           verifier_(verification.verifier),
           verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
           most_steps_(verification.most_steps.value_or(std::numeric_limits<std::uint64_t>::max())),
-          shows_path_(job.options.shows_path),
+          shows_path_(plan.keep_paths),
           measured_(verifier_ && verifier_->measures_all()),
           keep_cuts_(verification.keep_cuts),
-          keeps_cells_(!job.options.save_stock.empty()),
-          budget_(job.budget),
-          tolerance_mm_(job.options.tolerance),
+          keeps_cells_(plan.keep_carved),
+          budget_(plan.budget),
+          tolerance_mm_(plan.tolerance),
           volume_(result.stock_volume) {
         if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
         }
-        result.provenance.program = report::base_name(job.program.name);
+        result.provenance.program = report::base_name(plan.job.program.name);
         result.provenance.entries.push_back({});  // the stock
         if (keep_cuts_) result.cuts.push_back({});
-        if (job.options.block_volumes) places_.emplace();
+        if (plan.block_volumes) places_.emplace();
         if (places_ || (verifier_ && verifier_->needs_account())) result.part->keep_account();
     }
 
@@ -224,7 +223,7 @@ private:
     std::optional<std::map<cda::Origin, report::BlockPlace>> places_;  // where blocks are asked for
     bool keep_cuts_;
     bool keeps_cells_;
-    const Budget& budget_;
+    const setup::Budget& budget_;
     double tolerance_mm_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
@@ -234,12 +233,12 @@ private:
 
 // Motions until `line` of the program has been run for the first time. If it makes none, the
 // nearest line before it that does counts.
-std::uint64_t motions_until(const Job& job, std::uint32_t line) {
+std::uint64_t motions_until(const Plan& plan, std::uint32_t line) {
     std::uint64_t count = 0;
     std::uint64_t until = 0;
     std::uint32_t nearest = 0;
     bool is_running = false;  // the nearest line
-    gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
         ++count;
         const std::uint32_t at = motion.file == 0 ? motion.span.line : 0;
         if (at > nearest && at <= line) {
@@ -254,39 +253,39 @@ std::uint64_t motions_until(const Job& job, std::uint32_t line) {
 
 }  // namespace
 
-Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
+Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const Onlooker& onlooker) {
     Simulation result;
-    const cda::Shape stock = toolpath::stock_shape(*survey.stock, job.options.tool_tolerance);
+    const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
     result.lattice = stock.lattice;
-    result.part = cda::create(*prototype(job.options), stock);
+    result.part = cda::create(*prototype(plan), stock);
     result.stock_volume = result.part->volume();
     if (verification.start) result.part = verification.start->clone();
 
-    Mill mill(job, survey, verification, result);
-    const std::uint64_t most = job.options.at_line ? motions_until(job, *job.options.at_line)
-                                                   : std::numeric_limits<std::uint64_t>::max();
+    Mill mill(plan, survey, verification, result);
+    const std::uint64_t most = plan.at_line ? motions_until(plan, *plan.at_line)
+                                            : std::numeric_limits<std::uint64_t>::max();
     mill.stop_after(verification.only_motion.value_or(most));
     std::uint64_t motions = 0;
     std::uint64_t moves = 0;
-    MoveJoiner joiner(verification.verifier ? 0.0 : job.options.join_tolerance,
+    MoveJoiner joiner(verification.verifier ? 0.0 : plan.join_tolerance,
                       [&](const gcode::Motion& motion) { mill.take(motion); });
-    gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
         joiner.take(motion);
         ++motions;
         if (!start_of(motion)) return;
         ++moves;
         if (progress) progress(moves);
         if (onlooker.every == 0 || moves % onlooker.every != 0 || motions > most) return;
-        mill.pause(needs_surface(job.options));
+        mill.pause(plan.keep_boundary);
         onlooker.look(result);
     });
     joiner.flush();
     if (joiner.has_joined()) {
-        result.bounds.missed_mm += job.options.join_tolerance;
-        result.bounds.gained_mm += job.options.join_tolerance;
+        result.bounds.missed_mm += plan.join_tolerance;
+        result.bounds.gained_mm += plan.join_tolerance;
     }
-    mill.finish(needs_surface(job.options));
+    mill.finish(plan.keep_boundary);
     return result;
 }
 

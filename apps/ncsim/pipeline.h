@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Job → part: the one place where all stages meet.
+// Plan → part: the one place where all stages meet.
 #pragma once
 
 #include "ncsim/cda/boundary.h"
@@ -13,7 +13,7 @@
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/verifier.h"
 
-#include "job.h"
+#include "plan.h"
 #include "survey.h"
 
 #include <cstdint>
@@ -36,9 +36,9 @@ struct Simulation : report::PartFacts {
     std::unique_ptr<cda::WorkpieceModel> part;
     exporter::Provenance provenance;        ///< For the origins in `part`.
     std::vector<Cut> cuts;                  ///< For the same origins; only if they are kept.
-    std::optional<cda::Boundary> boundary;  ///< Of `part`, if needs_surface().
+    std::optional<cda::Boundary> boundary;  ///< Of `part`, if it is kept.
     std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
-    std::vector<cda::Cell> carved;  ///< What was taken away, if it is to be written (--save-stock).
+    std::vector<cda::Cell> carved;          ///< What was taken away, if it is kept.
     verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
     std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
     std::uint32_t line = 0;         ///< Of the last motion that was made; 0: none yet.
@@ -48,7 +48,7 @@ struct Simulation : report::PartFacts {
         toolpath::Pose X_WT;
     };
     std::optional<Standing> standing;
-    std::vector<exporter::PathLine> paths;  ///< Of the tip, if pictures are to show them.
+    std::vector<exporter::PathLine> paths;  ///< Of the tip, if they are kept.
     gcode::Diagnostics diagnostics;         ///< Motions that could not be followed.
 };
 
@@ -83,9 +83,9 @@ struct Verification {
 /// A simulation would take more than Verification::most_steps.
 struct StepLimit {};
 
-/// Requires survey.is_ready(). The result depends on `job` and `verification` only. `progress` may
-/// be empty. Where options.at_line is set, what comes after that line is not done.
-Simulation simulate(const Job& job, const Survey& survey, const Verification& verification,
+/// Requires survey.is_ready(). The result depends on `plan` and `verification` only. `progress` may
+/// be empty. Where plan.at_line is set, what comes after that line is not done.
+Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const Onlooker& onlooker = {});
 
 }  // namespace ncsim::app

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program_options.h"
 
+#include "ncsim/setup/stock_file.h"
 #include "ncsim/toolpath/stock.h"
-
-#include "stock_file.h"
 
 #include <fmt/format.h>
 
@@ -52,7 +51,7 @@ toolpath::ToolSpec read_assumed_tool(const std::string& text) {
 }
 
 toolpath::Stock read_stock(const std::string& text) {
-    if (is_stock_file(text)) {
+    if (setup::is_stock_file(text)) {
         toolpath::Stock stock;
         stock.from = toolpath::StockFile{text};
         return stock;
@@ -65,7 +64,7 @@ toolpath::Stock read_stock(const std::string& text) {
 
 std::string read_turn(const std::string& text) {
     try {
-        parse_turn(text);
+        setup::parse_turn(text);
     } catch (const std::invalid_argument& e) {
         throw Refusal{fmt::format("--stock-turn {}", e.what())};
     }

@@ -37,8 +37,8 @@ toolpath::Stock within(const toolpath::Stock& stock, const cda::Box& box, double
 
 }  // namespace
 
-Refiner::Refiner(const Job& job, const Survey& survey, const verify::Setup& setup)
-    : job_(&job),
+Refiner::Refiner(const Plan& plan, const Survey& survey, const verify::Setup& setup)
+    : plan_(&plan),
       survey_(&survey),
       setup_(&setup),
       steps_left_(std::max(kLeastSteps, kStepsPerMove * survey.moves)) {}
@@ -64,13 +64,12 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
         constexpr double kFinest = 1e-5;
         return std::max(mm / factor, kFinest);
     };
-    Job job = *job_;
-    job.interpreter.observe_frame = nullptr;
-    job.options.tool_tolerance = finer(job.options.tool_tolerance);
-    job.options.tolerance = finer(job.options.tolerance);
+    Plan plan = *plan_;
+    plan.job.interpreter.observe_frame = nullptr;
+    plan.tool_tolerance = finer(plan.tool_tolerance);
+    plan.tolerance = finer(plan.tolerance);
     Survey survey = *survey_;
-    static_cast<toolpath::Stock&>(*survey.stock) =
-        within(*survey.stock, box, job.options.tool_tolerance);
+    static_cast<toolpath::Stock&>(*survey.stock) = within(*survey.stock, box, plan.tool_tolerance);
     const cda::Shape& shape = *survey.stock->shape;
     // A finer bar may not reach there.
     if (!cda::ConvexPolytope::of(shape.outer, shape.lattice)) return std::nullopt;
@@ -87,7 +86,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     }
     setup.rapid = setup_->rapid;
     const toolpath::Watch watch = verify::watch_of(setup);
-    setup.accuracy.tolerance_mm = job.options.tool_tolerance;
+    setup.accuracy.tolerance_mm = plan.tool_tolerance;
     verify::Verifier verifier(std::move(setup), survey.stock->box,
                               toolpath::stock_lattice(*survey.stock));
     Verification verification;
@@ -98,7 +97,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     verification.only_motion = contact.motion;
     verification.most_steps = steps_left_;
     try {
-        steps_left_ -= simulate(job, survey, verification, {}).steps;
+        steps_left_ -= simulate(plan, survey, verification, {}).steps;
     } catch (const StepLimit&) {
         steps_left_ = 0;
         return Certainty::Within;

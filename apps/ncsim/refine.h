@@ -16,7 +16,7 @@ namespace ncsim::app {
 class Refiner {
 public:
     /// `setup` is what is verified against; all three must outlive it.
-    Refiner(const Job& job, const Survey& survey, const verify::Setup& setup);
+    Refiner(const Plan& plan, const Survey& survey, const verify::Setup& setup);
 
     /// Tools sixteen times as fine, then once more so. Certain as soon as one of the boxes is,
     /// nothing if none of them is open any more. Costs a simulation of the boxes each; after
@@ -33,7 +33,7 @@ private:
     std::optional<verify::Certainty> look(const verify::OpenContact& contact, const cda::Box& box,
                                           double factor);
 
-    const Job* job_;
+    const Plan* plan_;
     const Survey* survey_;
     const verify::Setup* setup_;
     int looks_ = 0;

@@ -14,17 +14,17 @@
 #include "ncsim/export/vrml.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/report/sheet.h"
+#include "ncsim/setup/stock_file.h"
 
 #include "animation.h"
 #include "console.h"
-#include "job.h"
 #include "outcome.h"
 #include "output.h"
 #include "picture.h"
 #include "pipeline.h"
+#include "plan_options.h"
 #include "progress.h"
 #include "save_job.h"
-#include "stock_file.h"
 #include "survey.h"
 
 #include <fmt/format.h>
@@ -47,11 +47,11 @@ namespace ncsim::app {
 namespace {
 
 // Lines of other files have the same numbers: with them, no text is sure to be right.
-std::map<std::uint32_t, std::string> text_of_lines(const Job& job, const Survey& survey,
+std::map<std::uint32_t, std::string> text_of_lines(const Plan& plan, const Survey& survey,
                                                    const exporter::Provenance& provenance) {
     std::map<std::uint32_t, std::string> text;
     if (survey.interpretation.files.size() > 1) return text;
-    const std::vector<std::string_view> lines = gcode::lines_of(job.program);
+    const std::vector<std::string_view> lines = gcode::lines_of(plan.job.program);
     for (const auto& entry : provenance.entries) {
         if (entry.nc_line == 0 || entry.nc_line > lines.size()) continue;
         text.try_emplace(entry.nc_line, lines[entry.nc_line - 1]);
@@ -60,7 +60,7 @@ std::map<std::uint32_t, std::string> text_of_lines(const Job& job, const Survey&
 }
 
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
-    const Options& o = outcome.job.options;
+    const Options& o = outcome.options;
     const Simulation& s = *outcome.simulation;
     const cda::Boundary* mesh =
         outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
@@ -95,8 +95,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         exporter::write_step(out, *outcome.boundary, s.provenance, options);
     });
     outputs.write(o.save_stock, [&](std::ostream& out) {
-        const cda::Shape stock = toolpath::stock_shape(*outcome.survey.stock, o.tool_tolerance);
-        write_stock_file(out, stock, s.carved);
+        const cda::Shape stock =
+            toolpath::stock_shape(*outcome.survey.stock, outcome.plan.tool_tolerance);
+        setup::write_stock_file(out, stock, s.carved);
     });
     flat_only(o.stats, cda::write_statistics_csv);
     flat_only(o.xml, cda::write_xml);
@@ -104,7 +105,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
 
 // A draft is as fine as its picture, in which a pixel is about a thousandth of the block, and no
 // finer than it has to be; tools stay round.
-void coarsen(Options& options, const Survey& survey) {
+void coarsen(Plan& plan, const Options& options, const Survey& survey) {
     if (!options.draft || !survey.is_ready()) return;
     constexpr double kCoarser = 4.0;  // than usual, at least
     constexpr double kOfBlock = 1.0 / 1200.0;
@@ -118,59 +119,59 @@ void coarsen(Options& options, const Survey& survey) {
     const auto hundredths = [](double mm) { return std::floor(100.0 * mm) / 100.0; };
     if (!options.tolerance_told) {
         const double most = std::min(kOfBlock * size, kMost);
-        options.tolerance = std::max(kCoarser * options.tolerance, hundredths(most));
+        plan.tolerance = std::max(kCoarser * plan.tolerance, hundredths(most));
     }
     if (!options.tool_tolerance_told) {
         const double most = std::min({kToolOfBlock * size, kOfTool * thinnest, kMost});
-        options.tool_tolerance = std::max(kCoarser * options.tool_tolerance, hundredths(most));
+        plan.tool_tolerance = std::max(kCoarser * plan.tool_tolerance, hundredths(most));
     }
-    if (!options.at_line) options.join_tolerance = options.tolerance;
+    if (!options.at_line) plan.join_tolerance = plan.tolerance;
 }
 
 }  // namespace
 
 int run(Options options) {
-    InputSet inputs;
+    setup::InputSet inputs;
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    Job job = read_job(std::move(options), inputs);
-    const Options& o = job.options;
+    Plan plan = plan_for(options, inputs);
+    const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
 
-    Survey survey = app::survey(job);
-    if (survey.is_flat() || survey.only_rapid) job.options.shows_path = true;
-    coarsen(job.options, survey);
+    Survey survey = app::survey(plan);
+    if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
+    coarsen(plan, options, survey);
     // Of a program that is not read, there is nothing to assume.
     if (!o.quiet && !survey.interpretation.refused)
-        say(report::assumption_sheet(job.program.name, survey, cutting_facts(job)));
-    print_findings(job.program, survey.diagnostics);
+        say(report::assumption_sheet(plan.job.program.name, survey, cutting_facts(plan)));
+    print_findings(plan.job.program, survey.diagnostics);
 
     if (o.at_line && *o.at_line > survey.interpretation.lines) {
         throw std::runtime_error(fmt::format("--at-line {}: the program has {} lines", *o.at_line,
                                              survey.interpretation.lines));
     }
 
-    Outcome outcome{job, survey};
+    Outcome outcome{options, plan, survey};
     std::optional<Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
-        Animation animation(job, survey, outputs);
+        Animation animation(options, survey, outputs);
         const auto take_frame = [&](const Simulation& so_far) {
-            Outcome now{job, survey, &so_far};
+            Outcome now{options, plan, survey, &so_far};
             if (so_far.boundary) now.boundary = &*so_far.boundary;
             animation.take(now);
         };
-        simulation = simulate(job, survey, {}, [&](std::uint64_t done) { progress.update(done); },
+        simulation = simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); },
                               {animation.every(), take_frame});
         if (animation.every() != 0) take_frame(*simulation);
-        print_findings(job.program, simulation->diagnostics);
+        print_findings(plan.job.program, simulation->diagnostics);
         survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),
                                   simulation->diagnostics.end());
         outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
-        simulation->provenance.text = text_of_lines(job, survey, simulation->provenance);
+        simulation->provenance.text = text_of_lines(plan, survey, simulation->provenance);
         outcome.simulation = &*simulation;
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
         if (o.simplify && outcome.boundary) {
@@ -180,7 +181,7 @@ int run(Options options) {
         write_outputs(outcome, outputs);
     }
     outputs.write(o.save_job,
-                  [&](std::ostream& out) { save_job(out, job, survey, job.options.save_job); });
+                  [&](std::ostream& out) { save_job(out, plan.job, survey, o.save_job); });
     outputs.write(o.report,
                   [&](std::ostream& out) { report::write_report(out, run_facts(outcome)); });
     outputs.commit();

@@ -38,8 +38,6 @@ struct Options : ProgramOptions, SimulationOptions {
     bool quiet = false;
     /// A first look: tools that nobody describes are guessed, round shapes are coarser.
     bool draft = false;
-    /// Moves in a row become one where they stay that near to a line, mm: in drafts.
-    double join_tolerance = 0.0;
     /// In the report: what each block removed, which is several times the work.
     bool block_volumes = false;
 };

@@ -2,8 +2,7 @@
 #include "save_job.h"
 
 #include "ncsim/report/told.h"
-
-#include "job_file.h"
+#include "ncsim/setup/job_file.h"
 
 #include <filesystem>
 #include <utility>
@@ -12,7 +11,7 @@ namespace ncsim::app {
 
 namespace {
 
-cda::Vec3 offset_of(const Job& job, int number) {
+cda::Vec3 offset_of(const setup::Job& job, int number) {
     const toolpath::ToolEntry* entry = toolpath::find_tool(job.tools, number);
     return entry ? entry->offset : cda::Vec3{};
 }
@@ -24,7 +23,8 @@ std::string seen_from(const std::string& job_file, const std::string& path) {
     return fs::absolute(path).lexically_normal().lexically_proximate(folder).generic_string();
 }
 
-void add_tools(JobFile& file, JobRemarks& remarks, const Job& job, const Survey& survey) {
+void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Job& job,
+               const Survey& survey) {
     for (const auto& [number, used] : survey.tools) {
         std::vector<std::string> lines{
             report::told(used.told_by, used.span, used.text, used.file, "--tool")};
@@ -47,9 +47,10 @@ void add_tools(JobFile& file, JobRemarks& remarks, const Job& job, const Survey&
 
 }  // namespace
 
-void save_job(std::ostream& out, const Job& job, const Survey& survey, const std::string& path) {
-    JobFile file;
-    JobRemarks remarks;
+void save_job(std::ostream& out, const setup::Job& job, const Survey& survey,
+              const std::string& path) {
+    setup::JobFile file;
+    setup::JobRemarks remarks;
     if (job.options.program != "-") file.program = seen_from(path, job.options.program);
     file.inches = job.options.inches.value_or(false);
     file.dialect = survey.interpretation.dialect.dialect;
@@ -68,7 +69,7 @@ void save_job(std::ostream& out, const Job& job, const Survey& survey, const std
                                      survey.stock->file, "--stock");
     }
     add_tools(file, remarks, job, survey);
-    write_job_file(out, file, remarks);
+    setup::write_job_file(out, file, remarks);
 }
 
 }  // namespace ncsim::app

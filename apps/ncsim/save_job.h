@@ -3,7 +3,8 @@
 // What `--save-job` writes: everything a program stood on, so that it can be run again.
 #pragma once
 
-#include "job.h"
+#include "ncsim/setup/job.h"
+
 #include "survey.h"
 
 #include <iosfwd>
@@ -14,6 +15,7 @@ namespace ncsim::app {
 /// The tools, the stock and the reading of the program as they were used, also what had to be
 /// assumed (with a comment that says so). `path` is where it will stand: the program is named as
 /// seen from there.
-void save_job(std::ostream& out, const Job& job, const Survey& survey, const std::string& path);
+void save_job(std::ostream& out, const setup::Job& job, const Survey& survey,
+              const std::string& path);
 
 }  // namespace ncsim::app

@@ -2,12 +2,11 @@
 #include "survey.h"
 
 #include "ncsim/cda/cell.h"
+#include "ncsim/setup/tool_clues.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/trace.h"
-
-#include "tool_clues.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +50,7 @@ public:
         toolpath::HighestLevels levels;
         cda::Vec3 farthest_tip;  // from the axes X, Y and Z
         cda::Vec3 travelled;     // along X, Y and Z at feed, there and back
-        ToolClues clues;
+        setup::ToolClues clues;
     };
 
     void take(const gcode::Motion& motion) {
@@ -147,38 +146,38 @@ double assumed_length(const Survey& survey, const MotionSurvey& motions,
 }
 
 // Which description belongs to this tool number?
-const toolpath::ToolEntry* entry_for(const Job& job, int number, bool is_only_tool) {
-    if (const auto* entry = toolpath::find_tool(job.tools, number)) return entry;
+const toolpath::ToolEntry* entry_for(const Plan& plan, int number, bool is_only_tool) {
+    if (const auto* entry = toolpath::find_tool(plan.job.tools, number)) return entry;
     // A program that never calls a tool, and one tool that somebody describes: it is that one.
-    if (number == 0 && is_only_tool && job.tools.size() == 1) return &job.tools.front();
+    if (number == 0 && is_only_tool && plan.job.tools.size() == 1) return &plan.job.tools.front();
     return nullptr;
 }
 
 // A path at Z0 that cuts nothing, whatever the tool is.
-bool touches_only(const Job& job, const Survey& result) {
-    return result.is_flat() && (!job.stock || job.stock->box.max.z <= 0.0);
+bool touches_only(const Plan& plan, const Survey& result) {
+    return result.is_flat() && (!plan.job.stock || plan.job.stock->box.max.z <= 0.0);
 }
 
-void choose_tools(const Job& job, const MotionSurvey& motions, Survey& result) {
-    const double length = assumed_length(result, motions, job.stock);
+void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result) {
+    const double length = assumed_length(result, motions, plan.job.stock);
     for (const auto& [number, track] : motions.tracks()) {
         report::UsedTool used;
         used.first = track.first;
         toolpath::ToolSpec spec;
-        if (const auto* entry = entry_for(job, number, motions.tracks().size() == 1)) {
+        if (const auto* entry = entry_for(plan, number, motions.tracks().size() == 1)) {
             spec = entry->spec;
             used.told_by = entry->told_by;
             used.span = entry->span;
             used.text = entry->text;
             used.file = entry->file;
-        } else if (job.options.assumed_tool) {
-            spec = *job.options.assumed_tool;
+        } else if (plan.job.options.assumed_tool) {
+            spec = *plan.job.options.assumed_tool;
             used.told_by = ToldBy::Assumption;
             used.text = spec.description;
-        } else if (track.cutting_tips.is_empty() && !(result.only_rapid && job.options.draft)) {
+        } else if (track.cutting_tips.is_empty() && !(result.only_rapid && plan.draft)) {
             continue;  // only positioned: for a picture, what it looks like does not matter
         } else if (const std::string guess = track.clues.guess(result.interpretation.uses_inches);
-                   job.options.draft || touches_only(job, result)) {
+                   plan.draft || touches_only(plan, result)) {
             std::string message;
             spec = toolpath::parse_tool_option("T1=" + guess, message).value();
             spec.description = guess;
@@ -256,8 +255,8 @@ void place_at_zero(cda::Box& box, const cda::Box& tips) {
     box.max = box.min + size;
 }
 
-void choose_stock(const Job& job, const MotionSurvey& motions, Survey& result) {
-    result.stock = job.stock;
+void choose_stock(const Plan& plan, const MotionSurvey& motions, Survey& result) {
+    result.stock = plan.job.stock;
     if (result.stock) {
         cda::Box tips;
         for (const auto& [number, track] : motions.tracks()) {
@@ -342,25 +341,25 @@ struct Look {
     std::array<bool, 3> told;  // X, Y, Z, by some move or by the start
 };
 
-Look look_at(const Job& job, const std::array<bool, 3>& untold) {
+Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
     Look look;
     Survey& result = look.survey;
     result.untold = untold;
     MotionSurvey motions(result);
-    result.interpretation = gcode::interpret(job.program, job.interpreter,
+    result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
     look.told = motions.told();
     result.diagnostics = result.interpretation.diagnostics;
-    result.diagnostics.insert(result.diagnostics.end(), job.diagnostics.begin(),
-                              job.diagnostics.end());
+    result.diagnostics.insert(result.diagnostics.end(), plan.job.diagnostics.begin(),
+                              plan.job.diagnostics.end());
 
     if (result.interpretation.refused) return look;  // and the interpreter said why
     // What did not end once does not have to be cut to be known not to end.
     if (hits_step_limit(result.diagnostics)) return look;
     result.ready = true;
-    if (result.moves == 0 || (result.feed_moves == 0 && !job.stock)) {
+    if (result.moves == 0 || (result.feed_moves == 0 && !plan.job.stock)) {
         result.only_rapid = result.moves > 0;
-        const bool drawn = result.only_rapid && job.options.draft;
+        const bool drawn = result.only_rapid && plan.draft;
         tell(result, drawn ? Severity::Warning : Severity::Error, "no-motion",
              result.moves == 0 ? "the program makes no move"
              : drawn
@@ -368,7 +367,7 @@ Look look_at(const Job& job, const std::array<bool, 3>& untold) {
                  : "the program makes no cutting move, only rapid ones; for a picture of its path: "
                    "--draft",
              result.first_move);
-        if (result.only_rapid) choose_tools(job, motions, result);
+        if (result.only_rapid) choose_tools(plan, motions, result);
         if (drawn) put_nothing(result, around_tips(result.tip_positions));
         result.ready = drawn;
         return look;
@@ -379,9 +378,9 @@ Look look_at(const Job& job, const std::array<bool, 3>& untold) {
              "trace",
              motions.first_cut_from_nowhere());
     }
-    choose_tools(job, motions, result);
+    choose_tools(plan, motions, result);
     if (!result.ready) return look;
-    choose_stock(job, motions, result);
+    choose_stock(plan, motions, result);
     if (!result.stock) {
         tell(result, Severity::Error, "no-motion",
              "no cutting move starts at a place that the program tells", result.first_move);
@@ -407,17 +406,17 @@ Look look_at(const Job& job, const std::array<bool, 3>& untold) {
 
 }  // namespace
 
-Survey survey(Job& job) {
-    Look look = look_at(job, {});
+Survey survey(Plan& plan) {
+    Look look = look_at(plan, {});
     const Survey& first = look.survey;
-    const bool drawn = first.feed_moves > 0 || (first.only_rapid && job.options.draft);
+    const bool drawn = first.feed_moves > 0 || (first.only_rapid && plan.draft);
     if (first.interpretation.refused || !drawn) return std::move(look.survey);
     std::array<bool, 3> untold{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         untold[axis] = !look.told[axis];
-        if (untold[axis]) job.interpreter.start[axis] = gcode::Length();
+        if (untold[axis]) plan.job.interpreter.start[axis] = gcode::Length();
     }
-    if (untold != std::array<bool, 3>{}) look = look_at(job, untold);
+    if (untold != std::array<bool, 3>{}) look = look_at(plan, untold);
     tell_untold(look.survey);
     return std::move(look.survey);
 }

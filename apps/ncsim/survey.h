@@ -7,7 +7,7 @@
 #include "ncsim/gcode/source.h"
 #include "ncsim/report/facts.h"
 
-#include "job.h"
+#include "plan.h"
 
 #include <set>
 
@@ -27,9 +27,9 @@ struct Survey : report::ProgramFacts {
     bool ready = false;
 };
 
-/// Reads the program once, or twice where it never tells an axis: then `job` is told that it starts
-/// at 0 there.
-Survey survey(Job& job);
+/// Reads the program once, or twice where it never tells an axis: then `plan` is told that it
+/// starts at 0 there.
+Survey survey(Plan& plan);
 
 /// Makes one that is `only_rapid` ready, with a stock that is empty: for those who ask what else
 /// the tools meet.

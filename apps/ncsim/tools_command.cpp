@@ -2,10 +2,11 @@
 #include "tools_command.h"
 
 #include "ncsim/report/tool_sheet.h"
+#include "ncsim/setup/job.h"
 
 #include "console.h"
-#include "job.h"
 #include "output.h"
+#include "plan.h"
 #include "save_job.h"
 #include "survey.h"
 
@@ -24,16 +25,16 @@ CLI::App* add_tools(CLI::App& app, ToolsOptions& options) {
 }
 
 int run(const ToolsOptions& options) {
-    Options all;
-    static_cast<ProgramOptions&>(all) = options;
-    InputSet inputs;
+    setup::InputSet inputs;
     OutputSet outputs(inputs);
     if (options.json) outputs.claim_standard_output("--json");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    Job job = read_job(std::move(all), inputs);
+    Plan plan;
+    plan.job = setup::read_job(options, inputs);
     outputs.reserve(options.save_job);
-    const Survey survey = app::survey(job);
+    const Survey survey = app::survey(plan);
+    const setup::Job& job = plan.job;
     if (options.json) {
         put_out(report::tool_sheet_json(job.program.name, survey, job.tools));
     } else {

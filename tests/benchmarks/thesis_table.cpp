@@ -6,8 +6,8 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 
-#include "job.h"
 #include "pipeline.h"
+#include "plan_options.h"
 #include "survey.h"
 
 #include <chrono>
@@ -31,10 +31,10 @@ void measure(const std::filesystem::path& folder, const std::filesystem::path& f
     options.program = file.string();
     options.model = "cda-flat";
     options.stats = "timed";  // the model gets a clock; nothing is written here
-    app::InputSet inputs;
-    app::Job job = app::read_job(options, inputs);
-    const app::Survey survey = app::survey(job);
-    const app::Simulation run = app::simulate(job, survey, {}, {});
+    setup::InputSet inputs;
+    app::Plan plan = app::plan_for(options, inputs);
+    const app::Survey survey = app::survey(plan);
+    const app::Simulation run = app::simulate(plan, survey, {}, {});
     const auto& part = dynamic_cast<const cda::FlatCda&>(*run.part);
 
     // Rendering along the way: the same cells again, a picture at every twentieth of them.

@@ -2,8 +2,9 @@
 //
 // Files of all kinds, under any name: inputs that never end, links, devices, "-" — and no output
 // that destroys an input.
+#include "ncsim/setup/input.h"
+
 #include "cli/run_program.h"
-#include "input.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ TEST(Input, IsReadUpToALimit) {
     const Folder folder;
     folder.write("a", "12345");
     const std::string path = (folder.path() / "a").string();
-    app::InputSet inputs;
+    setup::InputSet inputs;
     EXPECT_EQ(inputs.read(path, 5), "12345");
     EXPECT_THROW(inputs.read(path, 4), std::runtime_error);
 }

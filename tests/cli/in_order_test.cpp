@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "in_order.h"
 
-#include "budget.h"
+#include "ncsim/setup/budget.h"
+
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(InOrder, WorkEndsWhenNobodyTakesItsResults) {
 
 TEST(Budget, IsUsedUpWhenWorkIsToStop) {
     std::stop_source stop;
-    app::Budget budget;
+    setup::Budget budget;
     budget.stop_with(stop.get_token());
     EXPECT_NO_THROW(budget.check("a.nc", 3));
     stop.request_stop();

@@ -19,7 +19,7 @@ protected:
     std::string at(const char* name) const { return (folder.path() / name).string(); }
     static void hello(std::ostream& out) { out << "hello"; }
     Folder folder;
-    InputSet inputs;
+    setup::InputSet inputs;
 };
 
 TEST_F(Outputs, AppearAllAtOnceWhenCommitted) {

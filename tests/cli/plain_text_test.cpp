@@ -23,10 +23,10 @@ TEST(PlainText, KeepsWhatIsPlain) {
 TEST(PlainText, HasNoControlCharacters) {
     EXPECT_EQ(report::printable("a\tb\x1b[2J\r\nc\x7f"), "a b?[2J?\nc?");
     EXPECT_EQ(report::printable("\xc2\x9b"
-                             "31m \x9b ok \xc3\xbc \xfc"),
+                                "31m \x9b ok \xc3\xbc \xfc"),
               "??31m ? ok \xc3\xbc \xfc");
     EXPECT_EQ(report::printable("\xe2\x80\xae"
-                             "reversed \xe2\x80\xa8 \xe2\x82\xac"),
+                                "reversed \xe2\x80\xa8 \xe2\x82\xac"),
               "???reversed ??? \xe2\x82\xac");
     EXPECT_EQ(report::one_line("a\nb"), "a?b");
 }
@@ -36,7 +36,8 @@ TEST(PlainText, HasNothingThatACiServiceObeys) {
               "?:error::x\n  ?:add-mask::y\n\xc2\xa0?:z\nok ::w");
     EXPECT_EQ(report::printable("##[error]x\na ##vso[b] ###TeamCity[c]"),
               "#?[error]x\na #?vso[b] ##?TeamCity[c]");
-    EXPECT_EQ(report::printable("G1 X##[100] Y##[#1] #[##2] Z##3"), "G1 X##[100] Y##[#1] #[##2] Z##3");
+    EXPECT_EQ(report::printable("G1 X##[100] Y##[#1] #[##2] Z##3"),
+              "G1 X##[100] Y##[#1] #[##2] Z##3");
 }
 
 TEST(PlainText, LeavesPathsThatLeadToTheSameFile) {

@@ -7,11 +7,12 @@ set(layers
   "verify:   gcode toolpath cda"
   "export:   cda"
   "report:   gcode toolpath cda verify"
-  "app:      gcode toolpath cda verify export report")
+  "setup:    gcode toolpath cda verify report"
+  "app:      gcode toolpath cda verify export report setup")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library gcode cda toolpath verify export report)
+foreach(library gcode cda toolpath verify export report setup)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 

@@ -2,6 +2,7 @@
 #include "nightly/simulated.h"
 
 #include "options.h"
+#include "plan_options.h"
 
 #include <unistd.h>
 
@@ -36,15 +37,15 @@ app::Simulation ProgramFile::run(const Program& program,
     if (const auto* farewell = std::get_if<app::Farewell>(&command)) {
         throw std::runtime_error("the options are refused: " + farewell->text);
     }
-    app::InputSet inputs;
-    app::Job job = app::read_job(std::get<app::Options>(command), inputs);
-    const app::Survey survey = app::survey(job);
+    setup::InputSet inputs;
+    app::Plan plan = app::plan_for(std::get<app::Options>(command), inputs);
+    const app::Survey survey = app::survey(plan);
     for (const gcode::Diagnostic& d : survey.diagnostics) {
         if (d.severity != gcode::Severity::Error) continue;
         throw std::runtime_error("line " + std::to_string(d.span.line) + ": " + d.message);
     }
     if (!survey.is_ready()) throw std::runtime_error("the program is not simulated");
-    return app::simulate(job, survey, {}, {});
+    return app::simulate(plan, survey, {}, {});
 }
 
 StatedAccuracy stated_accuracy(const app::Simulation& simulation, const Program& program) {

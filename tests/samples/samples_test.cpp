@@ -14,9 +14,9 @@
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
 
-#include "job.h"
 #include "picture.h"
 #include "pipeline.h"
+#include "plan_options.h"
 #include "support/count.h"
 #include "support/golden.h"
 #include "support/random_shapes.h"
@@ -42,8 +42,9 @@ using cda::Vec3;
 
 // A sample, run once with both models.
 struct Sample {
-    app::InputSet inputs;
-    app::Job job;
+    setup::InputSet inputs;
+    app::Options options;
+    app::Plan plan;
     app::Survey survey;
     app::Simulation tree, flat;
     cda::Boundary boundary, flat_boundary;
@@ -54,16 +55,16 @@ const Sample& sample(const std::string& name) {
     auto& slot = samples[name];
     if (!slot) {
         slot = std::make_unique<Sample>();
-        app::Options options;
+        app::Options& options = slot->options;
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/" + name + ".nc";
         options.model = "cda";
         // Keeps the cells, of circumscribed tools; nothing is written here.
         options.save_stock = "kept.ncstock";
-        slot->job = app::read_job(options, slot->inputs);
-        slot->survey = app::survey(slot->job);
-        slot->tree = app::simulate(slot->job, slot->survey, {}, {});
-        slot->job.options.model = "cda-flat";
-        slot->flat = app::simulate(slot->job, slot->survey, {}, {});
+        slot->plan = app::plan_for(options, slot->inputs);
+        slot->survey = app::survey(slot->plan);
+        slot->tree = app::simulate(slot->plan, slot->survey, {}, {});
+        slot->plan.model = "cda-flat";
+        slot->flat = app::simulate(slot->plan, slot->survey, {}, {});
         slot->boundary = slot->tree.part->boundary();
         slot->flat_boundary = slot->flat.part->boundary();
     }
@@ -78,16 +79,16 @@ INSTANTIATE_TEST_SUITE_P(All, Samples, testing::Values("simple", "complex", "wav
 // A tool five times finer stands for the round one.
 TEST(FairTools, LeaveTheVolumeThatRoundOnesLeave) {
     const auto volume = [](double tolerance, toolpath::Side side) {
-        app::InputSet inputs;
+        setup::InputSet inputs;
         app::Options options;
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/wave.nc";
         options.model = "cda";
         options.tool_tolerance = tolerance;
-        app::Job job = app::read_job(options, inputs);
-        const app::Survey survey = app::survey(job);
+        app::Plan plan = app::plan_for(options, inputs);
+        const app::Survey survey = app::survey(plan);
         app::Verification verification;
         verification.side = side;
-        return app::simulate(job, survey, verification, {}).part->volume();
+        return app::simulate(plan, survey, verification, {}).part->volume();
     };
     const double round = volume(0.01, toolpath::Side::Fair);
     EXPECT_NEAR(volume(0.05, toolpath::Side::Fair), round, 2e-4 * round);
@@ -197,7 +198,7 @@ TEST_P(Samples, AgreeWithTheDefinitionNearTheSurface) {
     for (const auto& [number, used] : s.survey.tools) {
         cutters.try_emplace(number, used.tool, s.tree.lattice, toolpath::ToolAccuracy{});
     }
-    gcode::interpret(s.job.program, s.job.interpreter, [&](const gcode::Motion& motion) {
+    gcode::interpret(s.plan.job.program, s.plan.job.interpreter, [&](const gcode::Motion& motion) {
         const auto cutter = cutters.find(motion.tool);
         if (cutter == cutters.end() || !toolpath::has_known_start(motion)) return;
         const auto path = toolpath::sample(motion, cutter->second.extent(), {});
@@ -257,7 +258,7 @@ TEST_P(Samples, NameTheLineThatCutEachTriangle) {
     for (const auto& [number, used] : s.survey.tools) {
         cutters.try_emplace(number, used.tool, s.tree.lattice, toolpath::ToolAccuracy{});
     }
-    gcode::interpret(s.job.program, s.job.interpreter, [&](const gcode::Motion& motion) {
+    gcode::interpret(s.plan.job.program, s.plan.job.interpreter, [&](const gcode::Motion& motion) {
         const auto cutter = cutters.find(motion.tool);
         if (cutter == cutters.end() || !toolpath::has_known_start(motion)) return;
         const auto path = toolpath::sample(motion, cutter->second.extent(), {});
@@ -361,10 +362,10 @@ TEST(SampleFaces, OfSimpleStandInFilesOnce) {
 // What `ncsim run --png` shows of them, but smaller.
 TEST_P(Samples, LookAsTheyDid) {
     const Sample& s = sample(GetParam());
-    app::Job job = s.job;
-    job.options.width = 480;
-    job.options.height = 360;
-    app::Outcome outcome{job, s.survey, &s.tree};
+    app::Options options = s.options;
+    options.width = 480;
+    options.height = 360;
+    app::Outcome outcome{options, s.plan, s.survey, &s.tree};
     outcome.boundary = &s.boundary;
     exporter::test::expect_like_golden(app::picture(outcome),
                                        "samples/golden/" + GetParam() + ".png");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "budget.h"
+#include "ncsim/setup/budget.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -49,4 +49,4 @@ void Budget::check(const std::string& program, std::uint32_t line) const {
         throw std::runtime_error(fmt::format("{}:{}: {}: given up", program, line, *why));
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

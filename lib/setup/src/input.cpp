@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "input.h"
+#include "ncsim/setup/input.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::string seen_in(const std::string& folder, const std::string& name) {
     return path == kStandardInput ? "./-" : path;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -16,14 +16,13 @@
 //     neck = [11.5, 10]         # diameter, length above the flutes
 #pragma once
 
+#include "ncsim/setup/input.h"
 #include "ncsim/toolpath/tool_spec.h"
-
-#include "input.h"
 
 #include <string>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 /// For each tool number what such a file tells. Throws std::runtime_error with file, line and
 /// column for what is not TOML, unknown keys and holders, and values that make no sense.
@@ -32,4 +31,4 @@ std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputS
 /// Takes from `more` what `spec` does not tell of flutes, neck, shank and holder.
 void complete_assembly(toolpath::ToolSpec& spec, const toolpath::ToolSpec& more);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

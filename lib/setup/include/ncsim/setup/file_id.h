@@ -9,7 +9,7 @@
 
 struct stat;
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 /// A file by its device and inode; one that does not exist yet by those of its folder, and its name
 /// there.
@@ -36,4 +36,4 @@ std::string without_links(const std::string& path);
 /// The descriptor of this process that `path`, without links, stands for; -1 if it is none.
 int descriptor_named(const std::string& path);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job_file.h"
+#include "ncsim/setup/job_file.h"
 
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/json_string.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/stock_file.h"
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/setup.h"
 
-#include "stock_file.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
 
@@ -22,7 +23,7 @@
 #include <string_view>
 #include <utility>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -411,4 +412,4 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     }
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job.h"
+#include "ncsim/setup/job.h"
 
 #include "ncsim/gcode/subprogram_file.h"
 #include "ncsim/report/file_names.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/job_file.h"
+#include "ncsim/setup/stock_file.h"
 #include "ncsim/toolpath/tool_file.h"
 #include "ncsim/verify/machine.h"
 
 #include "holder_file.h"
-#include "job_file.h"
-#include "stock_file.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -116,7 +117,7 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
 }
 
 // What the command line leaves open, and who said the rest.
-JobFile take_job_file(Options& options, InputSet& inputs) {
+JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     JobFile file =
         parse_job_file({name_of_input(options.job), inputs.read(options.job, kMostSetUpBytes)});
     const std::string folder = std::filesystem::path(options.job).parent_path().string();
@@ -150,7 +151,7 @@ JobFile take_job_file(Options& options, InputSet& inputs) {
 }
 
 // CAMotics projects also tell the unit of programs that do not.
-std::vector<toolpath::ToolFile> read_tables(Options& options, InputSet& inputs) {
+std::vector<toolpath::ToolFile> read_tables(JobOptions& options, InputSet& inputs) {
     std::vector<toolpath::ToolFile> tables;
     for (const std::string& path : options.tool_tables) {
         gcode::SourceFile file{report::base_name(name_of_input(path)),
@@ -200,7 +201,7 @@ void add_holders(Job& job, const std::string& path, InputSet& inputs) {
     }
 }
 
-std::optional<toolpath::StockEntry> choose_stock(const Options& options, const JobFile& file,
+std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, const JobFile& file,
                                                  const std::vector<toolpath::ToolFile>& tables,
                                                  std::optional<toolpath::StockEntry> noted,
                                                  InputSet& inputs) {
@@ -231,24 +232,8 @@ std::optional<toolpath::StockEntry> choose_stock(const Options& options, const J
 
 }  // namespace
 
-void tell_offset(gcode::InterpreterOptions& options, int system, cda::Vec3 origin) {
-    gcode::Position at;
-    at.x = gcode::Length::from_mm(origin.x);
-    at.y = gcode::Length::from_mm(origin.y);
-    at.z = gcode::Length::from_mm(origin.z);
-    const auto named = options.work_offsets.size();
-    const auto index = static_cast<std::size_t>(system - 1);
-    if (index < named) {
-        options.work_offsets[index] = at;
-        options.work_offsets_told[index] = true;
-    } else {
-        options.extended_offsets[system - static_cast<int>(named)] = at;
-    }
-}
-
-Job read_job(Options options, InputSet& inputs) {
+Job read_job(JobOptions options, InputSet& inputs) {
     Job job;
-    job.budget = Budget(options.max_memory_gb, options.max_seconds);
     JobFile from_file;
     if (!options.job.empty()) from_file = take_job_file(options, inputs);
     job.program = {name_of_input(options.program), inputs.read(options.program)};
@@ -313,4 +298,4 @@ Job read_job(Options options, InputSet& inputs) {
     return job;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

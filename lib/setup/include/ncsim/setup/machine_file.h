@@ -49,16 +49,15 @@
 //     left_handed = false
 #pragma once
 
+#include "ncsim/setup/input.h"
 #include "ncsim/verify/machine.h"
 #include "ncsim/verify/setup.h"
-
-#include "input.h"
 
 #include <map>
 #include <optional>
 #include <string>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 struct MachineFile {
     /// Where the workpiece is in the machine follows from the program, too.
@@ -73,4 +72,4 @@ struct MachineFile {
 /// not TOML, unknown keys, wrong types and values that make no sense.
 MachineFile read_machine_file(const std::string& path, InputSet& inputs);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

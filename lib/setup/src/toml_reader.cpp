@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "toml_reader.h"
 
+#include "ncsim/setup/coordinate_systems.h"
+
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
 constexpr double kLargest = 1e6;
-constexpr int kNamedSystems = 9;  // G54 … G59.3
 
 std::runtime_error error_at(const std::string& name, const toml::source_region& where,
                             const std::string& what) {
@@ -139,23 +139,4 @@ std::map<int, cda::Vec3> read_offsets(const TomlReader& reader, const toml::node
     return offsets;
 }
 
-std::optional<int> system_named(const std::string& name) {
-    for (int system = 1; system <= kNamedSystems; ++system) {
-        if (name_of_system(system) == name) return system;
-    }
-    constexpr std::string_view kExtended = "G54.1 P";
-    if (!name.starts_with(kExtended)) return std::nullopt;
-    int number = 0;
-    const char* end = name.data() + name.size();
-    const auto read = std::from_chars(name.data() + kExtended.size(), end, number);
-    if (read.ec != std::errc{} || read.ptr != end || number < 1 || number > 300)
-        return std::nullopt;
-    return kNamedSystems + number;
-}
-
-std::string name_of_system(int system) {
-    if (system > kNamedSystems) return fmt::format("G54.1 P{}", system - kNamedSystems);
-    return system > 6 ? fmt::format("G59.{}", system - 6) : fmt::format("G{}", 53 + system);
-}
-
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "machine_file.h"
+#include "ncsim/setup/machine_file.h"
 
-#include "mesh_file.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/mesh_file.h"
+
 #include "toml_reader.h"
 #include "tool_keys.h"
 
@@ -14,7 +16,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -184,4 +186,4 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     return file;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

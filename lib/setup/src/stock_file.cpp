@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stock_file.h"
+#include "ncsim/setup/stock_file.h"
 
-#include "mesh_file.h"
+#include "ncsim/setup/mesh_file.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -113,4 +113,4 @@ void write_stock_file(std::ostream& out, const cda::Shape& stock,
     writer.end();
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 /// What a job file says; what it does not say is empty. Lengths in mm, angles in degrees.
 struct JobFile {
@@ -49,4 +49,4 @@ struct JobRemarks {
 /// What parse_job_file() reads back. Paths stand there as they are in `file`.
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -14,7 +14,7 @@
 #include <set>
 #include <string>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 class ToolClues {
 public:
@@ -40,4 +40,4 @@ private:
     std::array<std::set<std::int64_t>, 2> lines_;  // along X and Y: where, µm
 };
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 std::vector<toolpath::ToolSegment> read_segments(const TomlReader& r, const toml::node& node,
                                                  const std::string& key) {
@@ -21,4 +21,4 @@ std::vector<toolpath::ToolSegment> read_segments(const TomlReader& r, const toml
     return segments;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tool_clues.h"
+#include "ncsim/setup/tool_clues.h"
 
 #include "ncsim/toolpath/machine.h"
 
@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::string ToolClues::guess(bool inches) const {
     return std::string(kind).append(":D").append(size->text).append(engraves ? ":A60" : "");
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 class Budget {
 public:
@@ -35,4 +35,4 @@ private:
     mutable std::uint32_t asked_ = 0;
 };
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -4,12 +4,11 @@
 #pragma once
 
 #include "ncsim/cda/mesh.h"
-
-#include "input.h"
+#include "ncsim/setup/input.h"
 
 #include <string>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 /// Reads STL, binary or text, with lengths in mm, or binary glTF 2.0 (.glb; metres with y up, which
 /// become millimetres with z up: what ncsim run --gltf writes comes back where it was). What it is,
@@ -21,4 +20,4 @@ namespace ncsim::app {
 /// triangles on one side as on the other; surfaces may touch) or turned inside out.
 cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

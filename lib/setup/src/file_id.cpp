@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "file_id.h"
+#include "ncsim/setup/file_id.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -75,4 +75,4 @@ int descriptor_named(const std::string& path) {
     return read.ec == std::errc{} && read.ptr == end ? descriptor : -1;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

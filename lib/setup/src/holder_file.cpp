@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <map>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 std::vector<toolpath::ToolSpec> read_holder_file(const std::string& path, InputSet& inputs) {
     const TomlReader r(name_of_input(path), inputs.read(path, kMostSetUpBytes));
@@ -81,4 +81,4 @@ void complete_assembly(toolpath::ToolSpec& spec, const toolpath::ToolSpec& more)
     if (spec.holder.empty()) spec.holder = more.holder;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

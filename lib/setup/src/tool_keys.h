@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 constexpr std::int64_t kMostTools = 99'999'999;
 
@@ -19,4 +19,4 @@ constexpr std::int64_t kMostTools = 99'999'999;
 std::vector<toolpath::ToolSegment> read_segments(const TomlReader& reader, const toml::node& node,
                                                  const std::string& key);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

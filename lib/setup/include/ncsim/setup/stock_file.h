@@ -5,15 +5,14 @@
 
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/shape.h"
+#include "ncsim/setup/input.h"
 #include "ncsim/toolpath/stock.h"
-
-#include "input.h"
 
 #include <iosfwd>
 #include <span>
 #include <string>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 /// Does `text` name such a file? By its end, .stl, .glb or .ncstock, or as "-", the standard input.
 bool is_stock_file(const std::string& text);
@@ -31,4 +30,4 @@ toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& input
 void write_stock_file(std::ostream& out, const cda::Shape& stock,
                       std::span<const cda::Cell> carved);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -3,7 +3,7 @@
 // Files that are read: all of them here, up to a limit, and never what the same run overwrites.
 #pragma once
 
-#include "file_id.h"
+#include "ncsim/setup/file_id.h"
 
 #include <cstdint>
 #include <map>
@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 /// The most that is read of one file: programs, surfaces, stock; what describes tools, machines and
 /// jobs; anything from a device such as /dev/zero, which may never end. Bytes.
@@ -54,4 +54,4 @@ std::string name_of_input(const std::string& path);
 /// How a file in `folder` names the file `name`; "-" is no standard input there.
 std::string seen_in(const std::string& folder, const std::string& name);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

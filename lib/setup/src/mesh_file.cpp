@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh_file.h"
+#include "ncsim/setup/mesh_file.h"
 
 #include "ncsim/cda/check.h"
 
@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 namespace {
 
@@ -326,4 +326,4 @@ cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs) {
     }
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::setup {
 
 class TomlReader {
 public:
@@ -60,8 +60,5 @@ private:
 /// "G54.1 P1" …, numbered as in gcode::MachineState::system.
 std::map<int, cda::Vec3> read_offsets(const TomlReader& reader, const toml::node& node,
                                       const std::string& key);
-/// "G54", "G59.1", "G54.1 P7" → its number; nothing if it is none.
-std::optional<int> system_named(const std::string& name);
-std::string name_of_system(int system);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::setup

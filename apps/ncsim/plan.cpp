@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan.h"
+
+namespace ncsim::app {
+
+report::CuttingFacts cutting_facts(const Plan& plan) {
+    return {plan.model, plan.tolerance, plan.tool_tolerance, plan.join_tolerance, plan.at_line};
+}
+
+}  // namespace ncsim::app

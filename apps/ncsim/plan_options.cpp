@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan_options.h"
+
+namespace ncsim::app {
+
+Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
+              setup::InputSet& inputs) {
+    Plan plan;
+    // Reading counts, too.
+    plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
+    plan.job = setup::read_job(program, inputs);
+    plan.model = simulation.model;
+    plan.tolerance = simulation.tolerance;
+    plan.tool_tolerance = simulation.tool_tolerance;
+    plan.threads = simulation.threads;
+    return plan;
+}
+
+Plan plan_for(const Options& options, setup::InputSet& inputs) {
+    Plan plan = plan_for(options, options, inputs);
+    plan.draft = options.draft;
+    plan.at_line = options.at_line;
+    plan.keep_boundary = needs_surface(options);
+    plan.keep_paths = options.shows_path;
+    plan.keep_carved = !options.save_stock.empty();
+    plan.block_volumes = options.block_volumes;
+    plan.hull_times = !options.stats.empty();
+    return plan;
+}
+
+}  // namespace ncsim::app
