@@ -26,7 +26,7 @@ constexpr int kLastFrameTime = 200;
 
 }  // namespace
 
-Animation::Animation(const Options& options, const Survey& survey, OutputSet& outputs)
+Animation::Animation(const Options& options, const simulation::Survey& survey, OutputSet& outputs)
     : options_(options), outputs_(outputs) {
     if (options_.frames.empty() && options_.gif.empty()) return;
     every_ = options_.every != 0 ? options_.every

@@ -17,7 +17,7 @@ namespace ncsim::app {
 class Animation {
 public:
     /// Makes the folder for frames if it is not there; throws std::runtime_error if that fails.
-    Animation(const Options& options, const Survey& survey, OutputSet& outputs);
+    Animation(const Options& options, const simulation::Survey& survey, OutputSet& outputs);
 
     /// Moves from one picture to the next; 0: none are asked for.
     std::uint64_t every() const { return every_; }

@@ -9,6 +9,7 @@
 #include "ncsim/report/page.h"
 #include "ncsim/report/rules.h"
 #include "ncsim/report/sarif.h"
+#include "ncsim/setup/machine_file.h"
 #include "ncsim/setup/mesh_file.h"
 
 #include "check_program.h"
@@ -43,14 +44,25 @@ int run(CheckOptions options) {
         inputs.expect(path);
     for (const std::string& path : outputs_of(options))
         outputs.reserve(path);
-    const setup::MachineFile machine = options.machine.empty()
-                                           ? setup::MachineFile{}
-                                           : setup::read_machine_file(options.machine, inputs);
-    std::optional<Design> design;
+    simulation::Questions questions;
+    if (!options.machine.empty())
+        questions.machine = setup::read_machine_file(options.machine, inputs);
+    std::optional<simulation::Design> design;
     if (!options.design.empty()) {
-        design = Design{setup::name_of_input(options.design),
-                        setup::read_mesh_file(options.design, inputs), options.design_tolerance};
+        design = simulation::Design{setup::name_of_input(options.design),
+                                    setup::read_mesh_file(options.design, inputs),
+                                    options.design_tolerance};
+        questions.design = &*design;
     }
+    questions.selection = options.selection;
+    questions.dog_leg = options.dog_leg;
+    questions.cut_free = options.cut_free;
+    questions.air_cuts = options.air_cuts;
+    questions.ledger = !options.csv.empty();
+    questions.look = !options.html.empty();
+    questions.warnings_as_errors = options.warnings_as_errors;
+    // With a single program, all that the command line tells is meant for it.
+    questions.tools_are_meant = options.programs.size() == 1;
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const auto count = static_cast<unsigned>(options.programs.size());
     const unsigned jobs = std::min(count, options.jobs > 0 ? options.jobs : cores);
@@ -64,8 +76,8 @@ int run(CheckOptions options) {
     in_order(
         all.size(), jobs,
         [&](std::size_t i, const std::stop_token& stop) {
-            exit_codes[i] = check_program(all[i], options.programs[i], options, machine,
-                                          design ? &*design : nullptr, threads, inputs, stop);
+            exit_codes[i] = check_program(all[i], options.programs[i], options, questions, threads,
+                                          inputs, stop);
         },
         [&](std::size_t i) {
             if (options.github) {

@@ -4,11 +4,9 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/setup/machine_file.h"
-#include "ncsim/toolpath/walk.h"
+#include "ncsim/simulation/check.h"
 
 #include "check_options.h"
-#include "design.h"
 
 #include <stop_token>
 #include <string>
@@ -17,13 +15,9 @@ namespace ncsim::app {
 
 /// Reads and verifies `path`; returns the exit code that the program alone would have. Never
 /// throws: what is wrong is in the result. The result depends on the file and the options only.
-/// `design` may be null. `threads` evaluate at a time. Gives up when it is asked to `stop`.
+/// `threads` evaluate at a time. Gives up when it is asked to `stop`.
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
-                  const setup::MachineFile& machine, const Design* design, unsigned threads,
-                  setup::InputSet& inputs, std::stop_token stop);
-
-/// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
-toolpath::RapidPath rapid_path(const CheckOptions& options,
-                               const verify::MachineDescription& machine);
+                  const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
+                  std::stop_token stop);
 
 }  // namespace ncsim::app

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Material in A that is not in B is what the cells of B find in A, one after another; so the
-// other program is run on the finished part, measured, and its ledger names the lines.
 #include "diff.h"
 
-#include "ncsim/cda/tree.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
-#include "ncsim/verify/verifier.h"
+#include "ncsim/simulation/compare_parts.h"
 
 #include "console.h"
 #include "output.h"
-#include "pipeline.h"
 #include "plan_options.h"
-#include "survey.h"
 
 #include <fmt/format.h>
 
@@ -27,10 +21,7 @@ namespace ncsim::app {
 
 namespace {
 
-struct Side {
-    Plan plan;
-    Survey survey;
-};
+using Side = simulation::Surveyed;
 
 Side read_side(const DiffOptions& diff, const std::string& path,
                const std::optional<toolpath::Stock>& stock, setup::InputSet& inputs) {
@@ -40,80 +31,8 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     Side side;
     side.plan = plan_for(options, diff, inputs);
     side.plan.model = "cda";
-    side.survey = survey(side.plan);
+    side.survey = simulation::survey(side.plan);
     return side;
-}
-
-// What of a motion the part can tell.
-struct Trace {
-    explicit Trace(const gcode::Motion& m)
-        : what(m.what), kind(m.kind), tool(m.tool), known(m.known_start) {}
-    decltype(gcode::Motion::what) what;
-    gcode::MoveKind kind;
-    int tool;
-    gcode::KnownAxes known;
-    bool operator==(const Trace&) const = default;
-};
-
-bool moves_alike(const Side& a, const Side& b) {
-    const auto same_tool = [](const auto& s, const auto& t) {
-        return s.first == t.first && s.second.tool == t.second.tool;
-    };
-    if (!std::ranges::equal(a.survey.tools, b.survey.tools, same_tool)) return false;
-    std::vector<Trace> traces;
-    gcode::interpret(a.plan.job.program, a.plan.job.interpreter, [&](const gcode::Motion& m) {
-        if (gcode::start_of(m)) traces.emplace_back(m);
-    });
-    std::size_t next = 0;
-    bool same = true;
-    gcode::interpret(b.plan.job.program, b.plan.job.interpreter, [&](const gcode::Motion& m) {
-        if (!gcode::start_of(m) || !same) return;
-        same = next < traces.size() && traces[next] == Trace(m);
-        ++next;
-    });
-    return same && next == traces.size();
-}
-
-const cda::TreeCda& tree_of(const Simulation& simulation) {
-    return dynamic_cast<const cda::TreeCda&>(*simulation.part);
-}
-
-// What `side` still takes away from the finished `part`.
-report::OneSided remainder(const Side& side, const Simulation& other) {
-    verify::Setup setup;
-    setup.ledger = true;
-    for (const verify::RuleInfo& rule : verify::rules())
-        setup.selection.ignored.emplace(rule.id);
-    for (const auto& [number, used] : side.survey.tools)
-        setup.tools[number].tool = used.tool;
-    verify::Verifier verifier(setup, side.survey.stock->box, other.lattice);
-    Verification verification;
-    verification.verifier = &verifier;
-    verification.start = &tree_of(other);
-    const Simulation cut = simulate(side.plan, side.survey, verification, {});
-    const verify::Verdict verdict =
-        verifier.finish(side.survey.interpretation, &tree_of(cut), cut.stock_volume);
-    report::OneSided result;
-    result.regions = verify::regions_of(verdict.ledger);
-    result.volume_mm3 = verdict.ledger.removed_mm3;
-    result.files = verdict.files;
-    return result;
-}
-
-report::Difference difference(const Side& a, const Side& b) {
-    report::Difference d;
-    const Simulation made_a = simulate(a.plan, a.survey, {}, {});
-    d.old_mm3 = made_a.part_volume;
-    d.same_motions = moves_alike(a, b);
-    if (d.same_motions) {
-        d.new_mm3 = d.old_mm3;
-        return d;
-    }
-    const Simulation made_b = simulate(b.plan, b.survey, {}, {});
-    d.new_mm3 = made_b.part_volume;
-    d.only_old = remainder(b, made_a);
-    d.only_new = remainder(a, made_b);
-    return d;
 }
 
 // Programs that cannot be cut cannot be compared: says why.
@@ -162,7 +81,7 @@ int run(const DiffOptions& options) {
     const Side b = read_side(options, options.new_program, stock, inputs);
     if (!is_usable(b)) return kFindings;
 
-    report::Difference d = difference(a, b);
+    report::Difference d = simulation::compare_parts(a, b);
     // A stock that nobody told follows from the motions and says nothing of its own.
     const auto& other = b_alone.survey.stock;
     const bool both_told = other && other->told_by != toolpath::ToldBy::Assumption &&

@@ -7,7 +7,7 @@ report::RunFacts run_facts(const Outcome& outcome) {
     report::RunFacts facts;
     facts.name = outcome.plan.job.program.name;
     facts.program = &outcome.survey;
-    facts.cutting = cutting_facts(outcome.plan);
+    facts.cutting = simulation::cutting_facts(outcome.plan);
     facts.part = outcome.simulation;
     facts.boundary = outcome.boundary;
     if (outcome.simplified) {

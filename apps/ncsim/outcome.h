@@ -7,20 +7,20 @@
 #include "ncsim/export/simplify.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/survey.h"
 
-#include "pipeline.h"
-#include "plan.h"
 #include "run_options.h"
-#include "survey.h"
 
 namespace ncsim::app {
 
 /// `simulation` is null if the program could not be simulated, `boundary` if nobody asked for it.
 struct Outcome {
     const Options& options;
-    const Plan& plan;
-    const Survey& survey;
-    const Simulation* simulation = nullptr;
+    const simulation::Plan& plan;
+    const simulation::Survey& survey;
+    const simulation::Simulation* simulation = nullptr;
     const cda::Boundary* boundary = nullptr;
     /// What meshes are made of, if it is not `boundary` itself.
     const exporter::Simplified* simplified = nullptr;

@@ -74,7 +74,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
 }
 
 exporter::Overlay overlay(const Outcome& outcome) {
-    const Simulation& s = *outcome.simulation;
+    const simulation::Simulation& s = *outcome.simulation;
     exporter::Overlay result{s.paths, {}};
     const toolpath::StockEntry& stock = *outcome.survey.stock;
     if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
@@ -87,7 +87,7 @@ exporter::Overlay overlay(const Outcome& outcome) {
 }
 
 exporter::Image view_of(const Outcome& outcome, exporter::View view) {
-    const Simulation& s = *outcome.simulation;
+    const simulation::Simulation& s = *outcome.simulation;
     const exporter::RenderOptions options = render_options(outcome, view);
     // The flat aggregate is drawn by its masks, as the thesis does it.
     if (outcome.plan.model == "cda-flat")
@@ -102,7 +102,7 @@ std::string line_at(const Outcome& outcome) {
 }
 
 std::vector<std::string> caption(const Outcome& outcome) {
-    const Simulation& s = *outcome.simulation;
+    const simulation::Simulation& s = *outcome.simulation;
     const cda::Vec3 size = outcome.survey.stock->box.size();
     const double removed = s.stock_volume - s.part_volume;
     const verify::Distances& path = s.distances;
@@ -127,7 +127,7 @@ std::vector<std::string> caption(const Outcome& outcome) {
 
 // What a first look guessed.
 void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
-    const Survey& survey = outcome.survey;
+    const simulation::Survey& survey = outcome.survey;
     for (const auto& [number, used] : survey.tools) {
         if (used.told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
             lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));

@@ -3,9 +3,9 @@
 
 namespace ncsim::app {
 
-Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
-              setup::InputSet& inputs) {
-    Plan plan;
+simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
+                          setup::InputSet& inputs) {
+    simulation::Plan plan;
     // Reading counts, too.
     plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
     plan.job = setup::read_job(program, inputs);
@@ -16,8 +16,8 @@ Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation
     return plan;
 }
 
-Plan plan_for(const Options& options, setup::InputSet& inputs) {
-    Plan plan = plan_for(options, options, inputs);
+simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
+    simulation::Plan plan = plan_for(options, options, inputs);
     plan.draft = options.draft;
     plan.at_line = options.at_line;
     plan.keep_boundary = needs_surface(options);

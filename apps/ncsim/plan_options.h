@@ -4,15 +4,15 @@
 #pragma once
 
 #include "ncsim/setup/input.h"
+#include "ncsim/simulation/plan.h"
 
-#include "plan.h"
 #include "run_options.h"
 
 namespace ncsim::app {
 
 /// Reads what the options name; throws what setup::read_job() throws.
-Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
-              setup::InputSet& inputs);
-Plan plan_for(const Options& options, setup::InputSet& inputs);
+simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
+                          setup::InputSet& inputs);
+simulation::Plan plan_for(const Options& options, setup::InputSet& inputs);
 
 }  // namespace ncsim::app

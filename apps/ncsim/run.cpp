@@ -15,25 +15,23 @@
 #include "ncsim/report/run_report.h"
 #include "ncsim/report/sheet.h"
 #include "ncsim/setup/stock_file.h"
+#include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/simulate.h"
 
 #include "animation.h"
 #include "console.h"
 #include "outcome.h"
 #include "output.h"
 #include "picture.h"
-#include "pipeline.h"
 #include "plan_options.h"
 #include "progress.h"
 #include "save_job.h"
-#include "survey.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -47,7 +45,8 @@ namespace ncsim::app {
 namespace {
 
 // Lines of other files have the same numbers: with them, no text is sure to be right.
-std::map<std::uint32_t, std::string> text_of_lines(const Plan& plan, const Survey& survey,
+std::map<std::uint32_t, std::string> text_of_lines(const simulation::Plan& plan,
+                                                   const simulation::Survey& survey,
                                                    const exporter::Provenance& provenance) {
     std::map<std::uint32_t, std::string> text;
     if (survey.interpretation.files.size() > 1) return text;
@@ -61,7 +60,7 @@ std::map<std::uint32_t, std::string> text_of_lines(const Plan& plan, const Surve
 
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const Options& o = outcome.options;
-    const Simulation& s = *outcome.simulation;
+    const simulation::Simulation& s = *outcome.simulation;
     const cda::Boundary* mesh =
         outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
     // Formats with polygons get the faces that a person counts on the part.
@@ -103,31 +102,6 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     flat_only(o.xml, cda::write_xml);
 }
 
-// A draft is as fine as its picture, in which a pixel is about a thousandth of the block, and no
-// finer than it has to be; tools stay round.
-void coarsen(Plan& plan, const Options& options, const Survey& survey) {
-    if (!options.draft || !survey.is_ready()) return;
-    constexpr double kCoarser = 4.0;  // than usual, at least
-    constexpr double kOfBlock = 1.0 / 1200.0;
-    constexpr double kToolOfBlock = 1.0 / 300.0;
-    constexpr double kOfTool = 1.0 / 15.0;  // of a diameter
-    constexpr double kMost = 1.0;           // mm
-    const double size = norm(survey.stock->box.size());
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const auto& [number, used] : survey.tools)
-        thinnest = std::min(thinnest, toolpath::cutting_diameter_of(used.tool));
-    const auto hundredths = [](double mm) { return std::floor(100.0 * mm) / 100.0; };
-    if (!options.tolerance_told) {
-        const double most = std::min(kOfBlock * size, kMost);
-        plan.tolerance = std::max(kCoarser * plan.tolerance, hundredths(most));
-    }
-    if (!options.tool_tolerance_told) {
-        const double most = std::min({kToolOfBlock * size, kOfTool * thinnest, kMost});
-        plan.tool_tolerance = std::max(kCoarser * plan.tool_tolerance, hundredths(most));
-    }
-    if (!options.at_line) plan.join_tolerance = plan.tolerance;
-}
-
 }  // namespace
 
 int run(Options options) {
@@ -135,17 +109,18 @@ int run(Options options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    Plan plan = plan_for(options, inputs);
+    simulation::Plan plan = plan_for(options, inputs);
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
 
-    Survey survey = app::survey(plan);
+    simulation::Survey survey = simulation::survey(plan);
     if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
-    coarsen(plan, options, survey);
+    simulation::coarsen(plan, survey, o.tolerance_told, o.tool_tolerance_told);
     // Of a program that is not read, there is nothing to assume.
     if (!o.quiet && !survey.interpretation.refused)
-        say(report::assumption_sheet(plan.job.program.name, survey, cutting_facts(plan)));
+        say(report::assumption_sheet(plan.job.program.name, survey,
+                                     simulation::cutting_facts(plan)));
     print_findings(plan.job.program, survey.diagnostics);
 
     if (o.at_line && *o.at_line > survey.interpretation.lines) {
@@ -154,18 +129,19 @@ int run(Options options) {
     }
 
     Outcome outcome{options, plan, survey};
-    std::optional<Simulation> simulation;
+    std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         Animation animation(options, survey, outputs);
-        const auto take_frame = [&](const Simulation& so_far) {
+        const auto take_frame = [&](const simulation::Simulation& so_far) {
             Outcome now{options, plan, survey, &so_far};
             if (so_far.boundary) now.boundary = &*so_far.boundary;
             animation.take(now);
         };
-        simulation = simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); },
-                              {animation.every(), take_frame});
+        simulation = simulation::simulate(plan, survey, {},
+                                          [&](std::uint64_t done) { progress.update(done); },
+                                          {animation.every(), take_frame});
         if (animation.every() != 0) take_frame(*simulation);
         print_findings(plan.job.program, simulation->diagnostics);
         survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),

@@ -24,7 +24,7 @@ std::string seen_from(const std::string& job_file, const std::string& path) {
 }
 
 void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Job& job,
-               const Survey& survey) {
+               const simulation::Survey& survey) {
     for (const auto& [number, used] : survey.tools) {
         std::vector<std::string> lines{
             report::told(used.told_by, used.span, used.text, used.file, "--tool")};
@@ -47,7 +47,7 @@ void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Jo
 
 }  // namespace
 
-void save_job(std::ostream& out, const setup::Job& job, const Survey& survey,
+void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
               const std::string& path) {
     setup::JobFile file;
     setup::JobRemarks remarks;

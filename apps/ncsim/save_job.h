@@ -4,8 +4,7 @@
 #pragma once
 
 #include "ncsim/setup/job.h"
-
-#include "survey.h"
+#include "ncsim/simulation/survey.h"
 
 #include <iosfwd>
 #include <string>
@@ -15,7 +14,7 @@ namespace ncsim::app {
 /// The tools, the stock and the reading of the program as they were used, also what had to be
 /// assumed (with a comment that says so). `path` is where it will stand: the program is named as
 /// seen from there.
-void save_job(std::ostream& out, const setup::Job& job, const Survey& survey,
+void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
               const std::string& path);
 
 }  // namespace ncsim::app

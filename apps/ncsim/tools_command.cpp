@@ -3,12 +3,12 @@
 
 #include "ncsim/report/tool_sheet.h"
 #include "ncsim/setup/job.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
 
 #include "console.h"
 #include "output.h"
-#include "plan.h"
 #include "save_job.h"
-#include "survey.h"
 
 #include <CLI/CLI.hpp>
 #include <ostream>
@@ -30,10 +30,10 @@ int run(const ToolsOptions& options) {
     if (options.json) outputs.claim_standard_output("--json");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    Plan plan;
+    simulation::Plan plan;
     plan.job = setup::read_job(options, inputs);
     outputs.reserve(options.save_job);
-    const Survey survey = app::survey(plan);
+    const simulation::Survey survey = simulation::survey(plan);
     const setup::Job& job = plan.job;
     if (options.json) {
         put_out(report::tool_sheet_json(job.program.name, survey, job.tools));

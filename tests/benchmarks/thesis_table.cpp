@@ -5,10 +5,10 @@
 #include "ncsim/cda/flat.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/survey.h"
 
-#include "pipeline.h"
 #include "plan_options.h"
-#include "survey.h"
 
 #include <chrono>
 #include <cstdio>
@@ -32,9 +32,9 @@ void measure(const std::filesystem::path& folder, const std::filesystem::path& f
     options.model = "cda-flat";
     options.stats = "timed";  // the model gets a clock; nothing is written here
     setup::InputSet inputs;
-    app::Plan plan = app::plan_for(options, inputs);
-    const app::Survey survey = app::survey(plan);
-    const app::Simulation run = app::simulate(plan, survey, {}, {});
+    simulation::Plan plan = app::plan_for(options, inputs);
+    const simulation::Survey survey = simulation::survey(plan);
+    const simulation::Simulation run = simulation::simulate(plan, survey, {}, {});
     const auto& part = dynamic_cast<const cda::FlatCda&>(*run.part);
 
     // Rendering along the way: the same cells again, a picture at every twentieth of them.

@@ -8,11 +8,12 @@ set(layers
   "export:   cda"
   "report:   gcode toolpath cda verify"
   "setup:    gcode toolpath cda verify report"
-  "app:      gcode toolpath cda verify export report setup")
+  "simulation: gcode toolpath cda verify export report setup"
+  "app:      gcode toolpath cda verify export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library gcode cda toolpath verify export report setup)
+foreach(library gcode cda toolpath verify export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 

@@ -117,7 +117,7 @@ private:
     void threads() const {
         const std::uint64_t hash = hash_of(boundary_);
         for (const char* option : {"--threads=2", "--threads=8"}) {
-            const app::Simulation other = file_.run(program_, {option});
+            const simulation::Simulation other = file_.run(program_, {option});
             require(hash_of(other.part->boundary()) == hash,
                     std::string(option) + ": another surface");
         }
@@ -276,7 +276,7 @@ private:
     const Program& program_;
     const ProgramFile& file_;
     test::Random random_;
-    app::Simulation simulation_;
+    simulation::Simulation simulation_;
     std::unique_ptr<cda::WorkpieceModel> flat_;  // where it is compared
     StatedAccuracy stated_;
     Judge judge_;

@@ -27,8 +27,8 @@ ProgramFile::~ProgramFile() {
     std::filesystem::remove_all(folder_, ignored);
 }
 
-app::Simulation ProgramFile::run(const Program& program,
-                                 const std::vector<std::string>& more) const {
+simulation::Simulation ProgramFile::run(const Program& program,
+                                        const std::vector<std::string>& more) const {
     std::ofstream(path_, std::ios::binary) << program.text;
     std::vector<std::string> words{"run", path_};
     words.insert(words.end(), program.arguments.begin(), program.arguments.end());
@@ -38,17 +38,17 @@ app::Simulation ProgramFile::run(const Program& program,
         throw std::runtime_error("the options are refused: " + farewell->text);
     }
     setup::InputSet inputs;
-    app::Plan plan = app::plan_for(std::get<app::Options>(command), inputs);
-    const app::Survey survey = app::survey(plan);
+    simulation::Plan plan = app::plan_for(std::get<app::Options>(command), inputs);
+    const simulation::Survey survey = simulation::survey(plan);
     for (const gcode::Diagnostic& d : survey.diagnostics) {
         if (d.severity != gcode::Severity::Error) continue;
         throw std::runtime_error("line " + std::to_string(d.span.line) + ": " + d.message);
     }
     if (!survey.is_ready()) throw std::runtime_error("the program is not simulated");
-    return app::simulate(plan, survey, {}, {});
+    return simulation::simulate(plan, survey, {}, {});
 }
 
-StatedAccuracy stated_accuracy(const app::Simulation& simulation, const Program& program) {
+StatedAccuracy stated_accuracy(const simulation::Simulation& simulation, const Program& program) {
     StatedAccuracy stated;
     stated.unit = simulation.lattice.unit_mm;
     for (std::size_t i = 0; i < program.tools.size(); ++i) {

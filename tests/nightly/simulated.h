@@ -4,10 +4,10 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/simulation/simulate.h"
 
 #include "nightly/judge.h"
 #include "nightly/program_generator.h"
-#include "pipeline.h"
 
 #include <string>
 #include <vector>
@@ -24,14 +24,14 @@ public:
 
     /// With these options in addition to the program's own. Throws std::runtime_error if anything
     /// about the program is an error: what is generated is right.
-    app::Simulation run(const Program& program, const std::vector<std::string>& more) const;
+    simulation::Simulation run(const Program& program, const std::vector<std::string>& more) const;
 
 private:
     std::string folder_;
     std::string path_;
 };
 
-StatedAccuracy stated_accuracy(const app::Simulation& simulation, const Program& program);
+StatedAccuracy stated_accuracy(const simulation::Simulation& simulation, const Program& program);
 
 /// Of all that a boundary says, to the last bit.
 std::uint64_t hash_of(const cda::Boundary& boundary);

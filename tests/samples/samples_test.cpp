@@ -11,16 +11,16 @@
 #include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/export/vrml.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
 
 #include "picture.h"
-#include "pipeline.h"
 #include "plan_options.h"
 #include "support/count.h"
 #include "support/golden.h"
 #include "support/random_shapes.h"
-#include "survey.h"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +44,9 @@ using cda::Vec3;
 struct Sample {
     setup::InputSet inputs;
     app::Options options;
-    app::Plan plan;
-    app::Survey survey;
-    app::Simulation tree, flat;
+    simulation::Plan plan;
+    simulation::Survey survey;
+    simulation::Simulation tree, flat;
     cda::Boundary boundary, flat_boundary;
 };
 
@@ -61,10 +61,10 @@ const Sample& sample(const std::string& name) {
         // Keeps the cells, of circumscribed tools; nothing is written here.
         options.save_stock = "kept.ncstock";
         slot->plan = app::plan_for(options, slot->inputs);
-        slot->survey = app::survey(slot->plan);
-        slot->tree = app::simulate(slot->plan, slot->survey, {}, {});
+        slot->survey = simulation::survey(slot->plan);
+        slot->tree = simulation::simulate(slot->plan, slot->survey, {}, {});
         slot->plan.model = "cda-flat";
-        slot->flat = app::simulate(slot->plan, slot->survey, {}, {});
+        slot->flat = simulation::simulate(slot->plan, slot->survey, {}, {});
         slot->boundary = slot->tree.part->boundary();
         slot->flat_boundary = slot->flat.part->boundary();
     }
@@ -84,11 +84,11 @@ TEST(FairTools, LeaveTheVolumeThatRoundOnesLeave) {
         options.program = std::string(NCSIM_SOURCE_DIR) + "/samples/wave.nc";
         options.model = "cda";
         options.tool_tolerance = tolerance;
-        app::Plan plan = app::plan_for(options, inputs);
-        const app::Survey survey = app::survey(plan);
-        app::Verification verification;
+        simulation::Plan plan = app::plan_for(options, inputs);
+        const simulation::Survey survey = simulation::survey(plan);
+        simulation::Verification verification;
         verification.side = side;
-        return app::simulate(plan, survey, verification, {}).part->volume();
+        return simulation::simulate(plan, survey, verification, {}).part->volume();
     };
     const double round = volume(0.01, toolpath::Side::Fair);
     EXPECT_NEAR(volume(0.05, toolpath::Side::Fair), round, 2e-4 * round);

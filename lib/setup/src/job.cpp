@@ -230,13 +230,11 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     return noted;
 }
 
-}  // namespace
-
-Job read_job(JobOptions options, InputSet& inputs) {
+// The program, and what `options` and `from_file` tell of it.
+Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_file,
+             InputSet& inputs) {
     Job job;
-    JobFile from_file;
-    if (!options.job.empty()) from_file = take_job_file(options, inputs);
-    job.program = {name_of_input(options.program), inputs.read(options.program)};
+    job.program = std::move(program);
     if (is_binary(job.program.text)) {
         throw std::runtime_error(
             fmt::format("'{}' is not an NC program: it is binary data", job.program.name));
@@ -250,12 +248,6 @@ Job read_job(JobOptions options, InputSet& inputs) {
     job.interpreter.strict = options.strict;
     job.interpreter.allow = options.allow;
     job.interpreter.least_increments = options.increments;
-    std::vector<std::filesystem::path> folders{
-        std::filesystem::path(options.program).parent_path()};
-    folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
-    job.interpreter.read_file = [folders, &inputs](std::string_view name) {
-        return read_subprogram(folders, name, inputs);
-    };
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-verify::kHomeHeight);
     }
@@ -296,6 +288,30 @@ Job read_job(JobOptions options, InputSet& inputs) {
     job.stock = choose_stock(options, from_file, tables, std::move(notes.stock), inputs);
     job.options = std::move(options);
     return job;
+}
+
+}  // namespace
+
+Job read_job(JobOptions options, InputSet& inputs) {
+    JobFile from_file;
+    if (!options.job.empty()) from_file = take_job_file(options, inputs);
+    gcode::SourceFile program{name_of_input(options.program), inputs.read(options.program)};
+    std::vector<std::filesystem::path> folders{
+        std::filesystem::path(options.program).parent_path()};
+    folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
+    Job job = composed(std::move(program), std::move(options), from_file, inputs);
+    job.interpreter.read_file = [folders, &inputs](std::string_view name) {
+        return read_subprogram(folders, name, inputs);
+    };
+    return job;
+}
+
+Job job_of(gcode::SourceFile program, JobOptions options) {
+    InputSet inputs;
+    JobFile from_file;
+    options.program = program.name;
+    if (!options.job.empty()) from_file = take_job_file(options, inputs);
+    return composed(std::move(program), std::move(options), from_file, inputs);
 }
 
 }  // namespace ncsim::setup

@@ -28,6 +28,8 @@ struct Look {
 struct Checked {
     std::string path;                        ///< As it was named.
     std::string_view word = "not-verified";  ///< "clean", "not-proven", "failed".
+    /// What the word says; only where there is a verdict.
+    verify::Outcome outcome = verify::Outcome::NotProven;
     /// Why there is no verdict: it could not be read, or something broke. Empty: there is one.
     std::string failure;
     verify::Verdict verdict;

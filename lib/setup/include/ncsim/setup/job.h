@@ -34,4 +34,7 @@ struct Job {
 /// must outlive the job.
 Job read_job(JobOptions options, InputSet& inputs);
 
+/// The same of a program whose text is at hand. Subprograms in other files are not looked for.
+Job job_of(gcode::SourceFile program, JobOptions options = {});
+
 }  // namespace ncsim::setup

@@ -2,7 +2,7 @@
 //
 // NC text → motions → poses → hulls → part, as in the architecture's own sentence. Everything
 // flows: no stage keeps more than one motion.
-#include "pipeline.h"
+#include "ncsim/simulation/simulate.h"
 
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/flat.h"
@@ -21,7 +21,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 namespace {
 
@@ -289,4 +289,10 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     return result;
 }
 
-}  // namespace ncsim::app
+Simulation simulate(Plan plan) {
+    const Survey seen = survey(plan);
+    if (!seen.is_ready()) throw std::runtime_error(reason_against(seen));
+    return simulate(plan, seen, {}, {});
+}
+
+}  // namespace ncsim::simulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "survey.h"
+#include "ncsim/simulation/survey.h"
 
 #include "ncsim/cda/cell.h"
 #include "ncsim/setup/tool_clues.h"
@@ -17,7 +17,7 @@
 #include <utility>
 #include <variant>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 namespace {
 
@@ -421,6 +421,13 @@ Survey survey(Plan& plan) {
     return std::move(look.survey);
 }
 
+std::string reason_against(const Survey& survey) {
+    for (const gcode::Diagnostic& d : survey.diagnostics) {
+        if (d.severity == gcode::Severity::Error) return d.message;
+    }
+    return "there is nothing to simulate";
+}
+
 void cut_nothing(Survey& survey) {
     const auto is_it = [](const Diagnostic& d) { return d.code == "no-motion"; };
     std::erase_if(survey.diagnostics, is_it);
@@ -430,4 +437,4 @@ void cut_nothing(Survey& survey) {
     survey.ready = true;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -6,12 +6,12 @@
 
 #include "ncsim/gcode/source.h"
 #include "ncsim/report/facts.h"
-
-#include "plan.h"
+#include "ncsim/simulation/plan.h"
 
 #include <set>
+#include <string>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 struct Survey : report::ProgramFacts {
     bool cuts_from_nowhere = false;  ///< A move whose start is not told is a feed move.
@@ -31,8 +31,11 @@ struct Survey : report::ProgramFacts {
 /// starts at 0 there.
 Survey survey(Plan& plan);
 
+/// Why one that is not ready cannot be simulated: the first error that it met.
+std::string reason_against(const Survey& survey);
+
 /// Makes one that is `only_rapid` ready, with a stock that is empty: for those who ask what else
 /// the tools meet.
 void cut_nothing(Survey& survey);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 class MoveJoiner {
 public:
@@ -37,4 +37,4 @@ private:
     bool has_joined_ = false;
 };
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

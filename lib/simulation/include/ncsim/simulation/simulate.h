@@ -9,12 +9,11 @@
 #include "ncsim/export/overlay.h"
 #include "ncsim/export/provenance.h"
 #include "ncsim/report/facts.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
 #include "ncsim/toolpath/pose.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/verifier.h"
-
-#include "plan.h"
-#include "survey.h"
 
 #include <cstdint>
 #include <functional>
@@ -22,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 /// A motion that met the block.
 struct Cut {
@@ -88,4 +87,7 @@ struct StepLimit {};
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const Onlooker& onlooker = {});
 
-}  // namespace ncsim::app
+/// Surveys the program and simulates it. Throws std::runtime_error that says why if it cannot be.
+Simulation simulate(Plan plan);
+
+}  // namespace ncsim::simulation

@@ -5,14 +5,13 @@
 
 #include "ncsim/cda/mesh.h"
 #include "ncsim/report/design_facts.h"
+#include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/finding.h"
-
-#include "pipeline.h"
 
 #include <string>
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 struct Design {
     std::string path;  ///< As given on the command line.
@@ -27,4 +26,4 @@ struct Design {
 std::vector<verify::Finding> compare_with(const Design& design, const Simulation& simulation,
                                           report::DesignFacts& facts);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -4,14 +4,13 @@
 // touches: the program once more up to that motion, but only in the small boxes that are open.
 #pragma once
 
+#include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/setup.h"
-
-#include "pipeline.h"
 
 #include <cstdint>
 #include <optional>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 class Refiner {
 public:
@@ -40,4 +39,4 @@ private:
     std::uint64_t steps_left_;
 };
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "design.h"
+#include "ncsim/simulation/design.h"
 
 #include "ncsim/cda/check.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/verify/design.h"
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 namespace {
 
@@ -107,4 +107,4 @@ std::vector<Finding> compare_with(const Design& design, const Simulation& simula
     return findings;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

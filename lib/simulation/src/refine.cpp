@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     return seen;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plan.h"
+#include "ncsim/simulation/plan.h"
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 report::CuttingFacts cutting_facts(const Plan& plan) {
     return {plan.model, plan.tolerance, plan.tool_tolerance, plan.join_tolerance, plan.at_line};
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 namespace {
 
@@ -84,4 +84,4 @@ void MoveJoiner::flush() {
     passed_.clear();
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 namespace {
 
@@ -147,4 +147,4 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
     return findings;
 }
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

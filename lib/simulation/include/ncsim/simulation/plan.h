@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 /// Lengths in mm.
 struct Plan {
@@ -39,4 +39,4 @@ struct Plan {
 /// How it is cut, for reports.
 report::CuttingFacts cutting_facts(const Plan& plan);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

@@ -3,13 +3,12 @@
 // Which block cuts a piece of the part free?
 #pragma once
 
+#include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/finding.h"
-
-#include "pipeline.h"
 
 #include <vector>
 
-namespace ncsim::app {
+namespace ncsim::simulation {
 
 /// A finding of the rule part-cut-free for each piece beside the largest, at the block that
 /// separated it: found by cutting again up to some of the motions whose walls it has, so that it
@@ -20,4 +19,4 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
                                       const Verification& verification,
                                       const Simulation& simulation);
 
-}  // namespace ncsim::app
+}  // namespace ncsim::simulation

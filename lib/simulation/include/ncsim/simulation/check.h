@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a plan to a verdict: what `ncsim check` does with one program.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/setup/machine_file.h"
+#include "ncsim/simulation/design.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/verify/rule.h"
+
+namespace ncsim::simulation {
+
+/// What is asked, and what the program is verified against beside its job.
+struct Questions {
+    verify::Selection selection;
+    setup::MachineFile machine;
+    const Design* design = nullptr;  ///< What the part is to be; null: nobody tells.
+    bool dog_leg = false;            ///< Rapid moves go axis by axis.
+    bool cut_free = false;           ///< Look for pieces that are cut free.
+    bool air_cuts = false;           ///< Look for feed moves that remove nothing.
+    bool ledger = false;             ///< Keep a row a block, with exact volumes.
+    bool look = false;               ///< Show the part, too; with the ledger.
+    bool warnings_as_errors = false;
+    /// Tools in the options of the job are this program's: one that it does not move is a doubt.
+    bool tools_are_meant = true;
+};
+
+/// The result depends on `plan` and `questions` only; plan.model is "cda". Throws
+/// std::runtime_error if plan.budget is used up, or a picture cannot be drawn.
+report::Checked check(Plan plan, const Questions& questions = {});
+/// The same into `checked`, which keeps what was known by then if it throws.
+void check(Plan plan, const Questions& questions, report::Checked& checked);
+
+}  // namespace ncsim::simulation

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/simulation/check.h"
+
+#include "ncsim/cda/tree.h"
+#include "ncsim/export/camera.h"
+#include "ncsim/export/png.h"
+#include "ncsim/export/render.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/report/machining_time.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/survey.h"
+#include "ncsim/verify/verifier.h"
+
+#include "cut_free.h"
+#include "refine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <utility>
+
+namespace ncsim::simulation {
+
+namespace {
+
+// Where nobody tells where the shank ends, it is taller than any cut is deep; where nobody tells a
+// shank, it is as thick as the flutes.
+void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
+    constexpr double kTall = 1000.0;  // mm
+    if (spec.shank_length || spec.stick_out || !spec.shaft.empty()) return;
+    const toolpath::ProfilePoint top = tool.pieces.back().profile.back();
+    if (top.radius <= 0.0) return;
+    toolpath::add_holder_segment(tool, 2 * top.radius, 2 * top.radius, kTall);
+    tool.pieces.back().assumed = true;
+}
+
+verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts* told) {
+    verify::ToolFacts facts;
+    if (told) facts = *told;
+    facts.tool = used.tool;
+    facts.is_guess = used.is_guess;
+    facts.holder_told = toolpath::tells_holder(used.spec);
+    if (!used.length_told) {
+        facts.certain_flutes = toolpath::least_flute_length(used.tool);
+    } else if (!facts.holder_told) {
+        extend_shank(facts.tool, used.spec);
+    }
+    if (used.told_by == toolpath::ToldBy::Assumption) {
+        facts.assumption = "nobody describes it; taken as " + used.text;
+    } else {
+        facts.assumption = used.filled_in;
+    }
+    if (!facts.blind_diameter && used.tool.kind == toolpath::ToolKind::FaceMill) {
+        facts.blind_diameter = 0.5 * toolpath::cutting_diameter_of(used.tool);
+        facts.blind_assumption = "a face mill does not cut in the inner half of its diameter";
+    }
+    return facts;
+}
+
+// Where the program's zero, W, lies in the machine; nothing if nobody tells.
+std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
+    if (workpiece.rotation != 0.0 || workpiece.frame != gcode::OriginFrame{}) return std::nullopt;
+    return cda::Vec3{workpiece.origin[gcode::kX], workpiece.origin[gcode::kY],
+                     workpiece.origin[gcode::kZ]};
+}
+
+// Moves fixtures that were told in another system to W. Those of which nobody knows how far that is
+// are left out, and named.
+std::vector<std::string> place_fixtures(verify::MachineDescription& machine, const Plan& plan,
+                                        const Survey& survey) {
+    std::vector<std::string> lost;
+    std::erase_if(machine.fixtures, [&](verify::Fixture& fixture) {
+        const int here = survey.interpretation.workpiece_system;
+        if (fixture.system == 0 || fixture.system == here) return false;
+        const auto origin = setup::origin_of(plan.job.interpreter, fixture.system);
+        if (!origin || !machine.work_zero) {
+            lost.push_back(fmt::format(
+                "where the fixture '{}' stands: it is told in {}, and how far "
+                "that is from {} is not",
+                fixture.name, setup::name_of_system(fixture.system), setup::name_of_system(here)));
+            return true;
+        }
+        const cda::Vec3 shift = *origin - *machine.work_zero;
+        fixture.box.min = fixture.box.min + shift;
+        fixture.box.max = fixture.box.max + shift;
+        for (cda::Vec3& p : fixture.mesh.vertices)
+            p = p + shift;
+        return false;
+    });
+    return lost;
+}
+
+std::set<std::string, std::less<>> accepted_reasons(const std::vector<std::string>& names) {
+    std::set<std::string, std::less<>> accepted(names.begin(), names.end());
+    if (accepted.erase("all") > 0) {
+        for (const verify::ReasonInfo& reason : verify::reasons())
+            accepted.emplace(reason.id);
+    }
+    return accepted;
+}
+
+// The path of rapid moves that was asked for, at the machine's rates if it tells all of them.
+toolpath::RapidPath rapid_path(const Questions& questions) {
+    const verify::MachineDescription& machine = questions.machine.machine;
+    toolpath::RapidPath path;
+    path.dog_leg = questions.dog_leg;
+    const bool all_told =
+        std::ranges::all_of(machine.rapid, [](const auto& rate) { return rate.has_value(); });
+    for (std::size_t i = 0; i < 3 && all_told; ++i)
+        path.rates[i] = *machine.rapid[i];
+    return path;
+}
+
+verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions& questions) {
+    verify::Setup setup;
+    setup.machine = questions.machine.machine;
+    setup.machine.work_zero = work_zero(survey.interpretation.workpiece);
+    setup.selection = questions.selection;
+    setup.suppressions = verify::Suppressions(plan.job.program);
+    setup.accuracy.tolerance_mm = plan.tool_tolerance;
+    setup.path_tolerance_mm = plan.tolerance;
+    setup.pieces_counted = questions.cut_free;
+    setup.air_cuts = questions.air_cuts;
+    setup.design = questions.design != nullptr;
+    setup.ledger = questions.ledger || questions.look;
+    setup.rapid = rapid_path(questions);
+    setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
+    setup.cutting_tools = survey.cutting_tools;
+    setup.accepted = accepted_reasons(plan.job.options.accept);
+    setup.required.insert(plan.job.options.require.begin(), plan.job.options.require.end());
+    for (const auto& [number, used] : survey.tools) {
+        const auto told = questions.machine.tools.find(number);
+        setup.tools.emplace(
+            number,
+            facts_of(used, told == questions.machine.tools.end() ? nullptr : &told->second));
+    }
+    if (survey.stock) setup.stock = survey.stock->box;
+    if (!survey.is_ready()) {
+        setup.not_simulated = reason_against(survey);
+    } else if (survey.stock->told_by == toolpath::ToldBy::Assumption) {
+        setup.stock_assumption = survey.stock->text;
+    }
+    if (!survey.interpretation.units_stated) {
+        setup.units_assumption =
+            fmt::format("{}, since neither G20 nor G21 stands before the first length",
+                        survey.interpretation.uses_inches ? "inches" : "millimetres");
+    }
+    const auto& zero = setup.machine.work_zero;
+    const double home = setup.machine.home ? setup.machine.home->z : 0.0;
+    setup.home_z = zero ? home - zero->z : verify::kHomeHeight + home;
+    if (!zero) {
+        setup.home_assumption =
+            fmt::format("machine zero {:g} mm above the program zero, since no machine tells it",
+                        verify::kHomeHeight);
+    }
+    return setup;
+}
+
+report::Look look_at(const Survey& survey, const Simulation& simulation) {
+    report::Look look;
+    const cda::Boundary boundary = simulation.part->boundary();
+    look.mesh = cda::triangulate(boundary);
+    for (const std::uint32_t face : look.mesh.face)
+        look.lines.push_back(simulation.provenance.of(boundary.faces[face].origin).nc_line);
+    exporter::RenderOptions render;
+    render.width = 800;
+    render.height = 600;
+    render.colouring = exporter::Colouring::Tool;
+    using exporter::View;
+    for (const auto& [name, view] :
+         {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
+        render.camera = exporter::fit_camera(survey.stock->box, view, 4 / 3.0);
+        std::ostringstream png;
+        exporter::write_png(png,
+                            exporter::render_boundary(boundary, simulation.provenance, render));
+        look.pictures.emplace_back(name, png.str());
+    }
+    return look;
+}
+
+// What the machine tells, where the job does not tell it. Returns what cannot be used.
+std::vector<std::string> take_machine(setup::Job& job, const setup::MachineFile& file) {
+    std::vector<std::string> lost;
+    for (const auto& [system, origin] : file.offsets) {
+        if (!setup::origin_of(job.interpreter, system))
+            setup::tell_offset(job.interpreter, system, origin);
+    }
+    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
+        if (!told) return;
+        to.x = gcode::Length::from_mm(told->x);
+        to.y = gcode::Length::from_mm(told->y);
+        to.z = gcode::Length::from_mm(told->z);
+    };
+    lead(job.interpreter.homes[0], file.machine.home);
+    lead(job.interpreter.homes[1], file.machine.tool_change);
+    if (!file.start || job.start) return lost;
+    constexpr int kG54 = 1;
+    const auto origin = setup::origin_of(job.interpreter, kG54);
+    if (!origin) {
+        lost.emplace_back(
+            "where the tool starts: the machine tells it, but not where G54 is in it");
+        return lost;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        job.interpreter.start[static_cast<std::size_t>(axis)] =
+            gcode::Length::from_mm((*file.start - *origin)[axis]);
+    return lost;
+}
+
+std::vector<std::string> unused_tools(const Plan& plan, const Survey& survey) {
+    std::vector<std::string> unused;
+    for (const toolpath::ToolSpec& spec : plan.job.options.tools) {
+        if (!survey.tools.contains(spec.number) && !survey.tools.contains(0))
+            unused.push_back(fmt::format("--tool T{}: the program does not move it", spec.number));
+    }
+    return unused;
+}
+
+// Does anything that was asked for look at the part?
+bool needs_simulation(const verify::Setup& setup) {
+    return verify::needs_part(setup) || setup.ledger || setup.pieces_counted || setup.design ||
+           setup.air_cuts;
+}
+
+std::string_view verdict_word(verify::Outcome outcome) {
+    return outcome == verify::Outcome::Clean    ? "clean"
+           : outcome == verify::Outcome::Failed ? "failed"
+                                                : "not-proven";
+}
+
+}  // namespace
+
+void check(Plan plan, const Questions& questions, report::Checked& checked) {
+    checked.path = plan.job.program.name;
+    std::vector<std::string> not_used = take_machine(plan.job, questions.machine);
+    Survey survey = simulation::survey(plan);
+    if (survey.only_rapid) cut_nothing(survey);
+    checked.moves = survey.moves;
+    verify::Setup setup = setup_for(plan, survey, questions);
+    for (std::string& lost : place_fixtures(setup.machine, plan, survey))
+        not_used.push_back(std::move(lost));
+    if (questions.tools_are_meant) {
+        for (std::string& unused : unused_tools(plan, survey))
+            not_used.push_back(std::move(unused));
+    }
+    checked.simulated = survey.is_ready() && needs_simulation(setup);
+    if (setup.not_simulated) checked.not_simulated = *setup.not_simulated;
+
+    const cda::Box stock = survey.is_ready() ? survey.stock->box : cda::Box{};
+    const cda::Lattice lattice =
+        survey.is_ready() ? toolpath::stock_lattice(*survey.stock) : cda::Lattice{};
+    if (survey.is_ready()) {
+        checked.stock =
+            report::describe(*survey.stock) + (setup.stock_assumption.empty() ? "" : ", assumed");
+    }
+    const toolpath::RapidPath rapid = setup.rapid;
+    const toolpath::Watch watch = verify::watch_of(setup);
+    const verify::Setup told = setup;
+    Refiner refiner(plan, survey, told);
+    setup.second_look = [&refiner](const verify::OpenContact& contact) {
+        return refiner.decide(contact);
+    };
+    verify::Verifier verifier(std::move(setup), stock, lattice);
+    verifier.add(survey.diagnostics);
+    for (std::string& what : not_used)
+        verifier.add_doubt("told-not-used", std::move(what));
+    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
+        if (survey.untold[axis])
+            verifier.add_doubt("start-unknown",
+                               fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
+    }
+    plan.job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
+                                                     const gcode::ProgramFrame& frame) {
+        verifier.set_frame(frame);
+    };
+    if (checked.simulated) {
+        Verification verification;
+        verification.side = toolpath::Side::Circumscribed;
+        verification.verifier = &verifier;
+        verification.rapid = rapid;
+        verification.watch = watch;
+        verification.keep_cuts = questions.design != nullptr;
+        const Simulation simulation = simulate(plan, survey, verification, {});
+        if (questions.cut_free) {
+            for (verify::Finding& f : cut_free(plan, survey, verification, simulation))
+                verifier.add(std::move(f));
+        }
+        const bool compared =
+            questions.selection.includes("gouge") || questions.selection.includes("excess");
+        if (questions.design && compared) {
+            for (verify::Finding& f :
+                 compare_with(*questions.design, simulation, checked.design.emplace()))
+                verifier.add(std::move(f));
+        }
+        const auto* part = dynamic_cast<const cda::TreeCda*>(simulation.part.get());
+        checked.verdict = verifier.finish(survey.interpretation, part, simulation.stock_volume);
+        if (questions.look) checked.look = look_at(survey, simulation);
+    } else {
+        gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+            verifier.begin(motion);
+            verifier.end();
+        });
+        checked.verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
+    }
+    checked.time = report::time_line(checked.verdict.ledger);
+    if (checked.time.empty() && survey.moves > 0)
+        checked.time = report::time_line(verify::total(survey.distances));
+    if (questions.look) {
+        if (!checked.look) checked.look.emplace();
+        checked.look->source = plan.job.program.text;
+    }
+    for (const verify::Finding& f : checked.verdict.findings) {
+        std::string line;
+        if (f.place.file == 0 && f.place.span.line > 0) {
+            line = gcode::line_text(plan.job.program, f.place.span.line);
+        }
+        checked.lines.push_back(std::move(line));
+    }
+    const bool by_warnings =
+        questions.warnings_as_errors && checked.verdict.count(verify::Severity::Warning) > 0;
+    const auto outcome = by_warnings ? verify::Outcome::Failed : checked.verdict.outcome();
+    checked.word = verdict_word(outcome);
+    checked.outcome = outcome;
+}
+
+report::Checked check(Plan plan, const Questions& questions) {
+    report::Checked checked;
+    check(std::move(plan), questions, checked);
+    return checked;
+}
+
+}  // namespace ncsim::simulation

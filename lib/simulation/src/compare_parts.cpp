@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Material in A that is not in B is what the cells of B find in A, one after another; so the
+// other program is run on the finished part, measured, and its ledger names the lines.
+#include "ncsim/simulation/compare_parts.h"
+
+#include "ncsim/cda/tree.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/verify/verifier.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace ncsim::simulation {
+
+namespace {
+
+// What of a motion the part can tell.
+struct Trace {
+    explicit Trace(const gcode::Motion& m)
+        : what(m.what), kind(m.kind), tool(m.tool), known(m.known_start) {}
+    decltype(gcode::Motion::what) what;
+    gcode::MoveKind kind;
+    int tool;
+    gcode::KnownAxes known;
+    bool operator==(const Trace&) const = default;
+};
+
+bool moves_alike(const Surveyed& a, const Surveyed& b) {
+    const auto same_tool = [](const auto& s, const auto& t) {
+        return s.first == t.first && s.second.tool == t.second.tool;
+    };
+    if (!std::ranges::equal(a.survey.tools, b.survey.tools, same_tool)) return false;
+    std::vector<Trace> traces;
+    gcode::interpret(a.plan.job.program, a.plan.job.interpreter, [&](const gcode::Motion& m) {
+        if (gcode::start_of(m)) traces.emplace_back(m);
+    });
+    std::size_t next = 0;
+    bool same = true;
+    gcode::interpret(b.plan.job.program, b.plan.job.interpreter, [&](const gcode::Motion& m) {
+        if (!gcode::start_of(m) || !same) return;
+        same = next < traces.size() && traces[next] == Trace(m);
+        ++next;
+    });
+    return same && next == traces.size();
+}
+
+const cda::TreeCda& tree_of(const Simulation& simulation) {
+    return dynamic_cast<const cda::TreeCda&>(*simulation.part);
+}
+
+// What `side` still takes away from the finished `part`.
+report::OneSided remainder(const Surveyed& side, const Simulation& other) {
+    verify::Setup setup;
+    setup.ledger = true;
+    for (const verify::RuleInfo& rule : verify::rules())
+        setup.selection.ignored.emplace(rule.id);
+    for (const auto& [number, used] : side.survey.tools)
+        setup.tools[number].tool = used.tool;
+    verify::Verifier verifier(setup, side.survey.stock->box, other.lattice);
+    Verification verification;
+    verification.verifier = &verifier;
+    verification.start = &tree_of(other);
+    const Simulation cut = simulate(side.plan, side.survey, verification, {});
+    const verify::Verdict verdict =
+        verifier.finish(side.survey.interpretation, &tree_of(cut), cut.stock_volume);
+    report::OneSided result;
+    result.regions = verify::regions_of(verdict.ledger);
+    result.volume_mm3 = verdict.ledger.removed_mm3;
+    result.files = verdict.files;
+    return result;
+}
+
+}  // namespace
+
+report::Difference compare_parts(const Surveyed& a, const Surveyed& b) {
+    report::Difference d;
+    const Simulation made_a = simulate(a.plan, a.survey, {}, {});
+    d.old_mm3 = made_a.part_volume;
+    d.same_motions = moves_alike(a, b);
+    if (d.same_motions) {
+        d.new_mm3 = d.old_mm3;
+        return d;
+    }
+    const Simulation made_b = simulate(b.plan, b.survey, {}, {});
+    d.new_mm3 = made_b.part_volume;
+    d.only_old = remainder(b, made_a);
+    d.only_new = remainder(a, made_b);
+    return d;
+}
+
+}  // namespace ncsim::simulation
