@@ -1,6 +1,6 @@
 # cmake -DSOURCE=… -P check.cmake: reads every #include line under SOURCE and fails where an arrow
-# runs up (layers.cmake tells which there are) or where modules of one room include each other in a
-# circle. A module is a header and the source of the same name.
+# runs up (layers.cmake tells which there are), where modules of one room include each other in a
+# circle, or where a source has no header. A module is a header and the source of the same name.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 
@@ -9,12 +9,16 @@ set(faults "")
 # Reads the files of `room`: fills modules_ROOM, edges_ROOM_MODULE and why_ROOM_FROM-TO.
 function(read_room room allowed)
   set(modules "")
+  set(headers "")
   foreach(folder IN LISTS folders_${room})
     file(GLOB_RECURSE files RELATIVE ${SOURCE}/${folder} ${SOURCE}/${folder}/*.h
       ${SOURCE}/${folder}/*.cpp)
     foreach(file IN LISTS files)
       string(REGEX REPLACE "\\.[a-z]+$" "" module "${file}")
       list(APPEND modules ${module})
+      if(file MATCHES "\\.h$")
+        list(APPEND headers ${module})
+      endif()
       file(STRINGS ${SOURCE}/${folder}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[\"<]")
       foreach(line IN LISTS lines)
         string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*([\"<])([^\">]*)[\">].*" "\\1\\2" name
@@ -45,6 +49,9 @@ function(read_room room allowed)
   list(REMOVE_DUPLICATES modules)
   set(modules_${room} ${modules} PARENT_SCOPE)
   foreach(module IN LISTS modules)
+    if(room IN_LIST paired AND NOT module IN_LIST headers AND NOT "${room}/${module}" IN_LIST unpaired)
+      list(APPEND faults "${module}.cpp of ${room} has no header ${module}.h")
+    endif()
     set(edges ${edges_${module}})
     list(REMOVE_DUPLICATES edges)
     # Generated headers are nobody's module.

@@ -28,3 +28,8 @@ set(known_circles
   toolpath/ring_polygon>tool_polytope
   toolpath/tool_phrase>tool_comment
   verify/rule>rule_table)
+
+# Rooms in which every source has a header of its own name, so that what a header declares is where
+# its name says, and no circle hides in "declared here, defined there". Others are to follow.
+set(paired report setup simulation app)
+set(unpaired app/main)
