@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What run, check and diff do, asked by a program instead of a command line.
+#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/compare_parts.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/survey.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace ncsim::simulation {
+namespace {
+
+const std::string kTool = "(T1 D=6. CR=0. - flat end mill)\n";
+const std::string kStock = "(STOCK/BLOCK,40.,40.,10.,0.,0.,10.)\n";
+const std::string kSlot =
+    "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y20. Z5.\nG0 Z-5.\nG1 X45. F300.\nG0 Z5.\nM30\n";
+
+Plan plan_of(const std::string& text, setup::JobOptions options = {}) {
+    options.start = cda::Vec3{0, 0, 50};
+    Plan plan;
+    plan.job = setup::job_of({"slot.nc", text}, std::move(options));
+    return plan;
+}
+
+TEST(Simulation, OfAStringLeavesThePart) {
+    const Simulation part = simulate(plan_of(kTool + kStock + kSlot));
+    EXPECT_DOUBLE_EQ(part.stock_volume, 16000.0);
+    EXPECT_DOUBLE_EQ(part.part_volume, 16000.0 - 6 * 40 * 5);
+    EXPECT_FALSE(part.boundary);
+}
+
+TEST(Simulation, KeepsWhatItIsAskedFor) {
+    Plan plan = plan_of(kTool + kStock + kSlot);
+    plan.keep_boundary = plan.keep_paths = plan.keep_carved = plan.block_volumes = true;
+    const Simulation part = simulate(plan);
+    ASSERT_TRUE(part.boundary);
+    EXPECT_FALSE(part.boundary->faces.empty());
+    EXPECT_FALSE(part.paths.empty());
+    EXPECT_FALSE(part.carved.empty());
+    ASSERT_EQ(part.removed_by_block.size(), 1U);
+    EXPECT_NEAR(part.removed_by_block.at({0, 6}), 6 * 40 * 5, 1e-9);
+}
+
+TEST(Simulation, SaysWhyItCannotBe) {
+    try {
+        simulate(plan_of(kStock + kSlot));
+        FAIL() << "nobody described the tool";
+    } catch (const std::runtime_error& e) {
+        EXPECT_NE(std::string(e.what()).find("tool 1 is not described"), std::string::npos)
+            << e.what();
+    }
+}
+
+TEST(Simulation, TakesToolsAndLanguageFromTheJob) {
+    setup::JobOptions options;
+    options.tools.emplace_back();
+    options.tools.back().number = 1;
+    options.tools.back().kind = toolpath::ToolKind::FlatEndMill;
+    options.tools.back().diameter = 4.0;
+    EXPECT_DOUBLE_EQ(simulate(plan_of(kStock + kSlot, options)).part_volume, 16000.0 - 4 * 40 * 5);
+}
+
+TEST(Check, OfAStringIsAVerdict) {
+    const report::Checked clean = check(plan_of(kTool + kStock + kSlot));
+    EXPECT_EQ(clean.word, "clean");
+    EXPECT_EQ(clean.outcome, verify::Outcome::Clean);
+    EXPECT_EQ(clean.path, "slot.nc");
+    EXPECT_TRUE(clean.simulated);
+
+    const report::Checked failed = check(
+        plan_of(kTool + kStock + "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y20. Z-5.\nG0 X45.\nM30\n"));
+    EXPECT_EQ(failed.outcome, verify::Outcome::Failed);
+    ASSERT_FALSE(failed.verdict.findings.empty());
+    EXPECT_EQ(failed.verdict.findings.front().rule, "rapid-in-material");
+    EXPECT_EQ(failed.lines.front(), "G0 X45.");
+}
+
+TEST(Check, AsksOnlyWhatIsSelected) {
+    Questions questions;
+    for (const verify::RuleInfo& rule : verify::rules())
+        questions.selection.ignored.emplace(rule.id);
+    const report::Checked checked = check(plan_of(kTool + kStock + kSlot), questions);
+    EXPECT_FALSE(checked.simulated);
+    EXPECT_TRUE(checked.verdict.findings.empty());
+}
+
+TEST(CompareParts, TellsWhatOnlyOneOfThemHas) {
+    const auto surveyed = [](const std::string& text) {
+        Surveyed side{plan_of(text), {}};
+        side.survey = survey(side.plan);
+        return side;
+    };
+    const Surveyed a = surveyed(kTool + kStock + kSlot);
+    std::string deeper = kSlot;
+    deeper.replace(deeper.find("Z-5."), 4, "Z-6.");
+    const report::Difference d = compare_parts(a, surveyed(kTool + kStock + deeper));
+    EXPECT_FALSE(d.same_motions);
+    EXPECT_NEAR(d.only_old.volume_mm3, 6 * 40 * 1, 1e-9);
+    EXPECT_DOUBLE_EQ(d.only_new.volume_mm3, 0.0);
+    EXPECT_TRUE(compare_parts(a, a).same_motions);
+}
+
+}  // namespace
+}  // namespace ncsim::simulation

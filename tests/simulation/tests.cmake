@@ -1,0 +1,4 @@
+ncsim_add_test(simulation
+  LIBRARIES ncsim::simulation
+  SOURCES
+    simulation_test.cpp)
