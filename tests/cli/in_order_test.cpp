@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "in_order.h"
 
-#include "ncsim/setup/budget.h"
-
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -47,15 +45,6 @@ TEST(InOrder, WorkEndsWhenNobodyTakesItsResults) {
         app::in_order(1000, 2, work, [](std::size_t) { throw std::runtime_error("closed"); }),
         std::runtime_error);
     EXPECT_LE(begun, 3);
-}
-
-TEST(Budget, IsUsedUpWhenWorkIsToStop) {
-    std::stop_source stop;
-    setup::Budget budget;
-    budget.stop_with(stop.get_token());
-    EXPECT_NO_THROW(budget.check("a.nc", 3));
-    stop.request_stop();
-    EXPECT_THROW(budget.check("a.nc", 3), std::runtime_error);
 }
 
 TEST(ClosedOutput, EndsACheckWithAnError) {

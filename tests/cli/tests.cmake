@@ -10,11 +10,11 @@ if(TARGET ncsim)
       doubts_test.cpp
       draft_test.cpp
       files_test.cpp
+      hostile_text_test.cpp
       in_order_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp
-      plain_text_test.cpp
       rotary_test.cpp
       run_program.cpp
       run_test.cpp

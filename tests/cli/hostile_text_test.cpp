@@ -2,8 +2,6 @@
 //
 // Whatever stands in programs, set-up files and names: neither a terminal nor the CI service whose
 // log it ends in obeys it, and every format stays what it is.
-#include "ncsim/report/plain_text.h"
-
 #include "cli/run_program.h"
 
 #include <gtest/gtest.h>
@@ -15,47 +13,6 @@
 
 namespace ncsim::cli_test {
 namespace {
-
-TEST(PlainText, KeepsWhatIsPlain) {
-    EXPECT_EQ(report::printable("fr\xc3\xa4ser \xc3\x84: 5 # 3"), "fr\xc3\xa4ser \xc3\x84: 5 # 3");
-}
-
-TEST(PlainText, HasNoControlCharacters) {
-    EXPECT_EQ(report::printable("a\tb\x1b[2J\r\nc\x7f"), "a b?[2J?\nc?");
-    EXPECT_EQ(report::printable("\xc2\x9b"
-                                "31m \x9b ok \xc3\xbc \xfc"),
-              "??31m ? ok \xc3\xbc \xfc");
-    EXPECT_EQ(report::printable("\xe2\x80\xae"
-                                "reversed \xe2\x80\xa8 \xe2\x82\xac"),
-              "???reversed ??? \xe2\x82\xac");
-    EXPECT_EQ(report::one_line("a\nb"), "a?b");
-}
-
-TEST(PlainText, HasNothingThatACiServiceObeys) {
-    EXPECT_EQ(report::printable("::error::x\n \t::add-mask::y\n\xc2\xa0::z\nok ::w"),
-              "?:error::x\n  ?:add-mask::y\n\xc2\xa0?:z\nok ::w");
-    EXPECT_EQ(report::printable("##[error]x\na ##vso[b] ###TeamCity[c]"),
-              "#?[error]x\na #?vso[b] ##?TeamCity[c]");
-    EXPECT_EQ(report::printable("G1 X##[100] Y##[#1] #[##2] Z##3"),
-              "G1 X##[100] Y##[#1] #[##2] Z##3");
-}
-
-TEST(PlainText, LeavesPathsThatLeadToTheSameFile) {
-    EXPECT_EQ(report::shown_path("a/b.nc"), "a/b.nc");
-    for (const char* path : {"::error::x", "##[error]", " ::x", "=cmd.nc", "+1", "-1", "@a"})
-        EXPECT_EQ(report::shown_path(path).substr(0, 2), "./") << path;
-    EXPECT_EQ(report::shown_path("a\n::error::.nc"), "a??:error::.nc");
-}
-
-TEST(PlainText, LeavesJsonThatSaysTheSame) {
-    const nlohmann::json json{"###vso[a]", "##[1]", "\\##[error]"};
-    const std::string shown = report::shown_json(json.dump());
-    EXPECT_EQ(shown.find("##v"), std::string::npos);
-    EXPECT_EQ(shown.find("##[e"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(shown), json);
-}
-
-// --- The whole program -------------------------------------------------------------------------
 
 // Like what GitHub's runner, Azure's agent and TeamCity look for.
 bool is_obeyed(const std::string& line) {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A job of a program that is at hand as text.
+#include "ncsim/setup/job.h"
+
+#include "ncsim/setup/coordinate_systems.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace ncsim::setup {
+namespace {
+
+const std::string kText =
+    "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,30.,10.,0.,0.,10.)\nG21\nM30\n";
+
+TEST(Job, OfATextHasWhatItsCommentsTell) {
+    const Job job = job_of({"a.nc", kText});
+    EXPECT_EQ(job.program.name, "a.nc");
+    ASSERT_EQ(job.tools.size(), 1U);
+    EXPECT_EQ(job.tools[0].told_by, toolpath::ToldBy::Comment);
+    EXPECT_EQ(job.tools[0].spec.diameter, 6.0);
+    ASSERT_TRUE(job.stock);
+    EXPECT_EQ(job.stock->box.size(), (cda::Vec3{40, 30, 10}));
+    EXPECT_FALSE(job.start);
+    EXPECT_FALSE(job.interpreter.read_file);
+}
+
+TEST(Job, OptionsComeBeforeComments) {
+    JobOptions options;
+    options.inches = true;
+    options.start = cda::Vec3{1, 2, 3};
+    options.offsets[1] = cda::Vec3{-100, -50, -300};
+    options.tools.emplace_back();
+    options.tools[0].number = 1;
+    options.tools[0].kind = toolpath::ToolKind::BallEndMill;
+    options.tools[0].diameter = 4.0;
+    const Job job = job_of({"a.nc", kText}, options);
+    ASSERT_EQ(job.tools.size(), 1U);
+    EXPECT_EQ(job.tools[0].told_by, toolpath::ToldBy::Option);
+    EXPECT_EQ(job.tools[0].spec.diameter, 4.0);
+    EXPECT_EQ(job.start, (cda::Vec3{1, 2, 3}));
+    EXPECT_EQ(job.interpreter.default_units, gcode::DefaultUnits::Inches);
+    EXPECT_EQ(origin_of(job.interpreter, 1), (cda::Vec3{-100, -50, -300}));
+    EXPECT_FALSE(origin_of(job.interpreter, 2));
+}
+
+TEST(Job, OfBinaryDataIsRefused) {
+    EXPECT_THROW(job_of({"a.nc", std::string("G0\0X1", 5)}), std::runtime_error);
+}
+
+TEST(CoordinateSystems, AreNamedAsPeopleNameThem) {
+    for (const char* name : {"G54", "G59", "G59.1", "G59.3", "G54.1 P1", "G54.1 P300"}) {
+        const auto system = system_named(name);
+        ASSERT_TRUE(system) << name;
+        EXPECT_EQ(name_of_system(*system), name);
+    }
+    for (const char* name : {"G53", "G60", "G59.4", "G54.1", "G54.1 P0", "G54.1 P301", "g54"})
+        EXPECT_FALSE(system_named(name)) << name;
+}
+
+}  // namespace
+}  // namespace ncsim::setup

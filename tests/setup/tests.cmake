@@ -1,0 +1,5 @@
+ncsim_add_test(setup
+  LIBRARIES ncsim::setup
+  SOURCES
+    budget_test.cpp
+    job_test.cpp)
