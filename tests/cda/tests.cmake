@@ -11,6 +11,7 @@ ncsim_add_test(cda
     flat_test.cpp
     hull_test.cpp
     intersect_test.cpp
+    lattice_quickhull_test.cpp
     lattice_test.cpp
     loops_test.cpp
     normal_table_test.cpp

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Quickhull says which points make which facet; everything that is kept is then computed from
-// the integer points, so that qhull's rounding never reaches a plane.
+// the integer points, so that qhull's rounding never reaches a plane where qhull is asked.
 #include "ncsim/cda/hull.h"
 
 #include "ncsim/cda/predicates.h"
 
+#include "lattice_quickhull.h"
 #include "qhull.h"
 
 #include <algorithm>
@@ -107,13 +108,28 @@ Extent extent(std::span<const LatticePoint> points) {
     return e;
 }
 
-// The hull with its facets in lattice coordinates; planes beside the loops.
+// The hull with its facets in lattice coordinates. To quantise a normal takes long divisions: only
+// where it is asked for.
 struct LatticeHull {
     std::vector<std::vector<std::uint32_t>> loops;
-    std::vector<Normal> normals;
+    std::vector<Wide> areas;  // twice their area vectors
+
+    Normal normal(std::size_t facet) const { return quantised(areas[facet]); }
 };
 
-std::optional<LatticeHull> lattice_hull(std::span<const LatticePoint> points) {
+LatticeHull lattice_hull(std::span<const LatticePoint> points, const HullFacets& facets) {
+    LatticeHull hull;
+    for (const auto& loop : facets.loops) {
+        const Wide v = area_vector(points, loop);
+        if (v.x == 0 && v.y == 0 && v.z == 0) continue;
+        hull.loops.push_back(loop);
+        hull.areas.push_back(v);
+    }
+    return hull;
+}
+
+// By qhull, facets in one plane as one.
+std::optional<LatticeHull> merged_hull(std::span<const LatticePoint> points) {
     if (points.empty()) return std::nullopt;
     // Relative to a corner: doubles then hold the differences exactly.
     const Extent e = extent(points);
@@ -126,14 +142,13 @@ std::optional<LatticeHull> lattice_hull(std::span<const LatticePoint> points) {
     }
     const auto facets = quickhull(local);
     if (!facets) return std::nullopt;
-    LatticeHull hull;
-    for (const auto& loop : facets->loops) {
-        const Wide v = area_vector(points, loop);
-        if (v.x == 0 && v.y == 0 && v.z == 0) continue;
-        hull.loops.push_back(loop);
-        hull.normals.push_back(quantised(v));
-    }
-    return hull;
+    return lattice_hull(points, *facets);
+}
+
+// In triangles, where that can be.
+std::optional<LatticeHull> hull_of(std::span<const LatticePoint> points) {
+    if (const auto facets = lattice_quickhull(points)) return lattice_hull(points, *facets);
+    return merged_hull(points);
 }
 
 // Normals have no common divisor here, so planes are canonical as they are.
@@ -142,14 +157,14 @@ Plane plane_of(Normal n, std::int64_t d) {
             static_cast<std::int32_t>(n.z), d};
 }
 
-std::int64_t facet_distance(const LatticeHull& hull, std::size_t facet,
-                            std::span<const LatticePoint> points, Rounding rounding) {
-    const Normal n = hull.normals[facet];
-    if (rounding == Rounding::Outward) return support(n, points);
+Plane facet_plane(const LatticeHull& hull, std::size_t facet, std::span<const LatticePoint> points,
+                  Rounding rounding) {
+    const Normal n = hull.normal(facet);
+    if (rounding == Rounding::Outward) return plane_of(n, support(n, points));
     std::int64_t d = dot(n, points[hull.loops[facet][0]]);
     for (const std::uint32_t corner : hull.loops[facet])
         d = std::min(d, dot(n, points[corner]));
-    return d;
+    return plane_of(n, d);
 }
 
 // None stands twice: facets in one plane share it. Its index.
@@ -187,15 +202,34 @@ double common_cosine(std::span<const Vec3> normals) {
 class Neighbours {
 public:
     explicit Neighbours(const std::vector<std::vector<std::uint32_t>>& loops) {
-        for (std::size_t f = 0; f < loops.size(); ++f) {
-            for (std::size_t k = 0; k < loops[f].size(); ++k)
-                edges_.push_back({loops[f][k], loops[f][(k + 1) % loops[f].size()],
-                                  static_cast<std::uint32_t>(f)});
+        std::uint32_t corners = 0;
+        std::size_t edges = 0;
+        for (const auto& loop : loops) {
+            edges += loop.size();
+            for (const std::uint32_t corner : loop)
+                corners = std::max(corners, corner + 1);
         }
-        std::sort(edges_.begin(), edges_.end(), comes_before);
-        is_closed_ = std::all_of(edges_.begin(), edges_.end(), [this](const Edge& e) {
-            return find(e.from, e.to) == &e && find(e.to, e.from);
-        });
+        // Edges by where they begin.
+        begin_.resize(corners + std::size_t{1});
+        for (const auto& loop : loops) {
+            for (const std::uint32_t corner : loop)
+                ++begin_[corner + std::size_t{1}];
+        }
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        edges_.resize(edges);
+        std::vector<std::uint32_t> end(begin_.begin(), begin_.end() - 1);
+        for (std::size_t f = 0; f < loops.size(); ++f) {
+            for (std::size_t k = 0; k < loops[f].size(); ++k) {
+                const std::uint32_t to = loops[f][(k + 1) % loops[f].size()];
+                edges_[end[loops[f][k]]++] = {to, static_cast<std::uint32_t>(f)};
+            }
+        }
+        for (std::uint32_t from = 0; from < corners && is_closed_; ++from) {
+            for (std::uint32_t i = begin_[from]; i < begin_[from + std::size_t{1}]; ++i) {
+                is_closed_ = is_closed_ && find(from, edges_[i].to) == &edges_[i] &&
+                             find(edges_[i].to, from);
+            }
+        }
     }
     // Does each edge of a facet belong to one other, the other way round?
     bool is_closed() const { return is_closed_; }
@@ -206,20 +240,19 @@ public:
 
 private:
     struct Edge {
-        std::uint32_t from, to, facet;
+        std::uint32_t to, facet;
     };
-    static bool comes_before(const Edge& a, const Edge& b) {
-        return std::tie(a.from, a.to, a.facet) < std::tie(b.from, b.to, b.facet);
-    }
-    // The first of its kind.
+    // The first of its kind. Few edges begin at a corner.
     const Edge* find(std::uint32_t from, std::uint32_t to) const {
-        const auto at =
-            std::lower_bound(edges_.begin(), edges_.end(), Edge{from, to, 0}, comes_before);
-        return at != edges_.end() && at->from == from && at->to == to ? &*at : nullptr;
+        for (std::uint32_t i = begin_[from]; i < begin_[from + std::size_t{1}]; ++i) {
+            if (edges_[i].to == to) return &edges_[i];
+        }
+        return nullptr;
     }
 
+    std::vector<std::uint32_t> begin_;  // of the edges of a corner
     std::vector<Edge> edges_;
-    bool is_closed_ = false;
+    bool is_closed_ = true;
 };
 
 // The outline of facets that are one patch; empty if it is not one loop.
@@ -260,8 +293,7 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     if (!neighbours.is_closed()) return std::nullopt;
     const auto count = static_cast<std::uint32_t>(hull.loops.size());
     std::vector<double> areas;
-    for (const auto& loop : hull.loops) {
-        const Wide a = area_vector(points, loop);
+    for (const Wide& a : hull.areas) {
         areas.push_back(norm(
             Vec3{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)}));
     }
@@ -276,7 +308,7 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     for (const std::uint32_t seed : order) {
         if (patch_of[seed] != kNone) continue;
         const auto number = static_cast<std::uint32_t>(patches.size());
-        const Normal n = hull.normals[seed];
+        const Normal n = hull.normal(seed);
         const double length = norm(
             Vec3{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)});
         const std::int64_t d = support(n, points);
@@ -304,7 +336,7 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
             patch.size() == 1 ? hull.loops[patch[0]] : outline(hull, patch, patch_of, neighbours);
         if (loop.size() < 3) return std::nullopt;
         result.hull.loops.push_back(std::move(loop));
-        result.hull.normals.push_back(hull.normals[patch[0]]);
+        result.hull.areas.push_back(hull.areas[patch[0]]);
     }
     return result;
 }
@@ -334,7 +366,7 @@ double distance_bound(const LatticeHull& hull, std::span<const LatticePoint> poi
     std::vector<Incidence> incidences;
     Vec3 inside;
     for (std::size_t f = 0; f < hull.loops.size(); ++f) {
-        const Normal n = hull.normals[f];
+        const Normal n{planes[f].nx, planes[f].ny, planes[f].nz};
         const double length = norm(vec_of(n.x, n.y, n.z));
         for (const std::uint32_t corner : hull.loops[f]) {
             const auto above = static_cast<double>(planes[f].d - dot(n, points[corner])) / length;
@@ -387,11 +419,11 @@ Cell cell_of(const std::vector<Plane>& planes, std::span<const LatticePoint> poi
 
 std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Lattice& lattice,
                                 Origin origin, Rounding rounding) {
-    const auto hull = lattice_hull(points);
+    const auto hull = hull_of(points);
     if (!hull) return std::nullopt;
     std::vector<Plane> planes;
     for (std::size_t i = 0; i < hull->loops.size(); ++i)
-        planes.push_back(plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding)));
+        planes.push_back(facet_plane(*hull, i, points, rounding));
     return cell_of(planes, points, lattice, origin);
 }
 
@@ -402,7 +434,7 @@ std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, con
     std::sort(sorted.begin(), sorted.end(), [](const LatticePoint& a, const LatticePoint& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     });
-    const auto hull = lattice_hull(sorted);
+    const auto hull = hull_of(sorted);
     if (!hull) return std::nullopt;
     // Where the normals around a corner are far apart the cell reaches farther out than its planes.
     constexpr double kShare = 0.5;
@@ -413,8 +445,8 @@ std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, con
         }
     }
     std::vector<Plane> planes;
-    for (const Normal& n : hull->normals)
-        planes.push_back(plane_of(n, support(n, sorted)));
+    for (std::size_t i = 0; i < hull->loops.size(); ++i)
+        planes.push_back(facet_plane(*hull, i, sorted, Rounding::Outward));
     return cell_of(planes, sorted, lattice, origin);
 }
 
@@ -428,7 +460,7 @@ std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,
 
 std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoint> points,
                                                      const Lattice& lattice, Rounding rounding) {
-    const auto hull = lattice_hull(points);
+    const auto hull = merged_hull(points);
     if (!hull) return std::nullopt;
     TranslationSweep sweep;
     sweep.lattice_ = lattice;
@@ -447,7 +479,7 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> facet_at;  // directed edge
     for (std::size_t i = 0; i < hull->loops.size(); ++i) {
         const auto& loop = hull->loops[i];
-        const Plane plane = plane_of(hull->normals[i], facet_distance(*hull, i, points, rounding));
+        const Plane plane = facet_plane(*hull, i, points, rounding);
         const auto index = static_cast<std::uint32_t>(add(sweep.facets_, plane));
         for (std::size_t k = 0; k < loop.size(); ++k)
             facet_at[{renumbered[loop[k]], renumbered[loop[(k + 1) % loop.size()]]}] = index;
