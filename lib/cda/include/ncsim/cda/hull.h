@@ -22,8 +22,8 @@ namespace ncsim::cda {
 /// that NC programs make) are exact either way.
 enum class Rounding : std::uint8_t { Outward, Inward };
 
-/// Convex hull of `points` by Quickhull (qhull; coplanar facets merged). Nothing if they lie in a
-/// plane: such a body removes no volume. Expected O(n log n).
+/// Convex hull of `points` by Quickhull (in integers; what that cannot decide, by qhull). Nothing
+/// if they lie in a plane: such a body removes no volume. Expected O(n log n).
 std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Lattice& lattice,
                                 Origin origin, Rounding rounding = Rounding::Outward);
 
