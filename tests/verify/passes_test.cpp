@@ -60,8 +60,7 @@ TEST(Passes, AreThoseOfAnUprightTool) {
 }
 
 // Flutes of 3 mm are told; what is above them may go where they were, and nowhere else.
-bool needs_longer_flutes(const std::string& program) {
-    Setup setup = verify_test::plain_setup();
+bool needs_longer_flutes(const std::string& program, Setup setup = verify_test::plain_setup()) {
     setup.tools.at(1).certain_flutes = 3.0;
     return verify_test::doubts_of(verify_test::verdict_of(program, setup)).contains("flutes-guess");
 }
@@ -82,6 +81,18 @@ TEST(Passes, DoNotHideThatFlutesAreTooShort) {
         << "the first was beside it";
     EXPECT_TRUE(needs_longer_flutes(head + level(0, 30) + level(-6, 30)))
         << "the first was above the block";
+}
+
+// It is an error already; unless nobody asks for it.
+TEST(UncertainFlutes, AreNotDoubtedWhereARapidMoveCuts) {
+    const std::string program = "G21 G90\nT1 M6\nS5000 M3 F500\nG0 X-30 Y0 Z2\nG0 Z-6\nG0 X30\n";
+    const auto verdict = verify_test::verdict_of(program);
+    EXPECT_EQ(verify_test::findings_of(verdict, "rapid-in-material").size(), 1U);
+    EXPECT_FALSE(needs_longer_flutes(program));
+    EXPECT_TRUE(needs_longer_flutes(program + "(ncsim: ignore rapid-in-material)\nG0 X-30 Y4\n"));
+    verify::Setup setup = verify_test::plain_setup();
+    setup.selection.ignored.emplace("rapid-in-material");
+    EXPECT_TRUE(needs_longer_flutes(program, setup));
 }
 
 }  // namespace

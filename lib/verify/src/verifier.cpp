@@ -172,7 +172,8 @@ public:
         // Going straight down, what is certain cuts ahead of what is not.
         const bool only_down =
             goes_on && now_->straight_from_mm <= now_->uncertain.from_mm && falls_straight(step);
-        if (!now_->uncertain.bodies.empty() && !only_up && !only_down) meet_uncertain(step, part);
+        if (!now_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
+            meet_uncertain(step, part);
         meets_now_ = false;
         if (books_) note_cells(step);
         if (!move_.asked || step.cells.empty()) return;
@@ -301,6 +302,12 @@ private:
     bool asked(std::string_view rule) const { return setup_.selection.includes(rule); }
 
     Place place() const { return {move_.motion->file, move_.motion->span}; }
+
+    // A rapid move that meets material is an error, whichever flutes meet it.
+    bool is_found_rapid() const {
+        return move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material") &&
+               !is_suppressed("rapid-in-material");
+    }
 
     // Does somebody want to know what the cutter meets in this motion?
     bool asks(const gcode::Motion& motion) const {
