@@ -86,8 +86,7 @@ void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingC
     go_down(0, 0, items_.size(), {});
     for (Taken& turn : taken) {
         std::ranges::sort(turn.cells);
-        const auto rest = std::ranges::unique(turn.cells);
-        turn.cells.erase(rest.begin(), rest.end());
+        turn.cells.erase(std::unique(turn.cells.begin(), turn.cells.end()), turn.cells.end());
     }
     taken.erase(taken.begin());
 }
