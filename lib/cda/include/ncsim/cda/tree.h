@@ -107,7 +107,7 @@ private:
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
     mutable std::vector<Block> blocks_;
-    mutable std::size_t waiting_ = 0;  // cells since the last time that none waited
+    mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
     mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;
 };
