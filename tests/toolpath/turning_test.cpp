@@ -34,8 +34,8 @@ struct Point2 {
 };
 
 // The half section of a round piece from the axis to the axis; chords within a micrometre for arcs.
-std::vector<Point2> section_of(const ToolPiece& piece, double high, double low = -kInf) {
-    const auto profile = slice(piece, low, high).profile;
+std::vector<Point2> section_of(const ToolPiece& piece, double high) {
+    const auto profile = slice(piece, -kInf, high).profile;
     std::vector<Point2> line{{0.0, profile.front().height}};
     for (const ProfilePoint& corner : profile)
         line.push_back({corner.radius, corner.height});
@@ -202,66 +202,6 @@ TEST(Turning, NoPointOfAHullIsFartherFromTheSweepThanTheBound) {
     }
 }
 
-// Each slab of a long tool by itself: what it gains is measured from the sweep of the whole tool.
-double worst_gain_in_slabs(const Case& c, int points, test::Random& random) {
-    const Samples s = c.samples();
-    const PieceExtent whole = extent_of(c.piece);
-    Worst worst;
-    if (is_above(whole, s.turning.top_mm)) return worst.ratio;
-    PieceExtent kept = whole;
-    kept.high_mm = cut_off(whole, s.turning.top_mm);
-    const double slab_mm = random.within(0.02, 1.0) * (kept.high_mm - kept.low_mm);
-    const ToolExtent extents = in_slabs(below({{whole}}, s.turning.top_mm), slab_mm);
-    const std::vector<Slab> slabs = slabs_of(kept, slab_mm);
-    EXPECT_EQ(slabs.size(), extents.pieces.size());
-    for (int i = 0; i < points; ++i) {
-        const std::size_t k = random.next() % slabs.size();
-        const double low = k > 0 ? slabs[k].low_mm : -kInf;
-        const auto section = section_of(c.piece, slabs[k].high_mm, low);
-        const double t = random.unit();
-        const Vec3 p = (1 - t) * (s.poses[0] * point_of(section, random)) +
-                       t * (s.poses[1] * point_of(section, random));
-        if (c.place && !c.place->contains(p)) continue;
-        const double bound = s.turning.chord_mm +
-                             gained_mm(s.poses[0], s.poses[1], s.turning, {{extents.pieces[k]}});
-        const double gained = c.distance_from_sweep(p) - 1e-3;
-        if (gained > 0.0) worst.add(gained, bound);
-    }
-    return worst.ratio;
-}
-
-TEST(Turning, NoPointOfTheHullOfASlabIsFartherFromTheSweepThanItsBound) {
-    test::Random random(4);
-    double worst = 0.0;
-    for (int i = 0; i < 1500; ++i) {
-        SCOPED_TRACE(i);
-        worst = std::max(worst, worst_gain_in_slabs(random_case(random), 40, random));
-        ASSERT_LE(worst, 1.0);
-    }
-    EXPECT_GT(worst, 0.4) << "the bound is not far from the truth";
-}
-
-// One end goes one way, the other the other: the hull of the whole gains with its length.
-TEST(Turning, ALongToolIsCutIntoSlabsInsteadOfTurningInSmallSteps) {
-    const auto taken_by = [](double length) {
-        gcode::Motion motion;
-        motion.what = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
-        const ToolExtent tool = extent_of(flat_end_mill(6, length));
-        const Samples s = sample(motion, tool, {});
-        EXPECT_LE(s.bounds.gained_mm, SamplingOptions{}.rotation_gain_mm);
-        EXPECT_LE(s.bounds.missed_mm, SamplingOptions{}.rotation_miss_mm);
-        for (std::size_t i = 1; i < s.poses.size(); ++i) {
-            EXPECT_LE(
-                gained_mm(s.poses[i - 1], s.poses[i], s.turning, in_slabs(tool, s.turning.slab_mm)),
-                s.bounds.gained_mm);
-        }
-        return s;
-    };
-    EXPECT_EQ(taken_by(12).turning.slab_mm, kInf);
-    EXPECT_LT(taken_by(96).turning.slab_mm, 48.0);
-    EXPECT_LT(taken_by(96).poses.size(), 4 * taken_by(12).poses.size());
-}
-
 // Half of it would not do: neither where the tool turns about a point of its own, nor far from the
 // axis, where only its width counts, nor where it moves on meanwhile.
 TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
@@ -307,29 +247,23 @@ TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
     for (int i = 0; i < 150; ++i) {
         SCOPED_TRACE(i);
         const Case c = random_case(random);
-        Samples s = c.samples();
+        const Samples s = c.samples();
         const auto section = section_of(c.piece, kInf);
-        // Or what slabs miss, all of them together.
-        if (random.one_in(2)) s.turning.slab_mm = random.within(1, 30);
         Tool tool;
         tool.pieces.push_back(c.piece);
         Cutter cutter(tool, lattice, {0.02, Side::Circumscribed});
         std::vector<cda::Cell> cells;
-        cutter.trace(s.poses[0], s.poses[1], {}, cells, liberties_of(s.turning));
+        cutter.trace(s.poses[0], s.poses[1], {}, cells, {s.turning.top_mm, 0.0});
         for (int k = 0; k < 50; ++k) {
             const Vec3 p = pose_at(c.at(random.unit())) * point_of(section, random);
             if (c.place && !c.place->contains(p)) continue;
-            ASSERT_FALSE(cells.empty()) << "a piece that comes there";
+            ASSERT_EQ(cells.size(), 1U) << "a piece that comes there";
             const Vec3 q = (1 / lattice.unit_mm) * p;
-            double beyond = kInf;
-            for (const cda::Cell& cell : cells) {
-                double beyond_this = 0.0;
-                for (const cda::Plane& plane : cell.planes) {
-                    const Vec3 n{double(plane.nx), double(plane.ny), double(plane.nz)};
-                    const double over = dot(n, q) - static_cast<double>(plane.d);
-                    beyond_this = std::max(beyond_this, lattice.unit_mm * over / norm(n));
-                }
-                beyond = std::min(beyond, beyond_this);
+            double beyond = 0.0;
+            for (const cda::Plane& plane : cells[0].planes) {
+                const Vec3 n{double(plane.nx), double(plane.ny), double(plane.nz)};
+                const double over = dot(n, q) - static_cast<double>(plane.d);
+                beyond = std::max(beyond, lattice.unit_mm * over / norm(n));
             }
             ASSERT_LE(beyond, s.bounds.missed_mm + 4e-5);
             if (s.bounds.missed_mm > 0) worst = std::max(worst, beyond / s.bounds.missed_mm);
@@ -354,9 +288,8 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
         walk.add_tool(1, tool);
         double worst = 0.0;
         walk.take(motion, {}, [&](const Step& step) {
-            const ToolExtent shank{{extent_of(tool.pieces[1])}};
             worst = std::max(worst, gained_mm(step.X_WA, step.X_WB, step.turning,
-                                              in_slabs(shank, step.turning.slab_mm)));
+                                              {{extent_of(tool.pieces[1])}}));
         });
         return worst;
     };

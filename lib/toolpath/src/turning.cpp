@@ -10,8 +10,7 @@ using cda::Vec3;
 
 namespace {
 
-constexpr double kMargin = 1.0;   // mm
-constexpr double kOverlap = 0.1;  // mm, of slabs: their ends lie within their neighbours
+constexpr double kMargin = 1.0;  // mm
 
 // Not std::hypot, whose last bit is the library's own affair.
 double length_of(double a, double b) {
@@ -152,56 +151,6 @@ ToolExtent below(ToolExtent tool, double top_mm) {
         piece.high_mm = piece.core_high_mm = high;
     }
     return tool;
-}
-
-std::vector<Slab> slabs_of(const PieceExtent& piece, double slab_mm) {
-    const double length = piece.high_mm - piece.straight_mm;
-    if (!(slab_mm < length)) return {{piece.low_mm, piece.high_mm}};
-    const double count = std::ceil(length / slab_mm);
-    const double height = length / count;
-    std::vector<Slab> slabs;
-    for (double i = 0.0; i < count; ++i) {
-        const double low = piece.straight_mm + i * height;
-        const double high = i + 1.0 < count ? low + height : piece.high_mm;
-        slabs.push_back({i > 0.0 ? low - std::min(kOverlap, height) : piece.low_mm, high});
-    }
-    return slabs;
-}
-
-ToolExtent in_slabs(const ToolExtent& tool, double slab_mm) {
-    ToolExtent result;
-    for (const PieceExtent& piece : tool.pieces) {
-        const std::vector<Slab> slabs = slabs_of(piece, slab_mm);
-        if (slabs.size() == 1) {
-            result.pieces.push_back(piece);
-            continue;
-        }
-        for (std::size_t i = 0; i < slabs.size(); ++i) {
-            PieceExtent e = piece;
-            e.low_mm = e.core_low_mm = slabs[i].low_mm;
-            e.high_mm = e.core_high_mm = e.straight_mm = slabs[i].high_mm;
-            const bool is_last = i + 1 == slabs.size();
-            const double above = is_last ? Turning::kInf : piece.high_mm - e.high_mm;
-            if (i > 0) {
-                // A ball as large as fits above and below; where the tool ends, it is cut off.
-                const double ball =
-                    std::min({piece.radius_mm, e.low_mm - piece.straight_mm, above});
-                e.core_radius_mm = piece.radius_mm - ball;
-                e.open_above = is_last;
-            } else {
-                // As the whole piece is rounded, if that fits.
-                const double ball = piece.radius_mm - piece.core_radius_mm;
-                e.open_above = false;
-                if (piece.open_above && ball <= above && piece.core_low_mm <= e.high_mm) {
-                    e.core_low_mm = piece.core_low_mm;
-                } else {
-                    e.core_radius_mm = piece.radius_mm;
-                }
-            }
-            result.pieces.push_back(e);
-        }
-    }
-    return result;
 }
 
 Turning Turning::raised(double distance_mm) const {

@@ -123,7 +123,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
         Samples samples = sample(part, followed, sampling_, place_);
-        Liberties liberties = liberties_of(samples.turning);
+        Liberties liberties{samples.turning.top_mm, 0.0};
         // A rapid move is followed exactly, so that it meets nothing where a cut has been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
             liberties.slack_mm = slack_mm_;

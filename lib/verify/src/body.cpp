@@ -139,19 +139,18 @@ std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
     std::vector<Cell> cells;
     toolpath::Cutter& cutter = side == Side::Circumscribed ? outer_ : inner_;
     cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells,
-                 toolpath::liberties_of(step.turning.raised(raise)));
+                 {step.turning.top_mm - raise, 0.0});
     return cells;
 }
 
 Box Body::bounds(const Step& step, double raise) const {
     return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise),
-                         toolpath::liberties_of(step.turning.raised(raise)));
+                         {step.turning.top_mm - raise, 0.0});
 }
 
 double gained_by(const toolpath::Cutter& cutter, const Step& step, double raise) {
     const toolpath::Turning turning = step.turning.raised(raise);
-    const toolpath::ToolExtent kept =
-        toolpath::in_slabs(toolpath::below(cutter.extent(), turning.top_mm), turning.slab_mm);
+    const toolpath::ToolExtent kept = toolpath::below(cutter.extent(), turning.top_mm);
     return turning.chord_mm +
            toolpath::gained_mm(raised(step.X_WA, raise), raised(step.X_WB, raise), turning, kept);
 }
@@ -193,6 +192,15 @@ bool Body::meets_certainly(const Step& step, double raise, const cda::TreeCda& p
     return std::ranges::any_of(cells(step, raise, Side::Inscribed), [&](const Cell& cell) {
         return part.contact(less > 0.0 ? shrunk(cell, less, lattice_) : cell).has_value();
     });
+}
+
+double Body::common_volume(const Step& step, double raise, const cda::TreeCda& part,
+                           const Box& stock) {
+    double volume = 0.0;
+    if (!stock.overlaps(bounds(step, raise))) return volume;
+    for (const Cell& cell : cells(step, raise, Side::Circumscribed))
+        volume += part.common_volume(cell);
+    return volume;
 }
 
 double needed_raise(Body& body, const Step& step, double known, double limit, double raise_step,

@@ -25,12 +25,6 @@
 // cylinder within the corner), the sum of a point of each, a ball turned is a ball: only the body
 // within counts. That fails where the piece is cut off flat, at its upper end: it holds if this end
 // is out of the region that matters.
-//
-// **Slabs.** What a long tool gains grows with its length where its ends go opposite ways. A piece
-// may be cut across its axis: each slab leaves a hull of its own, which gains less, being shorter,
-// and all together miss no more, since each follows its part. A slab within a cylinder is part of a
-// body that a ball rolls around, and this is part of the tool, if the tool goes on beyond both ends
-// by the radius of the ball.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -72,16 +66,6 @@ bool is_above(const PieceExtent& piece, double top_mm);
 /// With all pieces cut off there.
 ToolExtent below(ToolExtent tool, double top_mm);
 
-/// From where to where the slabs of a piece go, the lowest first: what is not a cylinder is part of
-/// it, the others are equally high, no higher than `slab_mm`, and reach a little into the one
-/// below.
-struct Slab {
-    double low_mm = 0.0, high_mm = 0.0;
-};
-std::vector<Slab> slabs_of(const PieceExtent& piece, double slab_mm);
-/// With all pieces cut into slabs: first below(), then this.
-ToolExtent in_slabs(const ToolExtent& tool, double slab_mm);
-
 /// One step of a motion: bounds of how the tool turns and moves between two poses. mm, radians.
 struct Turning {
     static constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -99,8 +83,6 @@ struct Turning {
     /// which all such places are, whatever the tool does in this motion.
     double place_mm = kInf;
     double top_mm = kInf;
-    /// How high the slabs are, at most, whose hulls the tool leaves.
-    double slab_mm = kInf;
 
     /// Of the same tool, mounted `distance` mm higher.
     Turning raised(double distance_mm) const;
