@@ -35,4 +35,6 @@ if(TARGET ncsim)
   target_include_directories(nightly_programs PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(nightly_programs PRIVATE ncsim_app ncsim_build_flags)
   add_test(NAME nightly.RunsThirtyPrograms COMMAND nightly_programs 30)
+  # A long slot mill with rounded corners that turns: slabs of it gained three times what was told.
+  add_test(NAME nightly.RunsALongToolThatTurns COMMAND nightly_programs 1 403224)
 endif()

@@ -194,15 +194,6 @@ bool Body::meets_certainly(const Step& step, double raise, const cda::TreeCda& p
     });
 }
 
-double Body::common_volume(const Step& step, double raise, const cda::TreeCda& part,
-                           const Box& stock) {
-    double volume = 0.0;
-    if (!stock.overlaps(bounds(step, raise))) return volume;
-    for (const Cell& cell : cells(step, raise, Side::Circumscribed))
-        volume += part.common_volume(cell);
-    return volume;
-}
-
 double needed_raise(Body& body, const Step& step, double known, double limit, double raise_step,
                     const cda::TreeCda& part, const Box& stock) {
     const auto meets = [&](std::int64_t steps) {

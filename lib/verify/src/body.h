@@ -66,10 +66,6 @@ public:
     bool meets_certainly(const toolpath::Step& step, double raise, const cda::TreeCda& part,
                          const cda::Box& stock);
 
-    /// Volume (mm³) that the circumscribed sweep, `raise` mm higher, has in common with the part.
-    double common_volume(const toolpath::Step& step, double raise, const cda::TreeCda& part,
-                         const cda::Box& stock);
-
     /// The cells of the sweep, circumscribed or inscribed.
     std::vector<cda::Cell> cells(const toolpath::Step& step, double raise, toolpath::Side side);
     cda::Box bounds(const toolpath::Step& step, double raise) const;
