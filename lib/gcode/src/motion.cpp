@@ -24,4 +24,13 @@ const Position* end_of(const Motion& motion) {
     return place(motion, false);
 }
 
+const char* name_of(MoveKind kind) {
+    switch (kind) {
+        case MoveKind::Rapid: return "rapid";
+        case MoveKind::Feed: return "feed";
+        case MoveKind::Probe: break;
+    }
+    return "probe";
+}
+
 }  // namespace ncsim::gcode

@@ -68,15 +68,6 @@ void print_position(std::string& out, const Position& at) {
     if (at.w != Length()) print_word(out, "W", picometres(at.w.mm()));
 }
 
-std::string_view name_of(MoveKind kind) {
-    switch (kind) {
-        case MoveKind::Rapid: return "rapid";
-        case MoveKind::Feed: return "feed";
-        case MoveKind::Probe: return "probe";
-    }
-    return "";
-}
-
 void print_manner(std::string& out, const Motion& motion) {
     if (motion.kind != MoveKind::Rapid) {
         print_word(out, "F", motion.feed);

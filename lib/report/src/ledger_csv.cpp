@@ -30,15 +30,6 @@ std::string csv_path(const std::string& path) {
     return quoted + '"';
 }
 
-const char* name_of(gcode::MoveKind kind) {
-    switch (kind) {
-        case gcode::MoveKind::Rapid: return "rapid";
-        case gcode::MoveKind::Feed: return "feed";
-        case gcode::MoveKind::Probe: break;
-    }
-    return "probe";
-}
-
 }  // namespace
 
 void write_ledger_csv(std::ostream& out, std::span<const Checked> all) {

@@ -114,15 +114,6 @@ Json to_json(const gcode::Position& p) {
     return json;
 }
 
-const char* name_of(gcode::MoveKind kind) {
-    switch (kind) {
-        case gcode::MoveKind::Rapid: return "rapid";
-        case gcode::MoveKind::Feed: return "feed";
-        case gcode::MoveKind::Probe: break;
-    }
-    return "probe";
-}
-
 const char* name_of(gcode::Plane plane) {
     switch (plane) {
         case gcode::Plane::XY: return "XY";

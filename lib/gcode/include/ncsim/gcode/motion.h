@@ -85,6 +85,8 @@ enum class MoveKind : std::uint8_t {
     Feed,   ///< G1, G2, G3, cycles
     Probe,  ///< G38.x, G31: assumed to make contact at its target
 };
+/// "rapid", "feed" or "probe".
+const char* name_of(MoveKind kind);
 
 /// Which axes of a start position were never set by the program: what is known of
 /// where a move begins. A move whose start is unknown in an axis must not cut a phantom path.
