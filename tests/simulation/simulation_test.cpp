@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -78,6 +79,25 @@ TEST(Check, OfAStringIsAVerdict) {
     ASSERT_FALSE(failed.verdict.findings.empty());
     EXPECT_EQ(failed.verdict.findings.front().rule, "rapid-in-material");
     EXPECT_EQ(failed.lines.front(), "G0 X45.");
+}
+
+TEST(Check, OfALoopWithoutEndJudgesItsBeginning) {
+    Questions questions;
+    questions.machine.machine.travel[1] = verify::AxisRange{-100.0, 100.0};
+    Plan plan = plan_of(kTool + kStock +
+                        "G21 G90 T1 M6 S8000 M3\nG0 X-5. Y120. Z5.\nWHILE [1 EQ 1] DO1\n"
+                        "G0 X-6.\nX-5.\nEND1\nM30\n");
+    plan.job.interpreter.work_offsets_told[0] = true;
+    plan.job.interpreter.limits.repeated_blocks = 4000;
+    const report::Checked checked = check(std::move(plan), questions);
+    EXPECT_EQ(checked.outcome, verify::Outcome::Failed);
+    EXPECT_FALSE(checked.simulated);
+    const auto has = [&](std::string_view rule) {
+        return std::ranges::any_of(checked.verdict.findings,
+                                   [&](const verify::Finding& f) { return f.rule == rule; });
+    };
+    EXPECT_TRUE(has("program-fault"));
+    EXPECT_TRUE(has("over-travel"));
 }
 
 TEST(Check, AsksOnlyWhatIsSelected) {

@@ -299,6 +299,8 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
         checked.verdict = verifier.finish(survey.interpretation, part, simulation.stock_volume);
         if (questions.look) checked.look = look_at(survey, simulation);
     } else {
+        // That a program does not end is known; the rules need not see each turn of its loop.
+        if (survey.never_ends) plan.job.interpreter.limits.repeated_blocks /= 4;
         gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
             verifier.begin(motion);
             verifier.end();

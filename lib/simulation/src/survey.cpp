@@ -355,7 +355,8 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
 
     if (result.interpretation.refused) return look;  // and the interpreter said why
     // What did not end once does not have to be cut to be known not to end.
-    if (hits_step_limit(result.diagnostics)) return look;
+    result.never_ends = hits_step_limit(result.diagnostics);
+    if (result.never_ends) return look;
     result.ready = true;
     if (result.moves == 0 || (result.feed_moves == 0 && !plan.job.stock)) {
         result.only_rapid = result.moves > 0;

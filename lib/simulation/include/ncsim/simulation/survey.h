@@ -17,6 +17,8 @@ struct Survey : report::ProgramFacts {
     bool cuts_from_nowhere = false;  ///< A move whose start is not told is a feed move.
     /// It has only rapid moves, and nobody says what stands there: then it is not ready.
     bool only_rapid = false;
+    /// It runs on and on; it was stopped at the limit of gcode::Limits, and is not ready.
+    bool never_ends = false;
     /// It never tells Z: a plotter's, a laser's or an engraver's, of which only the path is known.
     bool is_flat() const { return untold[2]; }
     gcode::SourceSpan first_move;
