@@ -16,6 +16,7 @@ ncsim_add_test(cda
     loops_test.cpp
     normal_table_test.cpp
     outlines_test.cpp
+    plane_store_test.cpp
     polytope_test.cpp
     predicates_test.cpp
     shape_test.cpp

@@ -50,16 +50,15 @@ private:
     void settle(const HalfBox& box, std::size_t begin, Last last);
     void follow(const Plane& plane, double sign, const Local& self, Last last);
     bool takes_from(const Local& other, const Plane& plane, bool takes_same, bool takes_opposite);
-    bool clip_to(const Plane& plane, std::span<const Plane* const> planes);
-    std::span<const Plane* const> planes_of(const Local& local) const {
+    bool clip_to(const Plane& plane, std::span<const Plane> planes);
+    std::span<const Plane> planes_of(const Local& local) const {
         return std::span(planes_).subspan(local.first, local.count);
     }
 
     const AccountInput* input_ = nullptr;
     std::vector<Taken>* taken_ = nullptr;  // by turn; the first is nobody's
     // The box at hand.
-    std::vector<const Plane*> stock_;
-    std::vector<const Plane*> planes_;
+    std::vector<Plane> stock_, planes_;
     std::vector<Local> locals_;
     std::vector<const Plane*> cuts_;
     FacetRegion facet_;
@@ -196,13 +195,13 @@ bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, b
     bool has_same = false;
     bool has_opposite = false;
     cuts_.clear();
-    for (const Plane* cut : planes_of(other)) {
-        if (!cut->is_parallel_to(plane)) {
-            cuts_.push_back(cut);
+    for (const Plane& cut : planes_of(other)) {
+        if (!cut.is_parallel_to(plane)) {
+            cuts_.push_back(&cut);
             continue;
         }
-        const bool same = same_direction(plane, *cut);
-        const int beyond = distance_beyond(plane, *cut, same);
+        const bool same = same_direction(plane, cut);
+        const int beyond = distance_beyond(plane, cut, same);
         if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
         if (beyond == 0) (same ? has_same : has_opposite) = true;
     }
@@ -210,11 +209,11 @@ bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, b
 }
 
 // Cuts facet_ to what lies below `planes`; one that is parallel to it has all of it or nothing.
-bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane* const> planes) {
-    return std::ranges::all_of(planes, [&](const Plane* cut) {
-        if (!cut->is_parallel_to(plane)) return facet_.clip(*cut);
-        const bool same = same_direction(plane, *cut);
-        const int beyond = distance_beyond(plane, *cut, same);
+bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane> planes) {
+    return std::ranges::all_of(planes, [&](const Plane& cut) {
+        if (!cut.is_parallel_to(plane)) return facet_.clip(cut);
+        const bool same = same_direction(plane, cut);
+        const int beyond = distance_beyond(plane, cut, same);
         return beyond > 0 || (beyond == 0 && same);
     });
 }
@@ -226,26 +225,26 @@ void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last l
     for (const Plane& plane : input_->stock) {
         const Side side = side_of(frame, HalfPlane(plane));
         if (side == Side::Above) return;
-        if (side == Side::On) stock_.push_back(&plane);
+        if (side == Side::On) stock_.push_back(plane);
     }
     locals_.clear();
     planes_.clear();
     for (const Item& item : std::span(items_).subspan(begin)) {
         Local local{item.turn, item.number, planes_.size(), 0};
         for (const Facet& facet : facets_of(item))
-            planes_.push_back(&exact(item, facet.plane));
+            planes_.push_back(exact(item, facet.plane));
         for (const Loose plane : loose_of(item))
-            planes_.push_back(&exact(item, entry(plane).plane));
+            planes_.push_back(exact(item, entry(plane).plane));
         local.count = planes_.size() - local.first;
         locals_.push_back(local);
     }
     std::ranges::sort(locals_, {}, [](const Local& l) { return std::pair{l.turn, l.number}; });
-    for (const Plane* plane : stock_) {
-        if (facet_.assign(*plane, box)) follow(*plane, 1.0, {kBefore, 0, 0, 0}, last);
+    for (const Plane& plane : stock_) {
+        if (facet_.assign(plane, box)) follow(plane, 1.0, {kBefore, 0, 0, 0}, last);
     }
     for (const Local& local : locals_) {
-        for (const Plane* plane : planes_of(local)) {
-            if (facet_.assign(*plane, box)) follow(*plane, -1.0, local, last);
+        for (const Plane& plane : planes_of(local)) {
+            if (facet_.assign(plane, box)) follow(plane, -1.0, local, last);
         }
     }
 }
@@ -273,9 +272,10 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
             }
         }
     }
-    const auto is_in_stock = [&](const Plane* s) { return *s == plane; };
-    if (is_wall && (std::ranges::any_of(stock_, is_in_stock) || !clip_to(plane, planes_of(self))))
+    if (is_wall &&
+        (std::ranges::find(stock_, plane) != stock_.end() || !clip_to(plane, planes_of(self)))) {
         return;
+    }
     if (!clip_to(plane, stock_)) return;
     const double height = sign * distance_about(plane, input_->centre) / 3.0;
     for (std::size_t i = 0; i < begin_of_later; ++i) {

@@ -2,6 +2,7 @@
 #include "block_tree.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace ncsim::cda {
@@ -20,6 +21,7 @@ void CellTable::add(Origin origin, const std::shared_ptr<const FacetNormals>& no
         if (is_new) families_.push_back(normals);
         family = known->second;
     }
+    make_room(cells_);
     cells_.push_back({origin, family});
 }
 
@@ -71,36 +73,60 @@ void BlockTree::release(std::uint32_t number) {
         release(first + 1);
         free_children_.push_back(first);
     }
-    nodes_[number] = {};
+    nodes_[number] = Node();
 }
 
 void BlockTree::drop_unused_planes() {
     std::vector<std::uint32_t> renumbered(planes_.size(), kNone);
-    std::vector<Plane> used;
-    std::vector<std::uint16_t> facets;
-    for (Node& node : nodes_) {
-        std::vector<std::uint32_t>& words = node.cells;
-        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1]) {
-            for (std::uint32_t k = 0; k < words[at + 1]; ++k) {
-                std::uint32_t& index = words[at + kHead + k];
-                if (renumbered[index] == kNone) {
-                    renumbered[index] = static_cast<std::uint32_t>(used.size());
-                    used.push_back(planes_[index]);
-                    facets.push_back(facets_[index]);
-                }
-                index = renumbered[index];
-            }
+    std::size_t used = 0;
+    std::size_t loose = 0;
+    const auto number_anew = [&](std::uint32_t& index) {
+        if (renumbered[index] == kNone) {
+            renumbered[index] = static_cast<std::uint32_t>(used++);
+            loose += planes_.facet(index) == kLoose ? 1 : 0;
         }
+        index = renumbered[index];
+    };
+    PackedCells::Words words;
+    for (Node& node : nodes_) {
+        if (node.cells.is_empty()) continue;
+        node.cells.read(words);
+        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1])
+            std::ranges::for_each(std::span(words).subspan(at + kHead, words[at + 1]), number_anew);
+        node.cells.write(words);
     }
-    planes_ = std::move(used);
-    facets_ = std::move(facets);
+    std::vector<std::uint32_t> old_number(used);
+    for (std::uint32_t i = 0; i < renumbered.size(); ++i) {
+        if (renumbered[i] != kNone) old_number[renumbered[i]] = i;
+    }
+    PlaneStore kept;
+    kept.reserve(used, loose);
+    for (const std::uint32_t old : old_number)
+        kept.add_from(planes_, old);
+    planes_ = std::move(kept);
     planes_after_drop_ = planes_.size();
+}
+
+Plane BlockTree::plane(std::uint32_t cell, std::uint32_t index, const CellTable& table) const {
+    const std::uint16_t facet = planes_.facet(index);
+    if (facet == kLoose) return planes_.loose(index);
+    const FacetNormals& n = table.normals(table.family(cell));
+    return {static_cast<std::int32_t>(n.x[facet]), static_cast<std::int32_t>(n.y[facet]),
+            static_cast<std::int32_t>(n.z[facet]), planes_.distance(index)};
+}
+
+void BlockTree::LeafCells::read(const PackedCells& packed) {
+    packed.read(words_);
+    entries_.clear();
+    const std::span<const std::uint32_t> words(words_);
+    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1])
+        entries_.push_back({words[at], words.subspan(at + kHead, words[at + 1])});
 }
 
 void BlockTree::visit(
     const std::function<bool(const HalfBox&)>& enter,
     const std::function<void(const HalfBox&, std::span<const Entry>)>& leaf) const {
-    std::vector<Entry> entries;
+    LeafCells cells;
     const auto go = [&](const auto& self, std::uint32_t number) -> void {
         const Node& node = nodes_[number];
         const HalfBox box = node.box();
@@ -110,16 +136,13 @@ void BlockTree::visit(
             self(self, node.first_child + 1);
             return;
         }
-        entries.clear();
-        const std::span<const std::uint32_t> words(node.cells);
-        for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1])
-            entries.push_back({words[at], words.subspan(at + kHead, words[at + 1])});
-        leaf(box, entries);
+        cells.read(node.cells);
+        leaf(box, cells.entries());
     };
     go(go, 0);
 }
 
-bool BlockTree::find(const std::array<std::int64_t, 3>& point, std::vector<Entry>& entries) const {
+bool BlockTree::find(const std::array<std::int64_t, 3>& point, LeafCells& cells) const {
     constexpr std::int64_t kHalfUnit = std::int64_t{1} << 15;
     const auto is_in = [&](const Node& node) {
         bool result = node.kind != Kind::Empty;
@@ -136,19 +159,15 @@ bool BlockTree::find(const std::array<std::int64_t, 3>& point, std::vector<Entry
         if (is_in(nodes_[number])) continue;
         if (!is_in(nodes_[++number])) return false;
     }
-    entries.clear();
-    const std::span<const std::uint32_t> words(nodes_[number].cells);
-    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1])
-        entries.push_back({words[at], words.subspan(at + kHead, words[at + 1])});
+    cells.read(nodes_[number].cells);
     return true;
 }
 
 std::size_t BlockTree::memory() const {
     std::size_t bytes = sizeof(*this) + nodes_.capacity() * sizeof(Node) +
-                        free_children_.capacity() * sizeof(std::uint32_t) +
-                        planes_.capacity() * (sizeof(Plane) + sizeof(std::uint16_t));
+                        free_children_.capacity() * sizeof(std::uint32_t) + planes_.memory();
     for (const Node& node : nodes_)
-        bytes += node.cells.capacity() * sizeof(std::uint32_t);
+        bytes += node.cells.memory();
     return bytes;
 }
 

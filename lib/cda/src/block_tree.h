@@ -10,6 +10,7 @@
 #include "ncsim/cda/cell.h"
 
 #include "half_box.h"
+#include "plane_store.h"
 
 #include <algorithm>
 #include <array>
@@ -128,8 +129,20 @@ public:
         std::uint32_t cell;
         std::span<const std::uint32_t> planes;
     };
-    const Plane& plane(std::uint32_t index) const { return planes_[index]; }
+    /// `index` as in an entry of the cell.
+    Plane plane(std::uint32_t cell, std::uint32_t index, const CellTable& table) const;
     std::size_t planes() const { return planes_.size(); }
+    /// The entries of a leaf, in one place.
+    class LeafCells {
+    public:
+        std::span<const Entry> entries() const { return entries_; }
+
+    private:
+        friend class BlockTree;
+        void read(const PackedCells& packed);
+        PackedCells::Words words_;
+        std::vector<Entry> entries_;
+    };
 
     /// Goes down where `enter` allows it and calls `leaf` for each leaf with material there.
     /// Always in the same order.
@@ -137,28 +150,28 @@ public:
                const std::function<void(const HalfBox&, std::span<const Entry>)>& leaf) const;
 
     /// The cells of the leaf with the point, in units of 2^-15 half units; false if it is empty.
-    bool find(const std::array<std::int64_t, 3>& point, std::vector<Entry>& entries) const;
+    bool find(const std::array<std::int64_t, 3>& point, LeafCells& cells) const;
 
     std::size_t nodes() const { return nodes_.size() - 2 * free_children_.size(); }
     /// Bytes held.
     std::size_t memory() const;
 
 private:
-    enum class Kind : std::uint8_t { Material, Empty, Inner };
+    enum class Kind : std::uint32_t { Material, Empty, Inner };
+    static constexpr std::uint32_t kMostPlanes = (std::uint32_t{1} << 30) - 1;
     struct Node {
         // Half units of the stock fit.
         std::array<std::int32_t, 3> min{}, max{};
-        Kind kind = Kind::Material;
         std::uint32_t first_child = 0;  // Inner: two in a row
-        std::uint32_t limit = 0;        // Material: planes that may be, where more than `leaf`
-        // Material: for each cell its number, how many planes, and these.
-        std::vector<std::uint32_t> cells;
+        Kind kind : 2 = Kind::Material;
+        std::uint32_t limit : 30 = 0;  // Material: planes that may be, where more than `leaf`
+        PackedCells cells;             // Material
 
         HalfBox box() const;
         void set_box(const HalfBox& box);
     };
-    static constexpr std::size_t kHead = 2;
-    static constexpr std::uint16_t kLoose = 0xFFFF;
+    static constexpr std::size_t kHead = PackedCells::kHead;
+    static constexpr std::uint16_t kLoose = PlaneStore::kLoose;
     class Accounting;
     class Descent;
     class Insertion;
@@ -170,8 +183,7 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> free_children_;
-    std::vector<Plane> planes_;
-    std::vector<std::uint16_t> facets_;  // for each plane its number in the family, or kLoose
+    PlaneStore planes_;
     std::size_t planes_after_drop_ = 0;
 };
 

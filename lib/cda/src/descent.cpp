@@ -114,7 +114,8 @@ BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
 
 // Adds the cells of a leaf to the items.
 void BlockTree::Descent::take_out(std::uint32_t number) {
-    const std::span<const std::uint32_t> words(tree_->nodes_[number].cells);
+    tree_->nodes_[number].cells.read(words_);
+    const std::span<const std::uint32_t> words(words_);
     for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1]) {
         Item item;
         item.number = words[at];
@@ -123,13 +124,13 @@ void BlockTree::Descent::take_out(std::uint32_t number) {
         item.loose.first = static_cast<std::uint32_t>(loose_.size());
         const std::uint32_t family = table_->family(item.number);
         for (const std::uint32_t plane : words.subspan(at + kHead, words[at + 1])) {
-            const HalfPlane half_plane(tree_->planes_[plane]);
-            const std::uint16_t facet = tree_->facets_[plane];
+            const std::uint16_t facet = tree_->planes_.facet(plane);
             if (facet == kLoose) {
                 loose_.push_back({static_cast<std::uint32_t>(pool_.size())});
-                pool_.push_back({half_plane, plane});
+                pool_.push_back({HalfPlane(tree_->planes_.loose(plane)), plane});
             } else {
-                facets_.push_back({half_plane.d2, views_[view_of(family)].first + facet, plane});
+                const double d2 = 2.0 * static_cast<double>(tree_->planes_.distance(plane));
+                facets_.push_back({d2, views_[view_of(family)].first + facet, plane});
             }
         }
         item.facets.count = static_cast<std::uint32_t>(facets_.size()) - item.facets.first;

@@ -133,8 +133,8 @@ protected:
         return std::span(loose_).subspan(item.loose.first, item.loose.count);
     }
     const LooseEntry& entry(Loose plane) const { return pool_[plane.pool]; }
-    const Plane& exact(const Item& item, std::uint32_t plane) const {
-        return item.cell ? item.cell->planes[plane] : tree_->planes_[plane];
+    Plane exact(const Item& item, std::uint32_t plane) const {
+        return item.cell ? item.cell->planes[plane] : tree_->plane(item.number, plane, *table_);
     }
     // Planes of the items from `begin` on.
     std::size_t load(std::size_t begin) const;
@@ -143,6 +143,7 @@ protected:
     const CellTable* table_ = nullptr;
     std::vector<Item> items_;
     std::size_t incoming_planes_ = 0;  // of all cells together
+    PackedCells::Words words_;         // of the leaf at hand
 
 private:
     // A loose plane seen from the box at hand.

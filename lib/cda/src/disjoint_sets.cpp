@@ -6,7 +6,7 @@
 
 namespace ncsim::cda {
 
-DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
+DisjointSets::DisjointSets(std::size_t size) : parent_(size), sets_(size) {
     std::iota(parent_.begin(), parent_.end(), 0U);
 }
 
@@ -19,7 +19,9 @@ std::uint32_t DisjointSets::find(std::uint32_t i) {
 void DisjointSets::unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    if (a == b) return;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --sets_;
 }
 
 }  // namespace ncsim::cda

@@ -125,7 +125,8 @@ private:
             cells_[i].cell = entries[i].cell;
             cells_[i].planes.begin = rows_.size();
             for (const std::uint32_t plane : entries[i].planes) {
-                leaf_planes_.emplace_back(block_.plane(plane), plane);
+                leaf_planes_.emplace_back(block_.plane(entries[i].cell, plane, input_.cells),
+                                          plane);
                 rows_.add(leaf_planes_.back());
             }
             cells_[i].planes.end = rows_.size();

@@ -226,7 +226,9 @@ void BlockTree::Insertion::build(std::uint32_t number, HalfBox box, std::size_t 
     if (planes > limit && fruitless < kFruitlessSplits) cut = best_cut(box, begin);
     if (cut.axis == 3) {
         store(number, begin);
-        if (planes > limit) grown_->nodes_[number].limit = static_cast<std::uint32_t>(2 * planes);
+        if (planes > limit)
+            grown_->nodes_[number].limit =
+                std::min<std::size_t>(2 * planes, kMostPlanes) & kMostPlanes;
         return;
     }
     split(number, box, cut.axis, begin, fruitless, cut.parts ? kNone : planes);
@@ -239,7 +241,10 @@ void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::
     std::uint32_t first = 0;
     if (free.empty()) {
         first = static_cast<std::uint32_t>(nodes.size());
-        nodes.resize(nodes.size() + 2);
+        make_room(nodes);
+        nodes.emplace_back();
+        make_room(nodes);
+        nodes.emplace_back();
     } else {
         first = free.back();
         free.pop_back();
@@ -252,7 +257,7 @@ void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::
     const std::size_t end = items_.size();
     for (const bool upper : {false, true}) {
         const std::uint32_t child = first + static_cast<std::uint32_t>(upper);
-        nodes[child] = {};
+        nodes[child] = Node();
         nodes[child].set_box(box.half(axis, upper));
         insert_at(child, box, begin, end, fruitless, parent_load);
     }
@@ -261,33 +266,25 @@ void BlockTree::Insertion::split(std::uint32_t number, const HalfBox& box, std::
 
 void BlockTree::Insertion::store(std::uint32_t number, std::size_t begin) {
     const std::span<const Item> items = std::span(items_).subspan(begin);
-    std::vector<std::uint32_t>& words = grown_->nodes_[number].cells;
-    words.clear();
-    std::size_t size = 0;
-    for (const Item& item : items)
-        size += kHead + item.facets.count + item.loose.count;
-    words.reserve(size);
+    words_.clear();
     for (const Item& item : items) {
-        words.push_back(item.number);
-        words.push_back(item.facets.count + item.loose.count);
+        words_.push_back(item.number);
+        words_.push_back(item.facets.count + item.loose.count);
         const auto write = [&](std::uint32_t plane, std::uint16_t facet) {
             if (!item.cell) {
-                words.push_back(plane);
+                words_.push_back(plane);
                 return;
             }
             std::uint32_t& stored = stored_[item.first + plane];
-            if (stored == kNone) {
-                stored = static_cast<std::uint32_t>(grown_->planes_.size());
-                grown_->planes_.push_back(item.cell->planes[plane]);
-                grown_->facets_.push_back(facet);
-            }
-            words.push_back(stored);
+            if (stored == kNone) stored = grown_->planes_.add(item.cell->planes[plane], facet);
+            words_.push_back(stored);
         };
         for (const Facet& facet : facets_of(item))
             write(facet.plane, static_cast<std::uint16_t>(facet.plane));
         for (const Loose plane : loose_of(item))
             write(entry(plane).plane, kLoose);
     }
+    grown_->nodes_[number].cells.write(words_);
 }
 
 }  // namespace ncsim::cda

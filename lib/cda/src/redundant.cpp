@@ -160,9 +160,9 @@ Domination BlockTree::Descent::covered(const Candidate& a, const Item& item, con
                                        const Item& its_item) const {
     if (seen_planes_.imply(a.planes, a.planes_end, p.normal, p.e)) return Domination::Strict;
     // Equal planes, or nearly so, are left to integers.
-    const Plane& plane = exact(its_item, pool_[p.plane.pool].plane);
+    const Plane plane = exact(its_item, pool_[p.plane.pool].plane);
     for (const Loose mine : loose_of(item)) {
-        const Plane& m = exact(item, pool_[mine.pool].plane);
+        const Plane m = exact(item, pool_[mine.pool].plane);
         if (!m.is_parallel_to(plane) || !same_direction(m, plane)) continue;
         const int order = compare_distances(m, plane);
         if (order >= 0) return order == 0 ? Domination::Coplanar : Domination::Strict;

@@ -430,6 +430,8 @@ private:
         done_.assign(half_edges_.size(), false);
 
         Boundary boundary;
+        boundary.faces.reserve(names_.owners().size());
+        boundary.vertices.reserve(corners.sets());
         std::vector<std::uint32_t> vertex(half_edges_.size(), kNone);
         std::unordered_map<std::uint32_t, std::uint32_t> middles;
         std::vector<std::uint32_t> face_of(half_edges_.size(), kNone);

@@ -455,13 +455,13 @@ bool TreeCda::contains(Vec3 point) const {
         return false;
     }
     settle();
-    std::vector<BlockTree::Entry> cells;
+    BlockTree::LeafCells cells;
     const auto block = std::find_if(blocks_.begin(), blocks_.end(),
                                     [&](const Block& b) { return b.tree->find(query.at, cells); });
     if (block == blocks_.end()) return false;
-    return std::none_of(cells.begin(), cells.end(), [&](const BlockTree::Entry& cell) {
-        return std::all_of(cell.planes.begin(), cell.planes.end(), [&](std::uint32_t h) {
-            return query.side_of(block->tree->plane(h)) == Side::Below;
+    return std::ranges::none_of(cells.entries(), [&](const BlockTree::Entry& cell) {
+        return std::ranges::all_of(cell.planes, [&](std::uint32_t h) {
+            return query.side_of(block->tree->plane(cell.cell, h, *cells_)) == Side::Below;
         });
     });
 }

@@ -16,9 +16,12 @@ public:
     /// Expected O(log size).
     std::uint32_t find(std::uint32_t i);
     void unite(std::uint32_t a, std::uint32_t b);
+    /// How many sets there are.
+    std::size_t sets() const { return sets_; }
 
 private:
     std::vector<std::uint32_t> parent_;
+    std::size_t sets_;
 };
 
 }  // namespace ncsim::cda
