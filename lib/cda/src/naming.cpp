@@ -93,6 +93,7 @@ Groups<Interval> Naming::finish() {
         throw std::length_error("the surface of the part has too many faces");
     lines_ = Interner<LineKey, HashLine, SameLine>({}, SameLine{&planes_.keys()});
     points_.close();
+    planes_.close();
     std::vector<std::uint32_t> order(owner_numbers_.size());
     std::iota(order.begin(), order.end(), 0U);
     std::vector<std::pair<Plane, Origin>> values;
@@ -101,6 +102,7 @@ Groups<Interval> Naming::finish() {
         const Owner& owner = owner_numbers_.keys()[i];
         values.emplace_back(plane_of(owner.plane), owner.origin);
     }
+    owner_numbers_ = Interner<Owner, HashOwner>();
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
     std::vector<std::uint32_t> rank(order.size());

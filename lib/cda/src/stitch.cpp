@@ -423,14 +423,27 @@ private:
         return is_twin;
     }
 
+    // As many as faces, or a few more: holes.
+    std::size_t count_loops() {
+        std::size_t loops = 0;
+        done_.assign(half_edges_.size(), false);
+        for (std::uint32_t start = 0; start < half_edges_.size(); ++start) {
+            if (done_[start]) continue;
+            ++loops;
+            for (std::uint32_t h = start; h != kNone && !done_[h]; h = half_edges_[h].next)
+                done_[h] = true;
+        }
+        done_.assign(half_edges_.size(), false);
+        return loops;
+    }
+
     // 8.
     Boundary write_faces() {
         DisjointSets corners = unite_corners();
         const std::vector<bool> is_twin = find_twins(corners);
-        done_.assign(half_edges_.size(), false);
 
         Boundary boundary;
-        boundary.faces.reserve(names_.owners().size());
+        boundary.faces.reserve(count_loops());
         boundary.vertices.reserve(corners.sets());
         std::vector<std::uint32_t> vertex(half_edges_.size(), kNone);
         std::unordered_map<std::uint32_t, std::uint32_t> middles;
