@@ -73,6 +73,9 @@ TEST(RefusedBlock, LeavesNothingBehind) {
     expect_nothing_left("", "G43 H1 G2 X5", "G53 G0 Z0\nG1 Z1");
     expect_nothing_left("", "G68 X0 Y0 G1 X10", "G1 X20");
     expect_nothing_left("", "G18 G99 G81 X1", "G1 X5\nG2 X10 Y0 I2.5");
+    // No curve is under way, whose points the next blocks would be.
+    expect_nothing_left("", "G6.2 P3 X1 Y1", "G1 X5");
+    expect_nothing_left("", "G5.2 P7 X1 Y1 Z1", "G5.2 X1 Y1 L3\nG5.2 X2 Y1\nG5.2 X3 Y2\nG5.3");
 }
 
 TEST(RefusedBlock, UnderCompensationLeavesTheHeldMove) {

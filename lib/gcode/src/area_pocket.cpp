@@ -67,11 +67,11 @@ std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double 
 
 /// From here on moves are listened to; they begin at the X and Y of the G150.
 bool Machine::begin_outline(const Command& command) {
-    if (corner_) settle_corner();
+    if (control_.corner) settle_corner();
     Axes start{};
     AxisMask mask = 0;
     if (!find_ends(command, start, mask)) return false;
-    outline_ = Outline{state_, store_, {}, false};
+    outline_ = Outline{control_, {}, false};
     state_.position[kX] = start[kX];
     state_.position[kY] = start[kY];
     state_.motion = 10;
@@ -83,9 +83,8 @@ bool Machine::begin_outline(const Command& command) {
 
 /// What was heard is kept for the G150, and all else is as before.
 void Machine::end_outline() {
-    if (corner_) settle_corner();
-    state_ = outline_->state;
-    store_ = std::move(outline_->store);
+    if (control_.corner) settle_corner();
+    control_ = std::move(outline_->before);
     heard_ = std::move(outline_->moves);
     heard_well_ = !outline_->is_foreign;
     outline_.reset();
@@ -288,7 +287,7 @@ bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side,
     if (good) {
         compensation_.end(state_);
     } else {
-        compensation_.set_state({});
+        control_.compensation = {};
     }
     path_.set_origin(span_, file_);
     return good;

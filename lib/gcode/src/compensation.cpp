@@ -24,8 +24,8 @@ void Compensation::begin(CutterSide side, double radius) {
     s_.side = side == CutterSide::Left ? 1.0 : -1.0;
     s_.radius = radius;
     s_.entering = true;
-    s_.holds = false;
-    s_.followers.clear();
+    s_.held.reset();
+    s_.followers = {};
 }
 
 void Compensation::begin_beside(CutterSide side, double radius, const Axes& at) {
@@ -70,7 +70,7 @@ bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind,
     const Vec from{state.position[axes.first], state.position[axes.second]};
     const Vec to{end[axes.first], end[axes.second]};
     if (from.x == to.x && from.y == to.y) {
-        if (!s_.holds) {
+        if (!s_.held) {
             path_.straight(state, end, kind, mask);
             return true;
         }
@@ -113,7 +113,7 @@ bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask
 
 void Compensation::dwell(const MachineState& state, double seconds, SourceSpan span,
                          std::uint32_t file) {
-    if (!s_.holds) return path_.dwell(state, seconds);
+    if (!s_.held) return path_.dwell(state, seconds);
     s_.followers.push_back({state, {}, MoveKind::Feed, 0, span, file, true, seconds});
 }
 
@@ -127,38 +127,38 @@ bool Compensation::take(MachineState& state, Element element) {
         }
         s_.at = state.position;
         s_.entering = false;
-    } else if (s_.holds && !join(element)) {
+    } else if (s_.held && !join(element)) {
         return false;
     }
     const Axes end = element.end;
-    s_.held = std::move(element);
-    s_.holds = true;
     state.position = end;
-    set_knowledge(state, after_move(state, s_.held.mask, false));
+    set_knowledge(state, after_move(state, element.mask, false));
+    s_.held = std::move(element);
     return true;
 }
 
 /// Ends the held element where `next` begins.
 bool Compensation::join(const Element& next) {
-    const Vec corner = s_.held.to;
-    const Vec in = end_tangent(s_.held);
+    const Element held = *s_.held;
+    const Vec corner = held.to;
+    const Vec in = end_tangent(held);
     const Vec out = start_tangent(next);
     const double turn = std::atan2(cross(in.x, in.y, out.x, out.y), in.x * out.x + in.y * out.y);
     if (std::abs(turn) < kFlat) {
-        emit(s_.held, beside(corner, out));
+        emit(held, beside(corner, out));
         return true;
     }
     const bool outside = turn * s_.side < 0.0 || std::abs(turn) > std::numbers::pi - kReversal;
     if (!outside) {
         Vec point;
-        if (!meeting_point(s_.held, next, point)) {
+        if (!meeting_point(held, next, point)) {
             log_.add(Message::CompensationGouge, next.span);
             return false;
         }
-        emit(s_.held, point);
+        emit(held, point);
         return true;
     }
-    emit(s_.held, beside(corner, in));
+    emit(held, beside(corner, in));
     // Round the corner, on behalf of the next move.
     MachineState state = next.state;
     state.position = s_.at;
@@ -238,7 +238,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     return b.is_arc || !backwards(b, point, beside(b.to, end_tangent(b)));
 }
 
-void Compensation::emit(Element& element, Vec end) {
+void Compensation::emit(Element element, Vec end) {
     MachineState& state = element.state;
     state.position = s_.at;
     const PlaneAxes axes = axes_of(state.plane);
@@ -257,7 +257,7 @@ void Compensation::emit(Element& element, Vec end) {
         path_.straight(state, target, element.kind, element.mask);
     }
     s_.at = state.position;
-    for (Follower& follower : s_.followers) {
+    for (Follower follower : s_.followers) {
         path_.set_origin(follower.span, follower.file);
         follower.state.position = s_.at;
         if (follower.is_dwell) {
@@ -270,13 +270,14 @@ void Compensation::emit(Element& element, Vec end) {
         path_.straight(follower.state, to, follower.kind, follower.mask);
         s_.at = follower.state.position;
     }
-    s_.followers.clear();
-    s_.holds = false;
+    s_.followers = {};
+    s_.held.reset();
 }
 
 void Compensation::flush(MachineState& state) {
-    if (!s_.holds) return;
-    emit(s_.held, beside(s_.held.to, end_tangent(s_.held)));
+    if (!s_.held) return;
+    const Element held = *s_.held;
+    emit(held, beside(held.to, end_tangent(held)));
     state.position = s_.at;
     s_.entering = true;
 }

@@ -7,21 +7,25 @@
 
 #include "ncsim/gcode/state.h"
 
+#include "growing_list.h"
 #include "message.h"
 #include "path.h"
 
-#include <utility>
-#include <vector>
+#include <cstdint>
+#include <optional>
 
 namespace ncsim::gcode {
 
-class Compensation {
+/// All that cutter compensation remembers between two moves.
+struct CompensationState {
+    /// A place in the plane, program coordinates.
     struct Vec {
         double x = 0.0, y = 0.0;
+        bool operator==(const Vec&) const = default;
     };
     /// A programmed move in the plane.
     struct Element {
-        MachineState state;  // as it was when it was programmed
+        MachineState state;  ///< As it was when it was programmed.
         Axes end{};
         MoveKind kind = MoveKind::Feed;
         AxisMask mask = 0;
@@ -30,6 +34,7 @@ class Compensation {
         bool is_arc = false;
         Vec from, to, centre;
         int turns = 1;
+        bool operator==(const Element&) const = default;
     };
     /// A move that leaves the plane alone, or a pause, to be made when the element before has
     /// ended.
@@ -42,24 +47,27 @@ class Compensation {
         std::uint32_t file = 0;
         bool is_dwell = false;
         double seconds = 0.0;
+        bool operator==(const Follower&) const = default;
     };
+
+    double side = 1.0;    ///< 1: left, -1: right.
+    double radius = 0.0;  ///< Program units; 0: off.
+    bool entering = true;
+    std::optional<Element> held;
+    GrowingList<Follower> followers;
+    Axes at{};  ///< Where the tool is, program coordinates.
+    bool operator==(const CompensationState&) const = default;
+};
+
+class Compensation {
+    using Vec = CompensationState::Vec;
+    using Element = CompensationState::Element;
+    using Follower = CompensationState::Follower;
 
 public:
-    /// All it remembers between two moves: a value, to go back to.
-    struct State {
-        double side = 1.0;  // 1: left
-        double radius = 0.0;
-        bool entering = true;
-        bool holds = false;
-        Element held;
-        std::vector<Follower> followers;
-        Axes at{};  // where the tool is, program coordinates
-    };
-
-    Compensation(Path& path, DiagnosticLog& log) : path_(path), log_(log) {}
-
-    const State& state() const { return s_; }
-    void set_state(State state) { s_ = std::move(state); }
+    /// Works on `state`, which somebody else keeps.
+    Compensation(CompensationState& state, Path& path, DiagnosticLog& log)
+        : s_(state), path_(path), log_(log) {}
 
     /// From the next move on. `radius` in program units, positive.
     void begin(CutterSide side, double radius);
@@ -86,16 +94,16 @@ private:
     bool take(MachineState& state, Element element);
     bool join(const Element& next);
     bool meeting_point(const Element& a, const Element& b, Vec& point) const;
-    void emit(Element& element, Vec end);
+    void emit(Element element, Vec end);
     Vec start_tangent(const Element& e) const;
     Vec end_tangent(const Element& e) const;
     Vec beside(Vec point, Vec tangent) const;
     double offset_radius(const Element& e) const;
     double radius_of(const Element& e) const;
 
+    CompensationState& s_;
     Path& path_;
     DiagnosticLog& log_;
-    State s_;
 };
 
 }  // namespace ncsim::gcode

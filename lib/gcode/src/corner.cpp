@@ -67,7 +67,7 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
     if (state_.programmed.scaled) {
         size *= std::abs(state_.programmed.scale[axes_of(state_.plane).first % 3]);
     }
-    corner_ =
+    control_.corner =
         HeldCorner{state_, end, mask, command.corner, size, {}, span_, command.corner_span, file_};
     set_knowledge(state_, after_move(state_, mask, false));
     state_.position = end;
@@ -77,7 +77,7 @@ bool Machine::hold_corner(const Command& command, const Axes& end, AxisMask mask
 /// The held line up to its corner, and the corner itself, now that the next line goes to `next`.
 bool Machine::cut_corner(const Axes& next) {
     const PlaneAxes axes = axes_of(state_.plane);
-    const HeldCorner& held = *corner_;
+    const HeldCorner held = *control_.corner;
     const auto refuse = [&](std::string_view what) {
         log_.add(Severity::Error, Message::CornerForm, held.word, {corner_name(held.letter), what});
         return make_held_line(held.end, nullptr, nullptr);
@@ -121,8 +121,8 @@ bool Machine::cut_corner(const Axes& next) {
 /// The held line to `end`, then a chamfer to `second` or an arc, as the block of the line had them
 /// made. Puts `state_.position` where they end.
 bool Machine::make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc) {
-    const HeldCorner held = *corner_;
-    corner_.reset();
+    const HeldCorner held = *control_.corner;
+    control_.corner.reset();
     const SourceSpan span = span_;
     const std::uint32_t file = file_;
     MachineState now = state_;
@@ -204,7 +204,7 @@ bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask)
     double size = has_corner ? command.corner_size : 0.0;
     if (state_.programmed.scaled) size *= std::abs(state_.programmed.scale[axes.first % 3]);
     const char letter = has_corner ? command.corner : 'A';
-    corner_ = HeldCorner{
+    control_.corner = HeldCorner{
         state_, end,           plane, letter,
         size,   command.angle, span_, has_corner ? command.corner_span : command.angle_span,
         file_};
@@ -213,10 +213,10 @@ bool Machine::hold_angle(const Command& command, const Axes& end, AxisMask mask)
 
 /// Where the held line meets the next one, of which end and direction are told.
 bool Machine::find_corner(const Command& command, const Axes& next) {
-    HeldCorner& held = *corner_;
+    HeldCorner& held = *control_.corner;
     const auto refuse = [&](std::string_view what) {
         const SourceSpan span = held.word;
-        corner_.reset();
+        control_.corner.reset();
         return fail(Message::AngleForm, span, {what});
     };
     const PlaneAxes axes = axes_of(state_.plane);
@@ -246,15 +246,15 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
 
 /// What comes after the held line makes no corner with it.
 void Machine::settle_corner() {
-    if (corner_->angle) {
-        const SourceSpan span = corner_->word;
-        corner_.reset();
+    if (control_.corner->angle) {
+        const SourceSpan span = control_.corner->word;
+        control_.corner.reset();
         fail(Message::AngleForm, span, {"one coordinate of its end, or a next line that it meets"});
         return;
     }
-    log_.add(Severity::Error, Message::CornerForm, corner_->word,
-             {corner_name(corner_->letter), "a line (G1) in the next block"});
-    make_held_line(Axes(corner_->end), nullptr, nullptr);
+    log_.add(Severity::Error, Message::CornerForm, control_.corner->word,
+             {corner_name(control_.corner->letter), "a line (G1) in the next block"});
+    make_held_line(Axes(control_.corner->end), nullptr, nullptr);
 }
 
 }  // namespace ncsim::gcode

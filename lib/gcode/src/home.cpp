@@ -21,11 +21,12 @@ bool Machine::home(const Command& command, bool second) {
         if (state_.incremental && via[i] == state_.position[i]) moved &= ~(1U << i);
     }
     path_.straight(state_, via, MoveKind::Rapid, moved);
-    store_.via = via;
-    store_.has_via = command.axis_words;
+    Store& store = control_.store.change();
+    store.via = via;
+    store.has_via = command.axis_words;
 
     Axes target = machine_position();
-    const Axes& home = store_.homes[second ? 1 : 0];
+    const Axes& home = store.homes[second ? 1 : 0];
     for (std::size_t i = 0; i < target.size(); ++i) {
         if ((mask & 1U << i) != 0) target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
     }
@@ -37,7 +38,7 @@ bool Machine::home(const Command& command, bool second) {
         const Axes machine = machine_position();
         state_.tool_offset = {};
         recompute_position(machine);
-        path_.refresh();
+        ++state_.length_changes;
     }
     return true;
 }
@@ -55,7 +56,7 @@ bool Machine::seek_home(const Command& command) {
     for (const AxisMask mask : {named & kUp, named & ~kUp}) {
         if (mask == 0) continue;
         Axes target = machine_position();
-        const Axes& home = store_.homes[0];
+        const Axes& home = control_.store->homes[0];
         for (std::size_t i = 0; i < target.size(); ++i) {
             if ((mask & 1U << i) != 0)
                 target[i] = is_rotary(i) ? home[i] : home[i] / state_.unit_mm();
@@ -72,13 +73,13 @@ bool Machine::return_from_home(const Command& command) {
     Axes end{};
     AxisMask mask = 0;
     if (!find_ends(command, end, mask)) return false;
-    if (store_.has_via) path_.straight(state_, store_.via, MoveKind::Rapid, mask);
+    if (control_.store->has_via) path_.straight(state_, control_.store->via, MoveKind::Rapid, mask);
     path_.straight(state_, end, MoveKind::Rapid, mask);
     return true;
 }
 
 void Machine::store_home(bool second) {
-    Axes& home = store_.homes[second ? 1 : 0];
+    Axes& home = control_.store.change().homes[second ? 1 : 0];
     home = machine_position();
     for (std::size_t i = 0; i < home.size(); ++i) {
         if (!is_rotary(i)) home[i] *= state_.unit_mm();

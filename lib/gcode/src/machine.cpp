@@ -28,23 +28,24 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
       log_(log),
       path_(path),
       parameters_(parameters),
-      compensation_(path, log) {
-    store_.tools = options.tools;
-    for (std::size_t i = 0; i < store_.work_offsets.size(); ++i) {
-        store_.work_offsets[i].origin = to_axes(options.work_offsets[i]);
+      compensation_(control_.compensation, path, log) {
+    Store& store = control_.store.change();
+    store.tools = options.tools;
+    for (std::size_t i = 0; i < store.work_offsets.size(); ++i) {
+        store.work_offsets[i].origin = to_axes(options.work_offsets[i]);
         // LinuxCNC has its offsets in a file: they are known to it.
         const bool known = options.work_offsets_told[i] || rules.strict;
-        store_.work_offsets[i].frame.fill(known ? 0 : static_cast<int>(i) + 1);
+        store.work_offsets[i].frame.fill(known ? 0 : static_cast<int>(i) + 1);
     }
     for (const auto& [number, origin] : options.extended_offsets)
-        store_.extended[number].origin = to_axes(origin);
+        store.extended[number].origin = to_axes(origin);
+    for (std::size_t i = 0; i < store.homes.size(); ++i)
+        store.homes[i] = to_axes(options.homes[i]);
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
     select_system(1);
     parameters_.view.state = &state_;
-    parameters_.view.store = &store_;
-    for (std::size_t i = 0; i < store_.homes.size(); ++i)
-        store_.homes[i] = to_axes(options.homes[i]);
+    parameters_.view.store = &control_.store;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!options.start[i]) continue;
         state_.position[i] = options.start[i]->mm() / state_.unit_mm();
@@ -84,26 +85,17 @@ bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
     return true;
 }
 
-void Machine::execute(const Command& command) {
-    if (corner_ && !goes_on_from_corner(command)) settle_corner();
+bool Machine::execute(const Command& command) {
+    if (control_.corner && !goes_on_from_corner(command)) settle_corner();
     let_out(command);
-    const MachineState before = state_;
-    const int one_shot = command.group(Group::OneShot);
-    const bool may_change_store = one_shot != kNone || command.group(Group::Units) != kNone ||
-                                  command.group(Group::WorkOffset) != kNone;
-    std::optional<Store> store;
-    if (may_change_store) store = store_;
-    std::optional<Compensation::State> compensation;
-    if (compensation_.is_on() || command.group(Group::CutterSide) != kNone)
-        compensation = compensation_.state();
-    const std::optional<HeldCorner> corner = corner_;
+    const ControlState before = control_;
     const std::uint64_t motions = path_.count();
-    if (act(command) || path_.count() != motions) return;
+    curve_fails_ = false;
+    if (act(command)) return true;
     if (outline_) outline_->is_foreign = true;
-    state_ = before;
-    corner_ = corner;
-    if (store) store_ = std::move(*store);
-    if (compensation) compensation_.set_state(std::move(*compensation));
+    if (path_.count() == motions) control_ = before;  // what has moved stays where it is
+    if (curve_fails_) control_.curve = {};
+    return false;
 }
 
 /// A move that is held back by cutter compensation is made before anything that has no part in it.
@@ -263,14 +255,15 @@ bool Machine::check_unused_words(const Command& command) {
     // Other controls: registers stand where they like, codes without effect here have words of
     // their own, and cycles more of them.
     const bool lax = !rules_.strict;
-    const bool others = lax && (command.has_others || command.group(Group::Rotation) == 680 ||
-                                command.group(Group::Scaling) == 510 || g64 != kNone ||
-                                command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
-                                command.group(MGroup::ToolChange) != kNone || motion == 310 ||
-                                command.group(Group::Polar) != kNone || is_cycle || knots_open_ ||
-                                command.group(Group::Diameter) != kNone ||
-                                command.group(Group::HolePattern) != kNone ||
-                                command.group(Group::Pocket) != kNone);
+    const bool others =
+        lax &&
+        (command.has_others || command.group(Group::Rotation) == 680 ||
+         command.group(Group::Scaling) == 510 || g64 != kNone ||
+         command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
+         command.group(MGroup::ToolChange) != kNone || motion == 310 ||
+         command.group(Group::Polar) != kNone || is_cycle || control_.curve.by_knots ||
+         command.group(Group::Diameter) != kNone || command.group(Group::HolePattern) != kNone ||
+         command.group(Group::Pocket) != kNone);
     const bool centre = is_arc || is_spline || g10 || motion == 760 || motion == 870;
     const Use uses[] = {
         {'D', lax || side == 410 || side == 420 || side == 411 || side == 421 ||
@@ -373,9 +366,10 @@ void Machine::set_units(bool inches) {
     scale(state_.work_offset);
     scale(state_.offset_92);
     scale(state_.tool_offset);
-    scale(store_.probed);
     scale(state_.zero_92);
-    scale(store_.via);
+    Store& store = control_.store.change();
+    scale(store.probed);
+    scale(store.via);
     state_.cutter_radius *= factor;
     if (state_.feed_mode != FeedMode::InverseTime) state_.feed *= factor;
     Programmed& programmed = state_.programmed;
@@ -500,7 +494,7 @@ bool Machine::move(const Command& command, int motion) {
             return true;  // "G0 G28 Z0": the words belong to G28
         }
     } else {
-        const bool knot = knots_open_ && command.has('K');  // of G6.2
+        const bool knot = control_.curve.by_knots && command.has('K');  // of G6.2
         if ((!command.axis_words && !is_modal_arc(command) && !knot) || words_taken) return true;
         motion = state_.motion;
         if (motion == -1 || motion == 800) {
@@ -522,8 +516,8 @@ bool Machine::move(const Command& command, int motion) {
         warn(Message::G53Motion, span_of_g(command, 530));
         motion = 0;
     }
-    if (knots_open_ && motion != 62) {
-        knots_open_ = false;
+    if (control_.curve.by_knots && motion != 62) {
+        curve_fails_ = true;
         return fail(Message::SplineKnots, command.span);
     }
     switch (motion) {
@@ -642,13 +636,13 @@ bool Machine::straight(const Command& command, MoveKind kind) {
     if (command.has_angle) {
         const PlaneAxes axes = axes_of(state_.plane);
         const bool named = (mask & (1U << axes.first | 1U << axes.second)) != 0;
-        if (!named && !corner_) return hold_angle(command, end, mask);
-        const bool meets = corner_ && corner_->angle;  // where the line before ends
+        if (!named && !control_.corner) return hold_angle(command, end, mask);
+        const bool meets = control_.corner && control_.corner->angle;  // where the line before ends
         if (!meets && !end_by_angle(command, end, mask)) return false;
     }
-    if (corner_) {
+    if (control_.corner) {
         // Without the line before, this one begins where the tool stands.
-        const bool meets = !corner_->angle || find_corner(command, end);
+        const bool meets = !control_.corner->angle || find_corner(command, end);
         if (meets && !cut_corner(end)) return false;
         if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
     }
@@ -692,7 +686,7 @@ bool Machine::probe(const Command& command, int motion) {
     if (!find_ends(command, end, mask)) return false;
     warn(Message::ProbeAssumed, command.span, {motion_name(motion)});
     path_.straight(state_, end, MoveKind::Probe, mask);
-    store_.probed = state_.position;
+    control_.store.change().probed = state_.position;
     return true;
 }
 

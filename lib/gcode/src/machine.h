@@ -15,11 +15,11 @@
 #include "area.h"
 #include "command.h"
 #include "compensation.h"
+#include "control_state.h"
 #include "message.h"
 #include "parameters.h"
 #include "path.h"
 #include "rules.h"
-#include "store.h"
 
 #include <array>
 #include <initializer_list>
@@ -40,8 +40,9 @@ public:
     Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log, Path& path,
             Parameters& parameters);
 
-    /// Acts on `command`. A command with an error is reported and leaves the state as it was.
-    void execute(const Command& command);
+    /// Acts on `command`, or returns false after reporting an error: then control() is as it was,
+    /// but for the curve that the command should have ended, and unless it had moved something.
+    bool execute(const Command& command);
 
     // The outline of a G150: between these two, moves are listened to and not made.
     bool begin_outline(const Command& command);
@@ -52,12 +53,13 @@ public:
     bool ended() const { return ended_; }  ///< M2 or M30.
     /// Met a code after which nothing could be simulated rightly; it was reported.
     bool stopped() const { return stopped_; }
+    const ControlState& control() const { return control_; }
     const MachineState& state() const { return state_; }
     MachineState& state() { return state_; }
 
     /// Lets out what waits for the next move (a corner, cutter compensation).
     void flush() {
-        if (corner_) settle_corner();
+        if (control_.corner) settle_corner();
         compensation_.flush(state_);
     }
     /// Where the following motions come from.
@@ -121,6 +123,7 @@ private:
     bool spline(const Command& command, int motion);
     bool nurbs(const Command& command, int motion);
     bool nurbs_with_knots(const Command& command);
+    void finish_curve(std::vector<double> knots);
     bool probe(const Command& command, int motion);
     bool cycle(const Command& command, int motion);
     bool cycle_words(const Command& command, int motion);
@@ -135,17 +138,6 @@ private:
     bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
     bool drill(const Drilling& drilling, const Axes& above);
     bool hole_pattern(const Command& command, int code, bool words_taken);
-    /// A line with ,R or ,C: how it ends, only the next one tells.
-    struct HeldCorner {
-        MachineState state;  ///< As it was at the start of the line.
-        Axes end{};          ///< As programmed: the corner.
-        AxisMask mask = 0;
-        char letter = 'R';
-        double size = 0.0;
-        std::optional<double> angle;  ///< Of a line whose end the next one tells.
-        SourceSpan span, word;
-        std::uint32_t file = 0;
-    };
     static std::string_view corner_name(char letter) {
         return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
     }
@@ -202,11 +194,11 @@ private:
     Path& path_;
     Parameters& parameters_;
 
+    ControlState control_;
+    MachineState& state_ = control_.machine;
     Compensation compensation_;
-    std::optional<HeldCorner> corner_;
     struct Outline {
-        MachineState state;  ///< As they were before.
-        Store store;
+        ControlState before;
         std::vector<OutlineMove> moves;
         bool is_foreign = false;  ///< Something moved otherwise than in X and Y.
     };
@@ -215,14 +207,8 @@ private:
     bool heard_well_ = false;
     SourceSpan span_;
     std::uint32_t file_ = 0;
-    MachineState state_;
     static constexpr int kExtended = 9;
-    // With MachineState and compensation all there is to bring back when a block is refused, but
-    // for a curve under way (G5.2, G6.2): a fault closes it.
-    Store store_;
-    bool spline_open_ = false;  // between G5.2 and G5.3
-    bool knots_open_ = false;   // a curve of G6.2 under way
-    Spline nurbs_;
+    bool curve_fails_ = false;  ///< If the block is refused, the curve it is part of goes with it.
     bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
     bool ended_ = false;

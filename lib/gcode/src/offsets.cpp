@@ -61,10 +61,11 @@ void Machine::recompute_position(const Axes& machine) {
 
 /// 1 … 9 are G54 … G59.3, and kExtended + n is G54.1 Pn.
 WorkOffset& Machine::offset_of(int system) {
-    if (system <= kExtended) return store_.work_offsets[static_cast<std::size_t>(system - 1)];
-    const auto [entry, is_new] = store_.extended.try_emplace(system - kExtended);
+    Store& store = control_.store.change();
+    if (system <= kExtended) return store.work_offsets[static_cast<std::size_t>(system - 1)];
+    const auto [entry, is_new] = store.extended.try_emplace(system - kExtended);
     if (is_new) {
-        entry->second = store_.work_offsets.front();
+        entry->second = store.work_offsets.front();
         entry->second.frame.fill(system);
     }
     return entry->second;
@@ -133,17 +134,17 @@ bool Machine::offset_92(const Command& command, int code) {
                 tell_place(i);
             }
             for (std::size_t i = 0; i < offset.size(); ++i)
-                store_.stored_92[i] = mm_of(offset[i], i, unit);
+                control_.store.change().stored_92[i] = mm_of(offset[i], i, unit);
             state_.offset_92_active = true;
             break;
-        case 921: store_.stored_92 = {}; [[fallthrough]];
+        case 921: control_.store.change().stored_92 = {}; [[fallthrough]];
         case 922:
             offset = {};
             state_.zero_92 = {};
             state_.offset_92_active = false;
             break;
         case 923:
-            offset = from_mm(store_.stored_92, unit);
+            offset = from_mm(control_.store->stored_92, unit);
             state_.offset_92_active = true;
             break;
         default: return true;
@@ -239,12 +240,12 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
 }
 
 ToolTableEntry* Machine::register_of(int index) {
-    auto entry = std::ranges::find(store_.tools, index, &ToolTableEntry::number);
-    if (entry == store_.tools.end()) {
-        if (store_.tools.size() > 10'000) return nullptr;
-        store_.tools.push_back(
-            {.number = index, .offset = {}, .length_told = false, .diameter = {}});
-        entry = store_.tools.end() - 1;
+    std::vector<ToolTableEntry>& tools = control_.store.change().tools;
+    auto entry = std::ranges::find(tools, index, &ToolTableEntry::number);
+    if (entry == tools.end()) {
+        if (tools.size() > 10'000) return nullptr;
+        tools.push_back({.number = index, .offset = {}, .length_told = false, .diameter = {}});
+        entry = tools.end() - 1;
     }
     return &*entry;
 }
@@ -269,7 +270,7 @@ bool Machine::set_register(const Command& command, int index, int l) {
         log_.add(Message::G10Diameter, span_of(command, 'R'), {std::string_view(name.data(), 3)});
         value /= 2.0;
     }
-    Wear& wear = store_.wear[index];
+    Wear& wear = control_.store.change().wear[index];
     double& worn = of_length ? wear.length_mm : wear.radius_mm;
     const double sum =
         of_length ? entry->offset[2].mm() : entry->diameter.value_or(Length()).mm() / 2.0;
@@ -303,8 +304,8 @@ bool Machine::set_tool_data(const Command& command, int index) {
     const double unit = state_.unit_mm();
     const Axes machine = machine_position();
     Axes zero = state_.work_offset;
-    if (l == 11 && store_.work_offsets[8].origin != Axes{})
-        zero = from_mm(store_.work_offsets[8].origin, unit);
+    if (l == 11 && control_.store->work_offsets[8].origin != Axes{})
+        zero = from_mm(control_.store->work_offsets[8].origin, unit);
     for (std::size_t i = 0; i < 3; ++i) {
         if (!command.has(kAxisNames[i])) continue;
         const double value = command[kAxisNames[i]];
@@ -323,8 +324,8 @@ bool Machine::set_tool_data(const Command& command, int index) {
 
 /// mm; nothing where nobody told it.
 std::optional<double> Machine::told_length(int tool) const {
-    const auto entry = std::ranges::find(store_.tools, tool, &ToolTableEntry::number);
-    if (entry == store_.tools.end() || !entry->length_told) return std::nullopt;
+    const auto entry = std::ranges::find(control_.store->tools, tool, &ToolTableEntry::number);
+    if (entry == control_.store->tools.end() || !entry->length_told) return std::nullopt;
     return entry->offset[2].mm();
 }
 
@@ -357,8 +358,8 @@ bool Machine::set_tool_length(const Command& command) {
             state_.length_register = code == 440 && h != 0 ? kNegatedLength : h;
             state_.length_told = told_length(h).has_value();
         }
-        const auto entry = std::ranges::find(store_.tools, h, &ToolTableEntry::number);
-        if (entry != store_.tools.end()) {
+        const auto entry = std::ranges::find(control_.store->tools, h, &ToolTableEntry::number);
+        if (entry != control_.store->tools.end()) {
             const double sign = code == 440 ? -1.0 : 1.0;
             for (std::size_t i = 0; i < 3; ++i)
                 offset[i] += sign * entry->offset[i].mm() / unit;
@@ -368,15 +369,15 @@ bool Machine::set_tool_length(const Command& command) {
     const Axes machine = machine_position();
     state_.tool_offset = offset;
     recompute_position(machine);
-    path_.refresh();
+    ++state_.length_changes;
     return true;
 }
 
 /// Of D, else of the tool in the spindle, in active units; 0, with a warning, where it is not told.
 double Machine::radius_of_register(const Command& command, SourceSpan span) {
     const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
-    const auto entry = std::ranges::find(store_.tools, d, &ToolTableEntry::number);
-    if (entry != store_.tools.end() && entry->diameter) {
+    const auto entry = std::ranges::find(control_.store->tools, d, &ToolTableEntry::number);
+    if (entry != control_.store->tools.end() && entry->diameter) {
         return entry->diameter->mm() / 2.0 / state_.unit_mm();
     }
     if (!rules_.strict && d != 0) {

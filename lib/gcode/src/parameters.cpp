@@ -36,17 +36,17 @@ std::optional<double> Parameters::of_machine(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     if (is_in(number, 5420, 9)) return state.position[axis(5420)];
-    if (is_in(number, 5061, 9)) return view.store->probed[axis(5061)];
+    if (is_in(number, 5061, 9)) return (*view.store)->probed[axis(5061)];
     if (number == 5070) return 1.0;  // a probe always makes contact here
-    if (is_in(number, 5161, 9)) return view.store->homes[0][axis(5161)];
-    if (is_in(number, 5181, 9)) return view.store->homes[1][axis(5181)];
+    if (is_in(number, 5161, 9)) return (*view.store)->homes[0][axis(5161)];
+    if (is_in(number, 5181, 9)) return (*view.store)->homes[1][axis(5181)];
     if (number == 5210) return state.offset_92_active ? 1.0 : 0.0;
-    if (is_in(number, 5211, 9)) return view.store->stored_92[axis(5211)];
+    if (is_in(number, 5211, 9)) return (*view.store)->stored_92[axis(5211)];
     if (number == 5220) return state.system;
     if (is_in(number, 5221, 180)) {
         const int system = (number - 5221) / 20;
         const int item = (number - 5221) % 20;
-        const WorkOffset& offset = view.store->work_offsets[static_cast<std::size_t>(system)];
+        const WorkOffset& offset = (*view.store)->work_offsets[static_cast<std::size_t>(system)];
         if (item < 9) return offset.origin[static_cast<std::size_t>(item)];
         if (item == 9) return offset.rotation;
     }

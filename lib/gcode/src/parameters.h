@@ -6,6 +6,7 @@
 
 #include "ncsim/gcode/state.h"
 
+#include "copy_on_write.h"
 #include "expression.h"
 #include "store.h"
 
@@ -21,7 +22,7 @@ namespace ncsim::gcode {
 /// What parameters can show besides what was assigned.
 struct MachineView {
     const MachineState* state = nullptr;
-    const Store* store = nullptr;
+    const CopyOnWrite<Store>* store = nullptr;
     std::uint32_t line = 0;
     int call_level = 0;
     double return_value = 0.0;

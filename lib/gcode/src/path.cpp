@@ -143,11 +143,11 @@ void set_knowledge(MachineState& state, const Knowledge& knows) {
 }
 
 const Path::Place& Path::start(const MachineState& state) {
-    if (stale_) {
+    if (!at_ || state.length_changes != length_changes_) {
         at_ = place(state, state.position);
-        stale_ = false;
+        length_changes_ = state.length_changes;
     }
-    return at_;
+    return *at_;
 }
 
 void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {

@@ -73,8 +73,6 @@ public:
 
     /// The end of the next motions was said in machine coordinates.
     void set_machine_coordinates(bool on) { machine_coordinates_ = on; }
-    /// The tool length changed: the tip is elsewhere, though nothing moved.
-    void refresh() { stale_ = true; }
     /// The end of the program: lets out what is held back.
     void finish();
 
@@ -120,8 +118,8 @@ private:
     SourceSpan span_;
     std::uint32_t file_ = 0;
     bool machine_coordinates_ = false;
-    bool stale_ = true;
-    Place at_;                                   // where the last motion ended
+    std::optional<Place> at_;                    // where the last motion ended
+    std::uint32_t length_changes_ = 0;           // of the state `at_` was told of
     std::optional<Position> at_machine_, at_W_;  // the same of the last one that was let out
     bool bound_ = false;
     std::vector<Held> held_;

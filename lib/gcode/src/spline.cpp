@@ -8,9 +8,13 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace ncsim::gcode {
 namespace {
+
+/// More than a control holds.
+constexpr std::size_t kMostPoints = 100'000;
 
 Spline::ControlPoint point(double x, double y, double weight = 1.0) {
     // In program coordinates, as Path::spline wants them.
@@ -87,92 +91,95 @@ bool Machine::spline(const Command& command, int motion) {
 
 /// G5.2 opens a curve and gives its first points, further blocks give points, G5.3 closes it.
 bool Machine::nurbs(const Command& command, int motion) {
+    Curve& curve = control_.curve;
     if (motion == 52) {
-        if (!spline_open_) {
-            nurbs_ = {};
-            nurbs_.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));
-            nurbs_.control_points.push_back(
+        if (!curve.by_points) {
+            curve = {};
+            curve.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));
+            curve.points.push_back(
                 point(state_.position[kX], state_.position[kY], command.get('P', 1.0)));
-            spline_open_ = true;
+            curve.by_points = true;
         }
         if (const auto axis = other_axis(command, "XY")) {
             return fail(Message::SplineAxes, command.span, {"G5.2", "X and Y", *axis});
         }
         if (!command.has_any(letters('X', 'Y'))) return true;
-        constexpr std::size_t kMostPoints = 100'000;
-        if (nurbs_.control_points.size() >= kMostPoints) {
+        if (curve.points.size() >= kMostPoints) {
             return fail(Message::SplineTooLong, command.span);
         }
-        const Spline::ControlPoint& last = nurbs_.control_points.back();
+        const Spline::ControlPoint& last = curve.points.back();
         double x = command.get('X', state_.incremental ? 0.0 : last.x.mm());
         double y = command.get('Y', state_.incremental ? 0.0 : last.y.mm());
         if (state_.incremental) x += last.x.mm(), y += last.y.mm();
-        nurbs_.control_points.push_back(point(x, y, command.get('P', 1.0)));
+        curve.points.push_back(point(x, y, command.get('P', 1.0)));
         return true;
     }
-    if (!spline_open_) return fail(Message::SplineNotOpen, command.span);
-    spline_open_ = false;
-    const auto points = nurbs_.control_points.size();
-    if (points < static_cast<std::size_t>(nurbs_.order)) {
+    if (!curve.by_points) return fail(Message::SplineNotOpen, command.span);
+    curve_fails_ = true;  // unless it comes to its end
+    const std::size_t points = curve.points.size();
+    if (points < static_cast<std::size_t>(curve.order)) {
         return fail(Message::SplineTooFewPoints, command.span);
     }
     if (!needs_feed(command, "G5.3")) return false;
-    nurbs_.knots = clamped_knots(points, nurbs_.order);
-    Axes end = state_.position;
-    end[kX] = nurbs_.control_points.back().x.mm();
-    end[kY] = nurbs_.control_points.back().y.mm();
-    path_.spline(state_, nurbs_, end, 1U << kX | 1U << kY);
-    nurbs_ = {};
+    finish_curve(clamped_knots(points, curve.order));
     return true;
+}
+
+/// Moves along the points of the curve, and forgets it.
+void Machine::finish_curve(std::vector<double> knots) {
+    const Curve curve = std::exchange(control_.curve, {});
+    Spline spline;
+    spline.order = curve.order;
+    spline.control_points.assign(curve.points.begin(), curve.points.end());
+    spline.knots = std::move(knots);
+    Axes end = state_.position;
+    end[kX] = curve.points.back().x.mm();
+    end[kY] = curve.points.back().y.mm();
+    path_.spline(state_, spline, end, 1U << kX | 1U << kY);
 }
 
 /// G6.2 X Y R K P: control points with weight and knot, the order in the first block; blocks with a
 /// knot alone end the curve. It begins in its first point.
 bool Machine::nurbs_with_knots(const Command& command) {
+    Curve& curve = control_.curve;
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {"G6.2"});
     if (const auto axis = other_axis(command, "XY")) {
         return fail(Message::SplineAxes, command.span, {"G6.2", "X and Y", *axis});
     }
     if (!needs_feed(command, "G6.2")) return false;
-    if (!knots_open_) {
-        nurbs_ = {};
+    if (!curve.by_knots) {
+        curve = {};
         if (!command.has('P')) return fail(Message::SplineWords, command.span, {"G6.2", "P"});
-        nurbs_.order = static_cast<int>(std::clamp(command['P'], 2.0, 20.0));
-        knots_open_ = true;
+        curve.order = static_cast<int>(std::clamp(command['P'], 2.0, 20.0));
+        curve.by_knots = true;
     }
     if (!command.has('K')) return fail(Message::SplineWords, command.span, {"G6.2", "K"});
-    constexpr std::size_t kMostPoints = 100'000;
-    if (nurbs_.control_points.size() >= kMostPoints) {
+    if (curve.points.size() >= kMostPoints) {
         return fail(Message::SplineTooLong, command.span);
     }
-    const bool falls = !nurbs_.knots.empty() && command['K'] < nurbs_.knots.back();
-    nurbs_.knots.push_back(command['K']);
+    const bool falls = !curve.knots.empty() && command['K'] < curve.knots.back();
+    curve.knots.push_back(command['K']);
     if (command.has_any(letters('X', 'Y'))) {
         Axes end{};
         AxisMask mask = 0;
         if (!find_ends(command, end, mask)) return false;
-        nurbs_.control_points.push_back(point(end[kX], end[kY], command.get('R', 1.0)));
+        curve.points.push_back(point(end[kX], end[kY], command.get('R', 1.0)));
     }
-    const std::size_t points = nurbs_.control_points.size();
-    const std::size_t wanted = points + static_cast<std::size_t>(nurbs_.order);
-    if (!falls && nurbs_.knots.size() < wanted) return true;
-    knots_open_ = false;
-    if (falls || points < static_cast<std::size_t>(nurbs_.order) ||
-        !(nurbs_.knots[points] > nurbs_.knots[static_cast<std::size_t>(nurbs_.order) - 1])) {
+    const std::size_t points = curve.points.size();
+    const auto order = static_cast<std::size_t>(curve.order);
+    if (!falls && curve.knots.size() < points + order) return true;
+    if (falls || points < order || !(curve.knots[points] > curve.knots[order - 1])) {
+        curve_fails_ = true;
         return fail(falls ? Message::SplineKnots : Message::SplineTooFewPoints, command.span);
     }
     // The curve starts where its first knots put it; a machine moves there first.
     Axes start = state_.position;
-    start[kX] = nurbs_.control_points.front().x.mm();
-    start[kY] = nurbs_.control_points.front().y.mm();
+    start[kX] = curve.points.front().x.mm();
+    start[kY] = curve.points.front().y.mm();
     if (start != state_.position) {
         path_.straight(state_, start, MoveKind::Feed, 1U << kX | 1U << kY);
     }
-    Axes end = state_.position;
-    end[kX] = nurbs_.control_points.back().x.mm();
-    end[kY] = nurbs_.control_points.back().y.mm();
-    path_.spline(state_, nurbs_, end, 1U << kX | 1U << kY);
-    nurbs_ = {};
+    finish_curve({curve.knots.begin(), curve.knots.end()});
     return true;
 }
 

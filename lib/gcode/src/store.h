@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a control keeps in its tables: a value like MachineState, but one that few blocks change, so
-// that it is copied only for those that may have to be undone.
+// What a control keeps in its tables: a value like MachineState, but one that few blocks change.
 #pragma once
 
 #include "ncsim/gcode/interpreter.h"
@@ -17,6 +16,7 @@ namespace ncsim::gcode {
 struct Wear {
     double length_mm = 0.0;
     double radius_mm = 0.0;
+    bool operator==(const Wear&) const = default;
 };
 
 struct Store {
@@ -29,6 +29,7 @@ struct Store {
     bool has_via = false;
     Axes stored_92{};  ///< What G92.3 brings back, mm.
     Axes probed{};     ///< Where the last probe met something, program coordinates.
+    bool operator==(const Store&) const = default;
 };
 
 }  // namespace ncsim::gcode

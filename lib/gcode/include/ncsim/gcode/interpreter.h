@@ -29,6 +29,7 @@ struct ToolTableEntry {
     std::array<Length, 3> offset{};  ///< X, Y, Z.
     bool length_told = false;        ///< Somebody said that offset; else it is 0 by default.
     std::optional<Length> diameter;  ///< For G41 and G42.
+    bool operator==(const ToolTableEntry&) const = default;
 };
 
 /// Called with each motion just before the sink: the frame it was programmed in.

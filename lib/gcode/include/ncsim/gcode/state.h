@@ -36,6 +36,7 @@ struct CycleState {
     int code = 0;          ///< Ten times the G number of the cycle.
     double initial = 0.0;  ///< Where the drilling axis stood before the first cycle of the series.
     bool running = false;
+    bool operator==(const CycleState&) const = default;
 };
 
 /// G68, G51 and G16 of Fanuc and its kin: what happens to programmed coordinates first.
@@ -46,6 +47,7 @@ struct Programmed {
     double centre_1 = 0.0, centre_2 = 0.0;
     std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< G51; negative mirrors.
     std::array<double, 3> scale_centre{};
+    bool operator==(const Programmed&) const = default;
 };
 
 /// What the origin of a coordinate system is known from, an axis (X, Y, Z): 0 is the machine, any
@@ -58,6 +60,7 @@ struct WorkOffset {
     Axes origin{};
     double rotation = 0.0;  ///< Degrees about Z.
     OriginFrame frame{};
+    bool operator==(const WorkOffset&) const = default;
 };
 
 /// Registers of tool lengths that are no number of a tool table.
@@ -101,10 +104,12 @@ struct MachineState {
     int kinematics = 0;  ///< The M code that last chose how the machine turns (M428 …); 0: none.
 
     // Places
-    Axes position{};        ///< Of the controlled point, program coordinates.
-    Axes work_offset{};     ///< Of the active system.
-    Axes offset_92{};       ///< G92 and G52.
-    Axes tool_offset{};     ///< G43
+    Axes position{};     ///< Of the controlled point, program coordinates.
+    Axes work_offset{};  ///< Of the active system.
+    Axes offset_92{};    ///< G92 and G52.
+    Axes tool_offset{};  ///< G43
+    /// How often the tip got elsewhere though nothing moved: a tool length came or went.
+    std::uint32_t length_changes = 0;
     double rotation = 0.0;  ///< Of the active system, degrees.
     OriginFrame frame{};    ///< Of the active system.
     int system = 1;         ///< 1: G54 … 9: G59.3; 9 + n: G54.1 Pn.
@@ -122,6 +127,7 @@ struct MachineState {
     CycleState cycle;
 
     double unit_mm() const { return inches ? 25.4 : 1.0; }
+    bool operator==(const MachineState&) const = default;
 };
 
 /// The frame a motion was programmed in, for those who want to show it as it was written.

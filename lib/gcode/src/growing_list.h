@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace ncsim::gcode {
+
+/// A list that grows at its end. Copies share what they have in common, so that to keep one before
+/// something is added, and to go back to it, costs nothing, however long it is. For one thread.
+template <typename Value>
+class GrowingList {
+public:
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const Value& operator[](std::size_t i) const { return (*values_)[i]; }
+    const Value& front() const { return values_->front(); }
+    const Value& back() const { return (*values_)[size_ - 1]; }
+    const Value* begin() const { return values_ ? values_->data() : nullptr; }
+    const Value* end() const { return begin() + size_; }
+
+    void push_back(Value value) {
+        if (!values_) values_ = std::make_shared<std::vector<Value>>();
+        // What follows the last one of ours was added by a copy.
+        if (values_->size() > size_) {
+            if (values_.use_count() > 1) {
+                values_ = std::make_shared<std::vector<Value>>(begin(), end());
+            } else {
+                values_->erase(values_->begin() + static_cast<std::ptrdiff_t>(size_),
+                               values_->end());
+            }
+        }
+        values_->push_back(std::move(value));
+        ++size_;
+    }
+
+    bool operator==(const GrowingList& other) const {
+        return std::equal(begin(), end(), other.begin(), other.end());
+    }
+
+private:
+    std::shared_ptr<std::vector<Value>> values_;  // null: none yet
+    std::size_t size_ = 0;                        // how many of them are ours
+};
+
+}  // namespace ncsim::gcode
