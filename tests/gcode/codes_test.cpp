@@ -328,19 +328,45 @@ TEST(Codes, AreAllInTheTable) {
     std::set<std::string> tested;
     for (const Case& c : codes())
         tested.insert(c.what);
-#define NCSIM_G(number, group, axes, rs274)                               \
-    {                                                                     \
-        std::string name = "G";                                           \
-        print_number(name, (number) / 10.0);                              \
-        SCOPED_TRACE(name);                                               \
-        expect_like_its_group(name, Group::group);                        \
-        const bool alike = Group::group == Group::Ignored ||              \
-                           Group::group == Group::NotSimulated ||         \
-                           Group::group == Group::Unsupported;            \
-        EXPECT_TRUE(alike || tested.contains(name)) << name << " is not"; \
-    }
+    const auto expect_tested = [&](Code code) {
+        const GCode& entry = entry_of(code);
+        const std::string name(name_of(code));
+        SCOPED_TRACE(name);
+        EXPECT_EQ(entry.code, code);
+        EXPECT_EQ(find_g(tenths_of(code)), code);
+        std::string number = "G";
+        print_number(number, tenths_of(code) / 10.0);
+        EXPECT_EQ(name, number);
+        if (entry.known_to == KnownTo::Haas) return;  // below
+        expect_like_its_group(name, entry.group);
+        const bool alike = entry.group == Group::Ignored || entry.group == Group::NotSimulated ||
+                           entry.group == Group::Unsupported;
+        EXPECT_TRUE(alike || tested.contains(name)) << name << " is not";
+    };
+#define NCSIM_G(name, group, takes_axes, letters, known_to) expect_tested(Code::name);
 #include "codes.def"
 #undef NCSIM_G
+}
+
+TEST(Codes, OfHaasAloneAreOffsets) {
+    // G110 … G129 are G154 P1 …, without P3 and P4.
+    int count = 0;
+    for (int number = 110; number < 130; ++number) {
+        const Code code = find_g(number * 10);
+        if (entry_of(code).known_to != KnownTo::Haas) continue;
+        ++count;
+        SCOPED_TRACE(name_of(code));
+        const std::string name(name_of(code));
+        const std::string set = "G10 L20 P" + std::to_string(number - 109) + " X5~";
+        const std::string by_name = set + name + " G0 X1";
+        const std::string by_number = set + "G154 P" + std::to_string(number - 109) + " G0 X1";
+        EXPECT_EQ(made_of({"", By::Haas, by_name.c_str(), ""}),
+                  made_of({"", By::Haas, by_number.c_str(), ""}));
+        EXPECT_EQ(made_of({"", By::Haas, by_name.c_str(), ""}).find("unknown-g"),
+                  std::string::npos);
+        EXPECT_EQ(made_of({"", By::Fanuc, name.c_str(), ""}), " ! error unknown-g");
+    }
+    EXPECT_EQ(count, 18);
 }
 
 TEST(Traps, AreNotSteppedInto) {

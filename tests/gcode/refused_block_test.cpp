@@ -104,12 +104,6 @@ std::vector<Rules> controls() {
             Rules::of(Dialect::Fanuc, false), Rules::of(Dialect::Haas, false)};
 }
 
-std::string name_of_code(int tenths) {
-    std::string name = "G" + std::to_string(tenths / 10);
-    if (tenths % 10 != 0) name += "." + std::to_string(tenths % 10);
-    return name;
-}
-
 // Whether it was refused, and nothing moved; then the control has to be as before.
 bool is_refused_without_a_trace(const Rules& rules, const Situation& situation,
                                 const std::string& line) {
@@ -130,18 +124,18 @@ bool is_refused_without_a_trace(const Rules& rules, const Situation& situation,
 }
 
 TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItsCodes) {
-    const std::vector<int> codes = {
-#define NCSIM_G(number, group, uses_axes, in_rs274) number,
+    const std::vector<Code> codes = {
+#define NCSIM_G(name, group, takes_axes, letters, known_to) Code::name,
 #include "codes.def"
 #undef NCSIM_G
     };
-    std::map<int, int> refused;
+    std::map<Code, int> refused;
     for (const Rules& rules : controls()) {
         for (const Situation& situation : kSituations) {
-            for (const int code : codes) {
+            for (const Code code : codes) {
                 for (const char* words : kWords) {
                     for (const char* tail : kTails) {
-                        const std::string line = name_of_code(code) + words + tail;
+                        const std::string line = std::string(name_of(code)) + words + tail;
                         refused[code] += is_refused_without_a_trace(rules, situation, line);
                     }
                 }
@@ -149,18 +143,18 @@ TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItsCodes) {
         }
     }
     // None has passed because it was never refused.
-    for (const int code : codes)
-        EXPECT_GE(refused[code], 20) << name_of_code(code);
+    for (const Code code : codes)
+        EXPECT_GE(refused[code], 20) << name_of(code);
 }
 
 // Many codes in one block: of each group one or none, as a generator with a fixed seed chooses.
 TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItIsComposedOf) {
     struct Entry {
-        int number;
+        Code code;
         Group group;
     };
     const std::vector<Entry> codes = {
-#define NCSIM_G(number, group, uses_axes, in_rs274) {number, Group::group},
+#define NCSIM_G(name, group, takes_axes, letters, known_to) {Code::name, Group::group},
 #include "codes.def"
 #undef NCSIM_G
     };
@@ -179,7 +173,7 @@ TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItIsComposedOf) {
         for (std::size_t i = 0, n = 1 + below(4); i < n; ++i) {
             const Entry& entry = codes[below(codes.size())];
             if (entry.group == Group::Ignored || !groups.insert(entry.group).second) continue;
-            line += " " + name_of_code(entry.number);
+            line += " " + std::string(name_of(entry.code));
         }
         for (std::size_t i = 0, n = below(5); i < n; ++i)
             line += kOthers[below(std::size(kOthers))];

@@ -74,7 +74,7 @@ bool Machine::begin_outline(const Command& command) {
     outline_ = Outline{control_, {}, false};
     state_.position[kX] = start[kX];
     state_.position[kY] = start[kY];
-    state_.motion = 10;
+    state_.motion = Code::G1;
     state_.cycle = {};
     state_.feed_mode = FeedMode::PerMinute;
     state_.feed = std::max(state_.feed, 1.0);  // the one of the G150 counts
@@ -91,14 +91,15 @@ void Machine::end_outline() {
 }
 
 bool Machine::belongs_to_outline(const Command& command) {
-    const int motion = command.group(Group::Motion);
+    const Code motion = command.group(Group::Motion);
     for (std::size_t i = 0; i < kGroups; ++i) {
         const auto group = static_cast<Group>(i);
         const bool may =
             group == Group::Motion || group == Group::Distance || group == Group::Ignored;
-        if (!may && command.group(group) != kNone) return false;
+        if (!may && command.group(group) != Code::None) return false;
     }
-    return (motion == kNone || motion == 10 || motion == 20 || motion == 30) &&
+    return (motion == Code::None || motion == Code::G1 || motion == Code::G2 ||
+            motion == Code::G3) &&
            command.group(MGroup::Stop) == kNone && command.group(MGroup::ToolChange) == kNone;
 }
 
@@ -123,14 +124,15 @@ bool Machine::hear(const Axes& end, const ProgramArc* arc) {
 /// level around it once more, on size. Haas tells the order and the words, not the strokes: which
 /// they are makes no difference to what is left. Where no straight way leads from one stroke to
 /// the next, the tool is lifted to R.
-bool Machine::area_pocket(const Command& command, int side, bool words_taken) {
-    const SourceSpan span = span_of_g(command, 1500);
+bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
+    const SourceSpan span = span_of_g(command, Code::G150);
     const auto needs = [&](std::string_view what) {
         return fail(Message::PocketWord, span, {"G150", what});
     };
     if (compensation_.is_on() || state_.cutter_side != CutterSide::Off)
         return fail(Message::ForbiddenWithCompensation, span, {"G150"});
-    if (words_taken || command.group(Group::OneShot) != kNone) return needs("a block of its own");
+    if (words_taken || command.group(Group::OneShot) != Code::None)
+        return needs("a block of its own");
     if (state_.feed_mode == FeedMode::InverseTime)
         return fail(Message::CycleInverseTime, span, {"G150"});
     if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
@@ -139,7 +141,7 @@ bool Machine::area_pocket(const Command& command, int side, bool words_taken) {
     if (!command.has('Z') || !command.has('R')) return needs("a depth (Z) and a height (R)");
     if (command.has('I') == command.has('J')) return needs("one width of cut, I or J");
     if (command.get('L', 1.0) != 1.0) return needs("a block without L");
-    if (side != 410 && side != 420) return needs("G41 or G42 in its block");
+    if (side != Code::G41 && side != Code::G42) return needs("G41 or G42 in its block");
     const bool along_y = command.has('I');
     const double width = along_y ? command['I'] : command['J'];
     const double allowance = command.get('K', 0.0);

@@ -2,32 +2,83 @@
 #include "codes.h"
 
 #include <array>
+#include <cstddef>
 
 namespace ncsim::gcode {
 namespace {
 
+/// The name as programs write it, with a point for the '_'.
+template <std::size_t Size>
+struct Written {
+    std::array<char, Size> text{};
+    constexpr explicit Written(const char (&name)[Size]) {
+        for (std::size_t i = 0; i < Size; ++i)
+            text[i] = name[i] == '_' ? '.' : name[i];
+    }
+    constexpr operator std::string_view() const { return {text.data(), Size - 1}; }
+};
+
+constexpr std::uint32_t bits_of(std::string_view letters) {
+    std::uint32_t bits = 0;
+    for (const char letter : letters) {
+        if (letter != '+') bits |= 1U << static_cast<unsigned>(letter - 'A');
+    }
+    return bits;
+}
+
+#define NCSIM_G(name, group, takes_axes, letters, known_to) constexpr Written k##name(#name);
+#include "codes.def"
+#undef NCSIM_G
+
 constexpr auto kCodes = std::to_array<GCode>({
-#define NCSIM_G(number, group, uses_axes, in_rs274) {number, Group::group, uses_axes, in_rs274},
+#define NCSIM_G(name, group, takes_axes, letters, known_to)                        \
+    {Code::name,       k##name,          Group::group,                             \
+     takes_axes,       bits_of(letters), std::string_view(letters).ends_with('+'), \
+     KnownTo::known_to},
 #include "codes.def"
 #undef NCSIM_G
 });
 
-constexpr int kMaxNumber = 2700;  // above G269 none is known
+constexpr int kMaxTenths = 2700;  // above G269 none is known
 
 constexpr auto kIndex = [] {
-    std::array<std::uint8_t, kMaxNumber> index{};
+    std::array<std::uint8_t, kMaxTenths> index{};
     for (std::size_t i = 0; i < kCodes.size(); ++i) {
-        index[static_cast<std::size_t>(kCodes[i].number)] = static_cast<std::uint8_t>(i + 1);
+        index[static_cast<std::size_t>(tenths_of(kCodes[i].code))] =
+            static_cast<std::uint8_t>(i + 1);
     }
     return index;
 }();
 
 }  // namespace
 
-const GCode* find_g(int number) {
-    if (number < 0 || number >= kMaxNumber) return nullptr;
-    const std::uint8_t entry = kIndex[static_cast<std::size_t>(number)];
-    return entry == 0 ? nullptr : &kCodes[entry - 1U];
+Code find_g(int tenths) {
+    if (tenths < 0 || tenths >= kMaxTenths || kIndex[static_cast<std::size_t>(tenths)] == 0) {
+        return Code::None;
+    }
+    return static_cast<Code>(tenths);
+}
+
+const GCode& entry_of(Code code) {
+    return kCodes[kIndex[static_cast<std::size_t>(tenths_of(code))] - 1U];
+}
+
+bool is_cycle(Code code) {
+    switch (code) {
+        case Code::G73:
+        case Code::G74:
+        case Code::G76:
+        case Code::G81:
+        case Code::G82:
+        case Code::G83:
+        case Code::G84:
+        case Code::G85:
+        case Code::G86:
+        case Code::G87:
+        case Code::G88:
+        case Code::G89: return true;
+        default: return false;
+    }
 }
 
 MGroup m_group(int number) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of G and M codes: which group a code belongs to. Two codes of one group exclude
-// each other in a block.
+// The table of G and M codes: what their names are, and which group a code belongs to. Two codes of
+// one group exclude each other in a block.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace ncsim::gcode {
 
@@ -37,15 +38,63 @@ enum class Group : std::uint8_t {
 };
 constexpr std::size_t kGroups = 24;
 
-struct GCode {
-    std::int16_t number;  ///< Times ten.
-    Group group;
-    bool uses_axes;
-    bool in_rs274;
+/// Ten times the number in the name of a code: 382 of "G38_2".
+constexpr int tenths_in(std::string_view name) {
+    int number = 0;
+    int tenths = 0;
+    bool point = false;
+    for (const char c : name.substr(1)) {
+        if (c == '_') {
+            point = true;
+        } else if (point) {
+            tenths = c - '0';
+        } else {
+            number = number * 10 + (c - '0');
+        }
+    }
+    return number * 10 + tenths;
+}
+
+/// The G codes of codes.def: G38_2 is G38.2. The value is ten times the number.
+enum class Code : std::int16_t {
+    None = -1,
+#define NCSIM_G(name, group, takes_axes, letters, known_to) name = tenths_in(#name),
+#include "codes.def"
+#undef NCSIM_G
 };
 
-/// The entry of ten times the G number, or nullptr.
-const GCode* find_g(int number);
+enum class KnownTo : std::uint8_t {
+    All,     ///< RS274/NGC as LinuxCNC runs it, and others.
+    Others,  ///< But not RS274/NGC.
+    Haas,    ///< Haas only.
+};
+
+/// A row of codes.def.
+struct GCode {
+    Code code;
+    std::string_view name;  ///< As it is written: "G38.2".
+    Group group;
+    bool takes_axes;         ///< Axis words of the block are its own.
+    std::uint32_t letters;   ///< A bit, from A, for each of the other words that it has a use for.
+    bool has_other_letters;  ///< On controls other than LinuxCNC's it may use any.
+    KnownTo known_to;
+};
+
+/// The code of ten times the G number; None, where there is none.
+Code find_g(int tenths);
+
+/// Of a code that is not None.
+const GCode& entry_of(Code code);
+inline std::string_view name_of(Code code) {
+    return entry_of(code).name;
+}
+/// Ten times its number; -1 of None.
+constexpr int tenths_of(Code code) {
+    return static_cast<int>(code);
+}
+
+/// G73, G74, G76, G81 … G89: a canned cycle that drills, taps or bores.
+bool is_cycle(Code code);
 
 enum class MGroup : std::uint8_t {
     Stop,

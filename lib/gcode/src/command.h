@@ -7,12 +7,13 @@
 
 #include "codes.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
 namespace ncsim::gcode {
 
-constexpr int kNone = -1;
+constexpr int kNone = -1;  ///< No M code.
 
 /// Letters A … Z are 0 … 25; '@' is 26, '^' is 27.
 constexpr std::size_t letter_index(char letter) {
@@ -24,8 +25,8 @@ struct Command {
     SourceSpan span;            ///< The main word: the motion, else the first word.
     std::uint32_t present = 0;  ///< A bit per letter.
     std::array<double, 28> value;
-    std::array<std::int16_t, kGroups> g;  ///< Times ten; kNone.
-    std::array<std::int16_t, kMGroups> m;
+    std::array<Code, kGroups> g;           ///< Of each group.
+    std::array<std::int16_t, kMGroups> m;  ///< Numbers; kNone.
     double next_tool = -1.0;  ///< The second T of "T1 T2 M6": it waits in the magazine.
     char corner = 0;          ///< 'R' or 'C' of ",R2", ",C2": the corner at the end of the line.
     double corner_size = 0.0;
@@ -42,8 +43,13 @@ struct Command {
     double get(char letter, double otherwise) const {
         return has(letter) ? value[letter_index(letter)] : otherwise;
     }
-    int group(Group group) const { return g[static_cast<std::size_t>(group)]; }
+    Code group(Group group) const { return g[static_cast<std::size_t>(group)]; }
     int group(MGroup group) const { return m[static_cast<std::size_t>(group)]; }
+    /// A code of its block has the axis words for itself.
+    bool axes_are_taken() const {
+        return std::ranges::any_of(
+            g, [](Code code) { return code != Code::None && entry_of(code).takes_axes; });
+    }
     bool has_any(std::uint32_t letters) const { return (present & letters) != 0; }
 };
 

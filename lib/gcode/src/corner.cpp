@@ -19,13 +19,14 @@ constexpr double kRounding = 1e-9;
 
 /// A G1 with axis words of its own.
 bool Machine::is_line(const Command& command) const {
-    const int named = command.group(Group::Motion);
-    if ((named == kNone ? state_.motion : named) != 10 || !command.axis_words) return false;
+    const Code named = command.group(Group::Motion);
+    if ((named == Code::None ? state_.motion : named) != Code::G1 || !command.axis_words)
+        return false;
     for (const Group group : {Group::OneShot, Group::Rotation, Group::Scaling, Group::Mirror,
                               Group::Macro, Group::Pocket, Group::HolePattern}) {
-        if (command.group(group) != kNone) return false;
+        if (command.group(group) != Code::None) return false;
     }
-    return command.group(Group::ToolLength) != 431;
+    return command.group(Group::ToolLength) != Code::G43_1;
 }
 
 bool Machine::ends_in_corner(const Command& command) const {
@@ -37,7 +38,7 @@ bool Machine::goes_on_from_corner(const Command& command) const {
     for (const Group group :
          {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
           Group::Polar, Group::Feed, Group::Diameter, Group::NotSimulated, Group::Unsupported}) {
-        if (command.group(group) != kNone) return false;
+        if (command.group(group) != Code::None) return false;
     }
     return is_line(command) && command.group(MGroup::Stop) == kNone &&
            command.group(MGroup::ToolChange) == kNone && command.group(MGroup::Kinematics) == kNone;

@@ -14,7 +14,7 @@ constexpr char kAxisLetters9[] = {'X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'};
 }  // namespace
 
 /// Takes over the sticky words, and refuses what a cycle cannot use.
-bool Machine::cycle_words(const Command& command, int motion) {
+bool Machine::cycle_words(const Command& command, Code motion) {
     CycleState& cycle = state_.cycle;
     const PlaneAxes axes = axes_of(state_.plane);
     const char depth = kAxisLetters9[axes.third];
@@ -30,7 +30,7 @@ bool Machine::cycle_words(const Command& command, int motion) {
     if (command.has('P')) cycle.p = seconds_of(command, 'P'), cycle.has_p = true;
     if (command.has('Q')) cycle.q = std::abs(command['Q']);
 
-    const std::string_view name = motion_name(motion);
+    const std::string_view name = name_of(motion);
     if (rules_.strict) {
         if (command.has_any(letters('A', 'B', 'C'))) {
             return fail(Message::CycleRotary, command.span, {name});
@@ -41,7 +41,9 @@ bool Machine::cycle_words(const Command& command, int motion) {
         if (state_.feed_mode == FeedMode::InverseTime) {
             return fail(Message::CycleInverseTime, command.span, {name});
         }
-        if ((motion == 820 || motion == 860 || motion == 880 || motion == 890) && !cycle.has_p) {
+        if ((motion == Code::G82 || motion == Code::G86 || motion == Code::G88 ||
+             motion == Code::G89) &&
+            !cycle.has_p) {
             return fail(Message::CycleWordMissing, command.span, {name, "P"});
         }
     }
@@ -51,7 +53,7 @@ bool Machine::cycle_words(const Command& command, int motion) {
         cycle.r = state_.incremental ? 0.0 : state_.position[axes.third];
         cycle.has_r = true;
     }
-    const bool pecks = motion == 830 || motion == 730;
+    const bool pecks = motion == Code::G83 || motion == Code::G73;
     if (pecks && cycle.q <= 0.0 &&
         !tolerate(Message::CycleWordMissing, command.span, {name, "Q"})) {
         return false;
@@ -59,9 +61,9 @@ bool Machine::cycle_words(const Command& command, int motion) {
     return true;
 }
 
-bool Machine::cycle(const Command& command, int motion) {
-    const std::string_view name = motion_name(motion);
-    if (motion == 760 && (rules_.strict || command.has('K'))) {
+bool Machine::cycle(const Command& command, Code motion) {
+    const std::string_view name = name_of(motion);
+    if (motion == Code::G76 && (rules_.strict || command.has('K'))) {
         stopped_ = true;
         return fail(Message::LatheCycle, command.span, {name});
     }
@@ -111,7 +113,7 @@ bool Machine::hole_place(const Command& command, Axes& hole, AxisMask& mask) {
 }
 
 /// The heights, and the move up to R where the tool is below it.
-std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command, int motion) {
+std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command, Code motion) {
     const std::size_t depth_axis = axes_of(state_.plane).third;
     const CycleState& cycle = state_.cycle;
     const double height = state_.position[depth_axis];
@@ -121,7 +123,7 @@ std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command,
         r += cycle.initial;
         bottom += r;
     }
-    if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {motion_name(motion)})) {
+    if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {name_of(motion)})) {
         return std::nullopt;
     }
     const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
@@ -159,7 +161,7 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
     const SpindleTurning turning = state_.spindle;
     const double seconds = cycle.p;
 
-    if (motion == 730 || motion == 830) {
+    if (motion == Code::G73 || motion == Code::G83) {
         const double clearance = options_.peck_clearance.value_or(0.254 / state_.unit_mm());
         const double highest = options_.peck_clearance ? bottom + 1e12 : r;
         constexpr double kMostPecks = 100'000.0;
@@ -171,7 +173,7 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
         for (int i = 1; q > 0.0 && r - i * q > bottom + 1e-9; ++i) {
             const double depth = r - i * q;
             to(depth, MoveKind::Feed);
-            if (motion == 830) {
+            if (motion == Code::G83) {
                 to(r, MoveKind::Rapid);
                 to(std::min(depth + clearance, highest), MoveKind::Rapid);
             } else {
@@ -185,34 +187,34 @@ bool Machine::drill(const Drilling& drilling, const Axes& above) {
     }
     to(bottom, MoveKind::Feed);
     switch (motion) {
-        case 810: to(clear, MoveKind::Rapid); break;
-        case 820:
+        case Code::G81: to(clear, MoveKind::Rapid); break;
+        case Code::G82:
             path_.dwell(state_, seconds);
             to(clear, MoveKind::Rapid);
             break;
-        case 740:
-        case 840:
+        case Code::G74:
+        case Code::G84:
             state_.spindle =
-                motion == 840 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
+                motion == Code::G84 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
             path_.dwell(state_, seconds);
             to(clear, MoveKind::Feed);
             state_.spindle = turning;
             break;
-        case 850:
+        case Code::G85:
             to(r, MoveKind::Feed);
             if (clear != r) to(clear, MoveKind::Rapid);
             break;
-        case 760:
-        case 860:
-        case 870:
-        case 880:
+        case Code::G76:
+        case Code::G86:
+        case Code::G87:
+        case Code::G88:
             // The spindle stops (G76: orients and steps aside by Q), and the tool goes out.
             if (cycle.has_p) path_.dwell(state_, seconds);
             state_.spindle = SpindleTurning::Stopped;
             to(clear, MoveKind::Rapid);
             state_.spindle = turning;
             break;
-        case 890:
+        case Code::G89:
             path_.dwell(state_, seconds);
             to(clear, MoveKind::Feed);
             break;

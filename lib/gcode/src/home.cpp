@@ -7,7 +7,7 @@
 namespace ncsim::gcode {
 
 bool Machine::home(const Command& command, bool second) {
-    const int code = second ? 300 : 280;
+    const Code code = second ? Code::G30 : Code::G28;
     if (state_.cutter_side != CutterSide::Off && rules_.strict) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G28"});
     }

@@ -101,10 +101,13 @@ bool Machine::execute(const Command& command) {
 /// A move that is held back by cutter compensation is made before anything that has no part in it.
 void Machine::let_out(const Command& command) {
     if (!compensation_.is_on()) return;
-    const int one_shot = command.group(Group::OneShot);
-    if (command.group(Group::Units) != kNone || (one_shot != kNone && one_shot != 40) ||
-        command.group(Group::WorkOffset) != kNone || command.group(Group::Plane) != kNone ||
-        command.group(Group::ToolLength) != kNone || command.group(Group::CutterSide) == 400 ||
+    const Code one_shot = command.group(Group::OneShot);
+    if (command.group(Group::Units) != Code::None ||
+        (one_shot != Code::None && one_shot != Code::G4) ||
+        command.group(Group::WorkOffset) != Code::None ||
+        command.group(Group::Plane) != Code::None ||
+        command.group(Group::ToolLength) != Code::None ||
+        command.group(Group::CutterSide) == Code::G40 ||
         command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Stop) == 2 ||
         command.group(MGroup::Stop) == 30) {
         compensation_.flush(state_);
@@ -113,15 +116,15 @@ void Machine::let_out(const Command& command) {
 }
 
 bool Machine::act(const Command& command) {
-    if (const int code = command.group(Group::Unsupported); code != kNone) {
+    if (const Code code = command.group(Group::Unsupported); code != Code::None) {
         stopped_ = true;
-        const bool lathe = code >= 700 && code < 730;
+        const bool lathe = code >= Code::G70 && code < Code::G73;
         return fail(lathe ? Message::LatheCycle : Message::TiltedPlane, command.span,
-                    {motion_name(code)});
+                    {name_of(code)});
     }
-    if (const int code = command.group(Group::NotSimulated); code != kNone)
-        return fail(Message::NotSimulated, span_of_g(command, code), {motion_name(code)});
-    motion_was_named_ = command.group(Group::Motion) != kNone;
+    if (const Code code = command.group(Group::NotSimulated); code != Code::None)
+        return fail(Message::NotSimulated, span_of_g(command, code), {name_of(code)});
+    motion_was_named_ = command.group(Group::Motion) != Code::None;
     if (!check(command)) return false;
     if (command.corner != 0 && !ends_in_corner(command)) {
         return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
@@ -129,9 +132,9 @@ bool Machine::act(const Command& command) {
     if (command.has_angle && !ends_in_corner(command))
         return fail(Message::CornerWord, command.angle_span, {",A"});
     // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
-    const int units = command.group(Group::Units);
+    const Code units = command.group(Group::Units);
     const auto switch_units = [&] {
-        if (units != kNone) set_units(units == 200 || units == 700);
+        if (units != Code::None) set_units(units == Code::G20 || units == Code::G70);
     };
     if (!rules_.strict) switch_units();
     if (!set_feed(command)) return false;
@@ -141,16 +144,19 @@ bool Machine::act(const Command& command) {
         return fail(Message::KinematicsUntold, command.span,
                     {std::string("M").append(std::to_string(state_.kinematics))});
     }
-    if (command.group(Group::OneShot) == 40 && !dwell(command)) return false;
-    if (const int plane = command.group(Group::Plane); plane != kNone) {
-        constexpr std::array<Plane, 6> kPlanes = {Plane::XY, Plane::ZX, Plane::YZ,
-                                                  Plane::UV, Plane::WU, Plane::VW};
-        const int which = (plane - 170) / 10 + (plane % 10 == 1 ? 3 : 0);
-        state_.plane = kPlanes[static_cast<std::size_t>(which)];
+    if (command.group(Group::OneShot) == Code::G4 && !dwell(command)) return false;
+    switch (command.group(Group::Plane)) {
+        case Code::G17: state_.plane = Plane::XY; break;
+        case Code::G18: state_.plane = Plane::ZX; break;
+        case Code::G19: state_.plane = Plane::YZ; break;
+        case Code::G17_1: state_.plane = Plane::UV; break;
+        case Code::G18_1: state_.plane = Plane::WU; break;
+        case Code::G19_1: state_.plane = Plane::VW; break;
+        default: break;
     }
     if (rules_.strict) switch_units();
     // G41 beside G150 is for the pocket alone.
-    const bool for_pocket = command.group(Group::Pocket) == 1500;
+    const bool for_pocket = command.group(Group::Pocket) == Code::G150;
     if ((!for_pocket && !set_cutter_side(command)) || !set_tool_length(command) ||
         !set_work_offset(command)) {
         return false;
@@ -169,9 +175,10 @@ SourceSpan Machine::span_of(const Command& command, char letter) const {
     return word ? word->span : command.span;
 }
 
-SourceSpan Machine::span_of_g(const Command& command, int code) const {
+SourceSpan Machine::span_of_g(const Command& command, Code code) const {
     for (const Word& word : command.block->words) {
-        if (word.letter == 'G' && word.literal && std::lround(word.number * 10) == code) {
+        if (word.letter == 'G' && word.literal &&
+            std::lround(word.number * 10) == tenths_of(code)) {
             return word.span;
         }
     }
@@ -196,28 +203,13 @@ bool Machine::tolerate(Message message, SourceSpan span,
     return true;
 }
 
-std::string_view Machine::motion_name(int motion) {
-    char* p = name_buffer_.data();
-    *p++ = 'G';
-    char* const end = name_buffer_.data() + name_buffer_.size();
-    p = std::to_chars(p, end, motion / 10).ptr;
-    if (motion % 10 != 0) {
-        *p++ = '.';
-        p = std::to_chars(p, end, motion % 10).ptr;
-    }
-    return {name_buffer_.data(), static_cast<std::size_t>(p - name_buffer_.data())};
-}
-
 /// What RS274/NGC refuses before it does anything.
 bool Machine::check(const Command& command) {
-    const int motion = command.group(Group::Motion);
-    const int one_shot = command.group(Group::OneShot);
-    const bool takes_axes = one_shot == 100 || one_shot == 280 || one_shot == 290 ||
-                            one_shot == 282 || one_shot == 283 || one_shot == 300 ||
-                            one_shot == 520 || one_shot == 920 || one_shot == 924;
-    if (takes_axes && motion != kNone && motion != 800 && rules_.strict) {
-        return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot),
-                    {motion_name(one_shot)});
+    const Code motion = command.group(Group::Motion);
+    const Code one_shot = command.group(Group::OneShot);
+    const bool takes_axes = one_shot != Code::None && entry_of(one_shot).takes_axes;
+    if (takes_axes && motion != Code::None && motion != Code::G80 && rules_.strict) {
+        return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot), {name_of(one_shot)});
     }
     return check_corner_words(command) && check_unused_words(command);
 }
@@ -235,57 +227,31 @@ bool Machine::check_corner_words(const Command& command) {
 /// Words that no code of the block uses: RS274/NGC refuses them, others pass over them, and where
 /// they pass over them they may hide a code that got lost.
 bool Machine::check_unused_words(const Command& command) {
-    constexpr std::uint32_t kParameters = letters('D', 'E', 'H', 'I', 'J', 'K', 'L', 'P', 'Q', 'R');
-    if (!command.has_any(kParameters)) return true;
-    int motion = command.group(Group::Motion);
-    const int one_shot = command.group(Group::OneShot);
-    if (motion == kNone && (command.axis_words || is_modal_arc(command))) motion = state_.motion;
-    const bool is_arc = motion == 20 || motion == 30;
-    const bool is_cycle = (motion >= 730 && motion <= 760) || (motion >= 810 && motion <= 890);
-    const bool is_spline = (motion >= 50 && motion <= 53) || motion == 62;
-    const bool g10 = one_shot == 100;
-    const int side = command.group(Group::CutterSide);
-    const int length = command.group(Group::ToolLength);
-    struct Use {
-        char letter;
-        bool used;
-    };
-    const int g64 = command.group(Group::PathMode);
-    const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
+    constexpr std::string_view kParameters = "DEHIJKLPQR";
+    if (!command.has_any(letters('D', 'E', 'H', 'I', 'J', 'K', 'L', 'P', 'Q', 'R'))) return true;
+    Code motion = command.group(Group::Motion);
+    if (motion == Code::None && (command.axis_words || is_modal_arc(command)))
+        motion = state_.motion;
     // Other controls: registers stand where they like, codes without effect here have words of
     // their own, and cycles more of them.
     const bool lax = !rules_.strict;
-    const bool others =
-        lax &&
-        (command.has_others || command.group(Group::Rotation) == 680 ||
-         command.group(Group::Scaling) == 510 || g64 != kNone ||
-         command.group(Group::WorkOffset) != kNone || one_shot != kNone ||
-         command.group(MGroup::ToolChange) != kNone || motion == 310 ||
-         command.group(Group::Polar) != kNone || is_cycle || control_.curve.by_knots ||
-         command.group(Group::Diameter) != kNone || command.group(Group::HolePattern) != kNone ||
-         command.group(Group::Pocket) != kNone);
-    const bool centre = is_arc || is_spline || g10 || motion == 760 || motion == 870;
-    const Use uses[] = {
-        {'D', lax || side == 410 || side == 420 || side == 411 || side == 421 ||
-                  command.group(Group::SpindleSpeed) == 960},
-        {'E', lax || motion == 760 || user_m},
-        {'H', lax || length == 430 || length == 432 || motion == 760},
-        {'I', centre},
-        {'J', centre},
-        {'K',
-         is_arc || motion == 330 || motion == 331 || motion == 760 || motion == 870 || is_spline},
-        {'L',
-         is_cycle || g10 || side == 411 || side == 421 || motion == 52 || motion == 760 || user_m},
-        {'P', is_arc || is_cycle || is_spline || g10 || one_shot == 40 || g64 == 640 || user_m ||
-                  motion == 760},
-        {'Q', motion == 830 || motion == 730 || is_spline || g64 == 640 || g10 || user_m ||
-                  motion == 760},
-        {'R', is_arc || is_cycle || is_spline || g10 || user_m || motion == 760},
+    const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
+    std::uint32_t used = user_m ? letters('E', 'L', 'P', 'Q', 'R') : 0;
+    bool others = user_m || command.has_others || control_.curve.by_knots ||
+                  command.group(MGroup::ToolChange) != kNone ||
+                  command.group(Group::HolePattern) != Code::None;
+    const auto use = [&](Code code) {
+        if (code == Code::None) return;
+        used |= entry_of(code).letters;
+        others |= entry_of(code).has_other_letters;
     };
-    for (const Use& use : uses) {
-        if (!command.has(use.letter) || use.used || others || (lax && user_m)) continue;
-        const std::string_view letter(&use.letter, 1);
-        if (!tolerate(Message::WordUnused, span_of(command, use.letter), {letter})) return false;
+    use(motion);
+    std::ranges::for_each(command.g, use);
+    if (lax) used |= letters('D', 'E', 'H');
+    if (lax && others) return true;
+    for (const char& letter : kParameters) {
+        if (!command.has(letter) || (used >> letter_index(letter) & 1U) != 0) continue;
+        if (!tolerate(Message::WordUnused, span_of(command, letter), {{&letter, 1}})) return false;
     }
     return true;
 }
@@ -293,12 +259,12 @@ bool Machine::check_unused_words(const Command& command) {
 // --- Modes ---
 
 bool Machine::set_feed(const Command& command) {
-    const int mode = command.group(Group::Feed);
-    if (mode != kNone) {
+    const Code mode = command.group(Group::Feed);
+    if (mode != Code::None) {
         const FeedMode before = state_.feed_mode;
-        state_.feed_mode = mode == 930   ? FeedMode::InverseTime
-                           : mode == 940 ? FeedMode::PerMinute
-                                         : FeedMode::PerRevolution;
+        state_.feed_mode = mode == Code::G93   ? FeedMode::InverseTime
+                           : mode == Code::G94 ? FeedMode::PerMinute
+                                               : FeedMode::PerRevolution;
         // A feed of another kind is no feed.
         if (before != state_.feed_mode || rules_.strict) state_.feed = 0.0;
     }
@@ -310,8 +276,8 @@ bool Machine::set_feed(const Command& command) {
 }
 
 void Machine::set_speeds_and_tools(const Command& command) {
-    if (const int mode = command.group(Group::SpindleSpeed); mode != kNone) {
-        state_.constant_surface_speed = mode == 960;
+    if (const Code mode = command.group(Group::SpindleSpeed); mode != Code::None) {
+        state_.constant_surface_speed = mode == Code::G96;
     }
     if (command.has('S')) state_.spindle_rpm = std::abs(command['S']);
     if (command.has('T')) {
@@ -381,10 +347,14 @@ void Machine::set_units(bool inches) {
 }
 
 void Machine::set_modes(const Command& command) {
-    if (const int g = command.group(Group::Distance); g != kNone) state_.incremental = g == 910;
-    if (const int g = command.group(Group::Centre); g != kNone) state_.absolute_centres = g == 901;
-    if (const int g = command.group(Group::Retract); g != kNone) state_.retract_to_r = g == 990;
-    if (const int g = command.group(Group::Diameter); g != kNone) state_.lathe_diameter = g == 70;
+    if (const Code g = command.group(Group::Distance); g != Code::None)
+        state_.incremental = g == Code::G91;
+    if (const Code g = command.group(Group::Centre); g != Code::None)
+        state_.absolute_centres = g == Code::G90_1;
+    if (const Code g = command.group(Group::Retract); g != Code::None)
+        state_.retract_to_r = g == Code::G99;
+    if (const Code g = command.group(Group::Diameter); g != Code::None)
+        state_.lathe_diameter = g == Code::G7;
 }
 
 /// Fanuc's kin: P counts milliseconds unless it has a point.
@@ -404,7 +374,7 @@ bool Machine::dwell(const Command& command) {
     if (!command.has('P')) {
         letter = command.has('X') ? 'X' : command.has('U') ? 'U' : command.has('F') ? 'F' : 'S';
         if (rules_.strict || !command.has(letter)) {
-            return tolerate(Message::DwellWithoutTime, span_of_g(command, 40));
+            return tolerate(Message::DwellWithoutTime, span_of_g(command, Code::G4));
         }
     }
     seconds = seconds_of(command, letter);
@@ -415,18 +385,18 @@ bool Machine::dwell(const Command& command) {
 }
 
 bool Machine::one_shot(const Command& command) {
-    const int code = command.group(Group::OneShot);
+    const Code code = command.group(Group::OneShot);
     switch (code) {
-        case kNone:
-        case 40:
-        case 530: return true;
-        case 100: return set_data(command);
-        case 280: return home(command, false);
-        case 290: return return_from_home(command);
-        case 300: return home(command, true);
-        case 281: return store_home(false), true;
-        case 282: return seek_home(command);
-        case 301: return store_home(true), true;
+        case Code::None:
+        case Code::G4:
+        case Code::G53: return true;
+        case Code::G10: return set_data(command);
+        case Code::G28: return home(command, false);
+        case Code::G29: return return_from_home(command);
+        case Code::G30: return home(command, true);
+        case Code::G28_1: return store_home(false), true;
+        case Code::G28_2: return seek_home(command);
+        case Code::G30_1: return store_home(true), true;
         default: return offset_92(command, code);
     }
 }
@@ -456,39 +426,33 @@ void Machine::finish() {
     state_.cutter_side = CutterSide::Off;
     state_.spindle = SpindleTurning::Stopped;
     state_.spindle_in_doubt = false;
-    state_.motion = 10;
+    state_.motion = Code::G1;
     state_.programmed = {};
 }
 
 // --- Moves ---
 
-bool Machine::move(const Command& command, int motion) {
-    const int one_shot = command.group(Group::OneShot);
-    const bool words_taken =
-        one_shot == 100 || one_shot == 280 || one_shot == 282 || one_shot == 283 ||
-        one_shot == 290 || one_shot == 300 || one_shot == 520 || one_shot == 920 ||
-        one_shot == 924 || (one_shot == 40 && !rules_.strict) ||
-        command.group(Group::ToolLength) == 431 || command.group(Group::Rotation) == 680 ||
-        command.group(Group::Scaling) == 510 || command.group(Group::Mirror) != kNone ||
-        (command.group(Group::Macro) != kNone);
+bool Machine::move(const Command& command, Code motion) {
+    const Code one_shot = command.group(Group::OneShot);
+    const bool words_taken = command.axes_are_taken() || (one_shot == Code::G4 && !rules_.strict);
     if (is_speed_mode(command, motion)) return true;
-    if (const int code = command.group(Group::HolePattern); code != kNone) {
+    if (const Code code = command.group(Group::HolePattern); code != Code::None) {
         return hole_pattern(command, code, words_taken);
     }
-    if (const int code = command.group(Group::Pocket); code != kNone) {
-        if (code == 1500)
+    if (const Code code = command.group(Group::Pocket); code != Code::None) {
+        if (code == Code::G150)
             return area_pocket(command, command.group(Group::CutterSide), words_taken);
         return pocket(command, code, words_taken);
     }
-    if (motion != kNone) {
+    if (motion != Code::None) {
         state_.motion = motion;
-        if (motion == 0 || motion == 10) state_.last_straight = motion;
-        if (motion < 730 || motion == 800) state_.cycle = {};
-        if (motion == 800) {
+        if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
+        if (!is_cycle(motion)) state_.cycle = {};
+        if (motion == Code::G80) {
             if (!command.axis_words || words_taken) return true;
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
             // Others go on as before the cycle: "G80 Z50."
-            warn(Message::AxesAfterG80, command.span, {motion_name(state_.last_straight)});
+            warn(Message::AxesAfterG80, command.span, {name_of(state_.last_straight)});
             motion = state_.last_straight;
         } else if (words_taken) {
             return true;  // "G0 G28 Z0": the words belong to G28
@@ -497,62 +461,62 @@ bool Machine::move(const Command& command, int motion) {
         const bool knot = control_.curve.by_knots && command.has('K');  // of G6.2
         if ((!command.axis_words && !is_modal_arc(command) && !knot) || words_taken) return true;
         motion = state_.motion;
-        if (motion == -1 || motion == 800) {
+        if (motion == Code::None || motion == Code::G80) {
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
-            const bool start = motion == -1;
-            motion = start ? 0 : state_.last_straight;
-            if (start) state_.motion = 0;
+            const bool start = motion == Code::None;
+            motion = start ? Code::G0 : state_.last_straight;
+            if (start) state_.motion = Code::G0;
             warn(start ? Message::AxesBeforeMotion : Message::AxesAfterG80, command.span,
-                 {motion_name(motion)});
+                 {name_of(motion)});
         }
     }
     if (!state_.first_length_seen && command.axis_words) {
         state_.first_length_seen = true;
         state_.first_length_in_inches = state_.inches;
     }
-    state_.previous_was_spline = state_.previous_was_spline && motion == 50;
-    if (one_shot == 530 && motion != 0 && motion != 10) {
-        if (rules_.strict) return fail(Message::G53Motion, span_of_g(command, 530));
-        warn(Message::G53Motion, span_of_g(command, 530));
-        motion = 0;
+    state_.previous_was_spline = state_.previous_was_spline && motion == Code::G5;
+    if (one_shot == Code::G53 && motion != Code::G0 && motion != Code::G1) {
+        if (rules_.strict) return fail(Message::G53Motion, span_of_g(command, Code::G53));
+        warn(Message::G53Motion, span_of_g(command, Code::G53));
+        motion = Code::G0;
     }
-    if (control_.curve.by_knots && motion != 62) {
+    if (control_.curve.by_knots && motion != Code::G6_2) {
         curve_fails_ = true;
         return fail(Message::SplineKnots, command.span);
     }
     switch (motion) {
-        case 0: return straight(command, MoveKind::Rapid);
-        case 10: return needs_feed(command, "G1") && straight(command, MoveKind::Feed);
-        case 20: return needs_feed(command, "G2") && arc(command, true);
-        case 30: return needs_feed(command, "G3") && arc(command, false);
-        case 50:
-        case 51: return spline(command, motion);
-        case 52:
-        case 53: return nurbs(command, motion);
-        case 62: return nurbs_with_knots(command);
-        case 310:
-        case 382:
-        case 383:
-        case 384:
-        case 385: return probe(command, motion);
-        case 330:
-        case 331: return threading(command, motion);
+        case Code::G0: return straight(command, MoveKind::Rapid);
+        case Code::G1: return needs_feed(command, "G1") && straight(command, MoveKind::Feed);
+        case Code::G2: return needs_feed(command, "G2") && arc(command, true);
+        case Code::G3: return needs_feed(command, "G3") && arc(command, false);
+        case Code::G5:
+        case Code::G5_1: return spline(command, motion);
+        case Code::G5_2:
+        case Code::G5_3: return nurbs(command, motion);
+        case Code::G6_2: return nurbs_with_knots(command);
+        case Code::G31:
+        case Code::G38_2:
+        case Code::G38_3:
+        case Code::G38_4:
+        case Code::G38_5: return probe(command, motion);
+        case Code::G33:
+        case Code::G33_1: return threading(command, motion);
         default: return cycle(command, motion);
     }
 }
 
 /// G5 P10000, G5.1 Q1: modes of Fanuc's kin for fast machining, and no curves; the motion before
 /// them goes on.
-bool Machine::is_speed_mode(const Command& command, int motion) const {
+bool Machine::is_speed_mode(const Command& command, Code motion) const {
     if (rules_.strict || command.has_any(letters('I', 'J'))) return false;
-    return (motion == 50 && !command.axis_words) ||
-           (motion == 51 && (command.has('Q') || !command.axis_words));
+    return (motion == Code::G5 && !command.axis_words) ||
+           (motion == Code::G5_1 && (command.has('Q') || !command.axis_words));
 }
 
 /// "I-7.5 J0" alone is a full circle while G2 or G3 is on.
 bool Machine::is_modal_arc(const Command& command) const {
-    return (state_.motion == 20 || state_.motion == 30) &&
-           command.has_any(letters('I', 'J', 'K')) && command.group(Group::OneShot) == kNone;
+    return (state_.motion == Code::G2 || state_.motion == Code::G3) &&
+           command.has_any(letters('I', 'J', 'K')) && command.group(Group::OneShot) == Code::None;
 }
 
 bool Machine::needs_feed(const Command& command, std::string_view what) {
@@ -566,7 +530,7 @@ bool Machine::needs_feed(const Command& command, std::string_view what) {
 
 bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     mask = 0;
-    const bool machine = command.group(Group::OneShot) == 530;
+    const bool machine = command.group(Group::OneShot) == Code::G53;
     if (machine && state_.incremental && !tolerate(Message::G53Incremental, command.span)) {
         return false;
     }
@@ -632,7 +596,7 @@ bool Machine::straight(const Command& command, MoveKind kind) {
         return true;
     }
     if (!find_ends(command, end, mask)) return false;
-    const bool machine = command.group(Group::OneShot) == 530;
+    const bool machine = command.group(Group::OneShot) == Code::G53;
     if (command.has_angle) {
         const PlaneAxes axes = axes_of(state_.plane);
         const bool named = (mask & (1U << axes.first | 1U << axes.second)) != 0;
@@ -655,36 +619,35 @@ bool Machine::straight(const Command& command, MoveKind kind) {
 }
 
 /// G33 follows the spindle; G33.1 taps and comes back.
-bool Machine::threading(const Command& command, int motion) {
-    if (!command.has('K') &&
-        !tolerate(Message::PitchMissing, command.span, {motion_name(motion)})) {
+bool Machine::threading(const Command& command, Code motion) {
+    if (!command.has('K') && !tolerate(Message::PitchMissing, command.span, {name_of(motion)})) {
         return false;
     }
     Axes end{};
     AxisMask mask = 0;
     const Axes start = state_.position;
     if (!find_ends(command, end, mask)) return false;
-    if (mask == 0) return fail(Message::AxesMissing, command.span, {motion_name(motion)});
+    if (mask == 0) return fail(Message::AxesMissing, command.span, {name_of(motion)});
     const double feed = state_.feed;
     const FeedMode mode = state_.feed_mode;
     state_.feed = command.get('K', 0.0);
     state_.feed_mode = FeedMode::PerRevolution;
     path_.straight(state_, end, MoveKind::Feed, mask);
-    if (motion == 331) path_.straight(state_, start, MoveKind::Feed, mask);
+    if (motion == Code::G33_1) path_.straight(state_, start, MoveKind::Feed, mask);
     state_.feed = feed;
     state_.feed_mode = mode;
     return true;
 }
 
-bool Machine::probe(const Command& command, int motion) {
+bool Machine::probe(const Command& command, Code motion) {
     if (!command.axis_words) {
-        return fail(Message::AxesMissing, command.span, {motion_name(motion)});
+        return fail(Message::AxesMissing, command.span, {name_of(motion)});
     }
-    if (!needs_feed(command, motion_name(motion))) return false;
+    if (!needs_feed(command, name_of(motion))) return false;
     Axes end{};
     AxisMask mask = 0;
     if (!find_ends(command, end, mask)) return false;
-    warn(Message::ProbeAssumed, command.span, {motion_name(motion)});
+    warn(Message::ProbeAssumed, command.span, {name_of(motion)});
     path_.straight(state_, end, MoveKind::Probe, mask);
     control_.store.change().probed = state_.position;
     return true;

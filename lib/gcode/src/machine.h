@@ -94,18 +94,19 @@ private:
     bool set_programmed(const Command& command);
     bool one_shot(const Command& command);
     bool dwell(const Command& command);
-    bool move(const Command& command, int motion);
+    bool move(const Command& command, Code motion);
     void stop(const Command& command);
 
     bool home(const Command& command, bool second);
     bool seek_home(const Command& command);
     bool return_from_home(const Command& command);
     void store_home(bool second);
-    bool offset_92(const Command& command, int code);
+    bool offset_92(const Command& command, Code code);
     bool set_data(const Command& command);  // G10
     bool set_work_data(const Command& command, int index, bool from_position);
     static std::optional<int> extended_number(const Command& command);
     WorkOffset& offset_of(int system);
+    static int system_of(Code code);
     bool set_tool_data(const Command& command, int index);
     ToolTableEntry* register_of(int index);
     bool is_register(const Command& command, int l) const;
@@ -116,28 +117,28 @@ private:
     void recompute_position(const Axes& machine);
 
     bool straight(const Command& command, MoveKind kind);
-    bool threading(const Command& command, int motion);
+    bool threading(const Command& command, Code motion);
     bool arc(const Command& command, bool clockwise);
     bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
     bool arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc);
-    bool spline(const Command& command, int motion);
-    bool nurbs(const Command& command, int motion);
+    bool spline(const Command& command, Code motion);
+    bool nurbs(const Command& command, Code motion);
     bool nurbs_with_knots(const Command& command);
     void finish_curve(std::vector<double> knots);
-    bool probe(const Command& command, int motion);
-    bool cycle(const Command& command, int motion);
-    bool cycle_words(const Command& command, int motion);
+    bool probe(const Command& command, Code motion);
+    bool cycle(const Command& command, Code motion);
+    bool cycle_words(const Command& command, Code motion);
     /// What is the same for all holes of a block.
     struct Drilling {
-        int motion = 0;
+        Code motion = Code::None;
         std::size_t depth_axis = kZ;
         double r = 0.0, bottom = 0.0, clear = 0.0;
     };
-    std::optional<Drilling> begin_drilling(const Command& command, int motion);
+    std::optional<Drilling> begin_drilling(const Command& command, Code motion);
     bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
     bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
     bool drill(const Drilling& drilling, const Axes& above);
-    bool hole_pattern(const Command& command, int code, bool words_taken);
+    bool hole_pattern(const Command& command, Code code, bool words_taken);
     static std::string_view corner_name(char letter) {
         return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
     }
@@ -152,11 +153,11 @@ private:
     bool find_corner(const Command& command, const Axes& next);
     bool make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc);
     void settle_corner();
-    bool pocket(const Command& command, int code, bool words_taken);
+    bool pocket(const Command& command, Code code, bool words_taken);
     void mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
                       AxisMask mask);
     bool hear(const Axes& end, const ProgramArc* arc);
-    bool area_pocket(const Command& command, int side, bool words_taken);
+    bool area_pocket(const Command& command, Code side, bool words_taken);
     bool mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
                      const Area& area, bool along_y, double level, double clear);
     double radius_of_register(const Command& command, SourceSpan span);
@@ -171,15 +172,14 @@ private:
     bool needs_feed(const Command& command, std::string_view what);
     bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
     bool is_modal_arc(const Command& command) const;
-    bool is_speed_mode(const Command& command, int motion) const;
-    std::string_view motion_name(int motion);
+    bool is_speed_mode(const Command& command, Code motion) const;
     double seconds_of(const Command& command, char letter) const;
     bool needs_kinematics(const Command& command);
     bool is_known(std::size_t axis) const;
     void tell_place(std::size_t axis);
 
     SourceSpan span_of(const Command& command, char letter) const;
-    SourceSpan span_of_g(const Command& command, int code) const;
+    SourceSpan span_of_g(const Command& command, Code code) const;
     bool fail(Message message, SourceSpan span,
               std::initializer_list<std::string_view> arguments = {});
     void warn(Message message, SourceSpan span,
@@ -213,7 +213,6 @@ private:
     bool uses_length_offsets_ = false;
     bool ended_ = false;
     bool stopped_ = false;
-    std::array<char, 12> name_buffer_{};
 };
 
 }  // namespace ncsim::gcode

@@ -89,15 +89,28 @@ std::optional<int> Machine::extended_number(const Command& command) {
     return static_cast<int>(p);
 }
 
+/// The number of the system that a code chooses without a P; 1, if it has none.
+int Machine::system_of(Code code) {
+    constexpr std::array kNamed = {Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
+                                   Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
+    const auto* const named = std::ranges::find(kNamed, code);
+    if (named != kNamed.end()) return static_cast<int>(named - kNamed.begin()) + 1;
+    // Of Haas: G110 is G154 P1.
+    if (code >= Code::G110 && code <= Code::G129) {
+        return kExtended + (tenths_of(code) - tenths_of(Code::G110)) / 10 + 1;
+    }
+    return 1;
+}
+
 bool Machine::set_work_offset(const Command& command) {
-    const int code = command.group(Group::WorkOffset);
-    if (code == kNone) return true;
-    int system = code <= 590 ? (code - 530) / 10 : 6 + code - 590;
-    if (code >= 1100 && code <= 1290) system = kExtended + (code - 1100) / 10 + 1;  // Haas
-    if (code == 541 || code == 1540 || (code == 540 && command.has('P') && !rules_.strict)) {
+    const Code code = command.group(Group::WorkOffset);
+    if (code == Code::None) return true;
+    int system = system_of(code);
+    if (code == Code::G54_1 || code == Code::G154 ||
+        (code == Code::G54 && command.has('P') && !rules_.strict)) {
         const std::optional<int> number = extended_number(command);
         if (!number)
-            return fail(Message::ExtendedNumber, span_of_g(command, code), {motion_name(code)});
+            return fail(Message::ExtendedNumber, span_of_g(command, code), {name_of(code)});
         system = kExtended + *number;
     }
     if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
@@ -107,7 +120,7 @@ bool Machine::set_work_offset(const Command& command) {
     return true;
 }
 
-bool Machine::offset_92(const Command& command, int code) {
+bool Machine::offset_92(const Command& command, Code code) {
     const double unit = state_.unit_mm();
     if (state_.cutter_side != CutterSide::Off && rules_.strict) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G92"});
@@ -115,10 +128,10 @@ bool Machine::offset_92(const Command& command, int code) {
     const Axes machine = machine_position();
     Axes offset = state_.offset_92;
     switch (code) {
-        case 920:
-        case 924:  // Smoothieware, Carvera: "here is A0", said of the machine itself
-        case 283:  // TinyG, g2core: the same
-        case 520:
+        case Code::G92:
+        case Code::G92_4:  // Smoothieware, Carvera: "here is A0", said of the machine itself
+        case Code::G28_3:  // TinyG, g2core: the same
+        case Code::G52:
             if (!command.axis_words) {
                 // Fanuc: "G92 S2000" limits the spindle.
                 if (rules_.strict) return fail(Message::AxesMissing, command.span, {"G92"});
@@ -127,9 +140,10 @@ bool Machine::offset_92(const Command& command, int code) {
             for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
                 if (!command.has(kAxisNames[i])) continue;
                 const double value = command[kAxisNames[i]];
-                offset[i] = code == 520 ? value : state_.position[i] + state_.offset_92[i] - value;
+                offset[i] =
+                    code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
                 // Where nobody knew the axis to stand, this tells it, and where the zero is.
-                if (code == 520 || i > kZ || is_known(i)) continue;
+                if (code == Code::G52 || i > kZ || is_known(i)) continue;
                 state_.zero_92[i] = offset[i];
                 tell_place(i);
             }
@@ -137,13 +151,13 @@ bool Machine::offset_92(const Command& command, int code) {
                 control_.store.change().stored_92[i] = mm_of(offset[i], i, unit);
             state_.offset_92_active = true;
             break;
-        case 921: control_.store.change().stored_92 = {}; [[fallthrough]];
-        case 922:
+        case Code::G92_1: control_.store.change().stored_92 = {}; [[fallthrough]];
+        case Code::G92_2:
             offset = {};
             state_.zero_92 = {};
             state_.offset_92_active = false;
             break;
-        case 923:
+        case Code::G92_3:
             offset = from_mm(control_.store->stored_92, unit);
             state_.offset_92_active = true;
             break;
@@ -157,7 +171,7 @@ bool Machine::offset_92(const Command& command, int code) {
 // --- G10 ---
 
 bool Machine::set_data(const Command& command) {
-    const SourceSpan span = span_of_g(command, 100);
+    const SourceSpan span = span_of_g(command, Code::G10);
     if (!command.has('L')) return fail(Message::G10Form, span);
     const int l = static_cast<int>(std::lround(std::clamp(command['L'], -1e6, 1e6)));
     const int p = static_cast<int>(std::lround(std::clamp(command.get('P', -1.0), -1e6, 1e6)));
@@ -339,28 +353,28 @@ std::optional<double> Machine::gauge_length() const {
 }
 
 bool Machine::set_tool_length(const Command& command) {
-    const int code = command.group(Group::ToolLength);
-    if (code == kNone) return true;
+    const Code code = command.group(Group::ToolLength);
+    if (code == Code::None) return true;
     const double unit = state_.unit_mm();
-    uses_length_offsets_ |= code != 490;
-    state_.length_register = code == 490 ? kNoLength : kStatedLength;
-    state_.length_told = code == 431;
+    uses_length_offsets_ |= code != Code::G49;
+    state_.length_register = code == Code::G49 ? kNoLength : kStatedLength;
+    state_.length_told = code == Code::G43_1;
     Axes offset{};
-    if (code == 431) {
+    if (code == Code::G43_1) {
         for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
             if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
         }
-    } else if (code != 490) {
+    } else if (code != Code::G49) {
         const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
-        if (code == 432) {
+        if (code == Code::G43_2) {
             offset = state_.tool_offset;
         } else {
-            state_.length_register = code == 440 && h != 0 ? kNegatedLength : h;
+            state_.length_register = code == Code::G44 && h != 0 ? kNegatedLength : h;
             state_.length_told = told_length(h).has_value();
         }
         const auto entry = std::ranges::find(control_.store->tools, h, &ToolTableEntry::number);
         if (entry != control_.store->tools.end()) {
-            const double sign = code == 440 ? -1.0 : 1.0;
+            const double sign = code == Code::G44 ? -1.0 : 1.0;
             for (std::size_t i = 0; i < 3; ++i)
                 offset[i] += sign * entry->offset[i].mm() / unit;
         }
@@ -388,9 +402,9 @@ double Machine::radius_of_register(const Command& command, SourceSpan span) {
 }
 
 bool Machine::set_cutter_side(const Command& command) {
-    const int code = command.group(Group::CutterSide);
-    if (code == kNone) return true;
-    if (code == 400) {
+    const Code code = command.group(Group::CutterSide);
+    if (code == Code::None) return true;
+    if (code == Code::G40) {
         if (compensation_.is_on()) {
             compensation_.end(state_);
             path_.set_origin(span_, file_);
@@ -406,14 +420,16 @@ bool Machine::set_cutter_side(const Command& command) {
     if (state_.plane != Plane::XY && state_.plane != Plane::ZX) {
         return fail(Message::CompensationPlane, span);
     }
-    const bool stated = code == 411 || code == 421;  // G41.1 D3.5: the diameter itself
+    const bool stated =
+        code == Code::G41_1 || code == Code::G42_1;  // G41.1 D3.5: the diameter itself
     double radius = 0.0;
     if (stated) {
         radius = command.get('D', 0.0) / 2.0;
     } else {
         radius = radius_of_register(command, span);
     }
-    const bool left = (code < 420) == (radius >= 0.0);  // a negative radius is the other side
+    const bool is_41 = code == Code::G41 || code == Code::G41_1;
+    const bool left = is_41 == (radius >= 0.0);  // a negative radius is the other side
     if (compensation_.is_on()) compensation_.end(state_);
     state_.cutter_side = left ? CutterSide::Left : CutterSide::Right;
     state_.cutter_radius = std::abs(radius);
@@ -463,11 +479,13 @@ Axes Machine::programmed_from(const Axes& position) const {
 
 bool Machine::set_programmed(const Command& command) {
     Programmed& t = state_.programmed;
-    if (const int code = command.group(Group::Polar); code != kNone) t.polar = code == 160;
-    const int rotation = command.group(Group::Rotation);
-    if (rotation == 690) t.rotated = false;
-    if (rotation == 680) {
-        if (!command.has('R')) return fail(Message::RotationWithoutAngle, span_of_g(command, 680));
+    if (const Code code = command.group(Group::Polar); code != Code::None)
+        t.polar = code == Code::G16;
+    const Code rotation = command.group(Group::Rotation);
+    if (rotation == Code::G69) t.rotated = false;
+    if (rotation == Code::G68) {
+        if (!command.has('R'))
+            return fail(Message::RotationWithoutAngle, span_of_g(command, Code::G68));
         const Axes at = programmed_from(state_.position);
         t.plane = state_.plane;
         const PlaneAxes axes = axes_of(t.plane);
@@ -476,9 +494,9 @@ bool Machine::set_programmed(const Command& command) {
         t.angle = state_.incremental && t.rotated ? t.angle + command['R'] : command['R'];
         t.rotated = true;
     }
-    const int scaling = command.group(Group::Scaling);
-    if (scaling == 500) t.scaled = false;
-    if (scaling == 510) {
+    const Code scaling = command.group(Group::Scaling);
+    if (scaling == Code::G50) t.scaled = false;
+    if (scaling == Code::G51) {
         const Axes at = programmed_from(state_.position);
         double all = command.get('P', 1.0);
         if (all >= 100.0 && all == std::floor(all)) all /= 1000.0;  // P2000 is 2.0 on Fanuc
@@ -486,14 +504,14 @@ bool Machine::set_programmed(const Command& command) {
         for (std::size_t i = 0; i < 3; ++i) {
             double factor = command.get(factors[i], all);
             if (std::abs(factor) >= 100.0) factor /= 1000.0;
-            if (factor == 0.0) return fail(Message::ScaleZero, span_of_g(command, 510));
+            if (factor == 0.0) return fail(Message::ScaleZero, span_of_g(command, Code::G51));
             t.scale[i] = factor;
             t.scale_centre[i] = command.get(kAxisNames[i], at[i]);
         }
         t.scaled = true;
     }
-    if (const int mirror = command.group(Group::Mirror); mirror != kNone) {
-        const bool on = mirror == 511;
+    if (const Code mirror = command.group(Group::Mirror); mirror != Code::None) {
+        const bool on = mirror == Code::G51_1;
         if (!t.scaled) t.scale = {1.0, 1.0, 1.0};
         for (std::size_t i = 0; i < 3; ++i) {
             if (!on && (command.has(kAxisNames[i]) || !command.axis_words))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters.h"
 
+#include "codes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,7 +64,7 @@ std::optional<double> Parameters::of_machine(int number) const {
         return state.position[a] + state.offset_92[a] + state.work_offset[a] + state.tool_offset[a];
     }
     switch (number) {
-        case 4001: return std::max(state.motion, 0) / 10.0;
+        case 4001: return std::max(tenths_of(state.motion), 0) / 10.0;
         case 4003: return state.incremental ? 91.0 : 90.0;
         case 4006: return state.inches ? 20.0 : 21.0;
         case 4009:
@@ -139,7 +141,7 @@ std::optional<double> predefined(std::string_view name, const MachineView& view)
         {"_selected_tool", static_cast<double>(std::max(s.selected_tool, 0))},
         {"_selected_pocket", static_cast<double>(std::max(s.selected_tool, 0))},
         {"_current_pocket", static_cast<double>(s.tool)},
-        {"_motion_mode", static_cast<double>(s.motion)},
+        {"_motion_mode", static_cast<double>(tenths_of(s.motion))},
         {"_plane", 170.0 + 10.0 * (static_cast<int>(s.plane) % 3)},
         {"_coord_system", s.system <= 6 ? 530.0 + 10.0 * s.system : 584.0 + s.system},
         {"_ccomp", s.cutter_side == CutterSide::Off    ? 400.0

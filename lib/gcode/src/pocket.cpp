@@ -22,24 +22,26 @@ constexpr double kTiny = 0.00127;
 /// out to the first circle, around it, on half circles out to the next ones, around each, and on a
 /// half circle back to the centre; L times. The manual gives the circles; which way the tool takes
 /// from one to the next, it only draws, and all ways lie within the circle that comes next.
-bool Machine::pocket(const Command& command, int code, bool words_taken) {
+bool Machine::pocket(const Command& command, Code code, bool words_taken) {
     const SourceSpan span = span_of_g(command, code);
-    const std::string name(motion_name(code));
+    const std::string_view name = name_of(code);
     const auto needs = [&](std::string_view what) {
         return fail(Message::PocketWord, span, {name, what});
     };
     if (compensation_.is_on() || state_.cutter_side != CutterSide::Off) {
         return fail(Message::ForbiddenWithCompensation, span, {name});
     }
-    const int motion = command.group(Group::Motion);
-    const bool plain = motion == kNone || motion == 0 || motion == 10 || motion == 800;
-    if (words_taken || !plain || command.group(Group::OneShot) != kNone) {
+    const Code motion = command.group(Group::Motion);
+    const bool plain =
+        motion == Code::None || motion == Code::G0 || motion == Code::G1 || motion == Code::G80;
+    if (words_taken || !plain || command.group(Group::OneShot) != Code::None) {
         return needs("a block of its own");
     }
     if (state_.feed_mode == FeedMode::InverseTime) {
         return fail(Message::CycleInverseTime, span, {name});
     }
-    if (state_.cycle.running && motion == kNone) return needs("the drilling cycle ended (G80)");
+    if (state_.cycle.running && motion == Code::None)
+        return needs("the drilling cycle ended (G80)");
     if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
     if (state_.programmed.scaled) return needs("scaling and mirroring off (G50)");
     if (!command.has('I')) return needs("the radius of the first circle (I)");
@@ -71,8 +73,8 @@ bool Machine::pocket(const Command& command, int code, bool words_taken) {
     Axes end{};
     AxisMask mask = 0;
     if (!find_ends(command, end, mask)) return false;
-    if (motion != kNone) state_.motion = motion, state_.cycle = {};
-    if (motion == 0 || motion == 10) state_.last_straight = motion;
+    if (motion != Code::None) state_.motion = motion, state_.cycle = {};
+    if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
     if (!state_.first_length_seen) {
         state_.first_length_seen = true;
         state_.first_length_in_inches = state_.inches;
@@ -92,7 +94,7 @@ bool Machine::pocket(const Command& command, int code, bool words_taken) {
             centre[kZ] = state_.incremental ? state_.position[kZ] + down : end[kZ];
             path_.straight(state_, centre, MoveKind::Feed, kDepth);
         }
-        mill_circles(centre, radii, code == 120, plane);
+        mill_circles(centre, radii, code == Code::G12, plane);
     }
     return true;
 }

@@ -70,71 +70,52 @@ bool is_hole_pattern(const Block& block) {
     return find_word(block, 'I') || find_word(block, 'J') || find_word(block, 'L');
 }
 
-/// G110, G111, G114 … G129 of Haas, times ten: G154 P1, P2, P5 … P20.
-bool is_haas_offset(double tenths) {
-    const double number = tenths / 10.0;
-    return number == std::round(number) && number >= 110.0 && number <= 129.0 && number != 112.0 &&
-           number != 113.0;
-}
-
 /// Nothing else than holes can be meant.
-bool is_whole_hole_pattern(const Block& block, int code) {
+bool is_whole_hole_pattern(const Block& block, Code code) {
     return find_word(block, 'I') && find_word(block, 'J') && find_word(block, 'L') &&
-           (code != 710 || find_word(block, 'K'));
+           (code != Code::G71 || find_word(block, 'K'));
 }
 
 }  // namespace
 
 bool Resolver::take_g(const Block& block, const Word& word, double value, Command& command) {
     const double tenths = std::round(value * 10.0);
-    const GCode* code = nullptr;
+    Code code = Code::None;
     if (std::abs(value * 10.0 - tenths) < 1e-3 && tenths >= 0.0 && tenths < 1e5) {
         code = find_g(static_cast<int>(tenths));
     }
+    const auto put = [&](Group group) {
+        command.g[static_cast<std::size_t>(group)] = code;
+        return true;
+    };
+    const bool haas = rules_.dialect == Dialect::Haas;
     // G70 and G71 are units on some controls, cycles of a lathe on RS274/NGC, and holes in a row on
     // Haas.
-    if (code && code->number >= 700 && code->number <= 720 && code->number % 10 == 0) {
-        if (rules_.strict) {
-            command.g[static_cast<std::size_t>(Group::Unsupported)] = code->number;
-            return true;
-        }
-        const bool haas = rules_.dialect == Dialect::Haas;
+    if (code == Code::G70 || code == Code::G71 || code == Code::G72) {
+        if (rules_.strict) return put(Group::Unsupported);
         if (rules_.hole_patterns &&
-            (haas ? is_hole_pattern(block) : is_whole_hole_pattern(block, code->number))) {
-            std::int16_t& pattern = command.g[static_cast<std::size_t>(Group::HolePattern)];
-            if (pattern != kNone && pattern != code->number) {
-                std::string other = "G";
-                print_number(other, pattern / 10.0);
-                log_.add(Severity::Error, Message::GroupTwice, word.span,
-                         {other, text_of(word, value)});
-                return false;
-            }
-            pattern = code->number;
-            return true;
+            (haas ? is_hole_pattern(block) : is_whole_hole_pattern(block, code))) {
+            const Code other = command.group(Group::HolePattern);
+            if (other == Code::None || other == code) return put(Group::HolePattern);
+            log_.add(Severity::Error, Message::GroupTwice, word.span,
+                     {name_of(other), text_of(word, value)});
+            return false;
         }
-        if (is_hole_pattern(block) || (code->number != 720 && !rules_.g70_is_units)) {
-            command.g[static_cast<std::size_t>(Group::NotSimulated)] = code->number;
-            return true;
+        if (is_hole_pattern(block) || (code != Code::G72 && !rules_.g70_is_units)) {
+            return put(Group::NotSimulated);
         }
     }
-    if (code && rules_.strict && !code->in_rs274) code = nullptr;
-    GCode offset{static_cast<std::int16_t>(std::clamp(tenths, 0.0, 2e4)), Group::WorkOffset, false,
-                 false};
-    if (!code && rules_.dialect == Dialect::Haas && is_haas_offset(tenths)) code = &offset;
-    if (code && code->group == Group::Pocket) {
-        const bool haas = rules_.dialect == Dialect::Haas;
+    const KnownTo known_to = code == Code::None ? KnownTo::All : entry_of(code).known_to;
+    if ((rules_.strict && known_to != KnownTo::All) || (!haas && known_to == KnownTo::Haas)) {
+        code = Code::None;
+    }
+    if (code == Code::G12 || code == Code::G13) {
         const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
-        if (!rules_.circular_pockets || !told) {
-            command.g[static_cast<std::size_t>(Group::NotSimulated)] = code->number;
-            return true;
-        }
+        if (!rules_.circular_pockets || !told) return put(Group::NotSimulated);
     }
     // The outline of G150 stands where P says.
-    if (code && code->number == 1500 && rules_.dialect == Dialect::Haas && find_word(block, 'P')) {
-        command.g[static_cast<std::size_t>(Group::Pocket)] = code->number;
-        return true;
-    }
-    if (!code) {
+    if (code == Code::G150 && haas && find_word(block, 'P')) return put(Group::Pocket);
+    if (code == Code::None) {
         command.has_others = true;
         if (is_allowed('G', value)) return true;
         const std::string text = text_of(word, value);
@@ -142,24 +123,24 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         unknown_g_ = true;
         return true;  // the rest of the block may have faults of its own
     }
-    if (code->group == Group::Ignored) {
+    const Group group = entry_of(code).group;
+    if (group == Group::Ignored) {
         command.has_others = true;  // it may have words of its own
         return true;
     }
-    std::int16_t& slot = command.g[static_cast<std::size_t>(code->group)];
-    if (code->group == Group::Motion && (slot == 800 || code->number == 800) && slot != kNone) {
-        if (slot == 800) slot = code->number;  // "G0 G80": ends the cycle and moves
-        return true;
+    const Code other = command.group(group);
+    if (group == Group::Motion && other != Code::None &&
+        (other == Code::G80 || code == Code::G80)) {
+        return other == Code::G80 ? put(group) : true;  // "G0 G80": ends the cycle and moves
     }
-    if (slot != kNone && (slot != code->number || rules_.strict)) {
-        std::string other = "G";
-        print_number(other, slot / 10.0);
+    if (other != Code::None && (other != code || rules_.strict)) {
         // G53 goes with G0 and G1 of the motion group, and with nothing of its own.
-        if (!tolerate(Message::GroupTwice, word.span, {other, text_of(word, value)})) return false;
+        if (!tolerate(Message::GroupTwice, word.span, {name_of(other), text_of(word, value)})) {
+            return false;
+        }
     }
-    slot = code->number;
-    if (code->group == Group::Motion) command.span = word.span;
-    return true;
+    if (group == Group::Motion) command.span = word.span;
+    return put(group);
 }
 
 bool Resolver::take_m(const Word& word, double value, Command& command) {
@@ -189,7 +170,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.block = &block;
     command.span = block.words.empty() ? block.line_span() : block.words.front().span;
     command.present = 0;
-    command.g.fill(kNone);
+    command.g.fill(Code::None);
     command.m.fill(kNone);
     command.next_tool = -1.0;
     command.corner = 0;

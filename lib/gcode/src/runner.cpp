@@ -117,7 +117,7 @@ void Runner::act_on_words() {
         call_code(call);
         return;
     }
-    if (command_.group(Group::Pocket) == 1500 && !hear_outline()) return;
+    if (command_.group(Group::Pocket) == Code::G150 && !hear_outline()) return;
     machine_.execute(command_);
     if (machine_.stopped()) {
         result_.refused = true;
@@ -141,10 +141,12 @@ bool has_point(const Block& block, const Word& word) {
 
 /// Numbers without a point are thousandths of a millimetre or a degree, ten-thousandths of an inch.
 void Runner::scale_increments() {
-    const int units = command_.group(Group::Units);
-    const bool inches = units == kNone ? machine_.state().inches : units == 200 || units == 700;
-    const bool pattern = command_.group(Group::HolePattern) != kNone;  // J and K are angles there
-    const bool dwells = command_.group(Group::OneShot) == 40;
+    const Code units = command_.group(Group::Units);
+    const bool inches =
+        units == Code::None ? machine_.state().inches : units == Code::G20 || units == Code::G70;
+    const bool pattern =
+        command_.group(Group::HolePattern) != Code::None;  // J and K are angles there
+    const bool dwells = command_.group(Group::OneShot) == Code::G4;
     for (const Word& word : block_.words) {
         const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
         if (!counts || dwells || has_point(block_, word)) continue;

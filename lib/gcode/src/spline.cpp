@@ -44,8 +44,8 @@ std::optional<std::string_view> other_axis(const Command& command, std::string_v
 
 }  // namespace
 
-bool Machine::spline(const Command& command, int motion) {
-    const std::string_view name = motion == 50 ? "G5" : "G5.1";
+bool Machine::spline(const Command& command, Code motion) {
+    const std::string_view name = motion == Code::G5 ? "G5" : "G5.1";
     if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
     if (const auto axis = other_axis(command, "XYZUVW@^")) {
         return fail(Message::SplineAxes, command.span, {name, "linear axes", *axis});
@@ -57,7 +57,7 @@ bool Machine::spline(const Command& command, int motion) {
     const double x0 = state_.position[kX];
     const double y0 = state_.position[kY];
     Spline out;
-    if (motion == 51) {
+    if (motion == Code::G5_1) {
         if (!command.has('I') && !command.has('J')) {
             return fail(Message::SplineWords, command.span, {name, "I or J"});
         }
@@ -90,9 +90,9 @@ bool Machine::spline(const Command& command, int motion) {
 }
 
 /// G5.2 opens a curve and gives its first points, further blocks give points, G5.3 closes it.
-bool Machine::nurbs(const Command& command, int motion) {
+bool Machine::nurbs(const Command& command, Code motion) {
     Curve& curve = control_.curve;
-    if (motion == 52) {
+    if (motion == Code::G5_2) {
         if (!curve.by_points) {
             curve = {};
             curve.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));

@@ -19,6 +19,9 @@ namespace ncsim::gcode {
 /// X Y Z A B C U V W: lengths in the units of the moment (or mm, where said), angles in degrees.
 using Axes = std::array<double, 9>;
 
+/// A G code; the names are those of src/codes.def. -1: none, else ten times the number.
+enum class Code : std::int16_t;
+
 enum Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC, kU, kV, kW };
 
 constexpr bool is_rotary(std::size_t axis) {
@@ -33,7 +36,7 @@ struct CycleState {
     double r = 0.0, z = 0.0, q = 0.0;  ///< z: the depth, along the axis that drills.
     double p = 0.0;                    ///< Seconds.
     bool has_r = false, has_z = false, has_p = false;
-    int code = 0;          ///< Ten times the G number of the cycle.
+    Code code{-1};         ///< Of the cycle.
     double initial = 0.0;  ///< Where the drilling axis stood before the first cycle of the series.
     bool running = false;
     bool operator==(const CycleState&) const = default;
@@ -86,9 +89,9 @@ struct MachineState {
     bool units_stated = false;
     bool first_length_seen = false, first_length_in_inches = false;
     bool just_left_compensation = false;
-    /// Ten times the G number of the motion mode (G38.2: 382); 800 after G80; -1: none yet.
-    int motion = -1;
-    int last_straight = 0;  ///< 0 or 10: what bare axis words after G80 mean where that is allowed.
+    Code motion{-1};  ///< The motion mode; G80 after that; -1: none yet.
+    Code last_straight{
+        0};  ///< G0 or G1: what bare axis words after G80 mean where that is allowed.
 
     // Values
     double feed = 0.0;  ///< In active units per minute or revolution; 0: never set.
