@@ -23,8 +23,6 @@ set(known_circles
   cda/lattice>cell
   cda/visitor>flat
   cda/wide>predicates
-  gcode/interpreter>runner
-  gcode/message>diagnostic
   toolpath/ring_polygon>tool_polytope
   toolpath/tool_phrase>tool_comment
   verify/rule>rule_table)

@@ -8,7 +8,7 @@
 
 namespace ncsim::gcode {
 
-void Runner::fault(Message message, SourceSpan span,
+void Runner::fault(const MessageText& message, SourceSpan span,
                    std::initializer_list<std::string_view> arguments) {
     log_.add(Severity::Error, message, span, arguments);
 }

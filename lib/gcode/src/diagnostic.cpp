@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/gcode/diagnostic.h"
 
-#include "message.h"
-
 #include <algorithm>
-#include <array>
 
 namespace ncsim::gcode {
 namespace {
-
-constexpr auto kTexts = std::to_array<MessageText>({
-#define NCSIM_DIAGNOSTIC(name, severity, code, text) {Severity::severity, code, text},
-#include "diagnostics.def"
-#undef NCSIM_DIAGNOSTIC
-});
 
 std::string fill(std::string_view text, std::initializer_list<std::string_view> arguments) {
     std::string out;
@@ -56,8 +47,14 @@ const char* name_of(Severity severity) {
 
 }  // namespace
 
-const MessageText& text_of(Message message) {
-    return kTexts[static_cast<std::size_t>(message)];
+Diagnostic diagnostic_of(const MessageText& message, SourceSpan span,
+                         std::initializer_list<std::string_view> arguments) {
+    return {message.severity,
+            std::string(message.code),
+            printable(fill(message.text, arguments)),
+            span,
+            {},
+            1};
 }
 
 bool has_errors(const Diagnostics& diagnostics) {
@@ -65,33 +62,33 @@ bool has_errors(const Diagnostics& diagnostics) {
                                [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
-void DiagnosticLog::add(Message message, SourceSpan span,
+void DiagnosticLog::add(const MessageText& message, SourceSpan span,
                         std::initializer_list<std::string_view> arguments) {
-    add(text_of(message).severity, message, span, arguments);
+    add(message.severity, message, span, arguments);
 }
 
-void DiagnosticLog::add(Severity severity, Message message, SourceSpan span,
+void DiagnosticLog::add(Severity severity, const MessageText& message, SourceSpan span,
                         std::initializer_list<std::string_view> arguments) {
     if (severity == Severity::Error) ++errors_;
-    const MessageText& entry = text_of(message);
-    std::string text = printable(fill(entry.text, arguments));
-    key_.assign(entry.code).append(1, '\n').append(text).append(1, '\n').append(file_);
+    const auto put = [&](Diagnostic d) {
+        d.file = file_;
+        diagnostics_.push_back(std::move(d));
+    };
+    Diagnostic d = diagnostic_of(message, span, arguments);
+    d.severity = severity;
+    key_.assign(d.code).append(1, '\n').append(d.message).append(1, '\n').append(file_);
     key_.push_back(static_cast<char>('0' + static_cast<int>(severity)));
     if (const auto known = index_.find(key_); known != index_.end()) {
         ++diagnostics_[known->second].count;
         return;
     }
     if (diagnostics_.size() >= kMaxDifferent) {
-        if (!closed_) {
-            closed_ = true;
-            const MessageText& last = text_of(Message::TooManyDiagnostics);
-            diagnostics_.push_back(
-                {last.severity, std::string(last.code), std::string(last.text), span, file_, 1});
-        }
+        if (!closed_) put(diagnostic_of(kTooMany, span));
+        closed_ = true;
         return;
     }
     index_.emplace(key_, diagnostics_.size());
-    diagnostics_.push_back({severity, std::string(entry.code), std::move(text), span, file_, 1});
+    put(std::move(d));
 }
 
 std::string render(const Diagnostic& diagnostic, const SourceFile& file) {

@@ -88,7 +88,7 @@ public:
         return result;
     }
 
-    std::optional<double> fail(Message message, std::string_view argument = {}) {
+    std::optional<double> fail(const MessageText& message, std::string_view argument = {}) {
         fault_ = {message, std::string(argument)};
         return std::nullopt;
     }

@@ -40,7 +40,7 @@ protected:
 };
 
 struct ExpressionFault {
-    Message message = Message::UnreadableText;
+    MessageText message = Message::UnreadableText;
     std::string argument;
 };
 

@@ -185,18 +185,18 @@ SourceSpan Machine::span_of_g(const Command& command, Code code) const {
     return command.span;
 }
 
-bool Machine::fail(Message message, SourceSpan span,
+bool Machine::fail(const MessageText& message, SourceSpan span,
                    std::initializer_list<std::string_view> arguments) {
     log_.add(Severity::Error, message, span, arguments);
     return false;
 }
 
-void Machine::warn(Message message, SourceSpan span,
+void Machine::warn(const MessageText& message, SourceSpan span,
                    std::initializer_list<std::string_view> arguments) {
     log_.add(message, span, arguments);
 }
 
-bool Machine::tolerate(Message message, SourceSpan span,
+bool Machine::tolerate(const MessageText& message, SourceSpan span,
                        std::initializer_list<std::string_view> arguments) {
     if (rules_.strict) return fail(message, span, arguments);
     log_.add(Severity::Warning, message, span, arguments);

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
-#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/state.h"
 
 #include "area.h"
@@ -180,12 +180,12 @@ private:
 
     SourceSpan span_of(const Command& command, char letter) const;
     SourceSpan span_of_g(const Command& command, Code code) const;
-    bool fail(Message message, SourceSpan span,
+    bool fail(const MessageText& message, SourceSpan span,
               std::initializer_list<std::string_view> arguments = {});
-    void warn(Message message, SourceSpan span,
+    void warn(const MessageText& message, SourceSpan span,
               std::initializer_list<std::string_view> arguments = {});
     /// A warning where other controls accept it; an error under strict rules.
-    bool tolerate(Message message, SourceSpan span,
+    bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments = {});
 
     const InterpreterOptions& options_;

@@ -137,12 +137,12 @@ private:
         block_.control = {};
     }
 
-    void report(Message message, SourceSpan span,
+    void report(const MessageText& message, SourceSpan span,
                 std::initializer_list<std::string_view> arguments = {}) {
         if (log_) log_->add(message, span, arguments);
     }
     /// For what other controls accept: a warning, and under strict rules an error.
-    bool tolerate(Message message, SourceSpan span,
+    bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments = {}) {
         if (!reader_.options_.strict) return report(message, span, arguments), true;
         if (log_) log_->add(Severity::Error, message, span, arguments);

@@ -6,7 +6,7 @@
 // machine coordinates.
 #pragma once
 
-#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/state.h"
 
 #include "command.h"

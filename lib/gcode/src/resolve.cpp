@@ -44,7 +44,7 @@ std::string Resolver::text_of(const Word& word, double value) const {
     return out;
 }
 
-bool Resolver::tolerate(Message message, SourceSpan span,
+bool Resolver::tolerate(const MessageText& message, SourceSpan span,
                         std::initializer_list<std::string_view> arguments) {
     log_.add(rules_.strict ? Severity::Error : Severity::Warning, message, span, arguments);
     return !rules_.strict;

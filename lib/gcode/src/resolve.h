@@ -32,7 +32,7 @@ private:
     bool take_m(const Word& word, double value, Command& command);
     bool is_allowed(char letter, double value) const;
     std::string text_of(const Word& word, double value) const;
-    bool tolerate(Message message, SourceSpan span,
+    bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments);
 
     const Rules& rules_;

@@ -6,7 +6,7 @@
 // those of Fanuc Macro B, calls.cpp what both share: subprograms, files, frames.
 #pragma once
 
-#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/parser.h"
 
 #include "machine.h"
@@ -94,7 +94,7 @@ private:
     std::optional<std::string> label_of(std::string_view label, SourceSpan span);
     std::optional<bool> condition(std::string_view text, SourceSpan span);
     bool jump(std::size_t file_number, BlockReader::Place place);
-    void fault(Message message, SourceSpan span,
+    void fault(const MessageText& message, SourceSpan span,
                std::initializer_list<std::string_view> arguments = {});
 
     const InterpreterOptions& options_;

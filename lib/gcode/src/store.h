@@ -3,7 +3,7 @@
 // What a control keeps in its tables: a value like MachineState, but one that few blocks change.
 #pragma once
 
-#include "ncsim/gcode/interpreter.h"
+#include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/state.h"
 
 #include <array>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What we have to say about a program: a severity, a stable code for searching and for
-// tests, a message for people and a place. Messages stand in src/diagnostics.def.
+// tests, a message for people and a place. Each library has its messages in one table of rows
+// (MessageText); those of this one stand in src/diagnostics.def.
 #pragma once
 
 #include "ncsim/gcode/source.h"
@@ -33,8 +34,17 @@ using Diagnostics = std::vector<Diagnostic>;
 
 bool has_errors(const Diagnostics& diagnostics);
 
-/// One entry of src/diagnostics.def.
-enum class Message : std::uint16_t;
+/// A row of a table of messages: what can be said, before it is said of something.
+struct MessageText {
+    Severity severity = Severity::Error;  ///< Unless who says it knows better.
+    std::string_view code;                ///< As in Diagnostic.
+    std::string_view text;                ///< "{}" is filled in order.
+};
+
+/// `message` said of `span`, with its "{}" filled. Control characters, which programs may contain,
+/// become blanks.
+Diagnostic diagnostic_of(const MessageText& message, SourceSpan span,
+                         std::initializer_list<std::string_view> arguments = {});
 
 /// Collects diagnostics. What says the same (code and message) in the same file is told once,
 /// with a count; after kMaxDifferent different ones only a closing one is added, so that a file of
@@ -42,11 +52,14 @@ enum class Message : std::uint16_t;
 class DiagnosticLog {
 public:
     static constexpr std::size_t kMaxDifferent = 400;
+    static constexpr MessageText kTooMany{
+        Severity::Note, "too-many-diagnostics",
+        "there are more faults than are worth listing; the rest is not shown"};
 
     /// Adds `message` with its "{}" filled in order.
-    void add(Message message, SourceSpan span,
+    void add(const MessageText& message, SourceSpan span,
              std::initializer_list<std::string_view> arguments = {});
-    void add(Severity severity, Message message, SourceSpan span,
+    void add(Severity severity, const MessageText& message, SourceSpan span,
              std::initializer_list<std::string_view> arguments = {});
 
     /// The name of the file that spans belong to from here on; empty: the main program.

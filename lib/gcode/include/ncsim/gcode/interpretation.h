@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What goes into interpret(), and what comes out of it: the values.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/dialect.h"
+#include "ncsim/gcode/motion.h"
+#include "ncsim/gcode/source.h"
+#include "ncsim/gcode/state.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode {
+
+enum class DefaultUnits : std::uint8_t { Millimetres, Inches };
+
+/// What the control has in its tool table. Lengths are offsets as G43 applies them; motions are
+/// of the tool tip, so they only move what is said in machine coordinates.
+struct ToolTableEntry {
+    int number = 0;
+    std::array<Length, 3> offset{};  ///< X, Y, Z.
+    bool length_told = false;        ///< Somebody said that offset; else it is 0 by default.
+    std::optional<Length> diameter;  ///< For G41 and G42.
+    bool operator==(const ToolTableEntry&) const = default;
+};
+
+/// Called with each motion just before the sink: the frame it was programmed in.
+using FrameObserver = std::function<void(const Motion&, const ProgramFrame&)>;
+
+/// The text of a program beside the main one, by the name a call gives it ("probe", "O1234"), or
+/// nullopt. The library itself reads no files.
+using FileReader = std::function<std::optional<SourceFile>(std::string_view name)>;
+
+/// Where a program that does not end is stopped, with a diagnostic.
+struct Limits {
+    std::uint64_t repeated_blocks = 4'000'000;  ///< Blocks run again by loops, calls, repeats.
+    std::uint32_t call_depth = 64;
+};
+
+struct InterpreterOptions {
+    /// For programs that say neither G20 nor G21.
+    DefaultUnits default_units = DefaultUnits::Millimetres;
+    /// Origins of G54, G55 … G59.3 in machine coordinates at the start. Where one is not told,
+    /// nobody knows how far it is from the others.
+    std::array<Position, 9> work_offsets{};
+    std::array<bool, 9> work_offsets_told{};
+    std::map<int, Position> extended_offsets;  ///< Those of G54.1 Pn that are told.
+    /// Where the tool stands when the program starts, in the coordinates of G54; what is empty is
+    /// not known.
+    std::array<std::optional<Length>, 3> start{};
+    /// Where G28 and G30 lead, in machine coordinates, until G28.1 and G30.1 say otherwise.
+    std::array<Position, 2> homes{};
+    bool block_delete = false;  ///< Skip blocks that start with '/'.
+
+    Dialect dialect = Dialect::Auto;
+    /// RS274/NGC as LinuxCNC runs it: what that control refuses is an error. Otherwise the
+    /// program gets what the machine it was written for gives it, with warnings.
+    bool strict = false;
+    /// Words that are known to be harmless, "G187", "M198": they are passed over in silence.
+    std::vector<std::string> allow;
+    /// Numbers without a decimal point count least increments, as older controls read them: 0.001
+    /// mm, 0.0001 inch, 0.001 degrees. Only of axis words, I J K, R and Q, and only where a plain
+    /// number stands there.
+    bool least_increments = false;
+    std::vector<ToolTableEntry> tools;
+    /// How far above the last depth G83 starts to feed again and how far G73 draws back, in units
+    /// of the program: a parameter of the machine. Without it 0.254 mm, and never above R.
+    std::optional<double> peck_clearance;
+    /// What canned cycles retract to before the program says G98 or G99, a parameter of the
+    /// machine, too. Without it: G98, under strict rules G99.
+    std::optional<bool> starts_with_g99;
+    FileReader read_file;
+    FrameObserver observe_frame;
+    Limits limits;
+};
+
+/// What was concluded on the way, for the assumption sheet and for reports.
+struct Interpretation {
+    Diagnostics diagnostics;
+    bool units_stated = false;  ///< G20 or G21 came before the first length.
+    bool uses_inches = false;   ///< At the first length.
+    std::uint64_t lines = 0;
+    std::uint64_t motions = 0;
+    std::vector<std::string> files;  ///< [0] is the program; O-files that were called follow.
+    DialectFindings dialect;         ///< What the program was read as, and why.
+    /// The coordinate system that W is: 1: G54 … 9: G59.3; 9 + n: G54.1 Pn. See motion.h.
+    int workpiece_system = 1;
+    /// Its origin and rotation; in machine coordinates only where its frame is 0.
+    WorkOffset workpiece;
+    bool uses_length_offsets = false;  ///< G43 or one of its kin comes in it.
+    /// Not a milling program we read, or stopped at a code that would misplace all that follows.
+    bool refused = false;
+    bool stopped = false;  ///< Stopped before its end, by a limit or a missing part.
+    bool ended = false;    ///< M2, M30, or a closing '%' was met.
+};
+
+/// Called for each motion in the order of execution. The reference is valid during the call.
+using MotionSink = std::function<void(const Motion&)>;
+
+}  // namespace ncsim::gcode
