@@ -5,6 +5,7 @@ ncsim_add_test(gcode
     corpus_test.cpp
     dialect_test.cpp
     expression_test.cpp
+    messages_test.cpp
     parser_test.cpp
     refused_block_test.cpp
     state_test.cpp)

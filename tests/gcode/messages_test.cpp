@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every message of diagnostics.def is said somewhere, word for word: by a program of bad/ (its
+// first line), of good/ (in its .motions), or by one of those here.
+#include "ncsim/gcode/interpreter.h"
+
+#include "message.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::gcode {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class By : unsigned char { Default, Strict, Fanuc };
+
+struct Case {
+    By by;
+    std::string program;  // '~' is a line end
+    std::string said;     // with its place
+};
+
+// All that is said about the program, a line each.
+std::vector<std::string> said_of(const Case& c) {
+    std::string text = c.program;
+    std::ranges::replace(text, '~', '\n');
+    InterpreterOptions options;
+    options.strict = c.by == By::Strict;
+    options.dialect = c.by == By::Fanuc ? Dialect::Fanuc : Dialect::Rs274;
+    std::vector<std::string> said;
+    for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
+        std::string line = render(d, SourceFile{});
+        line.erase(line.find_last_not_of('\n') + 1);
+        said.push_back(line.substr(line.starts_with(':') ? 1 : 0));
+    }
+    return said;
+}
+
+std::string many_points() {
+    std::string text = "G21 G90 G17 F100 G0 X0 Y0~";
+    for (int i = 0; i < 100'001; ++i)
+        text.append("G5.2 X").append(std::to_string(i + 1)).append("~");
+    return text;
+}
+
+const std::vector<Case>& cases() {
+    static const std::string kStart = "G21 G90 G17 F100 G0 X0 Y0 Z0~";
+    static const std::vector<Case> kCases = {
+        // Reading lines
+        {By::Default, "G1 !5 X1",
+         "1:4: error: expected a letter with a number, found '!' [letter-expected]"},
+        {By::Default, "G0 X[1+ATAN 30]", "1:4: error: cannot read 'atan30]' [unreadable-text]"},
+        {By::Default, "G0 X1 (to the left",
+         "1:7: warning: this comment is not closed; it is taken to reach the end of the line "
+         "[comment-unclosed]"},
+        {By::Default, "G0 X1 )",
+         "1:7: warning: a closing parenthesis without an opening one [comment-unopened]"},
+        {By::Default, "G0 X1~#<depth = 5",
+         "2:2: error: this parameter name is not closed with '>' [name-unclosed]"},
+        {By::Default, "G0 X1~#1 G0 X2",
+         "2:1: error: expected '=' after the parameter [assignment-expected]"},
+        {By::Default, "G0 X1~#5",
+         "2:1: warning: #5 stands alone, without '='; it is left out [parameter-shown]"},
+        {By::Default, "o1 repeet [2]",
+         "1:11: error: 'repeet' is no control word (such as sub, call, if, while) "
+         "[o-word-unknown]"},
+        // Values
+        {By::Default, "G0 X" + std::string(200, '[') + "1" + std::string(200, ']'),
+         "1:4: error: this expression is nested too deeply [expression-too-deep]"},
+        {By::Default, "G0 X[10**400]",
+         "1:4: error: the result is not a number a machine can use [not-a-number]"},
+        {By::Default, "G0 X1~o1 repeat", "2:1: error: a value is missing here [number-expected]"},
+        {By::Default, "G0 X[1 $]", "1:4: error: expected a bracket at '$]' [bracket-expected]"},
+        {By::Default, "G0 X1~#5420=3",
+         "2:1: error: the parameter #5420 can only be read [parameter-read-only]"},
+        {By::Default, "G0 X[EXISTS[5]]",
+         "1:4: error: EXISTS wants a parameter name: EXISTS[#<name>] [exists-argument]"},
+        // Words and codes
+        {By::Default, "G0 X1 E5",
+         "1:7: warning: the word E means nothing here; it is left out [unknown-word]"},
+        {By::Default, "T1 M6 T2",
+         "1:7: note: T stands twice in this block; the first is changed to, the second waits "
+         "[next-tool]"},
+        {By::Fanuc, "G0 X50000",
+         "1:4: note: X50000 has no decimal point; it is read as whole units. If the control counts "
+         "least increments, say so with --increments [no-decimal-point]"},
+        {By::Default, "G4", "1:1: warning: G4 needs a time (P) [dwell-without-time]"},
+        {By::Default, kStart + "G53 G2 X1 I0.5", "2:1: warning: G53 needs G0 or G1 [g53-motion]"},
+        {By::Default, kStart + "G1 X1~G55 G1 X2",
+         "3:5: warning: how far the origin of G55 is from that of G54 is not told; it is taken to "
+         "be the same [offset-unknown]"},
+        // Arcs and curves
+        {By::Default, kStart + "G2 X10 I5 R5",
+         "2:11: warning: G2 has a centre and a radius; the centre counts [arc-two-forms]"},
+        {By::Default, kStart + "G2 X10 I5 P0.5",
+         "2:11: warning: P must be a whole number of turns, 1 or more [arc-turns]"},
+        {By::Default, kStart + "G2 X0 Y0 I0.0000000001",
+         "2:1: warning: the radius of this G2 is next to nothing; moved straight [arc-too-small]"},
+        {By::Default, kStart + "G2 X10.2 I5",
+         "2:1: warning: the start of this G2 is 5 from its centre, the end 5.2; moved as a spiral "
+         "[arc-spiral]"},
+        {By::Default, kStart + "G5.2 X1 Y1 L4~G5.3",
+         "3:1: error: this curve has fewer control points than its order (L) [spline-points]"},
+        {By::Default, kStart + "G6.2 P2 X1 Y1 K0~G1 X5",
+         "3:1: error: a curve of G6.2 wants as many knots (K) as points and order (P) together, "
+         "and none smaller than the one before [spline-knots]"},
+        {By::Default, many_points(),
+         "100001:1: error: this curve has more control points than a machine can hold "
+         "[spline-points] (2 times, first here)"},
+        // Cycles, threads
+        {By::Strict, kStart + "G93 F5 G81 X1 Z-1 R1",
+         "2:8: error: G81 does not work under G93 [cycle-inverse-time]"},
+        {By::Default, kStart + "G81 X1 Z5 R1",
+         "2:1: warning: G81 has its bottom above R [cycle-upside-down]"},
+        {By::Default, kStart + "G33 Z-5", "2:1: warning: G33 needs a pitch (K) [pitch-missing]"},
+        // The course of the program
+        {By::Default,
+         "o1 sub~o1 endsub~o1 call [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] "
+         "[1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1] [1]",
+         "3:1: error: a call takes 30 arguments at most [call-arguments]"},
+        {By::Strict, "o1 sub~G0 X1", "1:1: error: the subroutine 1 has no end [sub-end-missing]"},
+        {By::Default, "G0 X1~M99",
+         "2:1: note: M99 starts the main program over; it was run once [main-repeats]"},
+        // Cutter compensation
+        {By::Default, kStart + "G41 D5 G1 X20",
+         "2:1: warning: the diameter for D5 is not known; the path is taken as programmed, without "
+         "compensation [compensation-radius-unknown]"},
+        {By::Default, kStart + "G19 G41 D1 G1 Y20",
+         "2:5: error: cutter compensation works in the XY and ZX planes (G17, G18) only "
+         "[compensation-plane]"},
+        {By::Default, "M140 S60~M104 S200~G92 E0~G1 X1 E1",
+         "1:1: warning: this looks like a program for a 3-D printer: M140 heats a bed (line 1), "
+         "M104 heats an extruder (line 2), G92 E (line 3); it is run as if it milled "
+         "[foreign-kind]"},
+    };
+    return kCases;
+}
+
+TEST(Messages, AreSaidInTheseWords) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.program.substr(0, 200));
+        const std::vector<std::string> said = said_of(c);
+        std::ostringstream all;
+        for (const std::string& line : said)
+            all << line << '\n';
+        EXPECT_TRUE(std::ranges::find(said, c.said) != said.end()) << c.said << "\nis not in\n"
+                                                                   << all.str();
+    }
+}
+
+TEST(Messages, EndWithOneThatThereAreMore) {
+    std::string text;
+    for (int i = 0; i < 402; ++i)
+        text += "M" + std::to_string(1000 + i) + "~";
+    const std::vector<std::string> said = said_of({By::Default, text, ""});
+    ASSERT_EQ(said.size(), DiagnosticLog::kMaxDifferent + 1);
+    EXPECT_EQ(said.back(),
+              "401:1: note: there are more faults than are worth listing; the rest is not shown "
+              "[too-many-diagnostics]");
+}
+
+struct Row {
+    const char* name;
+    MessageText message;
+};
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> kRows = {
+#define NCSIM_DIAGNOSTIC(name, severity, code, text) {#name, Message::name},
+#include "diagnostics.def"
+#undef NCSIM_DIAGNOSTIC
+    };
+    return kRows;
+}
+
+// The lines in which the tests have what is said.
+std::vector<std::string> expected_lines() {
+    std::vector<std::string> lines;
+    for (const Case& c : cases())
+        lines.push_back(c.said);
+    const fs::path directory = fs::path(NCSIM_SOURCE_DIR) / "tests/gcode";
+    for (const char* folder : {"bad", "good"}) {
+        for (const auto& entry : fs::directory_iterator(directory / folder)) {
+            const bool bad = entry.path().extension() == ".nc" && std::string(folder) == "bad";
+            if (!bad && entry.path().extension() != ".motions") continue;
+            std::ifstream in(entry.path());
+            std::string line;
+            for (int number = 1; std::getline(in, line); ++number) {
+                if (line.starts_with(';') && (!bad || number == 1)) lines.push_back(line);
+            }
+        }
+    }
+    return lines;
+}
+
+// Whether `line` has the words of `message` in order, with something for each "{}".
+bool says(const std::string& line, const MessageText& message) {
+    const std::string end = " [" + std::string(message.code) + "]";
+    const std::size_t code = line.find(end);
+    if (code == std::string::npos) return false;
+    std::size_t at = 0;
+    for (const char* severity : {": error: ", ": warning: ", ": note: "}) {
+        const std::size_t found = line.find(severity);
+        if (found != std::string::npos) at = found + std::string(severity).size();
+    }
+    std::string_view rest = message.text;
+    for (bool first = true;; first = false) {
+        const std::size_t hole = rest.find("{}");
+        const std::string_view part = rest.substr(0, hole);
+        const std::size_t found = line.find(part, first ? at : at + 1);
+        if (found == std::string::npos || (first && found != at)) return false;
+        at = found + part.size();
+        if (hole == std::string_view::npos) return at == code;
+        rest.remove_prefix(hole + 2);
+        if (rest.empty()) return at < code;
+    }
+}
+
+TEST(Messages, AreAllSaidInSomeTest) {
+    const std::vector<std::string> lines = expected_lines();
+    for (const Row& row : rows()) {
+        EXPECT_TRUE(std::ranges::any_of(
+            lines, [&](const std::string& line) { return says(line, row.message); }))
+            << row.name << ": no test expects it";
+    }
+}
+
+TEST(Messages, AreWrittenAlike) {
+    std::set<std::pair<std::string_view, std::string_view>> texts;
+    for (const Row& row : rows()) {
+        SCOPED_TRACE(row.name);
+        const auto [severity, code, text] = row.message;
+        EXPECT_TRUE(std::regex_match(std::string(code), std::regex("[a-z0-9]+(-[a-z0-9]+)*")));
+        EXPECT_FALSE(text.ends_with('.'));
+        EXPECT_TRUE(texts.emplace(code, text).second) << "two rows say the same";
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::gcode
