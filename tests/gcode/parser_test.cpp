@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace ncsim::gcode {
 namespace {
 
@@ -135,6 +137,47 @@ TEST(Parser, CanGoBackToAPlace) {
     ASSERT_TRUE(reader.next(block));
     EXPECT_EQ(block.line, 2U);
     EXPECT_EQ(block.words[0].number, 2.0);
+}
+
+// A line of a loop is read as it was read before, and what was said of it is said again, also where
+// there are more lines than are kept.
+TEST(Parser, ReadsLinesThatItKeepsAsBefore) {
+    std::string text =
+        "%\n\nG1 X1 (plain)\nX[#1+2] (x)\n#1=[#1+1]\n(a (b) c) X#2\nX[1\no1 while [#1 lt 3]\n"
+        "#2\n/N5 G1 X#1 ; y\nX1 2.5\n$H\nX1 ]\n[a line of WinCNC]\n" +
+        std::string(3000, ' ') + "Y[1]\n";
+    for (std::size_t i = 0; i < BlockReader::kMostKept + 10; ++i)
+        text += "X#" + std::to_string(i) + "\n";
+    const SourceFile file{"t.nc", text};
+    BlockReader reader(file);
+    BlockReader keeper(file);
+    const BlockReader::Place start = reader.place();
+    keeper.keep_lines();
+    DiagnosticLog log;
+    DiagnosticLog of_keeper;
+    for (int turn = 0; turn < 3; ++turn) {
+        reader.seek(start);
+        keeper.seek(start);
+        Block block;
+        Block kept;
+        while (reader.next(block, log)) {
+            ASSERT_TRUE(keeper.next(kept, of_keeper));
+            std::string expected;
+            std::string out;
+            print(expected, block);
+            print(out, kept);
+            ASSERT_EQ(out, expected);
+            ASSERT_EQ(kept.line, block.line);
+            ASSERT_EQ(kept.text, block.text);
+            ASSERT_EQ(kept.kind, block.kind);
+            ASSERT_EQ(keeper.place(), reader.place());
+            ASSERT_TRUE(std::ranges::equal(kept.words, block.words, {}, &Word::span, &Word::span));
+        }
+        EXPECT_FALSE(keeper.next(kept, of_keeper));
+    }
+    EXPECT_EQ(of_keeper.diagnostics(), log.diagnostics());
+    ASSERT_FALSE(log.diagnostics().empty());
+    EXPECT_GE(log.diagnostics().front().count, 3U);
 }
 
 TEST(Diagnostic, IsRenderedWithItsLineAndACaret) {

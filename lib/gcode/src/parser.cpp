@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 namespace ncsim::gcode {
 namespace {
@@ -68,6 +69,9 @@ public:
     LineParser(BlockReader& reader, std::string_view line, Block& block, DiagnosticLog* log)
         : reader_(reader), line_(line), block_(block), log_(log) {}
 
+    /// Something was to be said of the line.
+    bool said_something() const { return said_; }
+
     /// Words with plain numbers, comments at the end, nothing else; false if there is more.
     bool read_plain() {
         const char* p = line_.data();
@@ -116,12 +120,14 @@ public:
         }
     }
 
-    void read_general() {
+    /// Everything else. The block points into `clean`, which is written into.
+    void read_general(std::string& clean) {
+        clean.clear();
         block_.words.clear();
         block_.comments.clear();
         block_.has_number = false;
-        if (!make_clean()) return refuse();
-        text_ = reader_.clean_;
+        if (!make_clean(clean)) return refuse();
+        text_ = clean;
         if (text_.empty()) return;
         if (is_percent()) return;
         if (is_console_command()) return;
@@ -139,12 +145,14 @@ private:
 
     void report(const MessageText& message, SourceSpan span,
                 std::initializer_list<std::string_view> arguments = {}) {
+        said_ = true;
         if (log_) log_->add(message, span, arguments);
     }
     /// For what other controls accept: a warning, and under strict rules an error.
     bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments = {}) {
         if (!reader_.options_.strict) return report(message, span, arguments), true;
+        said_ = true;
         if (log_) log_->add(Severity::Error, message, span, arguments);
         return false;
     }
@@ -168,18 +176,16 @@ private:
     }
 
     /// "[VCarve: sign.crv]" at the beginning of a line: a comment for WinCNC, and no word anywhere.
-    bool is_bracket_comment(std::size_t at) const {
-        if (line_[at] != '[' || !reader_.clean_.empty() || reader_.options_.strict) return false;
+    bool is_bracket_comment(std::size_t at, std::string_view before) const {
+        if (line_[at] != '[' || !before.empty() || reader_.options_.strict) return false;
         const std::size_t first = line_.find_first_not_of(" \t", at + 1);
         const bool is_text = first != std::string_view::npos && line_[first] != '#';
         return is_text && line_.find(']', at) != std::string_view::npos;
     }
 
-    /// Fills the reader's clean copy. False if the line must not be executed.
-    bool make_clean() {
-        std::string& clean = reader_.clean_;
+    /// Fills the clean copy. False if the line must not be executed.
+    bool make_clean(std::string& clean) {
         auto& columns = reader_.columns_;
-        clean.clear();
         columns.clear();
         bool good = true;
         for (std::size_t i = 0; i < line_.size(); ++i) {
@@ -201,7 +207,7 @@ private:
             } else if (c == ';') {
                 add_semicolon_comment(i);
                 break;
-            } else if (is_bracket_comment(i)) {
+            } else if (is_bracket_comment(i, clean)) {
                 const std::size_t close = line_.find(']', i);
                 add_comment(i, close);
                 i = close;
@@ -612,6 +618,7 @@ private:
     std::string_view text_;
     std::size_t at_ = 0;
     bool reported_ = false;
+    bool said_ = false;
     bool good_ = true;
 };
 
@@ -643,21 +650,54 @@ void reset(Block& block, std::uint32_t line, std::string_view text) {
 }
 }  // namespace
 
-bool BlockReader::next(Block& block, DiagnosticLog& log) {
-    if (place_.offset >= file_->text.size()) return false;
-    const std::string_view line = take_line();
-    reset(block, place_.line, line);
-    LineParser parser(*this, line, block, &log);
-    if (!parser.read_plain()) parser.read_general();
-    return true;
+/// The text of a program does not change, so that what was read of it stays right.
+struct BlockReader::Kept {
+    /// More is written in no loop of a program that somebody wrote.
+    static constexpr std::size_t kMostBytes = 128 * 1024;
+    struct Line {
+        std::string clean;
+        bool is_kept = false;  ///< Else it is read again, into `clean`.
+        Block block;
+        Place after;
+    };
+    std::unordered_map<std::size_t, Line> lines;
+    std::size_t bytes = 0;
+
+    /// Where the line that begins at `start` is kept; nullptr, if there is no room for it.
+    Line* at(std::size_t start, std::size_t size) {
+        if (const auto known = lines.find(start); known != lines.end()) return &known->second;
+        if (lines.size() >= kMostKept || bytes + size > kMostBytes) return nullptr;
+        bytes += size;
+        return &lines[start];
+    }
+};
+
+void BlockReader::keep_lines() {
+    if (!kept_) kept_ = std::make_shared<Kept>();
 }
 
-bool BlockReader::next(Block& block) {
+bool BlockReader::next(Block& block, DiagnosticLog* log) {
     if (place_.offset >= file_->text.size()) return false;
+    const std::size_t start = place_.offset;
+    if (kept_) {
+        const auto known = kept_->lines.find(start);
+        if (known != kept_->lines.end() && known->second.is_kept) {
+            block = known->second.block;
+            place_ = known->second.after;
+            return true;
+        }
+    }
     const std::string_view line = take_line();
     reset(block, place_.line, line);
-    LineParser parser(*this, line, block, nullptr);
-    if (!parser.read_plain()) parser.read_general();
+    LineParser parser(*this, line, block, log);
+    if (parser.read_plain()) return true;
+    Kept::Line* const kept = kept_ ? kept_->at(start, line.size()) : nullptr;
+    parser.read_general(kept ? kept->clean : clean_);
+    if (kept && !parser.said_something()) {
+        kept->is_kept = true;
+        kept->block = block;
+        kept->after = place_;
+    }
     return true;
 }
 

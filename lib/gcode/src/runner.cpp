@@ -60,6 +60,7 @@ bool Runner::step() {
     ++result_.lines;
     // What exceeds the lines there are was read before, by a loop or a call.
     if (!frames_.empty() || repeated_ > 0) {
+        file().reader.keep_lines();
         if (++repeated_ > most_blocks_) {
             fault(Message::StepLimit, block_.line_span());
             ended_ = true;

@@ -9,6 +9,8 @@
 #include "ncsim/gcode/source.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +35,9 @@ public:
     explicit BlockReader(const SourceFile& file, ParserOptions options = {});
 
     /// Reads the next line into `block`; false at the end of the program.
-    bool next(Block& block, DiagnosticLog& log);
+    bool next(Block& block, DiagnosticLog& log) { return next(block, &log); }
     /// The same for those who want comments and words but no opinion about them.
-    bool next(Block& block);
+    bool next(Block& block) { return next(block, nullptr); }
 
     /// Where the next line starts. Good for `seek` on the same file.
     struct Place {
@@ -46,10 +48,17 @@ public:
     Place place() const { return place_; }
     void seek(Place place) { place_ = place; }
 
+    /// From here on keeps what it reads of lines that are more than plain words, up to kMostKept
+    /// lines, so that those of a loop are read once. Lines of which something was said are read
+    /// anew, and it is said again.
+    void keep_lines();
+    static constexpr std::size_t kMostKept = 2000;
+
 private:
     friend class LineParser;
 
     std::string_view take_line();
+    bool next(Block& block, DiagnosticLog* log);
 
     const SourceFile* file_;
     ParserOptions options_;
@@ -58,6 +67,9 @@ private:
     // byte came from. Only lines that are more than plain words need them.
     std::string clean_;
     std::vector<std::uint32_t> columns_;
+
+    struct Kept;  // lines, by where they begin
+    std::shared_ptr<Kept> kept_;
 };
 
 }  // namespace ncsim::gcode
