@@ -8,12 +8,17 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/trace.h"
 
+#include "messages.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -21,21 +26,14 @@ namespace ncsim::simulation {
 
 namespace {
 
-using gcode::Diagnostic;
-using gcode::Severity;
 using toolpath::ToldBy;
 
 // No machine is that large: then a unit is wrong, or a number.
 constexpr double kLargestStock = 1e5;
 
-void tell(Survey& survey, Severity severity, const char* code, std::string message,
-          gcode::SourceSpan span) {
-    Diagnostic d;
-    d.severity = severity;
-    d.code = code;
-    d.message = std::move(message);
-    d.span = span;
-    survey.diagnostics.push_back(std::move(d));
+void tell(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan span,
+          std::initializer_list<std::string_view> arguments = {}) {
+    survey.diagnostics.push_back(gcode::diagnostic_of(message, span, arguments));
 }
 
 // What the motions alone tell, gathered in one pass.
@@ -185,18 +183,12 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
             used.text = guess + (result.only_rapid ? ", as good as any: it cuts nothing"
                                                    : ", a guess from its moves");
         } else {
-            const std::string how =
-                number == 0
-                    ? fmt::format(
-                          "no tool is called before this cut; for a first look: "
-                          "--assume-tool {}, a guess from the moves",
-                          guess)
-                    : fmt::format(
-                          "tool {0} is not described; say what it is with --tool T{0}={1} "
-                          "or in a comment such as (T{0} D=10. CR=0. - flat end mill); for a "
-                          "first look: --assume-tool {1}, a guess from its moves",
-                          number, guess);
-            tell(result, Severity::Error, "tool-unknown", how, track.first);
+            const std::string name = std::to_string(number);
+            if (number == 0) {
+                tell(result, Message::NoToolCalled, track.first, {guess});
+            } else {
+                tell(result, Message::ToolUnknown, track.first, {name, name, guess, name, guess});
+            }
             result.ready = false;
             result.unknown_tools.emplace(number, track.first);
             continue;
@@ -316,7 +308,7 @@ void put_nothing(Survey& result, const cda::Box& box) {
 
 bool hits_step_limit(const gcode::Diagnostics& diagnostics) {
     return std::ranges::any_of(diagnostics,
-                               [](const Diagnostic& d) { return d.code == "step-limit"; });
+                               [](const gcode::Diagnostic& d) { return d.code == "step-limit"; });
 }
 
 }  // namespace
@@ -329,11 +321,9 @@ void tell_untold(Survey& result) {
         if (result.untold[axis]) names.append(names.empty() ? "" : ", ").append(1, "XYZ"[axis]);
     }
     if (names.empty()) return;
-    tell(
-        result, Severity::Note, "axis-untold",
-        fmt::format("the program never tells {}; taken as 0 (--start){}", names,
-                    result.is_flat() && result.ready ? ", and the program is drawn as a path" : ""),
-        result.first_move);
+    const bool is_path = result.is_flat() && result.ready;
+    tell(result, is_path ? Message::AxisUntoldOfPath : Message::AxisUntold, result.first_move,
+         {names});
 }
 
 struct Look {
@@ -361,12 +351,10 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
     if (result.moves == 0 || (result.feed_moves == 0 && !plan.job.stock)) {
         result.only_rapid = result.moves > 0;
         const bool drawn = result.only_rapid && plan.draft;
-        tell(result, drawn ? Severity::Warning : Severity::Error, "no-motion",
-             result.moves == 0 ? "the program makes no move"
-             : drawn
-                 ? "the program makes no cutting move, only rapid ones; it is drawn as a path"
-                 : "the program makes no cutting move, only rapid ones; for a picture of its path: "
-                   "--draft",
+        tell(result,
+             result.moves == 0 ? Message::NoMove
+             : drawn           ? Message::OnlyRapidMovesDrawn
+                               : Message::OnlyRapidMoves,
              result.first_move);
         if (result.only_rapid) choose_tools(plan, motions, result);
         if (drawn) put_nothing(result, around_tips(result.tip_positions));
@@ -374,30 +362,21 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
         return look;
     }
     if (result.cuts_from_nowhere) {
-        tell(result, Severity::Warning, "start-unknown",
-             "this cutting move starts at a place that the program does not tell; it leaves no "
-             "trace",
-             motions.first_cut_from_nowhere());
+        tell(result, Message::StartUnknown, motions.first_cut_from_nowhere());
     }
     choose_tools(plan, motions, result);
     if (!result.ready) return look;
     choose_stock(plan, motions, result);
     if (!result.stock) {
-        tell(result, Severity::Error, "no-motion",
-             "no cutting move starts at a place that the program tells", result.first_move);
+        tell(result, Message::CutsFromNowhere, result.first_move);
         result.ready = false;
         return look;
     }
     const cda::Box& box = result.stock->box;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::max(std::abs(box.min[axis]), std::abs(box.max[axis])) > kLargestStock) {
-            tell(
-                result, Severity::Error, "stock-size",
-                fmt::format(
-                    "the stock would reach from {:.6g} to {:.6g} mm: is a unit wrong, or a number? "
-                    "Say what the block is with --stock",
-                    box.min[axis], box.max[axis]),
-                result.stock->span);
+            tell(result, Message::StockSize, result.stock->span,
+                 {fmt::format("{:.6g}", box.min[axis]), fmt::format("{:.6g}", box.max[axis])});
             result.ready = false;
             break;
         }
@@ -430,7 +409,7 @@ std::string reason_against(const Survey& survey) {
 }
 
 void cut_nothing(Survey& survey) {
-    const auto is_it = [](const Diagnostic& d) { return d.code == "no-motion"; };
+    const auto is_it = [](const gcode::Diagnostic& d) { return d.code == "no-motion"; };
     std::erase_if(survey.diagnostics, is_it);
     cda::Box box;
     box.add(cda::Vec3{0, 0, 0}), box.add(cda::Vec3{1, 1, 1});

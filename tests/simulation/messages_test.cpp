@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is said of a program before it is cut, word for word: every row of messages.def.
+#include "messages.h"
+
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ncsim::simulation {
+namespace {
+
+struct Case {
+    const char* program;
+    bool draft;
+    const char* said;
+};
+
+constexpr Case kCases[] = {
+    {"G21 G90\nG0 X0 Y0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
+     "tool-unknown: no tool is called before this cut; for a first look: --assume-tool flat:D2, a "
+     "guess from the moves"},
+    {"G21 G90 T7 M6\nG0 X0 Y0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
+     "tool-unknown: tool 7 is not described; say what it is with --tool T7=flat:D2 or in a comment "
+     "such as (T7 D=10. CR=0. - flat end mill); for a first look: --assume-tool flat:D2, a guess "
+     "from its moves"},
+    {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
+     "axis-untold: the program never tells Y; taken as 0 (--start)"},
+    {"G21 G90\nG0 X0 Y0\nG1 X9 F100\nM2\n", true,
+     "axis-untold: the program never tells Z; taken as 0 (--start), and the program is drawn as a "
+     "path"},
+    {"G21 G90\nM2\n", false, "no-motion: the program makes no move"},
+    {"G21 G90\nG0 X1 Y1 Z1\nX2\nM2\n", false,
+     "no-motion: the program makes no cutting move, only rapid ones; for a picture of its path: "
+     "--draft"},
+    {"G21 G90\nG0 X1 Y1 Z1\nX2\nM2\n", true,
+     "no-motion: the program makes no cutting move, only rapid ones; it is drawn as a path"},
+    {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG1 X9 Y9 Z-1 F100\nM2\n", false,
+     "no-motion: no cutting move starts at a place that the program tells"},
+    {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG1 X9 Y9 Z-1 F100\nX20\nM2\n", false,
+     "start-unknown: this cutting move starts at a place that the program does not tell; it leaves "
+     "no trace"},
+    {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nG1 Z-1 F100\nX900000\nM2\n",
+     false,
+     "stock-size: the stock would reach from -45004 to 945004 mm: is a unit wrong, or a number? "
+     "Say "
+     "what the block is with --stock"},
+};
+
+std::vector<std::string> said_of(const Case& c) {
+    Plan plan;
+    plan.job = setup::job_of({"t.nc", c.program}, {});
+    plan.draft = c.draft;
+    std::vector<std::string> said;
+    for (const gcode::Diagnostic& d : survey(plan).diagnostics)
+        said.push_back(d.code + ": " + d.message);
+    return said;
+}
+
+TEST(Messages, AreSaidInTheseWords) {
+    for (const Case& c : kCases) {
+        const std::vector<std::string> said = said_of(c);
+        std::string all;
+        for (const std::string& s : said)
+            all += s + "\n";
+        EXPECT_TRUE(std::ranges::find(said, c.said) != said.end())
+            << c.program << c.said << "\nis not in\n"
+            << all;
+    }
+}
+
+TEST(Messages, AreAllSaidHere) {
+    constexpr gcode::MessageText kRows[] = {
+#define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
+#include "messages.def"
+#undef NCSIM_DIAGNOSTIC
+    };
+    for (const gcode::MessageText& row : kRows) {
+        // What stands before the first thing that is filled in, and what behind the last.
+        const std::size_t first = row.text.find("{}");
+        const std::size_t last = row.text.rfind("{}");
+        const std::string begin =
+            std::string(row.code) + ": " + std::string(row.text.substr(0, first));
+        const std::string_view end =
+            first == std::string_view::npos ? row.text : row.text.substr(last + 2);
+        EXPECT_TRUE(std::ranges::any_of(kCases, [&](const Case& c) {
+            const std::string_view said = c.said;
+            return said.starts_with(begin) && said.ends_with(end);
+        })) << row.text;
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::simulation
