@@ -173,9 +173,7 @@ std::vector<std::string> outputs_of(const CheckOptions& o) {
 
 void complete(const CheckOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
-    if (!o.model.empty() && o.model != "cda") {
-        throw Refusal{"--model: programs are verified with the model cda"};
-    }
+    require_verifying(o);
     if (!o.html.empty() && o.programs.size() > 1) {
         throw Refusal{"--html: a page is about one program"};
     }

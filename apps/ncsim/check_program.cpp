@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_program.h"
 
+#include "ncsim/cda/models.h"
+
 #include "plan_options.h"
 
 #include <fmt/format.h>
@@ -34,7 +36,7 @@ int check_program(report::Checked& checked, const std::string& path, const Check
         ProgramOptions program = options;
         program.program = path;
         simulation::Plan plan = plan_for(program, options, inputs);
-        plan.model = "cda";
+        if (plan.model.empty()) plan.model = cda::verifying_model().name;
         plan.threads = threads;
         plan.budget.stop_with(std::move(stop));
         simulation::check(std::move(plan), questions, checked);

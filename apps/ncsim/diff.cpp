@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "diff.h"
 
+#include "ncsim/cda/models.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
 #include "ncsim/simulation/compare_parts.h"
@@ -30,7 +31,7 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     if (stock) options.stock = stock;
     Side side;
     side.plan = plan_for(options, diff, inputs);
-    side.plan.model = "cda";
+    if (side.plan.model.empty()) side.plan.model = cda::verifying_model().name;
     side.survey = simulation::survey(side.plan);
     return side;
 }
@@ -62,9 +63,7 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& o) {
 
 void complete(const DiffOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
-    if (!o.model.empty() && o.model != "cda") {
-        throw Refusal{"--model: parts are compared with the model cda"};
-    }
+    require_verifying(o);
 }
 
 int run(const DiffOptions& options) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.h"
 
+#include "ncsim/cda/models.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
@@ -89,8 +90,8 @@ exporter::Overlay overlay(const Outcome& outcome) {
 exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const simulation::Simulation& s = *outcome.simulation;
     const exporter::RenderOptions options = render_options(outcome, view);
-    // The flat aggregate is drawn by its masks, as the thesis does it.
-    if (outcome.plan.model == "cda-flat")
+    // By its masks, as the thesis does it.
+    if (cda::find_model(outcome.plan.model)->shows_cells)
         return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
     return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program_options.h"
 
+#include "ncsim/cda/models.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/toolpath/stock.h"
 
@@ -95,12 +96,30 @@ bool read_inches(const std::string& unit) {
 }
 
 void read_model(const std::string& model) {
-    if (model != "cda" && model != "cda-flat") {
-        throw Refusal{fmt::format("--model '{}': expected cda or cda-flat", model)};
+    if (!cda::find_model(model)) {
+        throw Refusal{fmt::format("--model '{}': expected {}", model, cda::model_names())};
     }
 }
 
+std::string models_told() {
+    std::string text = "Workpiece model:";
+    for (const cda::ModelInfo& model : cda::models()) {
+        const bool is_first = &model == cda::models().data();
+        text += fmt::format("{} {}, {}", is_first ? "" : ";", model.name, model.what);
+    }
+    return text;
+}
+
 }  // namespace
+
+void require_verifying(const SimulationOptions& options) {
+    if (options.model.empty() || cda::find_model(options.model)->verifies) return;
+    throw Refusal{fmt::format(
+        "--model {}: it shows how a part is made; programs are verified, and parts compared, with "
+        "{}",
+        options.model,
+        cda::model_names([](const cda::ModelInfo& model) { return model.verifies; }))};
+}
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
     command.add_option("program", options.program, "NC program")->type_name("FILE");
@@ -213,7 +232,7 @@ void add_simulation_options(CLI::App& command, SimulationOptions& options) {
                 read_model(model);
                 o.model = model;
             },
-            "Workpiece model: cda, cda-flat")
+            models_told())
         ->type_name("NAME");
     command
         .add_option_function<double>(

@@ -37,7 +37,7 @@ struct ProgramOptions : setup::JobOptions {
 
 /// What commands that simulate are told as well. Lengths in mm.
 struct SimulationOptions {
-    std::string model;             ///< "cda" or "cda-flat"; empty: the one that suits.
+    std::string model;             ///< Of cda::models(); empty: the one that suits.
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
     bool tolerance_told = false, tool_tolerance_told = false;
@@ -58,5 +58,7 @@ std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// What can be judged only when all options were read: throws Refusal if no program is named.
 void complete(const ProgramOptions& options);
 void add_simulation_options(CLI::App& command, SimulationOptions& options);
+/// Throws Refusal if a model was asked for that programs are not verified with.
+void require_verifying(const SimulationOptions& options);
 
 }  // namespace ncsim::app

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run.h"
 
-#include "ncsim/cda/flat.h"
 #include "ncsim/cda/mesh.h"
-#include "ncsim/cda/visitor.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
@@ -81,13 +79,6 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
                   [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
     outputs.write(o.threemf,
                   [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
-    const auto* flat = dynamic_cast<const cda::FlatCda*>(s.part.get());
-    const auto flat_only = [&](const std::string& path, const auto& writer) {
-        outputs.write(path, [&](std::ostream& out) {
-            if (!flat) throw std::runtime_error("--stats and --xml need --model cda-flat");
-            writer(out, *flat);
-        });
-    };
     outputs.write(o.step, [&](std::ostream& out) {
         const exporter::StepOptions options{
             std::max(o.simplify.value_or(0.0), exporter::kStepTolerance), o.step_max_faces};
@@ -98,8 +89,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
             toolpath::stock_shape(*outcome.survey.stock, outcome.plan.tool_tolerance);
         setup::write_stock_file(out, stock, s.carved);
     });
-    flat_only(o.stats, cda::write_statistics_csv);
-    flat_only(o.xml, cda::write_xml);
+    outputs.write(o.stats, [&](std::ostream& out) { s.part->write_statistics(out); });
+    outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_options.h"
 
+#include "ncsim/cda/models.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -73,10 +75,15 @@ double read_simplify(double tolerance) {
 
 // The thesis' model where its own views are asked for, else the one that scales.
 void choose_model(Options& o) {
-    const bool needs_flat = !o.stats.empty() || !o.xml.empty();
-    if (o.model.empty()) o.model = needs_flat ? "cda-flat" : "cda";
-    if (needs_flat && o.model != "cda-flat") {
-        throw Refusal{"--stats and --xml show the cells of --model cda-flat"};
+    const bool needs_cells = !o.stats.empty() || !o.xml.empty();
+    const auto shows = [](const cda::ModelInfo& model) { return model.shows_cells; };
+    if (o.model.empty()) {
+        o.model = needs_cells ? std::ranges::find_if(cda::models(), shows)->name
+                              : cda::models().front().name;
+    }
+    if (needs_cells && !cda::find_model(o.model)->shows_cells) {
+        throw Refusal{
+            fmt::format("--stats and --xml show the cells of --model {}", cda::model_names(shows))};
     }
 }
 
@@ -93,11 +100,11 @@ std::vector<std::string> outputs_of(const Options& o) {
 }
 
 bool needs_surface(const Options& o) {
-    // The flat aggregate draws itself.
     const bool pictures = !o.png.empty() || !o.gif.empty() || !o.frames.empty();
-    return (pictures && o.model != "cda-flat") || !o.gltf.empty() || !o.vrml.empty() ||
-           !o.stl.empty() || !o.ply.empty() || !o.threemf.empty() || !o.step.empty() ||
-           !o.report.empty();
+    const cda::ModelInfo* model = cda::find_model(o.model);
+    const bool draws_itself = model && model->shows_cells;
+    return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
+           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.report.empty();
 }
 
 CLI::App* add_run(CLI::App& app, Options& options) {

@@ -39,7 +39,7 @@ TEST(Statistics, HasARowForEachCut) {
     const FlatCda part =
         part_of(mm_box(0, 0, 0, 4, 4, 4), {mm_box(1, 1, 2, 3, 3, 5), mm_box(2, 1, 2, 5, 3, 5)});
     std::ostringstream csv;
-    write_statistics_csv(csv, part);
+    part.write_statistics(csv);
     const std::string text = csv.str();
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
     EXPECT_EQ(part.steps()[0].stencilled_negative_facets, 1U);
@@ -50,7 +50,7 @@ TEST(Statistics, HasARowForEachCut) {
 TEST(Xml, NamesCellsFacetsAndBindings) {
     const FlatCda part = part_of(mm_box(0, 0, 0, 4, 4, 4), {mm_box(1, 1, 2, 3, 3, 5)});
     std::ostringstream xml;
-    write_xml(xml, part);
+    part.write_cells(xml);
     EXPECT_NE(xml.str().find("<cell kind=\"negative\" index=\"0\" origin=\"1\">"),
               std::string::npos);
     EXPECT_NE(xml.str().find("<up kind=\"positive\" cell=\"0\""), std::string::npos);

@@ -14,6 +14,7 @@ ncsim_add_test(cda
     lattice_quickhull_test.cpp
     lattice_test.cpp
     loops_test.cpp
+    models_test.cpp
     normal_table_test.cpp
     outlines_test.cpp
     plane_store_test.cpp

@@ -150,6 +150,19 @@ TEST(Options, RefuseWhatMakesNoSense) {
     }
 }
 
+TEST(Options, NameTheModelThatDoesNotVerifyAndThoseThatDo) {
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"check", "a.nc"}, {"diff", "a.nc", "b.nc"}}) {
+        std::vector<std::string> arguments = command;
+        arguments.insert(arguments.end(), {"--model", "cda-flat"});
+        const std::string text = refusal(arguments);
+        EXPECT_NE(text.find("--model cda-flat"), std::string::npos) << text;
+        EXPECT_NE(text.find("with cda"), std::string::npos) << text;
+    }
+    EXPECT_NE(refusal({"run", "a.nc", "--model", "voxel"}).find("expected cda or cda-flat"),
+              std::string::npos);
+}
+
 TEST(Options, AreGuessedWhereSomebodyMistypes) {
     const auto said = [](std::vector<std::string> words) {
         const Command command = parse_options(words);

@@ -43,6 +43,8 @@ class BoxModel : public cda::WorkpieceModel {
 public:
     explicit BoxModel(BoxPart part) : part_(std::move(part)) {}
 
+    std::string_view name() const override { return "boxes"; }
+    const cda::Lattice& lattice() const override { return lattice_; }
     std::unique_ptr<cda::WorkpieceModel> create(const cda::Cell& stock,
                                                 const cda::Lattice& lattice) const override;
     double subtract(const cda::Cell& cell) override;
@@ -55,6 +57,7 @@ public:
 
 private:
     BoxPart part_;
+    cda::Lattice lattice_;
 };
 
 /// 60 × 40 × 20 with a groove in three abutting passes, a slot across it and a blind pocket.

@@ -21,7 +21,6 @@ endforeach()
 # be struck off; none may come in.
 set(known_circles
   cda/lattice>cell
-  cda/visitor>flat
   cda/wide>predicates
   toolpath/ring_polygon>tool_polytope
   toolpath/tool_phrase>tool_comment

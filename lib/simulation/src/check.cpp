@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/simulation/check.h"
 
-#include "ncsim/cda/tree.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
@@ -234,6 +233,7 @@ std::string_view verdict_word(verify::Outcome outcome) {
 }  // namespace
 
 void check(Plan plan, const Questions& questions, report::Checked& checked) {
+    require_verifying(plan);
     checked.path = plan.job.program.name;
     std::vector<std::string> not_used = take_machine(plan.job, questions.machine);
     Survey survey = simulation::survey(plan);
@@ -295,8 +295,8 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
                  compare_with(*questions.design, simulation, checked.design.emplace()))
                 verifier.add(std::move(f));
         }
-        const auto* part = dynamic_cast<const cda::TreeCda*>(simulation.part.get());
-        checked.verdict = verifier.finish(survey.interpretation, part, simulation.stock_volume);
+        checked.verdict =
+            verifier.finish(survey.interpretation, simulation.part.get(), simulation.stock_volume);
         if (questions.look) checked.look = look_at(survey, simulation);
     } else {
         // That a program does not end is known; the rules need not see each turn of its loop.

@@ -4,7 +4,6 @@
 // other program is run on the finished part, measured, and its ledger names the lines.
 #include "ncsim/simulation/compare_parts.h"
 
-#include "ncsim/cda/tree.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/verify/verifier.h"
 
@@ -46,10 +45,6 @@ bool moves_alike(const Surveyed& a, const Surveyed& b) {
     return same && next == traces.size();
 }
 
-const cda::TreeCda& tree_of(const Simulation& simulation) {
-    return dynamic_cast<const cda::TreeCda&>(*simulation.part);
-}
-
 // What `side` still takes away from the finished `part`.
 report::OneSided remainder(const Surveyed& side, const Simulation& other) {
     verify::Setup setup;
@@ -61,10 +56,10 @@ report::OneSided remainder(const Surveyed& side, const Simulation& other) {
     verify::Verifier verifier(setup, side.survey.stock->box, other.lattice);
     Verification verification;
     verification.verifier = &verifier;
-    verification.start = &tree_of(other);
+    verification.start = other.part.get();
     const Simulation cut = simulate(side.plan, side.survey, verification, {});
     const verify::Verdict verdict =
-        verifier.finish(side.survey.interpretation, &tree_of(cut), cut.stock_volume);
+        verifier.finish(side.survey.interpretation, cut.part.get(), cut.stock_volume);
     report::OneSided result;
     result.regions = verify::regions_of(verdict.ledger);
     result.volume_mm3 = verdict.ledger.removed_mm3;
@@ -75,6 +70,8 @@ report::OneSided remainder(const Surveyed& side, const Simulation& other) {
 }  // namespace
 
 report::Difference compare_parts(const Surveyed& a, const Surveyed& b) {
+    require_verifying(a.plan);
+    require_verifying(b.plan);
     report::Difference d;
     const Simulation made_a = simulate(a.plan, a.survey, {}, {});
     d.old_mm3 = made_a.part_volume;

@@ -5,9 +5,8 @@
 #include "ncsim/simulation/simulate.h"
 
 #include "ncsim/cda/cell.h"
-#include "ncsim/cda/flat.h"
+#include "ncsim/cda/models.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/cda/tree.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/toolpath/walk.h"
 
@@ -30,17 +29,8 @@ double now_in_seconds() {
         .count();
 }
 
-// Models by name; the one place that knows them.
 std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan) {
-    if (plan.model == "cda") {
-        cda::TreeParameters parameters;
-        parameters.threads = plan.threads;
-        return std::make_unique<cda::TreeCda>(parameters);
-    }
-    if (plan.model == "cda-flat") {
-        return std::make_unique<cda::FlatCda>(plan.hull_times ? &now_in_seconds : nullptr);
-    }
-    throw std::logic_error("no such model: " + plan.model);
+    return cda::make_model(plan.model, {plan.threads, plan.hull_times ? &now_in_seconds : nullptr});
 }
 
 toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
@@ -63,7 +53,6 @@ public:
         : result_(result),
           walk_(make_walk(plan, survey, result.lattice, verification)),
           verifier_(verification.verifier),
-          verified_(verifier_ ? dynamic_cast<cda::TreeCda*>(result.part.get()) : nullptr),
           most_cuts_(verification.most_cuts),
           only_motion_(verification.only_motion),
           most_steps_(verification.most_steps.value_or(std::numeric_limits<std::uint64_t>::max())),
@@ -74,7 +63,6 @@ public:
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
           volume_(result.stock_volume) {
-        if (verifier_ && !verified_) throw std::logic_error("only the model cda is verified");
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
@@ -107,14 +95,15 @@ public:
                 if (++result_.steps > most_steps_) throw StepLimit{};
                 follow(motion, step);
                 met_stock |= !step.cells.empty();
-                if (verifier) verifier->look(step, *verified_);
+                if (verifier) verifier->look(step, *result_.part);
                 const double removed = cut(step);
-                if (verifier) verifier->look_back(step, *verified_, removed);
+                if (verifier) verifier->look_back(step, *result_.part, removed);
                 budget_.check(result_.provenance.program, line_);
             });
         if (verifier) {
-            walk_.arrive(motion, origin,
-                         [&](const toolpath::Step& step) { verifier->arrive(step, *verified_); });
+            walk_.arrive(motion, origin, [&](const toolpath::Step& step) {
+                verifier->arrive(step, *result_.part);
+            });
             verifier->end();
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             tell_missed(motion, bounds.missed_mm);
@@ -212,7 +201,6 @@ private:
     Simulation& result_;
     toolpath::Walk walk_;
     verify::Verifier* verifier_;
-    cda::TreeCda* verified_;  // the part, if it is verified
     std::optional<std::uint32_t> most_cuts_;
     std::optional<std::uint64_t> only_motion_;
     std::uint64_t most_steps_;
@@ -255,6 +243,7 @@ std::uint64_t motions_until(const Plan& plan, std::uint32_t line) {
 
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const Onlooker& onlooker) {
+    if (verification.verifier) require_verifying(plan);
     Simulation result;
     const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
     result.lattice = stock.lattice;

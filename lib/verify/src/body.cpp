@@ -92,7 +92,7 @@ Cell clipped(const Cell& cell, const Box& box, const cda::Lattice& lattice) {
     return result;
 }
 
-void find_places(const Cell& cell, const cda::TreeCda& part, const Box& stock,
+void find_places(const Cell& cell, const cda::WorkpieceModel& part, const Box& stock,
                  std::vector<Box>& places) {
     constexpr double kSmall = 1.0;  // mm
     constexpr std::size_t kMost = 16;
@@ -163,7 +163,8 @@ double Body::rounding(const Step& step) const {
     return rounding_of(step, prism_, lattice_);
 }
 
-Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, const Box& stock) {
+Meeting Body::meet(const Step& step, double raise, const cda::WorkpieceModel& part,
+                   const Box& stock) {
     Meeting meeting;
     if (!stock.overlaps(bounds(step, raise))) return meeting;
     const double rounding = this->rounding(step);
@@ -185,7 +186,7 @@ Meeting Body::meet(const Step& step, double raise, const cda::TreeCda& part, con
     return meeting;
 }
 
-bool Body::meets_certainly(const Step& step, double raise, const cda::TreeCda& part,
+bool Body::meets_certainly(const Step& step, double raise, const cda::WorkpieceModel& part,
                            const Box& stock) {
     if (!stock.overlaps(bounds(step, raise))) return false;
     const double less = gained(step, raise) + rounding(step);
@@ -195,7 +196,7 @@ bool Body::meets_certainly(const Step& step, double raise, const cda::TreeCda& p
 }
 
 double needed_raise(Body& body, const Step& step, double known, double limit, double raise_step,
-                    const cda::TreeCda& part, const Box& stock) {
+                    const cda::WorkpieceModel& part, const Box& stock) {
     const auto meets = [&](std::int64_t steps) {
         return body.meet(step, raise_step * static_cast<double>(steps), part, stock).is_there;
     };

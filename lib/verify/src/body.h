@@ -4,7 +4,7 @@
 // polytopes, the circumscribed and the inscribed one, so that a contact can be told certain.
 #pragma once
 
-#include "ncsim/cda/tree.h"
+#include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/finding.h"
 
@@ -38,7 +38,7 @@ double rounding_of(const toolpath::Step& step, bool prism, const cda::Lattice& l
 cda::Cell clipped(const cda::Cell& cell, const cda::Box& box, const cda::Lattice& lattice);
 /// Where the cell and the part meet: boxes (mm) of about a millimetre, or larger ones if those
 /// would be more than a few. Adds to `places`.
-void find_places(const cda::Cell& cell, const cda::TreeCda& part, const cda::Box& stock,
+void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const cda::Box& stock,
                  std::vector<cda::Box>& places);
 /// Does the tool stand along Z, all the time?
 bool is_upright(const toolpath::Step& step);
@@ -60,10 +60,10 @@ public:
 
     /// What the sweep of the body, `raise` mm higher on the tool, meets of `part`, which lies in
     /// `stock`. Certain if the inscribed polytope does, less what the motion's sampling gained.
-    Meeting meet(const toolpath::Step& step, double raise, const cda::TreeCda& part,
+    Meeting meet(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
                  const cda::Box& stock);
     /// Is that certain? Cheaper, where nobody asks what may be.
-    bool meets_certainly(const toolpath::Step& step, double raise, const cda::TreeCda& part,
+    bool meets_certainly(const toolpath::Step& step, double raise, const cda::WorkpieceModel& part,
                          const cda::Box& stock);
 
     /// The cells of the sweep, circumscribed or inscribed.
@@ -85,6 +85,6 @@ inline constexpr double kRaiseStep = 0.01;
 /// this step (found by halving, so it is the least one if contact ends once). Requires that it does
 /// at `known`. At most `limit`.
 double needed_raise(Body& body, const toolpath::Step& step, double known, double limit,
-                    double raise_step, const cda::TreeCda& part, const cda::Box& stock);
+                    double raise_step, const cda::WorkpieceModel& part, const cda::Box& stock);
 
 }  // namespace ncsim::verify

@@ -3,6 +3,7 @@
 
 #include "ncsim/cda/collision.h"
 #include "ncsim/cda/flat.h"
+#include "ncsim/cda/models.h"
 #include "ncsim/cda/polytope.h"
 
 #include <algorithm>
@@ -35,8 +36,9 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
         all.add(grown(f.box, f.clearance_mm + 1.0));
     if (all.is_empty()) return;
     lattice_ = cda::Lattice::for_stock(all);
+    const auto model = cda::make_model(cda::verifying_model().name);
     for (const Fixture& f : fixtures_)
-        boxes_.emplace_back(cell_of(f.box, lattice_), lattice_);
+        boxes_.push_back(model->create(cell_of(f.box, lattice_), lattice_));
     for (const auto& [number, facts] : setup.tools) {
         for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
             tools_[number].emplace_back(piece, lattice_, setup.accuracy);
@@ -46,7 +48,7 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
 
 bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     const Fixture& fixture = fixtures_[index];
-    if (fixture.mesh.triangles.empty()) return boxes_[index].contact(cell).has_value();
+    if (fixture.mesh.triangles.empty()) return boxes_[index]->contact(cell).has_value();
     // The part of the cell near the mesh plays the part, the mesh the body that may meet it.
     Cell near = cell_of(grown(fixture.box, 1.0), lattice_);
     near.planes.insert(near.planes.end(), cell.planes.begin(), cell.planes.end());

@@ -3,7 +3,7 @@
 // What stands on the table, ready to be asked whether a tool meets it.
 #pragma once
 
-#include "ncsim/cda/tree.h"
+#include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -35,7 +36,7 @@ private:
     const Setup* setup_;
     cda::Lattice lattice_;
     std::vector<Fixture> fixtures_;
-    std::vector<cda::TreeCda> boxes_;
+    std::vector<std::unique_ptr<cda::WorkpieceModel>> boxes_;
     std::map<int, std::vector<Body>> tools_;  // one body a piece
     std::map<std::tuple<int, std::size_t, double>, Body> fine_;
 };

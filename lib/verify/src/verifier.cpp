@@ -156,7 +156,7 @@ public:
         doubt_what_is_guessed();
     }
 
-    void look(const Step& step, const cda::TreeCda& part) {
+    void look(const Step& step, const cda::WorkpieceModel& part) {
         if (ascends(step)) meet_bodies(step, part);
         if (now_->core) {
             if (move_.motion->kind == MoveKind::Feed) {
@@ -185,7 +185,7 @@ public:
         }
     }
 
-    void look_back(const Step& step, const cda::TreeCda& part, double removed) {
+    void look_back(const Step& step, const cda::WorkpieceModel& part, double removed) {
         cut_at_ = CutAt{move_.motion->tool, step.X_WB};
         if (asks_above() && stands_out(step)) now_->passes.add(step);
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
@@ -203,7 +203,7 @@ public:
     }
 
     // At rest: what it meets it meets, wherever it came from.
-    void arrive(const Step& step, const cda::TreeCda& part) {
+    void arrive(const Step& step, const cda::WorkpieceModel& part) {
         move_.arrives = true;
         if (move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material"))
             meet_rapidly(step, part);
@@ -259,7 +259,7 @@ public:
         log_.doubt(reason, std::move(message), place);
     }
 
-    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
+    Verdict finish(const gcode::Interpretation& interpretation, const cda::WorkpieceModel* part,
                    double stock_mm3) {
         Verdict verdict;
         verdict.files = interpretation.files;
@@ -476,7 +476,8 @@ private:
     double rounding_now(const Step& step) const { return rounding_of(step, now_->prism, lattice_); }
 
     // Where the cell, less what may be rounding, and the part have volume in common.
-    std::optional<Vec3> contact(const Cell& cell, double rounding, const cda::TreeCda& part) const {
+    std::optional<Vec3> contact(const Cell& cell, double rounding,
+                                const cda::WorkpieceModel& part) const {
         return part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
     }
 
@@ -487,7 +488,7 @@ private:
             move_.contact.add(intersection(cell.bounds, stock_));
     }
 
-    void meet_at_feed(const Step& step, const cda::TreeCda& part) {
+    void meet_at_feed(const Step& step, const cda::WorkpieceModel& part) {
         if (move_.meets_material && !move_.volume_known) return;
         const double rounding = rounding_now(step);
         if (!volumes_ && find_material(step, part)) {
@@ -508,23 +509,23 @@ private:
     }
 
     // Of a faulty motion, as long as volumes of faults are told.
-    void measure(const Step& step, const cda::TreeCda& part) {
+    void measure(const Step& step, const cda::WorkpieceModel& part) {
         if (!volumes_ && move_.volume_known) move_.volume_known = measured_++ < kMostMeasured;
         if (move_.volume_known) move_.removed_mm3 += common_volume(step, part);
     }
 
     // Of all cells of the step together, which may overlap.
-    static double common_volume(const Step& step, const cda::TreeCda& part) {
+    static double common_volume(const Step& step, const cda::WorkpieceModel& part) {
         if (step.cells.size() == 1) return part.common_volume(step.cells[0]);
-        cda::TreeCda rest(part);
+        const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
         double volume = 0.0;
         for (const Cell& cell : step.cells)
-            volume += rest.subtract(cell);
+            volume += rest->subtract(cell);
         return volume;
     }
 
     // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
-    void meet_rapidly(const Step& step, const cda::TreeCda& part) {
+    void meet_rapidly(const Step& step, const cda::WorkpieceModel& part) {
         const double rounding = rounding_now(step);
         bool touches = false;
         std::optional<Vec3> point;
@@ -552,7 +553,7 @@ private:
     // part tell so. (One point would not do: the part of an aggregate contains the walls without
     // thickness between two cuts that touch. They are flat, the corners are not.) Where none is
     // found, contact() of the whole sweep has to tell.
-    bool find_material(const Step& step, const cda::TreeCda& part) {
+    bool find_material(const Step& step, const cda::WorkpieceModel& part) {
         if (step.X_WA.rows != step.X_WB.rows) return false;
         const Vec3 way = step.X_WB.translation - step.X_WA.translation;
         for (const double t : {1.0, 0.5, 0.25, 0.75}) {
@@ -602,7 +603,8 @@ private:
     }
 
     // Moves `point` into the inscribed tool, if that meets something.
-    void ask_certainty(const Step& step, const cda::TreeCda& part, std::optional<Vec3>& point) {
+    void ask_certainty(const Step& step, const cda::WorkpieceModel& part,
+                       std::optional<Vec3>& point) {
         if (move_.certainty == Certainty::Certain) return;
         cells_.clear();
         now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, {step.turning.top_mm, 0.0});
@@ -615,7 +617,7 @@ private:
         }
     }
 
-    void meet_bodies(const Step& step, const cda::TreeCda& part) {
+    void meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
         for (Watched::Part& watched : now_->bodies) {
             const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
             if (!meeting.is_there) continue;
@@ -646,7 +648,7 @@ private:
     // How far down may it go before? Down a ramp, as steeply as it may, no button is left; its
     // double is left where the ramp turns back, and twice that is let pass. What goes down more
     // steeply may only do so for as much as the ramp falls under it.
-    void meet_core(const Step& step, const cda::TreeCda& part) {
+    void meet_core(const Step& step, const cda::WorkpieceModel& part) {
         Watched& w = *now_;
         const ToolFacts& facts = *facts_of(setup_, move_.motion->tool);
         const double radius = *facts.blind_diameter / 2;
@@ -679,7 +681,7 @@ private:
     }
 
     // How much of `fall` has material under the core; to the hundredth where it matters.
-    double fall_on_material(const Step& step, const cda::TreeCda& part, double fall,
+    double fall_on_material(const Step& step, const cda::WorkpieceModel& part, double fall,
                             double allowed) {
         // The core is not known to a hundredth; a rim that touches is no plunge.
         if (!now_->core->meets_certainly(step, 0.0, part, stock_)) return 0.0;
@@ -694,36 +696,36 @@ private:
 
     // How much higher than at `known` what cuts above some height would have to sit not to cut,
     // where what cuts below it has not been before.
-    double needed_above(Above& above, const Step& step, const cda::TreeCda& part, double known,
-                        double raise_step) {
+    double needed_above(Above& above, const Step& step, const cda::WorkpieceModel& part,
+                        double known, double raise_step) {
         if (now_->passes.cover(step, above.from_mm + known - now_->straight_from_mm)) return known;
-        const auto meets = [&](const cda::TreeCda& rest) {
+        const auto meets = [&](const cda::WorkpieceModel& rest) {
             return std::ranges::any_of(above.bodies, [&](Body& body) {
                 return body.meets_certainly(step, known, rest, stock_);
             });
         };
         if (!meets(part)) return known;
-        cda::TreeCda rest(part);
+        const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
         if (!ascends(step)) {
             for (Body& body : above.below)
-                rest.subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
-            if (!meets(rest)) return known;
+                rest->subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
+            if (!meets(*rest)) return known;
         }
         const double height = toolpath::cutting_height_of(tool_now());
         for (Body& body : above.bodies) {
-            if (!body.meet(step, known, rest, stock_).is_there) continue;
-            known = needed_raise(body, step, known, height, raise_step, rest, stock_);
+            if (!body.meet(step, known, *rest, stock_).is_there) continue;
+            known = needed_raise(body, step, known, height, raise_step, *rest, stock_);
         }
         return known;
     }
 
-    void meet_too_high(const Step& step, const cda::TreeCda& part) {
+    void meet_too_high(const Step& step, const cda::WorkpieceModel& part) {
         move_.too_deep_mm = needed_above(now_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
     }
 
     // Flutes that nobody told: only what was not needed before is new. How much it is is told
     // roughly; a program that goes down a helix needs a little more with every step.
-    void meet_uncertain(const Step& step, const cda::TreeCda& part) {
+    void meet_uncertain(const Step& step, const cda::WorkpieceModel& part) {
         constexpr double kPart = 1.0 / 16.0;  // of what is certain
         const double known = now_->uncertain_mm;
         const double raise_step = std::max(
@@ -929,15 +931,15 @@ void Verifier::begin(const gcode::Motion& motion) {
     impl_->begin(motion);
 }
 
-void Verifier::look(const Step& step, const cda::TreeCda& part) {
+void Verifier::look(const Step& step, const cda::WorkpieceModel& part) {
     impl_->look(step, part);
 }
 
-void Verifier::look_back(const Step& step, const cda::TreeCda& part, double removed) {
+void Verifier::look_back(const Step& step, const cda::WorkpieceModel& part, double removed) {
     impl_->look_back(step, part, removed);
 }
 
-void Verifier::arrive(const Step& step, const cda::TreeCda& part) {
+void Verifier::arrive(const Step& step, const cda::WorkpieceModel& part) {
     impl_->arrive(step, part);
 }
 
@@ -964,8 +966,8 @@ void Verifier::add_doubt(std::string_view reason, std::string message, const Pla
     impl_->add_doubt(reason, std::move(message), place);
 }
 
-Verdict Verifier::finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
-                         double stock_mm3) {
+Verdict Verifier::finish(const gcode::Interpretation& interpretation,
+                         const cda::WorkpieceModel* part, double stock_mm3) {
     return impl_->finish(interpretation, part, stock_mm3);
 }
 

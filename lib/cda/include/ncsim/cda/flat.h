@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::cda {
@@ -75,10 +76,13 @@ struct StepStatistics {
 
 class FlatCda final : public WorkpieceModel {
 public:
+    static constexpr std::string_view kName = "cda-flat";
+
     /// An empty prototype. `clock`, where given, is asked to time subtractions.
     explicit FlatCda(Clock clock = nullptr);
     FlatCda(const Cell& stock, const Lattice& lattice, Clock clock = nullptr);
 
+    std::string_view name() const override { return kName; }
     std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                            const Lattice& lattice) const override;
     /// O(negative cells) box tests, one intersection for each that overlaps.
@@ -92,9 +96,11 @@ public:
     Boundary boundary() const override;
     bool contains(Vec3 point) const override;
 
+    void write_statistics(std::ostream& out) const override;
+    void write_cells(std::ostream& out) const override;
     void accept(CdaVisitor& visitor) const;
 
-    const Lattice& lattice() const { return lattice_; }
+    const Lattice& lattice() const override { return lattice_; }
     const CdaCell& positive() const { return positive_; }
     const std::vector<CdaCell>& negative() const { return negative_; }
     const std::vector<CdaCell>& zero() const { return zero_; }

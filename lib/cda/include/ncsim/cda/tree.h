@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::cda {
@@ -44,6 +45,8 @@ struct TreeParameters {
 /// the tree, though not the part: one thread at a time.
 class TreeCda final : public WorkpieceModel {
 public:
+    static constexpr std::string_view kName = "cda";
+
     explicit TreeCda(TreeParameters parameters = {});
     TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters = {});
     ~TreeCda() override;
@@ -53,6 +56,7 @@ public:
     TreeCda(TreeCda&&) noexcept;
     TreeCda& operator=(TreeCda&&) noexcept;
 
+    std::string_view name() const override { return kName; }
     std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                            const Lattice& lattice) const override;
     /// Expected O(surface of the cell), whatever was cut before, plus the evaluation of what it
@@ -73,14 +77,11 @@ public:
     Boundary boundary() const override;
     bool contains(Vec3 point) const override;
 
-    /// Volume (mm³) that `cell` has in common with the part; exactly 0 if they touch at most.
-    double common_volume(const Cell& cell) const;
-    /// Where the cell and the part have volume in common: a point (mm) with inner points of both as
-    /// near to it as anybody likes; nothing if they touch at most. Exact, and cheaper than the
-    /// volume: stops at the first place. Cells that wait are only taken in where it matters.
-    std::optional<Vec3> contact(const Cell& cell) const;
+    /// Stops at the first place. Cells that wait are only taken in where it matters.
+    std::optional<Vec3> contact(const Cell& cell) const override;
+    double common_volume(const Cell& cell) const override;
 
-    const Lattice& lattice() const { return lattice_; }
+    const Lattice& lattice() const override { return lattice_; }
     /// Of the cutting so far and of the last evaluation.
     TreeCounts counts() const;
 

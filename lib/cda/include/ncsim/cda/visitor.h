@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 
 namespace ncsim::cda {
 
@@ -26,12 +25,5 @@ public:
     /// After everything.
     virtual void leave_cda(const FlatCda& cda) = 0;
 };
-
-/// One row a subtraction, comma-separated, after a row of names: costs in milliseconds and numbers
-/// of facets as in thesis figures 7.1, 7.2 and 7.6.
-void write_statistics_csv(std::ostream& out, const FlatCda& cda);
-
-/// The whole structure: cells with their corners (mm), facets with plane and bindings.
-void write_xml(std::ostream& out, const FlatCda& cda);
 
 }  // namespace ncsim::cda

@@ -7,11 +7,17 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/cell.h"
+#include "ncsim/cda/lattice.h"
 #include "ncsim/cda/vec.h"
 
+#include <iosfwd>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::cda {
@@ -40,11 +46,27 @@ struct Taking {
 };
 using Account = std::map<Origin, Taking>;
 
+/// A model was asked what it does not know; models.h tells beforehand what each is for.
+class CannotAnswer : public std::logic_error {
+public:
+    /// "the model cda-flat does not tell `what`"
+    CannotAnswer(std::string_view model, std::string_view what)
+        : std::logic_error("the model " + std::string(model) + " does not tell " +
+                           std::string(what)) {}
+};
+
 /// A workpiece being machined. The one abstract class of the flow: the user picks the model by
-/// name. A prototype: `create` makes a new workpiece of the same kind.
+/// name (models.h). A prototype: `create` makes a new workpiece of the same kind.
+///
+/// Nobody asks what class a part is of. Questions that not every model can answer have an answer
+/// here, which is to throw CannotAnswer.
 class WorkpieceModel {
 public:
     virtual ~WorkpieceModel() = default;
+
+    /// As in models().
+    virtual std::string_view name() const = 0;
+    virtual const Lattice& lattice() const = 0;
 
     /// A new, unharmed workpiece of this kind. Throws std::invalid_argument if `stock` has no
     /// volume.
@@ -74,6 +96,29 @@ public:
     /// Is the point in the part? Points of the surface count as inside. Exact for the point rounded
     /// to 2^-16 of a lattice unit.
     virtual bool contains(Vec3 point) const = 0;
+
+    // Of models that programs can be verified with.
+
+    /// Where the cell and the part have volume in common: a point (mm) with inner points of both as
+    /// near to it as anybody likes; nothing if they touch at most. Exact, and cheaper than the
+    /// volume.
+    virtual std::optional<Vec3> contact(const Cell&) const {
+        throw CannotAnswer(name(), "where a body meets the part");
+    }
+    /// Volume (mm³) that the cell has in common with the part; exactly 0 if they touch at most.
+    virtual double common_volume(const Cell&) const {
+        throw CannotAnswer(name(), "what a body has in common with the part");
+    }
+
+    // Of models that are made of cells which people look at.
+
+    /// One row a subtraction, comma-separated, after a row of names: costs in milliseconds and
+    /// numbers of facets as in thesis figures 7.1, 7.2 and 7.6.
+    virtual void write_statistics(std::ostream&) const {
+        throw CannotAnswer(name(), "what each hull cost");
+    }
+    /// The whole structure as XML: cells with their corners (mm), facets with plane and bindings.
+    virtual void write_cells(std::ostream&) const { throw CannotAnswer(name(), "its cells"); }
 };
 
 }  // namespace ncsim::cda

@@ -26,8 +26,8 @@ struct Questions {
     bool tools_are_meant = true;
 };
 
-/// The result depends on `plan` and `questions` only; plan.model is "cda". Throws
-/// std::runtime_error if plan.budget is used up, or a picture cannot be drawn.
+/// The result depends on `plan` and `questions` only. Throws std::invalid_argument if plan.model
+/// does not verify, std::runtime_error if plan.budget is used up, or a picture cannot be drawn.
 report::Checked check(Plan plan, const Questions& questions = {});
 /// The same into `checked`, which keeps what was known by then if it throws.
 void check(Plan plan, const Questions& questions, report::Checked& checked);

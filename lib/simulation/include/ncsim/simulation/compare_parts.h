@@ -16,7 +16,8 @@ struct Surveyed {
 };
 
 /// Which material only one of the parts has, and which lines of the other program took it away.
-/// Both must be ready, have the same stock and the model "cda". Costs up to two simulations of each
+/// Both must be ready, have the same stock and models that verify: throws std::invalid_argument if
+/// one of them does not. Costs up to two simulations of each
 /// program, of `a` alone if both make the same motions with the same tools. Names, tolerance and
 /// what to conclude from them are left to the caller.
 report::Difference compare_parts(const Surveyed& a, const Surveyed& b);

@@ -16,7 +16,7 @@ namespace ncsim::simulation {
 /// Lengths in mm.
 struct Plan {
     setup::Job job;
-    std::string model = "cda";     ///< Or "cda-flat".
+    std::string model = "cda";     ///< Of cda::models().
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
     /// Moves in a row become one where they stay that near to a line; 0: none do.
@@ -33,8 +33,12 @@ struct Plan {
     bool keep_paths = false;     ///< Of the tip.
     bool keep_carved = false;    ///< The cells that were taken away, of tools that contain theirs.
     bool block_volumes = false;  ///< What each block removed, which is several times the work.
-    bool hull_times = false;     ///< What each hull cost; only the model "cda-flat" measures it.
+    bool hull_times =
+        false;  ///< What each hull cost; only models that show their cells measure it.
 };
+
+/// Throws std::invalid_argument, which names the model, if programs are not verified with it.
+void require_verifying(const Plan& plan);
 
 /// How it is cut, for reports.
 report::CuttingFacts cutting_facts(const Plan& plan);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
-#include "ncsim/cda/tree.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/overlay.h"
 #include "ncsim/export/provenance.h"
@@ -62,14 +61,14 @@ struct Onlooker {
 
 /// How a program is verified while it is simulated.
 struct Verification {
-    /// Sees every motion; null: nothing is verified. Needs the model "cda".
+    /// Sees every motion; null: nothing is verified. Needs a model that verifies.
     verify::Verifier* verifier = nullptr;
     toolpath::RapidPath rapid;
     toolpath::Watch watch;
     /// Of the tools that cut the part. What is to be certain needs to know on which side they err.
     toolpath::Side side = toolpath::Side::Fair;
     /// What is cut; null: the whole block. On the lattice of the block.
-    const cda::TreeCda* start = nullptr;
+    const cda::WorkpieceModel* start = nullptr;
     /// Stop cutting after so many motions that meet the block: those of the origins 1 to this.
     std::optional<std::uint32_t> most_cuts;
     bool keep_cuts = false;

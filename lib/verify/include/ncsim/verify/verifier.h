@@ -13,7 +13,7 @@
 //     verifier.end();
 #pragma once
 
-#include "ncsim/cda/tree.h"
+#include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/setup.h"
@@ -39,12 +39,13 @@ public:
     /// The frame that the next motion is programmed in: where its tool length is taken from.
     void set_frame(const gcode::ProgramFrame& frame);
     void begin(const gcode::Motion& motion);
-    /// Before the cells of the step are taken away from `part`.
-    void look(const toolpath::Step& step, const cda::TreeCda& part);
+    /// Before the cells of the step are taken away from `part`, which is of a model that verifies.
+    void look(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// After that. `removed` is the volume they took (mm³), where measures_all().
-    void look_back(const toolpath::Step& step, const cda::TreeCda& part, double removed = 0.0);
+    void look_back(const toolpath::Step& step, const cda::WorkpieceModel& part,
+                   double removed = 0.0);
     /// The tool at rest where a motion ends that came from nobody knows where.
-    void arrive(const toolpath::Step& step, const cda::TreeCda& part);
+    void arrive(const toolpath::Step& step, const cda::WorkpieceModel& part);
     void end();
     /// Wants it the volume of every step?
     bool measures_all() const;
@@ -60,7 +61,7 @@ public:
     void add_doubt(std::string_view reason, std::string message, const Place& place = {});
     /// After the last motion. `part` is null if nothing was simulated; `stock_mm3` is its volume
     /// before the first cut.
-    Verdict finish(const gcode::Interpretation& interpretation, const cda::TreeCda* part,
+    Verdict finish(const gcode::Interpretation& interpretation, const cda::WorkpieceModel* part,
                    double stock_mm3);
 
 private:

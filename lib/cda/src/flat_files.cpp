@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/cda/visitor.h"
-
+//
+// What the flat aggregate writes of itself: statistics and XML, as visitors.
 #include "ncsim/cda/flat.h"
 
 #include <array>
@@ -171,14 +171,14 @@ private:
 
 }  // namespace
 
-void write_statistics_csv(std::ostream& out, const FlatCda& cda) {
+void FlatCda::write_statistics(std::ostream& out) const {
     StatisticsVisitor visitor(out);
-    cda.accept(visitor);
+    accept(visitor);
 }
 
-void write_xml(std::ostream& out, const FlatCda& cda) {
+void FlatCda::write_cells(std::ostream& out) const {
     XmlVisitor visitor(out);
-    cda.accept(visitor);
+    accept(visitor);
 }
 
 }  // namespace ncsim::cda

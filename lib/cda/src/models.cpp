@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/cda/models.h"
+
+#include "ncsim/cda/flat.h"
+#include "ncsim/cda/tree.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+namespace ncsim::cda {
+
+namespace {
+
+using Maker = std::unique_ptr<WorkpieceModel> (*)(const ModelParameters&);
+
+std::unique_ptr<WorkpieceModel> make_tree(const ModelParameters& parameters) {
+    TreeParameters tree;
+    tree.threads = parameters.threads;
+    return std::make_unique<TreeCda>(tree);
+}
+
+std::unique_ptr<WorkpieceModel> make_flat(const ModelParameters& parameters) {
+    return std::make_unique<FlatCda>(parameters.clock);
+}
+
+constexpr std::array kModels = {
+    ModelInfo{.name = TreeCda::kName,
+              .what = "a tree of aggregates, for programs of any length",
+              .exact = true,
+              .verifies = true},
+    ModelInfo{.name = FlatCda::kName,
+              .what = "the aggregate of the thesis, to be looked at: --stats, --xml",
+              .exact = true,
+              .shows_cells = true},
+};
+constexpr std::array<Maker, kModels.size()> kMakers = {make_tree, make_flat};
+
+}  // namespace
+
+std::span<const ModelInfo> models() {
+    return kModels;
+}
+
+const ModelInfo* find_model(std::string_view name) {
+    const auto found = std::ranges::find(kModels, name, &ModelInfo::name);
+    return found == kModels.end() ? nullptr : &*found;
+}
+
+const ModelInfo& verifying_model() {
+    return *std::ranges::find(kModels, true, &ModelInfo::verifies);
+}
+
+std::string model_names(bool (*suits)(const ModelInfo&)) {
+    std::vector<std::string_view> names;
+    for (const ModelInfo& model : kModels) {
+        if (!suits || suits(model)) names.push_back(model.name);
+    }
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+        text += names[i];
+    }
+    return text;
+}
+
+std::unique_ptr<WorkpieceModel> make_model(std::string_view name,
+                                           const ModelParameters& parameters) {
+    const ModelInfo* model = find_model(name);
+    if (!model) throw std::invalid_argument("there is no model " + std::string(name));
+    return kMakers[static_cast<std::size_t>(model - kModels.data())](parameters);
+}
+
+}  // namespace ncsim::cda
