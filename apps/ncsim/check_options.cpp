@@ -2,6 +2,7 @@
 #include "check_options.h"
 
 #include "ncsim/verify/doubt.h"
+#include "ncsim/verify/rule.h"
 #include "ncsim/verify/setup.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // What `ncsim check` and `ncsim rules` are asked for.
 #pragma once
 
-#include "ncsim/verify/rule.h"
+#include "ncsim/verify/selection.h"
 
 #include "program_options.h"
 

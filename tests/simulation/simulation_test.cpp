@@ -5,6 +5,7 @@
 #include "ncsim/simulation/compare_parts.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
+#include "ncsim/verify/rule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/lattice.h"
 
-#include "ncsim/cda/cell.h"
-
 #include <array>
 
 namespace ncsim::cda {
@@ -40,15 +38,6 @@ Vec3 Lattice::to_mm(Vec3 p_units) const {
     if (unit_mm >= 1.0) return unit_mm * p_units;
     const double units_in_mm = std::round(1.0 / unit_mm);
     return {p_units.x / units_in_mm, p_units.y / units_in_mm, p_units.z / units_in_mm};
-}
-
-Cell box_cell(LatticePoint min, LatticePoint max, const Lattice& lattice, Origin origin) {
-    Cell cell;
-    cell.planes = {{1, 0, 0, max.x},   {-1, 0, 0, -min.x}, {0, 1, 0, max.y},
-                   {0, -1, 0, -min.y}, {0, 0, 1, max.z},   {0, 0, -1, -min.z}};
-    cell.bounds = {lattice.to_mm(min), lattice.to_mm(max)};
-    cell.origin = origin;
-    return cell;
 }
 
 }  // namespace ncsim::cda

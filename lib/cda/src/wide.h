@@ -3,7 +3,7 @@
 // What 128-bit integers lack.
 #pragma once
 
-#include "ncsim/cda/predicates.h"
+#include "ncsim/cda/int128.h"
 
 #include <bit>
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "ncsim/report/junit.h"
 
 #include "ncsim/report/file_names.h"
+#include "ncsim/verify/rule.h"
 
 #include "markup.h"
 

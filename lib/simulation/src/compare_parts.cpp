@@ -5,6 +5,7 @@
 #include "ncsim/simulation/compare_parts.h"
 
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/verify/rule.h"
 #include "ncsim/verify/verifier.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/shape.h"
-#include "ncsim/cda/tree.h"
+#include "ncsim/verify/rule.h"
 #include "ncsim/verify/verifier.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 // however enlarged, has exactly flat trapezoids where both have a side, and triangles elsewhere.
 #pragma once
 
-#include "ncsim/toolpath/tool_polytope.h"
+#include "ncsim/toolpath/side.h"
 
 #include <cstdint>
 #include <utility>

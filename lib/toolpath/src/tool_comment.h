@@ -7,19 +7,12 @@
 #include "ncsim/toolpath/tool_spec.h"
 
 #include "text.h"
+#include "tool_remark.h"
 
 #include <optional>
 #include <string_view>
 
 namespace ncsim::toolpath {
-
-/// What one comment says about a tool. Lengths are as written, in `unit`, or in the program's
-/// units where there is none.
-struct ToolRemark {
-    ToolSpec spec;  ///< number 0: the comment does not say which.
-    text::Unit unit = text::Unit::None;
-    bool certain = false;  ///< A form that only tools are written in; else free text.
-};
 
 /// Nothing if the comment does not speak of a tool, or tells no size.
 std::optional<ToolRemark> read_tool_remark(std::string_view comment);

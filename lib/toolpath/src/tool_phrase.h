@@ -4,7 +4,7 @@
 // belongs to a tool, in any order.
 #pragma once
 
-#include "tool_comment.h"
+#include "tool_remark.h"
 
 #include <optional>
 #include <string_view>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clock.h"
 
+#include "ncsim/toolpath/trace.h"
+
 #include "rule_table.h"
 
 #include <algorithm>

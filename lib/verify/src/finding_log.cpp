@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finding_log.h"
 
+#include "ncsim/verify/rule.h"
+
 #include <algorithm>
 #include <tuple>
 

@@ -4,11 +4,24 @@
 // is rule.cpp.
 #pragma once
 
-#include "ncsim/verify/setup.h"
+#include "ncsim/verify/rule_info.h"
 
-#include "finding_log.h"
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode {
+struct Motion;
+}
 
 namespace ncsim::verify {
+
+class FindingLog;
+struct Move;
+struct Setup;
+struct ToolFacts;
 
 struct Rule {
     RuleInfo info;

@@ -5,6 +5,7 @@
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_polytope.h"
+#include "ncsim/verify/rule.h"
 
 #include "air_cut.h"
 #include "body.h"

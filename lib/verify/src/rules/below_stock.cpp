@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tools that go below the stock: to what it lies on, of which nobody said what it is.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The part against its design: asked once, of the finished part, by compare().
+#include "finding_log.h"
 #include "rule_table.h"
 
 namespace ncsim::verify {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the interpreter has to say, sorted under the rules.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <array>

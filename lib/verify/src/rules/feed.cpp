@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Does every feed move have a feed?
+#include "finding_log.h"
 #include "rule_table.h"
 
 namespace ncsim::verify {

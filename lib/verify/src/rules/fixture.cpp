@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tools and what holds the part.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

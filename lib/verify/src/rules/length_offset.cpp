@@ -4,6 +4,7 @@
 // an offset h is h - L above where the program has it.
 #include "ncsim/gcode/state.h"
 
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

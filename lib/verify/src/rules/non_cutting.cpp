@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Shanks and holders in material.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

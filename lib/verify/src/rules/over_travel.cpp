@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Does the program stay within the travels of the machine?
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

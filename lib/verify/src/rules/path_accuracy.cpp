@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Was the path followed as closely as was asked for? What was not is not verified.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rapid moves that cut, and what every contact with the part rests on.
+#include "finding_log.h"
 #include "rule_table.h"
 
 namespace ncsim::verify {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How much a tool is asked to take: depth, engagement, volume per minute.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

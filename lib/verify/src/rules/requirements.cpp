@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What somebody wants to be told, whatever the program does.
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Is the spindle turning, the right way and within its limits?
+#include "finding_log.h"
 #include "rule_table.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Moves that come from nowhere leave no trace, and are not verified.
+#include "finding_log.h"
 #include "rule_table.h"
 
 namespace ncsim::verify {

@@ -4,6 +4,7 @@
 // meet and are kept as integers; nothing here depends on a tolerance.
 #pragma once
 
+#include "ncsim/cda/int128.h"
 #include "ncsim/cda/plane.h"
 #include "ncsim/cda/vec.h"
 
@@ -11,8 +12,6 @@
 #include <optional>
 
 namespace ncsim::cda {
-
-__extension__ using Int128 = __int128;
 
 /// Below is the inner side of a halfspace: n·x < d.
 enum class Side : std::int8_t { Below = -1, On = 0, Above = 1 };

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/verify/rule.h"
+#include "ncsim/verify/selection.h"
 
 #include <iosfwd>
 #include <span>

@@ -7,7 +7,7 @@
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design.h"
 #include "ncsim/simulation/plan.h"
-#include "ncsim/verify/rule.h"
+#include "ncsim/verify/selection.h"
 
 namespace ncsim::simulation {
 

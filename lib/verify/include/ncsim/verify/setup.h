@@ -7,7 +7,7 @@
 #include "ncsim/toolpath/tool_polytope.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/machine.h"
-#include "ncsim/verify/rule.h"
+#include "ncsim/verify/selection.h"
 #include "ncsim/verify/suppression.h"
 
 #include <cstddef>
