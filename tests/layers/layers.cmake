@@ -1,19 +1,20 @@
 # Who may see whom: a room and the rooms whose headers it may include, leaves first. An arrow that is
 # not here does not exist; the picture of it, with one line a room, is in CONTRIBUTING.md.
 set(layers
+  "trig:"
   "gcode:"
   "cda:"
-  "toolpath: gcode cda"
-  "verify:   gcode toolpath cda"
-  "export:   cda"
+  "toolpath: gcode cda trig"
+  "verify:   gcode toolpath cda trig"
+  "export:   cda trig"
   "report:   gcode toolpath cda verify"
-  "setup:    gcode toolpath cda verify report"
+  "setup:    gcode toolpath cda trig verify report"
   "simulation: gcode toolpath cda verify export report setup"
   "app:      gcode toolpath cda verify export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library gcode cda toolpath verify export report setup simulation)
+foreach(library trig gcode cda toolpath verify export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 

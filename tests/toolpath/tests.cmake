@@ -1,7 +1,6 @@
 ncsim_add_test(toolpath
-  LIBRARIES ncsim::toolpath
+  LIBRARIES ncsim::toolpath ncsim::trig
   SOURCES
-    angles_test.cpp
     machine_test.cpp
     sampler_test.cpp
     stock_test.cpp

@@ -2,8 +2,8 @@
 #include "ncsim/toolpath/trace.h"
 
 #include "ncsim/cda/polytope.h"
-#include "ncsim/toolpath/angles.h"
 #include "ncsim/toolpath/machine.h"
+#include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ TEST(Trace, OfATiltedToolHasATiltedFloor) {
     const auto cells = trace(cutter, pose(0, 0, 0, 10), pose(30, 0, 0, 10));
     ASSERT_EQ(cells.size(), 1U);
     // The floor's normal is the tool's axis, turned by A10, downwards.
-    const SinCos a = sin_cos(10);
+    const trig::SinCos a = trig::sin_cos(10);
     bool found = false;
     for (const cda::Plane& plane : cells[0].planes) {
         found = found || norm(unit_normal(plane) - Vec3{0, a.sin, -a.cos}) < 1e-5;

@@ -2,6 +2,7 @@
 #include "overlay.h"
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/trig/angles.h"
 
 #include "palette.h"
 
@@ -93,7 +94,7 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         const ScreenPoint a = divided(map_(path.points[i - 1] + lift_));
         const ScreenPoint b = divided(map_(path.points[i] + lift_));
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double length = trig::length_of(b.x - a.x, b.y - a.y);
         if (!path.is_rapid) {
             add_stroke(a, b, half_width_, surface);
             continue;
@@ -115,7 +116,7 @@ void OverlayArt::add_path(const PathLine& path, std::size_t surface) {
 // A rectangle about the segment, longer by `overhang` at both ends so that corners close.
 void OverlayArt::add_stroke(const ScreenPoint& a, const ScreenPoint& b, double overhang,
                             std::size_t surface) {
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = trig::length_of(b.x - a.x, b.y - a.y);
     const double x = length > 0.0 ? (b.x - a.x) / length : 1.0;
     const double y = length > 0.0 ? (b.y - a.y) / length : 0.0;
     const auto corner = [&](const ScreenPoint& p, double along, double aside) {

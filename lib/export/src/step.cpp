@@ -6,6 +6,7 @@
 #include "ncsim/export/step.h"
 
 #include "ncsim/export/simplify.h"
+#include "ncsim/trig/angles.h"
 
 #include "palette.h"
 #include "text.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -122,12 +122,12 @@ double winding_number(const cda::Boundary& boundary, std::span<const std::size_t
             for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
                 const Vec3 b = cda::normalized(boundary.vertices[loop[i]] - p);
                 const Vec3 c = cda::normalized(boundary.vertices[loop[i + 1]] - p);
-                sum += 2.0 * std::atan2(cda::dot(a, cda::cross(b, c)),
-                                        1.0 + cda::dot(a, b) + cda::dot(b, c) + cda::dot(c, a));
+                sum += 2.0 * trig::angle_of(1.0 + cda::dot(a, b) + cda::dot(b, c) + cda::dot(c, a),
+                                            cda::dot(a, cda::cross(b, c)));
             }
         }
     }
-    return sum / (4.0 * std::numbers::pi);
+    return sum / 720.0;
 }
 
 struct Solid {

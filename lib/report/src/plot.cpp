@@ -40,10 +40,22 @@ Course course_of(const verify::Ledger& ledger) {
     return course;
 }
 
+// The largest power of ten that is not above `x`, to the last bit; 0 for 0.
+double decade_below(double x) {
+    double whole = 1.0;
+    while (whole < 1e300 && 10.0 * whole <= x)
+        whole *= 10.0;
+    if (whole <= x) return whole;
+    double parts = 1.0;
+    while (1.0 / parts > x)
+        parts *= 10.0;
+    return 1.0 / parts;
+}
+
 // 1, 2 or 5 times a power of ten, so that about four of them fit.
 double tick_for(double range) {
     const double rough = range / 4;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double power = decade_below(rough);
     for (const double factor : {1.0, 2.0, 5.0}) {
         if (factor * power >= rough) return factor * power;
     }

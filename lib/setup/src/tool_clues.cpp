@@ -2,6 +2,7 @@
 #include "ncsim/setup/tool_clues.h"
 
 #include "ncsim/toolpath/machine.h"
+#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ void ToolClues::take(const gcode::Motion& motion) {
     const cda::Vec3 a = toolpath::linear_axes(*from);
     const cda::Vec3 b = toolpath::linear_axes(*to);
     const cda::Vec3 way = b - a;
-    const double aside = std::hypot(way.x, way.y);
+    const double aside = trig::length_of(way.x, way.y);
     ++moves_;
     if (aside == 0.0) ++falling_;
     tips_.add(b);
@@ -41,7 +42,7 @@ void ToolClues::take(const gcode::Motion& motion) {
     length_mm_ += norm(way);
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
         const bool is_flat = arc->plane == gcode::Plane::XY && way.z == 0.0;
-        const double radius = std::hypot(a.x - arc->centre_1.mm(), a.y - arc->centre_2.mm());
+        const double radius = trig::length_of(a.x - arc->centre_1.mm(), a.y - arc->centre_2.mm());
         constexpr double kCorner = 0.05;  // mm; tighter arcs are rounded corners of the path
         if (is_flat && radius > kCorner) smallest_arc_mm_ = std::min(smallest_arc_mm_, radius);
         return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring_polygon.h"
 
-#include "ncsim/toolpath/angles.h"
+#include "ncsim/trig/angles.h"
 
 #include "half_plane.h"
 
@@ -67,7 +67,7 @@ bool is_strictly_convex(const Corners& corners) {
 std::vector<double> corner_cosines(int sides) {
     std::vector<double> cosines(static_cast<std::size_t>(sides / 4));
     for (std::size_t j = 0; j < cosines.size(); ++j) {
-        cosines[j] = sin_cos(static_cast<double>(2 * j + 1) * (180.0 / sides)).cos;
+        cosines[j] = trig::sin_cos(static_cast<double>(2 * j + 1) * (180.0 / sides)).cos;
     }
     return cosines;
 }

@@ -11,7 +11,7 @@
 // walks that nobody beats in both, facets and how far they have turned, go on to the next ring.
 #include "ring_walk.h"
 
-#include "ncsim/toolpath/angles.h"
+#include "ncsim/trig/angles.h"
 
 #include "half_plane.h"
 
@@ -45,7 +45,7 @@ Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
     f.d1 = unit(corner - before);
     f.d2 = unit(after - corner);
     f.rho = rho;
-    f.turn_degrees = angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
+    f.turn_degrees = trig::angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
     const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
     f.start = corner - leg * f.d1;
     f.end = corner + leg * f.d2;
@@ -82,7 +82,7 @@ std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double 
 }
 
 double turned(const Fillet& f, Vec d) {
-    return angle_of(dot(f.d1, d), cross(f.d1, d));
+    return trig::angle_of(dot(f.d1, d), cross(f.d1, d));
 }
 
 // A walk up to one of its rings.
@@ -494,7 +494,7 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     for (const RingPolygon& polygon : family) {
         auto& reach = reaches.emplace_back();
         for (std::size_t i = 0; i < kAround; ++i) {
-            const SinCos a = sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
+            const trig::SinCos a = trig::sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
             for (const auto& [x, y] : polygon.corners) {
                 reach[i] = std::max(
                     reach[i], a.cos * static_cast<double>(x) + a.sin * static_cast<double>(y));
@@ -505,7 +505,7 @@ double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& famil
     for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
         const Vec out = -1.0 * left_of(f.d1);
         for (int k = 0; k < kAlong; ++k) {
-            const SinCos a = sin_cos((k + 0.5) * f.turn_degrees / kAlong);
+            const trig::SinCos a = trig::sin_cos((k + 0.5) * f.turn_degrees / kAlong);
             const Vec n = a.cos * out + a.sin * left_of(out);
             if (n.h >= 0) break;
             const double seen = n.h * n.h * n.h * n.h;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/sampler.h"
 
-#include "ncsim/toolpath/angles.h"
 #include "ncsim/toolpath/machine.h"
+#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <array>
@@ -76,10 +76,10 @@ Polar polar(const gcode::Arc& arc) {
     const double y1 = (arc.to.*axes.second).mm() - p.centre_2;
     p.start_radius = std::sqrt(x0 * x0 + y0 * y0);
     p.end_radius = std::sqrt(x1 * x1 + y1 * y1);
-    p.start_degrees = angle_of(x0, y0);
+    p.start_degrees = trig::angle_of(x0, y0);
     // Equal ends are a full circle; below this the two angles are equal but for rounding.
     constexpr double kNoAngle = 1e-10;
-    double sweep = angle_of(x1, y1) - p.start_degrees;
+    double sweep = trig::angle_of(x1, y1) - p.start_degrees;
     if (arc.turns >= 0) {
         while (sweep <= kNoAngle)
             sweep += 360.0;
@@ -98,7 +98,7 @@ Position on_arc(const gcode::Arc& arc, const Polar& p, double t) {
     if (t <= 0.0 || t >= 1.0) return at;
     const ArcAxes axes = axes_of(arc.plane);
     const double radius = lerp(p.start_radius, p.end_radius, t);
-    const SinCos angle = sin_cos(p.start_degrees + t * p.sweep_degrees);
+    const trig::SinCos angle = trig::sin_cos(p.start_degrees + t * p.sweep_degrees);
     at.*axes.first = Length::from_mm(p.centre_1 + radius * angle.cos);
     at.*axes.second = Length::from_mm(p.centre_2 + radius * angle.sin);
     return at;
@@ -220,8 +220,8 @@ struct Cosines {
 Cosines cosines(Angle a, Angle b) {
     const double low = std::min(a.degrees(), b.degrees());
     const double high = std::max(a.degrees(), b.degrees());
-    const double at_low = std::abs(sin_cos(low).cos);
-    const double at_high = std::abs(sin_cos(high).cos);
+    const double at_low = std::abs(trig::sin_cos(low).cos);
+    const double at_high = std::abs(trig::sin_cos(high).cos);
     const auto passes = [&](double degrees) {  // or any of its distance of half turns
         return std::floor((high - degrees) / 180.0) >= std::ceil((low - degrees) / 180.0);
     };
@@ -451,9 +451,9 @@ double spiral_lead(double radius, double growth) {
     const double x = radius / std::abs(growth);
     const double least = x + std::numbers::pi / 2;
     if (growth == 0.0 || !(least > 0.0)) return 0.0;
-    double d = angle_of(least, 1.0) / kRadian;
+    double d = trig::angle_of(least, 1.0) / kRadian;
     for (int i = 0; i < 8 && d > 0.0; ++i) {
-        const SinCos at = sin_cos(d * kRadian);
+        const trig::SinCos at = trig::sin_cos(d * kRadian);
         d += (at.cos * at.sin - (x + d) * at.sin * at.sin) / (1.0 + at.sin * at.sin);
     }
     return std::copysign(d * kRadian, growth);

@@ -2,6 +2,7 @@
 #include "ncsim/toolpath/stock.h"
 
 #include "ncsim/cda/hull.h"
+#include "ncsim/trig/angles.h"
 
 #include "text.h"
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 namespace ncsim::toolpath {
@@ -129,18 +129,18 @@ cda::Shape stock_shape(const Stock& stock, double tolerance_mm) {
     const int across = (along + 1) % 3, up = (along + 2) % 3;
     const double radius = 0.5 * stock.box.size()[across];
     int sides = 16;
-    const auto beyond = [&] { return radius * (1.0 / std::cos(std::numbers::pi / sides) - 1.0); };
+    const auto beyond = [&] { return radius * (1.0 / trig::sin_cos(180.0 / sides).cos - 1.0); };
     while (beyond() > tolerance_mm && sides < 4096)
         sides += 4;
     const cda::Vec3 centre = 0.5 * (stock.box.min + stock.box.max);
-    const double corner = radius / std::cos(std::numbers::pi / sides);
+    const double corner = radius / trig::sin_cos(180.0 / sides).cos;
     std::vector<cda::LatticePoint> points;
     for (int i = 0; i < sides; ++i) {
-        const double angle = std::numbers::pi * (2 * i + 1) / sides;
+        const trig::SinCos at = trig::sin_cos(180.0 * (2 * i + 1) / sides);
         for (const cda::Vec3& end : {stock.box.min, stock.box.max}) {
             cda::Vec3 p;
-            p[across] = centre[across] + corner * std::cos(angle);
-            p[up] = centre[up] + corner * std::sin(angle);
+            p[across] = centre[across] + corner * at.cos;
+            p[up] = centre[up] + corner * at.sin;
             p[along] = end[along];
             points.push_back(lattice.round(p));
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/tool.h"
 
-#include "ncsim/toolpath/angles.h"
+#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ Tool cone(ToolKind kind, double diameter, double tip_diameter, double included_a
     const double r = diameter / 2;
     const double tip = std::min(tip_diameter / 2, r);
     const double half_angle = std::clamp(included_angle, 1.0, 179.0) / 2;
-    const double rise = (r - tip) / tangent(half_angle);
+    const double rise = (r - tip) / trig::tangent(half_angle);
     std::vector<ProfilePoint> profile{{tip, 0, 0}};
     if (rise > 0) profile.push_back({r, rise, 0});
     if (length > rise) profile.push_back({r, length, 0});
@@ -86,7 +86,7 @@ Tool drill(double diameter, double point_angle, double length) {
 
 Tool tapered_end_mill(double tip_diameter, double corner_radius, double taper, double length) {
     const double angle = std::clamp(taper, 0.0, 89.0);
-    const SinCos a = sin_cos(angle);
+    const trig::SinCos a = trig::sin_cos(angle);
     const double fillet = std::min(corner_radius, tip_diameter / 2);
     // The corner that the cone would make with the floor without its rounding: the arc keeps its
     // radius and its centre, (tip radius - fillet, fillet).
@@ -102,7 +102,7 @@ Tool slot_mill(double diameter, double corner_radius, double length) {
 
 Tool dovetail_mill(double diameter, double taper, double length) {
     const double r = diameter / 2;
-    const double slope = tangent(std::clamp(taper, 0.0, 80.0));
+    const double slope = trig::tangent(std::clamp(taper, 0.0, 80.0));
     // Never thinner than nothing.
     const double height = slope > 0 ? std::min(length, 0.95 * r / slope) : length;
     return of_one_piece(ToolKind::DovetailMill, {{r, 0, 0}, {r - slope * height, height, 0}});
@@ -160,7 +160,7 @@ std::vector<Corner> polyline_of(const ToolPiece& piece) {
         const Corner d2 = unit(after - at);
         const double cosine = d1.radius * d2.radius + d1.height * d2.height;
         const double sine = d1.radius * d2.height - d1.height * d2.radius;
-        const double turn = angle_of(cosine, sine);
+        const double turn = trig::angle_of(cosine, sine);
         const Corner start = at - (rho * sine / (1 + cosine)) * d1;
         const Corner out{d1.height, -d1.radius};  // from the centre to the start
         const Corner centre = start - rho * out;
@@ -168,7 +168,7 @@ std::vector<Corner> polyline_of(const ToolPiece& piece) {
         const double step = 2 * std::sqrt(2 * kChord / rho) * 57.29;  // degrees
         const int steps = std::clamp(static_cast<int>(std::ceil(turn / step)), 2, 1000);
         for (int k = 0; k <= steps; ++k) {
-            const SinCos a = sin_cos(turn * k / steps);
+            const trig::SinCos a = trig::sin_cos(turn * k / steps);
             const Corner away = a.cos * out + a.sin * d1;
             line.push_back(centre + rho * away);
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/tool_file.h"
 
+#include "ncsim/trig/angles.h"
+
 #include "text.h"
 #include "tool_comment.h"
 
@@ -174,11 +176,10 @@ bool is_imperial(const std::string& units) {
     return upper == "IMPERIAL" || upper == "INCH" || upper == "INCHES" || upper == "IN";
 }
 
-// Included angle of a cone of this diameter and height, degrees. Rounded to 1e-9: the arc tangent
-// of the standard library differs in its last bits from one system to the next.
+// Included angle of a cone of this diameter and height, degrees. Rounded to 1e-9: what was a whole
+// number is one again.
 double angle_of_cone(double diameter, double height) {
-    constexpr double kPi = 3.14159265358979323846;
-    const double degrees = 2 * std::atan2(diameter / 2, height) * 180.0 / kPi;
+    const double degrees = 2 * trig::angle_of(height, diameter / 2);
     return std::round(degrees * 1e9) / 1e9;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/verify/verifier.h"
 
-#include "ncsim/toolpath/angles.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_polytope.h"
+#include "ncsim/trig/angles.h"
 #include "ncsim/verify/rule.h"
 
 #include "air_cut.h"
@@ -665,7 +665,7 @@ private:
         if (steepness > 0.0) {
             constexpr double kUsualRamp = 5.0;  // degrees
             const double slope =
-                toolpath::tangent(std::clamp(facts.max_ramp.value_or(kUsualRamp), 0.0, 89.0));
+                trig::tangent(std::clamp(facts.max_ramp.value_or(kUsualRamp), 0.0, 89.0));
             const double allowed = (steepness > slope ? 1.0 : 4.0) * slope * radius;
             double fall = -dot(way, axis);
             if (is_aside) fall = std::min(fall, steepness * radius);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Sine, cosine and arctangent that give the same bits everywhere: no two standard
-// libraries agree on their last bit, and what reaches a part must not depend on them. Only
-// + - × ÷ √ and the exact remainder are used.
+// libraries agree on their last bit, and what reaches an output must not depend on them. Only
+// + - × ÷ √ and the exact remainder are used. Nobody else calls the library's: tests/trig.
 #pragma once
 
-namespace ncsim::toolpath {
+namespace ncsim::trig {
 
 struct SinCos {
     double sin = 0.0;
@@ -22,4 +22,8 @@ double tangent(double degrees);
 /// 45 degrees, else within 4e-14. 0 for the zero vector.
 double angle_of(double x, double y);
 
-}  // namespace ncsim::toolpath
+/// √(x² + y²): std::hypot differs in its last bit, too. Of coordinates: within 1e-150 … 1e150, or
+/// 0.
+double length_of(double x, double y);
+
+}  // namespace ncsim::trig

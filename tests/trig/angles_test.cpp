@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/toolpath/angles.h"
+#include "ncsim/trig/angles.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace ncsim::toolpath {
+namespace ncsim::trig {
 namespace {
 
 TEST(SinCos, IsExactForQuarterTurns) {
@@ -75,5 +75,12 @@ TEST(AngleOf, UndoesSinCos) {
     }
 }
 
+TEST(LengthOf, IsExactForWholeNumbersThatHaveOne) {
+    EXPECT_EQ(length_of(0.0, 0.0), 0.0);
+    EXPECT_EQ(length_of(-3.0, 4.0), 5.0);
+    EXPECT_EQ(length_of(0.0, -0.1), 0.1);
+    EXPECT_EQ(length_of(20e6, 21e6), 29e6);
+}
+
 }  // namespace
-}  // namespace ncsim::toolpath
+}  // namespace ncsim::trig

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/toolpath/angles.h"
+#include "ncsim/trig/angles.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace ncsim::toolpath {
+namespace ncsim::trig {
 
 namespace {
 
@@ -84,4 +84,8 @@ double angle_of(double x, double y) {
     return y < 0.0 ? -angle : angle;
 }
 
-}  // namespace ncsim::toolpath
+double length_of(double x, double y) {
+    return std::sqrt(x * x + y * y);
+}
+
+}  // namespace ncsim::trig
