@@ -2,11 +2,15 @@ ncsim_add_test(verify
   LIBRARIES
     ncsim::verify
   SOURCES
+    contact_test.cpp
     cycle_time_test.cpp
     design_test.cpp
     passes_test.cpp
-    rules_test.cpp
+    process_test.cpp
+    rapid_test.cpp
+    selection_test.cpp
     solids_test.cpp
+    travel_test.cpp
     verified.cpp)
 target_include_directories(ncsim_verify_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/verify/src)
 
