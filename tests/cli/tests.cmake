@@ -23,6 +23,11 @@ if(TARGET ncsim)
       tools_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp
+      ../support/set_up_blocks.cpp
+      ../support/set_up_draft.cpp
+      ../support/set_up_features.cpp
+      ../support/set_up_layout.cpp
+      ../support/set_up_tools.cpp
       ../support/set_ups.cpp
       ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
