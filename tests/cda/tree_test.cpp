@@ -13,6 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <thread>
+#include <vector>
 
 namespace ncsim::cda {
 namespace {
@@ -273,6 +276,37 @@ TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
         EXPECT_NEAR(patient.volume(), eager.volume(), 1e-9);
         expect_same(patient.boundary(), eager.boundary());
     }
+}
+
+// Asking makes what waits be taken in, in whichever thread is first; copies share what they were.
+// The sanitizer of threads sees more of this than the numbers do.
+TEST(TreeCda, AnswersManyThreadsAtATime) {
+    const auto cuts = random_cuts(5, 300, 50000);
+    TreeCda part(kStock, kLattice, {.leaf = 20, .threads = 2});
+    part.keep_account();
+    part.subtract_unmeasured(cuts);
+    const TreeCda& asked = part;
+    const Boundary expected = TreeCda(part).boundary();
+    const double volume = TreeCda(part).volume();
+    constexpr std::size_t kThreads = 4;
+    std::array<bool, kThreads> same{};
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t t = 0; t < kThreads; ++t) {
+            threads.emplace_back([&, t] {
+                const auto contact = asked.contact(kStock);
+                const bool inside = contact && asked.contains(*contact);
+                TreeCda copy(asked);
+                const double removed = copy.subtract(kStock);
+                same[t] = inside && asked.common_volume(kStock) == removed &&
+                          asked.volume() == volume && copy.volume() == 0.0 &&
+                          asked.boundary().vertices == expected.vertices &&
+                          asked.account().size() == asked.clone()->account().size();
+            });
+        }
+    }
+    for (std::size_t t = 0; t < kThreads; ++t)
+        EXPECT_TRUE(same[t]) << t;
 }
 
 }  // namespace

@@ -297,7 +297,7 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
     return clip(walls[2 * axis + 1]) && clip(walls[2 * axis]);
 }
 
-int FilteredPolygon::classify_corners(const FilterPlane& cut) const {
+int FilteredPolygon::classify_corners(const FilterPlane& cut) {
     if (heights_.size() < padded_) heights_.resize(2 * padded_);
     const double bound = height_error(cut, error_);
     const Found found = heights_above(cut, bound, corners_.x.data(), corners_.y.data(),
@@ -313,7 +313,7 @@ int FilteredPolygon::classify_corners(const FilterPlane& cut) const {
 }
 
 // The same where doubles do not tell for some corners.
-int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) const {
+int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) {
     sides_.resize(size());
     bool any_below = false;
     bool any_above = false;

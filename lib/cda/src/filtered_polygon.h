@@ -110,8 +110,9 @@ public:
     /// knows what at a few more. O(corners · planes), with a small factor.
     void look(const PlaneRows& planes, std::size_t begin, std::size_t end, Glances& glances) const;
 
-    /// 1: lies below or in the plane; -1: no part of it below; 0: on both sides. Exact.
-    int classify(const FilterPlane& cut) const { return classify_corners(cut); }
+    /// 1: lies below or in the plane; -1: no part of it below; 0: on both sides. Exact. Not const:
+    /// it notes what it finds.
+    int classify(const FilterPlane& cut) { return classify_corners(cut); }
 
 private:
     struct Corners {
@@ -134,8 +135,8 @@ private:
     std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
     std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
     // 1: all below or on; -1: none below; 0: cut, and sides_ and heights_ are known.
-    int classify_corners(const FilterPlane& cut) const;
-    int classify_doubtful(const FilterPlane& cut, double bound) const;
+    int classify_corners(const FilterPlane& cut);
+    int classify_doubtful(const FilterPlane& cut, double bound);
 
     const FilterPlane* plane_ = nullptr;
     Corners corners_;
@@ -143,8 +144,8 @@ private:
     double error_ = 0.0;                     // of each coordinate of them
     std::vector<const FilterPlane*> edges_;  // edges_[i]: corner i → corner i + 1
     // Of the last classification.
-    mutable std::vector<Side> sides_;
-    mutable std::vector<double> heights_;
+    std::vector<Side> sides_;
+    std::vector<double> heights_;
     // Of clip(), kept for its memory.
     Corners kept_corners_;
     std::vector<const FilterPlane*> kept_edges_;

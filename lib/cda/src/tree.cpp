@@ -73,6 +73,9 @@ struct TreeCda::Block {
 
     // To change it: not what others see.
     BlockTree& own() {
+        // Whoever let go of it has read it, perhaps in another thread: letting go of it, too, comes
+        // after that, which the count alone does not tell.
+        std::shared_ptr<BlockTree>(tree).reset();
         if (tree.use_count() > 1) tree = std::make_shared<BlockTree>(*tree);
         volume.reset();
         return *tree;
@@ -98,7 +101,8 @@ TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters param
 }
 
 TreeCda::~TreeCda() = default;
-TreeCda::TreeCda(const TreeCda& other)
+TreeCda::TreeCda(const TreeCda& other) : TreeCda(other, Asked(other.asking_.mutex)) {}
+TreeCda::TreeCda(const TreeCda& other, const Asked&)
     : parameters_(other.parameters_),
       lattice_(other.lattice_),
       stock_(other.stock_),
@@ -152,7 +156,7 @@ std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     for (const Cell& cell : cells) {
         take_in(cell);
-        if (waiting_ >= parameters_.batch) settle();
+        if (waiting_ >= parameters_.batch) settle_all();
     }
 }
 
@@ -213,6 +217,11 @@ void TreeCda::settle(Block& block) const {
 }
 
 void TreeCda::settle() const {
+    const Asked asked(asking_.mutex);
+    settle_all();
+}
+
+void TreeCda::settle_all() const {
     std::vector<Block*> changing;
     for (Block& block : blocks_) {
         if (!block.waiting.empty()) changing.push_back(&block);
@@ -293,7 +302,8 @@ void TreeCda::keep_account() {
 }
 
 Account TreeCda::account() const {
-    settle();
+    const Asked asked(asking_.mutex);
+    settle_all();
     Account result;
     if (!account_) return result;
     const double unit = lattice_.cubic_unit_mm3();
@@ -354,6 +364,7 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
 }
 
 double TreeCda::common_volume(const Cell& cell) const {
+    const Asked asked(asking_.mutex);
     settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
     return result.outlines.pieces().empty()
@@ -362,6 +373,7 @@ double TreeCda::common_volume(const Cell& cell) const {
 }
 
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
+    const Asked asked(asking_.mutex);
     // What waits can only take away: where there is nothing without it, there is nothing.
     const std::optional<Vec3> found = contact_as_it_is(cell);
     if (!found || !is_waited_for_near(*found)) return found;
@@ -378,7 +390,8 @@ std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
 }
 
 double TreeCda::volume() const {
-    settle();
+    const Asked asked(asking_.mutex);
+    settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     for_each(blocks_.size(), [&](std::size_t i) {
         const Block& block = blocks_[i];
@@ -393,7 +406,8 @@ double TreeCda::volume() const {
 // Blocks are evaluated by all threads; their outlines are taken in order, by whichever thread is
 // there when the next one is ready: then few of them have to be kept.
 Boundary TreeCda::boundary() const {
-    settle();
+    const Asked asked(asking_.mutex);
+    settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     counts_.leaves = counts_.facets_tested = counts_.facets_alive = counts_.pieces = 0;
     Stitcher stitcher(lattice_);
@@ -424,7 +438,8 @@ Boundary TreeCda::boundary() const {
 }
 
 TreeCounts TreeCda::counts() const {
-    settle();
+    const Asked asked(asking_.mutex);
+    settle_all();
     TreeCounts counts = counts_;
     counts.nodes = 0;
     counts.bytes = cells_->memory();
@@ -454,7 +469,8 @@ bool TreeCda::contains(Vec3 point) const {
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
     }
-    settle();
+    const Asked asked(asking_.mutex);
+    settle_all();
     BlockTree::LeafCells cells;
     const auto block = std::find_if(blocks_.begin(), blocks_.end(),
                                     [&](const Block& b) { return b.tree->find(query.at, cells); });

@@ -28,7 +28,7 @@ constexpr std::uint32_t kPatience = 128;
 Budget::Budget(double memory_gb, double seconds)
     : memory_gb_(memory_gb), seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
 
-std::optional<std::string> Budget::exceeded() const {
+std::optional<std::string> Budget::exceeded() {
     if (stop_.stop_requested()) return "nobody waits for the result any more";
     if (memory_gb_ <= 0.0 && seconds_ <= 0.0) return std::nullopt;
     if (asked_++ % kPatience != 0) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<std::string> Budget::exceeded() const {
     return std::nullopt;
 }
 
-void Budget::check(const std::string& program, std::uint32_t line) const {
+void Budget::check(const std::string& program, std::uint32_t line) {
     if (const auto why = exceeded())
         throw std::runtime_error(fmt::format("{}:{}: {}: given up", program, line, *why));
 }

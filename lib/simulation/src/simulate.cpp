@@ -211,7 +211,7 @@ private:
     std::optional<std::map<cda::Origin, report::BlockPlace>> places_;  // where blocks are asked for
     bool keep_cuts_;
     bool keeps_cells_;
-    const setup::Budget& budget_;
+    setup::Budget budget_;
     double tolerance_mm_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -42,7 +43,8 @@ struct TreeParameters {
 
 /// Cells that were taken away may wait until somebody asks about the part where they are: many at a
 /// time are cheaper, and what one of them covers is not looked at for the others. So asking changes
-/// the tree, though not the part: one thread at a time.
+/// the tree, though not the part; who asks waits for others that do. A part that nobody cuts may be
+/// asked, and copied, by many threads.
 class TreeCda final : public WorkpieceModel {
 public:
     static constexpr std::string_view kName = "cda";
@@ -88,9 +90,21 @@ public:
 private:
     struct Block;
     struct WaitingCell;
+    // Held by whoever asks; each part has its own.
+    struct Asking {
+        std::mutex mutex;
+
+        Asking() = default;
+        Asking(const Asking&) noexcept {}
+        Asking& operator=(const Asking&) noexcept { return *this; }
+    };
+    using Asked = std::lock_guard<std::mutex>;
+
+    TreeCda(const TreeCda& other, const Asked&);
 
     void split_into_blocks();
     void take_in(const Cell& cell);
+    void settle_all() const;
     void settle(Block& block) const;
     void settle_near(const Box& bounds) const;
     void close_books() const;
@@ -107,6 +121,8 @@ private:
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
+    // What asking changes.
+    mutable Asking asking_;
     mutable std::vector<Block> blocks_;
     mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
     mutable std::optional<Account> account_;  // cubic units; where it is kept

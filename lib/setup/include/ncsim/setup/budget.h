@@ -22,17 +22,17 @@ public:
     void stop_with(std::stop_token stop) { stop_ = std::move(stop); }
 
     /// Which of them is used up, in words; nothing: neither. Looks at the system only once in a
-    /// while, so it may be asked for every motion.
-    std::optional<std::string> exceeded() const;
+    /// while, which it counts, so it may be asked for every motion.
+    std::optional<std::string> exceeded();
     /// Throws std::runtime_error, "PROGRAM:LINE: why: given up", if one is.
-    void check(const std::string& program, std::uint32_t line) const;
+    void check(const std::string& program, std::uint32_t line);
 
 private:
     double memory_gb_ = 0.0;
     double seconds_ = 0.0;
     std::chrono::steady_clock::time_point start_;
     std::stop_token stop_;
-    mutable std::uint32_t asked_ = 0;
+    std::uint32_t asked_ = 0;
 };
 
 }  // namespace ncsim::setup
