@@ -117,6 +117,11 @@ void find_places(const Cell& cell, const cda::WorkpieceModel& part, const Box& s
     places.insert(places.end(), open.begin(), open.end());
 }
 
+bool ascends(const Step& step) {
+    return step.X_WA.rows == step.X_WB.rows &&
+           dot(step.X_WB.translation - step.X_WA.translation, axis_of(step.X_WA)) > 0.0;
+}
+
 bool is_upright(const Step& step) {
     return step.X_WA.rows == Pose{}.rows && step.X_WB.rows == step.X_WA.rows;
 }

@@ -42,6 +42,9 @@ void find_places(const cda::Cell& cell, const cda::WorkpieceModel& part, const c
                  std::vector<cda::Box>& places);
 /// Does the tool stand along Z, all the time?
 bool is_upright(const toolpath::Step& step);
+/// Towards the spindle, or not? Only then a shank can meet what its own cutter takes away later in
+/// the same motion; else the cutter was there first.
+bool ascends(const toolpath::Step& step);
 /// The part common to both boxes; empty where there is none.
 cda::Box intersection(const cda::Box& a, const cda::Box& b);
 

@@ -12,6 +12,8 @@
 #include "clock.h"
 #include "finding_log.h"
 #include "fixture.h"
+#include "ledger_book.h"
+#include "measuring.h"
 #include "rule_table.h"
 #include "watched.h"
 
@@ -30,13 +32,6 @@ using gcode::MoveKind;
 using toolpath::Step;
 
 namespace {
-
-// Towards the spindle, or not? Only then a shank can meet what its own cutter takes away later in
-// the same motion; else the cutter was there first.
-bool ascends(const Step& step) {
-    return step.X_WA.rows == step.X_WB.rows &&
-           dot(step.X_WB.translation - step.X_WA.translation, axis_of(step.X_WA)) > 0.0;
-}
 
 // Straight down along an axis that is upright.
 bool falls_straight(const Step& step) {
@@ -70,14 +65,11 @@ bool turns_well(const gcode::Motion& motion, bool left_hand) {
     return motion.spindle == right_way && motion.spindle_rpm > 0.0;
 }
 
-// How steeply it goes down along its axis: the tangent of the angle; 0 if it does not.
-double steepness_of(const Step& step) {
-    if (step.X_WA.rows != step.X_WB.rows) return 0.0;
-    const Vec3 way = step.X_WB.translation - step.X_WA.translation;
-    const Vec3 axis = axis_of(step.X_WA);
-    const double down = -dot(way, axis);
-    if (down <= 0.0) return 0.0;
-    return down / std::max(norm(way + down * axis), 1e-9 * norm(way));
+// Does a rule ask how much every step removes?
+bool needs_volumes(const Setup& setup) {
+    const auto asked = [&](std::string_view rule) { return setup.selection.includes(rule); };
+    return (asked("engagement-limit") && !needs_engagement_limit(setup)) ||
+           (asked("removal-rate") && !needs_removal_limit(setup));
 }
 
 }  // namespace
@@ -100,7 +92,11 @@ public:
           lattice_(lattice),
           log_(setup_),
           scene_(setup_),
-          clock_(setup_.machine) {
+          clock_(setup_.machine),
+          volumes_(needs_volumes(setup_)),
+          books_(setup_.ledger && !volumes_),
+          measuring_(setup_, stock_, lattice_, move_, volumes_),
+          ledger_book_(ledger_, stock_) {
         for (const Rule& rule : rule_table()) {
             if (!asked(rule.info.id)) continue;
             if (rule.missing) {
@@ -110,9 +106,6 @@ public:
             }
             if (rule.judge) judges_.push_back(rule.judge);
         }
-        volumes_ = (asked("engagement-limit") && !needs_engagement_limit(setup_)) ||
-                   (asked("removal-rate") && !needs_removal_limit(setup_));
-        books_ = setup_.ledger && !volumes_;
         contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
         if (!stock_.is_empty()) highest_ = stock_.max.z;
         for (const Fixture& fixture : setup_.machine.fixtures)
@@ -133,8 +126,7 @@ public:
 
     void begin(const gcode::Motion& motion) {
         move_ = {};
-        cut_now_ = {};
-        open_.clear();
+        ledger_book_.begin();
         move_.motion = &motion;
         move_.number = ++motions_;
         const auto* from = gcode::start_of(motion);
@@ -148,6 +140,7 @@ public:
         look_at_length(motion, *from, *to);
         const auto watched = watched_.find(motion.tool);
         now_ = watched == watched_.end() ? nullptr : &watched->second;
+        measuring_.begin(now_);
         move_.is_traced = now_ && toolpath::has_known_start(motion);
         look_at_spindle(motion);
         move_.asked = move_.is_traced && asks(motion);
@@ -158,31 +151,31 @@ public:
     }
 
     void look(const Step& step, const cda::WorkpieceModel& part) {
-        if (ascends(step)) meet_bodies(step, part);
+        if (ascends(step)) measuring_.meet_bodies(step, part);
         if (now_->core) {
             if (move_.motion->kind == MoveKind::Feed) {
-                meet_core(step, part);
+                measuring_.meet_core(step, part);
             } else {
                 now_->aside_since.reset();
             }
         }
         if (!now_->too_high.bodies.empty() && move_.motion->kind == MoveKind::Feed)
-            meet_too_high(step, part);
+            measuring_.meet_too_high(step, part);
         const bool goes_on = has_cut_at(step.X_WA);
         const bool only_up = goes_on && goes_back_up(step);
         // Going straight down, what is certain cuts ahead of what is not.
         const bool only_down =
             goes_on && now_->straight_from_mm <= now_->uncertain.from_mm && falls_straight(step);
         if (!now_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
-            meet_uncertain(step, part);
-        meets_now_ = false;
-        if (books_) note_cells(step);
+            measuring_.meet_uncertain(step, part);
+        measuring_.begin_step();
+        if (books_) ledger_book_.note_cells(step, measuring_.rounding_now(step));
         if (!move_.asked || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
-            if (!only_up || volumes_) meet_rapidly(step, part);
-        } else if (!volumes_ || rounding_now(step) > 0.0) {
+            if (!only_up || volumes_) measuring_.meet_rapidly(step, part);
+        } else if (!volumes_ || measuring_.rounding_now(step) > 0.0) {
             // One step that meets material answers for its motion, if nobody asks how much it is.
-            meet_at_feed(step, part);
+            measuring_.meet_at_feed(step, part);
         }
     }
 
@@ -192,11 +185,12 @@ public:
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
             // Cells that are exact meet material if they remove some; of the others slivers may be
             // left where they were before.
-            const bool meets = rounding_now(step) > 0.0 ? meets_now_ : removed > 0.0;
+            const bool meets =
+                measuring_.rounding_now(step) > 0.0 ? measuring_.meets_now() : removed > 0.0;
             move_.meets_material |= meets;
-            if (removed > 0.0) book(step, removed);
+            if (removed > 0.0) measuring_.book(step, removed);
         }
-        if (!ascends(step)) meet_bodies(step, part);
+        if (!ascends(step)) measuring_.meet_bodies(step, part);
         if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
         const double tolerance = setup_.path_tolerance_mm;
         if (tolerance > 0.0 && step.bounds.missed_mm > 1.001 * tolerance)
@@ -207,26 +201,27 @@ public:
     void arrive(const Step& step, const cda::WorkpieceModel& part) {
         move_.arrives = true;
         if (move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material"))
-            meet_rapidly(step, part);
-        meet_bodies(step, part);
+            measuring_.meet_rapidly(step, part);
+        measuring_.meet_bodies(step, part);
         if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
     }
 
     void end() {
-        if (setup_.second_look) look_closer();
+        if (setup_.second_look) measuring_.look_closer();
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
         count_idle_cuts();
         if (!move_.is_move) {
-            if (setup_.ledger && std::holds_alternative<gcode::Dwell>(move_.motion->what)) enter();
-            clock_.rest(*move_.motion, row());
+            if (setup_.ledger && std::holds_alternative<gcode::Dwell>(move_.motion->what))
+                ledger_book_.enter(move_, books_);
+            clock_.rest(*move_.motion, ledger_book_.row());
             return;
         }
         if (contacts_) air_.take(move_);
         (move_.motion->kind == MoveKind::Rapid ? ledger_.rapid_mm : ledger_.feed_mm) +=
             move_.length_mm;
-        if (setup_.ledger) enter();
-        clock_.take(move_, row());
+        if (setup_.ledger) ledger_book_.enter(move_, books_);
+        clock_.take(move_, ledger_book_.row());
         if (!books_) ledger_.removed_mm3 += move_.removed_mm3;
     }
 
@@ -282,7 +277,7 @@ public:
         ledger_.measured = (volumes_ || books_) && part != nullptr;
         ledger_.air_known = (contacts_ || books_) && part != nullptr;
         ledger_.air_mm = air_.air_mm();
-        if (books_ && part) close_books(part->account());
+        if (books_ && part) ledger_book_.close(part->account(), !contacts_);
         if (part) ledger_.rest_mm3 = part->volume();
         ledger_.stock_mm3 = stock_mm3;
         conclude_doubts(part != nullptr);
@@ -293,9 +288,6 @@ public:
     }
 
 private:
-    // The row that a time belongs to.
-    std::size_t row() const { return ledger_.rows.empty() ? 0 : ledger_.rows.size() - 1; }
-
     bool is_suppressed(std::string_view rule) const {
         return move_.motion->file == 0 && setup_.suppressions.covers(move_.motion->span.line, rule);
     }
@@ -473,338 +465,11 @@ private:
                stock_.max.z;
     }
 
-    // How far the cutter's cells of this step may lie off for rounding alone.
-    double rounding_now(const Step& step) const { return rounding_of(step, now_->prism, lattice_); }
-
-    // Where the cell, less what may be rounding, and the part have volume in common.
-    std::optional<Vec3> contact(const Cell& cell, double rounding,
-                                const cda::WorkpieceModel& part) const {
-        return part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
-    }
-
-    // In the books.
-    void book(const Step& step, double volume) {
-        move_.removed_mm3 += volume;
-        for (const Cell& cell : step.cells)
-            move_.contact.add(intersection(cell.bounds, stock_));
-    }
-
-    void meet_at_feed(const Step& step, const cda::WorkpieceModel& part) {
-        if (move_.meets_material && !move_.volume_known) return;
-        const double rounding = rounding_now(step);
-        if (!volumes_ && find_material(step, part)) {
-            meets_now_ = true;
-        } else {
-            for (const Cell& cell : step.cells) {
-                const std::optional<Vec3> point = contact(cell, rounding, part);
-                if (!point) continue;
-                meets_now_ = true;
-                if (!move_.contact_point) move_.contact_point = point;
-            }
-        }
-        if (!meets_now_) return;
-        move_.meets_material = true;
-        for (const Cell& cell : step.cells)
-            move_.contact.add(intersection(cell.bounds, stock_));
-        if (!volumes_) measure(step, part);
-    }
-
-    // Of a faulty motion, as long as volumes of faults are told.
-    void measure(const Step& step, const cda::WorkpieceModel& part) {
-        if (!volumes_ && move_.volume_known) move_.volume_known = measured_++ < kMostMeasured;
-        if (move_.volume_known) move_.removed_mm3 += common_volume(step, part);
-    }
-
-    // Of all cells of the step together, which may overlap.
-    static double common_volume(const Step& step, const cda::WorkpieceModel& part) {
-        if (step.cells.size() == 1) return part.common_volume(step.cells[0]);
-        const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
-        double volume = 0.0;
-        for (const Cell& cell : step.cells)
-            volume += rest->subtract(cell);
-        return volume;
-    }
-
-    // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
-    void meet_rapidly(const Step& step, const cda::WorkpieceModel& part) {
-        const double rounding = rounding_now(step);
-        bool touches = false;
-        std::optional<Vec3> point;
-        for (const Cell& cell : step.cells) {
-            if (!part.contact(cell)) continue;
-            touches = true;
-            move_.contact.add(intersection(cell.bounds, stock_));
-            // Less than rounding: it is where the cutter was before.
-            if (!point) point = contact(cell, rounding, part);
-        }
-        if (!touches) return;
-        measure(step, part);
-        if (!point) return;
-        ask_certainty(step, part, point);
-        if (setup_.second_look && move_.certainty == Certainty::Within) {
-            for (const Cell& cell : step.cells)
-                find_places(cell, part, stock_, open_[std::nullopt]);
-        }
-        move_.meets_material = true;
-        if (!move_.contact_point) move_.contact_point = point;
-    }
-
-    // Looks for material around points inside the tool, those in front first: most feed moves cut,
-    // and the corners of a tetrahedron of a unit's size, well within the tool, that are all in the
-    // part tell so. (One point would not do: the part of an aggregate contains the walls without
-    // thickness between two cuts that touch. They are flat, the corners are not.) Where none is
-    // found, contact() of the whole sweep has to tell.
-    bool find_material(const Step& step, const cda::WorkpieceModel& part) {
-        if (step.X_WA.rows != step.X_WB.rows) return false;
-        const Vec3 way = step.X_WB.translation - step.X_WA.translation;
-        for (const double t : {1.0, 0.5, 0.25, 0.75}) {
-            toolpath::Pose pose = step.X_WA;
-            pose.translation = pose.translation + t * way;
-            for (const Vec3& p_T : now_->probes_T) {
-                const Vec3 p_W = pose * p_T;
-                if (dot(p_W - pose.translation, way) < 0.0 || !stock_.contains(p_W)) continue;
-                const double u = lattice_.unit_mm;
-                const Vec3 corners[] = {p_W, p_W + Vec3{1.3 * u, 0.4 * u, 0.7 * u},
-                                        p_W + Vec3{-0.6 * u, 1.1 * u, -0.9 * u},
-                                        p_W + Vec3{0.2 * u, -1.4 * u, 0.5 * u}};
-                if (!std::ranges::all_of(corners, [&](Vec3 p) { return part.contains(p); })) {
-                    continue;
-                }
-                if (!move_.contact_point) move_.contact_point = p_W;
-                return true;
-            }
-        }
-        return false;
-    }
-
-    // What the accuracy of the tools leaves open, finer ones may decide.
-    void look_closer() {
-        if (move_.meets_material && move_.motion->kind == MoveKind::Rapid &&
-            move_.certainty == Certainty::Within) {
-            const auto decided = second_look("rapid-in-material", std::nullopt);
-            if (decided) {
-                move_.certainty = *decided;
-            } else {
-                move_.meets_material = false;
-            }
-        }
-        std::erase_if(move_.bodies, [this](BodyContact& contact) {
-            if (contact.certainty == Certainty::Certain) return false;
-            const auto decided = second_look("non-cutting-contact", contact.piece);
-            contact.certainty = decided.value_or(Certainty::Within);
-            return !decided;
-        });
-    }
-
-    std::optional<Certainty> second_look(std::string_view rule, std::optional<std::size_t> piece) {
-        const auto places = open_.find(piece);
-        if (places == open_.end()) return Certainty::Within;
-        return setup_.second_look(
-            {move_.number, rule, move_.motion->tool, piece, std::move(places->second)});
-    }
-
-    // Moves `point` into the inscribed tool, if that meets something.
-    void ask_certainty(const Step& step, const cda::WorkpieceModel& part,
-                       std::optional<Vec3>& point) {
-        if (move_.certainty == Certainty::Certain) return;
-        cells_.clear();
-        now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, {step.turning.top_mm, 0.0});
-        const double less = gained_by(*now_->inscribed, step) + rounding_now(step);
-        for (const Cell& cell : cells_) {
-            const auto inside = contact(cell, less, part);
-            if (!inside) continue;
-            move_.certainty = Certainty::Certain;
-            point = inside;
-        }
-    }
-
-    void meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
-        for (Watched::Part& watched : now_->bodies) {
-            const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
-            if (!meeting.is_there) continue;
-            const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
-            if (watched.body.meet(step, watched.raise_mm, part, stock_).is_there) {
-                watched.raise_mm = needed_raise(watched.body, step, watched.raise_mm, limit,
-                                                kRaiseStep, part, stock_);
-            }
-            auto old = std::ranges::find(move_.bodies, watched.piece, &BodyContact::piece);
-            if (old == move_.bodies.end()) {
-                move_.bodies.push_back({watched.piece, Certainty::Within, 0.0, {}, {}});
-                old = move_.bodies.end() - 1;
-            }
-            if (setup_.second_look && meeting.certainty == Certainty::Within &&
-                old->certainty == Certainty::Within) {
-                for (const Cell& cell :
-                     watched.body.cells(step, 0.0, toolpath::Side::Circumscribed))
-                    find_places(cell, part, stock_, open_[watched.piece]);
-            }
-            old->raise_mm = watched.raise_mm;
-            old->box.add(meeting.box);
-            if (!old->point) old->point = meeting.point;
-            if (meeting.certainty == Certainty::Certain) old->certainty = Certainty::Certain;
-        }
-    }
-
-    // What does not cut at its centre leaves a button there, until it has been aside by its radius.
-    // How far down may it go before? Down a ramp, as steeply as it may, no button is left; its
-    // double is left where the ramp turns back, and twice that is let pass. What goes down more
-    // steeply may only do so for as much as the ramp falls under it.
-    void meet_core(const Step& step, const cda::WorkpieceModel& part) {
-        Watched& w = *now_;
-        const ToolFacts& facts = *facts_of(setup_, move_.motion->tool);
-        const double radius = *facts.blind_diameter / 2;
-        const Vec3 axis = axis_of(step.X_WA);
-        const auto aside = [&axis](Vec3 v) { return norm(v - dot(v, axis) * axis); };
-        const Vec3 way = step.X_WB.translation - step.X_WA.translation;
-        if (!w.aside_since || step.X_WA.rows != step.X_WB.rows) {
-            w.aside_since = step.X_WA.translation;
-            w.fallen_mm = 0.0;
-        }
-        const double steepness = steepness_of(step);
-        const bool is_aside = aside(step.X_WB.translation - *w.aside_since) >= radius;
-        if (steepness > 0.0) {
-            constexpr double kUsualRamp = 5.0;  // degrees
-            const double slope =
-                trig::tangent(std::clamp(facts.max_ramp.value_or(kUsualRamp), 0.0, 89.0));
-            const double allowed = (steepness > slope ? 1.0 : 4.0) * slope * radius;
-            double fall = -dot(way, axis);
-            if (is_aside) fall = std::min(fall, steepness * radius);
-            fall = fall_on_material(step, part, fall, allowed);
-            w.fallen_mm += fall;
-            if (fall > 0.0 && w.fallen_mm > allowed) {
-                move_.plunged_mm = std::max(move_.plunged_mm, w.fallen_mm);
-                move_.contact.add(intersection(w.core->bounds(step, 0.0), stock_));
-            }
-        }
-        if (!is_aside) return;
-        w.aside_since = step.X_WB.translation;
-        w.fallen_mm = 0.0;
-    }
-
-    // How much of `fall` has material under the core; to the hundredth where it matters.
-    double fall_on_material(const Step& step, const cda::WorkpieceModel& part, double fall,
-                            double allowed) {
-        // The core is not known to a hundredth; a rim that touches is no plunge.
-        if (!now_->core->meets_certainly(step, 0.0, part, stock_)) return 0.0;
-        if (now_->fallen_mm + fall <= allowed) return fall;
-        if (now_->core->meet(step, fall, part, stock_).is_there) return fall;
-        return needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_);
-    }
-
     bool asks_above() const {
         return !now_->too_high.bodies.empty() || !now_->uncertain.bodies.empty();
     }
 
-    // How much higher than at `known` what cuts above some height would have to sit not to cut,
-    // where what cuts below it has not been before.
-    double needed_above(Above& above, const Step& step, const cda::WorkpieceModel& part,
-                        double known, double raise_step) {
-        if (now_->passes.cover(step, above.from_mm + known - now_->straight_from_mm)) return known;
-        const auto meets = [&](const cda::WorkpieceModel& rest) {
-            return std::ranges::any_of(above.bodies, [&](Body& body) {
-                return body.meets_certainly(step, known, rest, stock_);
-            });
-        };
-        if (!meets(part)) return known;
-        const std::unique_ptr<cda::WorkpieceModel> rest = part.clone();
-        if (!ascends(step)) {
-            for (Body& body : above.below)
-                rest->subtract_unmeasured(body.cells(step, 0.0, toolpath::Side::Inscribed));
-            if (!meets(*rest)) return known;
-        }
-        const double height = toolpath::cutting_height_of(tool_now());
-        for (Body& body : above.bodies) {
-            if (!body.meet(step, known, *rest, stock_).is_there) continue;
-            known = needed_raise(body, step, known, height, raise_step, *rest, stock_);
-        }
-        return known;
-    }
-
-    void meet_too_high(const Step& step, const cda::WorkpieceModel& part) {
-        move_.too_deep_mm = needed_above(now_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
-    }
-
-    // Flutes that nobody told: only what was not needed before is new. How much it is is told
-    // roughly; a program that goes down a helix needs a little more with every step.
-    void meet_uncertain(const Step& step, const cda::WorkpieceModel& part) {
-        constexpr double kPart = 1.0 / 16.0;  // of what is certain
-        const double known = now_->uncertain_mm;
-        const double raise_step = std::max(
-            kRaiseStep, kPart * facts_of(setup_, move_.motion->tool)->certain_flutes.value_or(0.0));
-        now_->uncertain_mm = needed_above(now_->uncertain, step, part, known, raise_step);
-        if (known == 0.0 && now_->uncertain_mm > 0.0) now_->uncertain_place = place();
-    }
-
-    // A motion in the books: the account tells the rest.
-    struct Cut {
-        std::size_t row = 0;
-        cda::Origin origin = cda::kStockOrigin;
-        double feed_mm = 0.0;
-        // What cells take that are where the cutter was before, but for rounding, at most.
-        double sliver_mm3 = 0.0;
-    };
-
     const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
-
-    void enter() {
-        const gcode::Motion& m = *move_.motion;
-        auto& rows = ledger_.rows;
-        const bool same = !rows.empty() && rows.back().line == m.span.line &&
-                          rows.back().file == m.file && rows.back().tool == m.tool &&
-                          rows.back().last_motion + 1 == move_.number;
-        if (!same) {
-            LedgerRow row;
-            row.file = m.file;
-            row.line = m.span.line;
-            row.first_motion = move_.number;
-            row.tool = m.tool;
-            row.kind = m.kind;
-            rows.push_back(row);
-        }
-        LedgerRow& row = rows.back();
-        row.last_motion = move_.number;
-        if (m.kind == MoveKind::Feed) row.kind = MoveKind::Feed;
-        row.length_mm += move_.length_mm;
-        if (books_) {
-            if (m.kind == MoveKind::Feed) cut_now_.feed_mm = move_.length_mm;
-            cut_now_.row = rows.size() - 1;
-            cuts_.push_back(cut_now_);
-            return;
-        }
-        row.removed_mm3 += move_.removed_mm3;
-        row.contact.add(move_.contact);
-    }
-
-    // What the motion at hand takes away, if it does.
-    void note_cells(const Step& step) {
-        if (step.cells.empty()) return;
-        cut_now_.origin = step.cells.front().origin;
-        const double rounding = rounding_now(step);
-        for (const Cell& cell : step.cells) {
-            const Box met = intersection(cell.bounds, stock_);
-            if (met.is_empty()) continue;
-            // Of what does not turn, planes alone are rounded: 2^-24 of their length.
-            const Vec3 e = met.max - met.min;
-            const double thickness =
-                is_upright(step) ? std::min(rounding, 0x1p-24 * norm(e)) : rounding;
-            cut_now_.sliver_mm3 += 2.0 * thickness * (e.x * e.y + e.y * e.z + e.z * e.x);
-        }
-    }
-
-    void close_books(const cda::Account& account) {
-        double air_mm = 0.0;
-        for (const Cut& cut : cuts_) {
-            const auto found = account.find(cut.origin);
-            const double removed = found == account.end() ? 0.0 : found->second.volume;
-            if (cut.feed_mm > 0.0 && removed <= cut.sliver_mm3) air_mm += cut.feed_mm;
-            if (removed <= 0.0) continue;
-            LedgerRow& row = ledger_.rows[cut.row];
-            row.removed_mm3 += removed;
-            row.contact.add(intersection(found->second.bounds, stock_));
-            ledger_.removed_mm3 += removed;
-        }
-        if (!contacts_) ledger_.air_mm = air_mm;
-    }
 
     void tell(const gcode::Diagnostic& d, const std::vector<std::string>& files) {
         Place where;
@@ -873,8 +538,8 @@ private:
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
     std::map<int, Watched> watched_;
-    bool volumes_ = false;     // of every motion, before the next one
-    bool books_ = false;       // of every motion, in the end
+    bool volumes_;             // of every motion, before the next one
+    bool books_;               // of every motion, in the end
     bool contacts_ = false;    // of every feed motion
     bool needs_part_ = false;  // some selected rule looks at it
 
@@ -885,19 +550,13 @@ private:
     std::uint64_t motions_ = 0;
     bool probed_ = false;
     Move move_;
+    Measuring measuring_;
     Watched* now_ = nullptr;
-    bool meets_now_ = false;  // this step meets material
     struct CutAt {
         int tool = 0;
         toolpath::Pose X_WT;
     };
     std::optional<CutAt> cut_at_;  // where the last step ended
-    // Steps of faulty motions of which the volume was measured, each as dear as ten that are only
-    // cut, and how many that may be: one fault has a number, thousands have "at least".
-    std::uint64_t measured_ = 0;
-    Cut cut_now_;
-    std::vector<Cut> cuts_;
-    static constexpr std::uint64_t kMostMeasured = 16;
     // How many cuts with a spindle that is off are told: a program without M3 has thousands.
     struct Idle {
         int tool = 0;
@@ -912,11 +571,9 @@ private:
     };
     Idle idle_;
     static constexpr std::uint64_t kMostIdleCuts = 20;
-    std::vector<Cell> cells_;  // kept for its memory
-    // Of this motion: where it is open whether a piece, or what cuts, touches.
-    std::map<std::optional<std::size_t>, std::vector<Box>> open_;
     AirCuts air_;
     Ledger ledger_;
+    LedgerBook ledger_book_;
     gcode::Diagnostics diagnostics_;
 };
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a tool meets of the part in one motion, measured step by step before and after its cells are
+// taken away; changes nothing but the Move it is noted in.
+#pragma once
+
+#include "ncsim/cda/lattice.h"
+#include "ncsim/cda/workpiece.h"
+#include "ncsim/toolpath/walk.h"
+#include "ncsim/verify/move.h"
+#include "ncsim/verify/setup.h"
+
+#include "watched.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::verify {
+
+class Measuring {
+public:
+    /// `setup` and `move`, in which everything is noted, must outlive it; `stock` (mm, W) and
+    /// `lattice` are those of the part. `volumes`: somebody measures what every step removes.
+    Measuring(const Setup& setup, const cda::Box& stock, const cda::Lattice& lattice, Move& move,
+              bool volumes)
+        : setup_(setup), stock_(stock), lattice_(lattice), move_(move), volumes_(volumes) {}
+
+    /// A motion begins, with the tool that is watched; null: nobody describes it.
+    void begin(Watched* tool) {
+        now_ = tool;
+        open_.clear();
+    }
+    /// A step begins.
+    void begin_step() { meets_now_ = false; }
+    /// Does this step meet material?
+    bool meets_now() const { return meets_now_; }
+
+    /// How far the cutter's cells of this step may lie off for rounding alone, mm.
+    double rounding_now(const toolpath::Step& step) const;
+    void meet_at_feed(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
+    void meet_rapidly(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Shanks and holders.
+    void meet_bodies(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// What does not cut at the centre.
+    void meet_core(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// What cuts above the limit of depth.
+    void meet_too_high(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Flutes that nobody told.
+    void meet_uncertain(const toolpath::Step& step, const cda::WorkpieceModel& part);
+    /// Notes that the step removed `volume`, mm³.
+    void book(const toolpath::Step& step, double volume);
+    /// What the accuracy of the tools leaves open, finer ones may decide.
+    void look_closer();
+
+private:
+    using Step = toolpath::Step;
+
+    std::optional<cda::Vec3> contact(const cda::Cell& cell, double rounding,
+                                     const cda::WorkpieceModel& part) const;
+    void measure(const Step& step, const cda::WorkpieceModel& part);
+    static double common_volume(const Step& step, const cda::WorkpieceModel& part);
+    bool find_material(const Step& step, const cda::WorkpieceModel& part);
+    std::optional<Certainty> second_look(std::string_view rule, std::optional<std::size_t> piece);
+    void ask_certainty(const Step& step, const cda::WorkpieceModel& part,
+                       std::optional<cda::Vec3>& point);
+    double fall_on_material(const Step& step, const cda::WorkpieceModel& part, double fall,
+                            double allowed);
+    double needed_above(Above& above, const Step& step, const cda::WorkpieceModel& part,
+                        double known, double raise_step);
+    const toolpath::Tool& tool_now() const { return setup_.tools.at(move_.motion->tool).tool; }
+
+    const Setup& setup_;
+    cda::Box stock_;
+    cda::Lattice lattice_;
+    Move& move_;
+    bool volumes_;
+    Watched* now_ = nullptr;
+    bool meets_now_ = false;
+    // Steps of faulty motions of which the volume was measured, each as dear as ten that are only
+    // cut, and how many that may be: one fault has a number, thousands have "at least".
+    std::uint64_t measured_ = 0;
+    static constexpr std::uint64_t kMostMeasured = 16;
+    std::vector<cda::Cell> cells_;  // kept for its memory
+    // Of this motion: where it is open whether a piece, or what cuts, touches.
+    std::map<std::optional<std::size_t>, std::vector<cda::Box>> open_;
+};
+
+}  // namespace ncsim::verify
