@@ -4,9 +4,10 @@
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 
+#include "append.h"
+
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string_view>
 
 namespace ncsim::report {
@@ -19,7 +20,7 @@ std::string escaped(std::string_view text, bool property) {
     std::string out;
     for (const char c : printable(text)) {
         if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) {
-            fmt::format_to(std::back_inserter(out), "%{:02X}", static_cast<unsigned char>(c));
+            append(out, "%{:02X}", static_cast<unsigned char>(c));
         } else {
             out += c;
         }
@@ -40,39 +41,38 @@ const char* command_for(verify::Severity severity) {
 
 std::string github_annotations(const Checked& checked) {
     std::string text;
-    auto out = std::back_inserter(text);
     if (!checked.failure.empty()) {
-        fmt::format_to(out, "::error file={}::not verified: {}\n",
-                       escaped(relative_path(checked.path), true), escaped(checked.failure, false));
+        append(text, "::error file={}::not verified: {}\n",
+               escaped(relative_path(checked.path), true), escaped(checked.failure, false));
     }
     for (const verify::Finding& f : checked.verdict.findings) {
         if (f.suppressed) continue;
         const auto& span = f.place.span;
-        fmt::format_to(out, "::{} file={}", command_for(f.severity),
-                       escaped(file_of(checked, f.place), true));
+        append(text, "::{} file={}", command_for(f.severity),
+               escaped(file_of(checked, f.place), true));
         if (span.line > 0) {
             const bool is_range = f.last.file == f.place.file && f.last.span.line > span.line;
-            fmt::format_to(out, ",line={}", span.line);
+            append(text, ",line={}", span.line);
             if (is_range) {
-                fmt::format_to(out, ",endLine={}", f.last.span.line);
+                append(text, ",endLine={}", f.last.span.line);
             } else {
-                fmt::format_to(out, ",col={}", span.column);
+                append(text, ",col={}", span.column);
             }
         }
         std::string message = headline(f);
         for (const std::string& assumption : f.assumptions)
             message += "\nassumed " + assumption;
         if (f.last_motion > 0) message += "\nhint: " + f.hint;
-        fmt::format_to(out, ",title={}::{}\n", escaped(f.rule, true), escaped(message, false));
+        append(text, ",title={}::{}\n", escaped(f.rule, true), escaped(message, false));
     }
     for (const verify::Doubt& d : checked.verdict.doubts) {
         if (d.accepted) continue;
-        fmt::format_to(out, "::warning file={}", escaped(file_of(checked, d.place), true));
+        append(text, "::warning file={}", escaped(file_of(checked, d.place), true));
         if (d.place.span.line > 0)
-            fmt::format_to(out, ",line={},col={}", d.place.span.line, d.place.span.column);
+            append(text, ",line={},col={}", d.place.span.line, d.place.span.column);
         const std::string message = fmt::format("not proven: {}\nto tell: {}", d.message,
                                                 verify::find_reason(d.reason)->tell);
-        fmt::format_to(out, ",title={}::{}\n", escaped(d.reason, true), escaped(message, false));
+        append(text, ",title={}::{}\n", escaped(d.reason, true), escaped(message, false));
     }
     return text;
 }

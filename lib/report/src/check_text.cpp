@@ -3,10 +3,11 @@
 
 #include "ncsim/report/plain_text.h"
 
+#include "append.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace ncsim::report {
 
@@ -32,59 +33,53 @@ void put_excerpt(std::string& text, const std::string& line, gcode::SourceSpan s
 
 void put_finding(std::string& text, const Checked& checked, const Finding& f,
                  const std::string& line) {
-    auto out = std::back_inserter(text);
     // As it was given, so that a click in a terminal finds it.
     text += shown_path(f.place.file == 0 ? checked.path : file_of(checked, f.place));
     if (f.place.span.line > 0) {
-        fmt::format_to(out, ":{}:{}", f.place.span.line, f.place.span.column);
+        append(text, ":{}:{}", f.place.span.line, f.place.span.column);
     }
-    fmt::format_to(out, ": {}: {}", verify::name_of(f.severity), one_line(headline(f)));
-    fmt::format_to(out, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
+    append(text, ": {}: {}", verify::name_of(f.severity), one_line(headline(f)));
+    append(text, " [{}{}{}]\n", f.rule, f.code.empty() ? "" : ":", f.code);
     put_excerpt(text, line, f.place.span);
     if (f.count > 1 && f.last_motion > 0 && f.rule != "air-cut") {
         if (f.goes_on) {
-            fmt::format_to(out, "  in {} motions up to line {}, and there may be more\n", f.count,
-                           f.last.span.line);
+            append(text, "  in {} motions up to line {}, and there may be more\n", f.count,
+                   f.last.span.line);
         } else if (f.last.span.line == f.place.span.line) {
-            fmt::format_to(out, "  in {} motions of this line\n", f.count);
+            append(text, "  in {} motions of this line\n", f.count);
         } else {
-            fmt::format_to(out, "  in {} motions, the last one at line {}\n", f.count,
-                           f.last.span.line);
+            append(text, "  in {} motions, the last one at line {}\n", f.count, f.last.span.line);
         }
     } else if (f.count > 1 && f.last_motion == 0) {
-        fmt::format_to(out, "  {} times, first here\n", f.count);
+        append(text, "  {} times, first here\n", f.count);
     }
     for (const std::string& assumption : f.assumptions)
-        fmt::format_to(out, "  assumed {}\n", one_line(assumption));
-    if (f.last_motion > 0) fmt::format_to(out, "  hint: {}\n", f.hint);
+        append(text, "  assumed {}\n", one_line(assumption));
+    if (f.last_motion > 0) append(text, "  hint: {}\n", f.hint);
 }
 
 void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d) {
-    auto out = std::back_inserter(text);
     text += shown_path(d.place.file == 0 ? checked.path : file_of(checked, d.place));
-    if (d.place.span.line > 0)
-        fmt::format_to(out, ":{}:{}", d.place.span.line, d.place.span.column);
-    fmt::format_to(out, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", one_line(d.message));
-    if (d.count > 1) fmt::format_to(out, ", {} times", d.count);
-    fmt::format_to(out, " [{}]\n", d.reason);
+    if (d.place.span.line > 0) append(text, ":{}:{}", d.place.span.line, d.place.span.column);
+    append(text, ": {}: {}", d.accepted ? "accepted doubt" : "doubt", one_line(d.message));
+    if (d.count > 1) append(text, ", {} times", d.count);
+    append(text, " [{}]\n", d.reason);
 }
 
 // What to tell, so that a program can be proven: a line for each reason, and how to accept them
 // all.
 void put_remedy(std::string& text, const std::vector<verify::Doubt>& doubts) {
-    auto out = std::back_inserter(text);
     std::string ids;
     for (const verify::ReasonInfo& reason : verify::reasons()) {
         const auto is_open = [&](const verify::Doubt& d) {
             return d.reason == reason.id && !d.accepted;
         };
         if (std::ranges::none_of(doubts, is_open)) continue;
-        fmt::format_to(out, "  {:<8} {}: {}\n", ids.empty() ? "to tell" : "", reason.id,
-                       reason.tell);
+        append(text, "  {:<8} {}: {}\n", ids.empty() ? "to tell" : "", reason.id, reason.tell);
         if (!ids.empty()) ids += ',';
         ids += reason.id;
     }
-    if (!ids.empty()) fmt::format_to(out, "  or       --accept {}\n", ids);
+    if (!ids.empty()) append(text, "  or       --accept {}\n", ids);
 }
 
 // Rules that could not be asked for the same reason share a line.
@@ -97,7 +92,7 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
         for (const verify::Skipped& same : skipped) {
             if (same.reason == s.reason) rules += (rules.empty() ? "" : ", ") + same.rule;
         }
-        fmt::format_to(std::back_inserter(text), "  skipped  {}: {}\n", rules, one_line(s.reason));
+        append(text, "  skipped  {}: {}\n", rules, one_line(s.reason));
     }
 }
 
@@ -115,10 +110,9 @@ std::string counted(std::uint64_t n, const char* what) {
 
 std::string text_of(const Checked& checked, const TextOptions& options) {
     std::string text;
-    auto out = std::back_inserter(text);
     const std::string path = shown_path(checked.path);
     if (!checked.failure.empty()) {
-        fmt::format_to(out, "{}: not verified: {}\n", path, one_line(checked.failure));
+        append(text, "{}: not verified: {}\n", path, one_line(checked.failure));
         return text;
     }
     const verify::Verdict& v = checked.verdict;
@@ -128,24 +122,24 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
         put_finding(text, checked, f, checked.lines[i]);
     }
     for (const auto& [rule, more] : v.unlisted) {
-        fmt::format_to(out, "{}: {} more findings of {} are not listed\n", path, more, rule);
+        append(text, "{}: {} more findings of {} are not listed\n", path, more, rule);
     }
     for (const verify::Doubt& d : v.doubts) {
         if (!d.accepted || options.notes) put_doubt(text, checked, d);
     }
     if (options.quiet) return text;
-    fmt::format_to(out, "{}: {}: {}, {}, {}, {}", path, name_of_verdict(checked),
-                   counted(v.count(Severity::Error), "error"),
-                   counted(v.count(Severity::Warning), "warning"),
-                   counted(v.count(Severity::Note), "note"), counted(v.open_doubts(), "doubt"));
+    append(text, "{}: {}: {}, {}, {}, {}", path, name_of_verdict(checked),
+           counted(v.count(Severity::Error), "error"),
+           counted(v.count(Severity::Warning), "warning"), counted(v.count(Severity::Note), "note"),
+           counted(v.open_doubts(), "doubt"));
     const std::size_t accepted = v.doubts.size() - v.open_doubts();
-    if (accepted > 0) fmt::format_to(out, ", {} accepted", accepted);
-    if (v.suppressed() > 0) fmt::format_to(out, ", {} suppressed", v.suppressed());
+    if (accepted > 0) append(text, ", {} accepted", accepted);
+    if (v.suppressed() > 0) append(text, ", {} suppressed", v.suppressed());
     text += '\n';
     put_remedy(text, v.doubts);
-    if (!checked.stock.empty()) fmt::format_to(out, "  stock    {}\n", one_line(checked.stock));
-    if (!checked.time.empty()) fmt::format_to(out, "  time     {}\n", checked.time);
-    if (checked.design) fmt::format_to(out, "  design   {}\n", one_line(text_of(*checked.design)));
+    if (!checked.stock.empty()) append(text, "  stock    {}\n", one_line(checked.stock));
+    if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
+    if (checked.design) append(text, "  design   {}\n", one_line(text_of(*checked.design)));
     put_skipped(text, v.skipped);
     return text;
 }

@@ -6,11 +6,11 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
 
+#include "append.h"
 #include "json.h"
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <ostream>
 #include <utility>
 
@@ -21,15 +21,14 @@ namespace {
 void put_side(std::string& text, const OneSided& side, const std::string& has,
               const std::string& cuts) {
     constexpr std::size_t kShown = 10;
-    auto out = std::back_inserter(text);
-    fmt::format_to(out, "only in {}: {:.6g} mm3\n", has, side.volume_mm3);
+    append(text, "only in {}: {:.6g} mm3\n", has, side.volume_mm3);
     for (std::size_t i = 0; i < side.regions.size() && i < kShown; ++i) {
         const verify::Region& r = side.regions[i];
-        fmt::format_to(out, "  {:.6g} mm3, cut by {}:{}\n    within {}\n", r.volume_mm3, cuts,
-                       lines_text(r.lines), describe(r.box));
+        append(text, "  {:.6g} mm3, cut by {}:{}\n    within {}\n", r.volume_mm3, cuts,
+               lines_text(r.lines), describe(r.box));
     }
     if (side.regions.size() > kShown) {
-        fmt::format_to(out, "  and {} smaller regions\n", side.regions.size() - kShown);
+        append(text, "  and {} smaller regions\n", side.regions.size() - kShown);
     }
 }
 
@@ -55,18 +54,17 @@ Json to_json(const OneSided& side, const std::string& cut_by) {
 
 std::string text_of(const Difference& d) {
     std::string text;
-    auto out = std::back_inserter(text);
     const std::string old_name = shown_path(d.old_name);
     const std::string new_name = shown_path(d.new_name);
-    if (!d.stocks.empty()) fmt::format_to(out, "{}\n", one_line(d.stocks));
+    if (!d.stocks.empty()) append(text, "{}\n", one_line(d.stocks));
     if (d.same_motions) {
         text += "both programs make the same motions with the same tools\n";
     } else {
         put_side(text, d.only_old, old_name, new_name);
         put_side(text, d.only_new, new_name, old_name);
     }
-    fmt::format_to(out, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name,
-                   d.new_mm3, d.differs ? "the parts differ" : "the same part");
+    append(text, "{}: {:.6g} mm3; {}: {:.6g} mm3: {}\n", old_name, d.old_mm3, new_name, d.new_mm3,
+           d.differs ? "the parts differ" : "the same part");
     return text;
 }
 

@@ -4,12 +4,12 @@
 #include "ncsim/report/file_names.h"
 #include "ncsim/verify/rule.h"
 
+#include "append.h"
 #include "markup.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <ostream>
 
 namespace ncsim::report {
@@ -89,22 +89,20 @@ std::vector<Case> cases_of(const Checked& checked, const verify::Selection& sele
 }
 
 void put_case(std::string& text, const Case& c, const std::string& program) {
-    auto out = std::back_inserter(text);
-    fmt::format_to(out, "  <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xml(program),
-                   c.rule);
+    append(text, "  <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xml(program), c.rule);
     if (c.failures.empty() && c.remarks.empty() && c.skipped.empty()) {
         text += "/>\n";
         return;
     }
     text += ">\n";
     if (!c.failures.empty()) {
-        fmt::format_to(out, "   <failure message=\"{} {}{}\" type=\"{}\">{}</failure>\n", c.failed,
-                       c.rule == kProven ? "doubt" : "finding", c.failed == 1 ? "" : "s", c.rule,
-                       xml(c.failures));
+        append(text, "   <failure message=\"{} {}{}\" type=\"{}\">{}</failure>\n", c.failed,
+               c.rule == kProven ? "doubt" : "finding", c.failed == 1 ? "" : "s", c.rule,
+               xml(c.failures));
     } else if (!c.skipped.empty()) {
-        fmt::format_to(out, "   <skipped message=\"{}\"/>\n", xml(c.skipped));
+        append(text, "   <skipped message=\"{}\"/>\n", xml(c.skipped));
     }
-    if (!c.remarks.empty()) fmt::format_to(out, "   <system-out>{}</system-out>\n", xml(c.remarks));
+    if (!c.remarks.empty()) append(text, "   <system-out>{}</system-out>\n", xml(c.remarks));
     text += "  </testcase>\n";
 }
 

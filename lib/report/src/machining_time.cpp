@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/report/machining_time.h"
 
+#include "append.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 
 namespace ncsim::report {
 
@@ -26,18 +27,17 @@ MachiningTime time_of(const verify::Distances& distances) {
 std::string time_line(const verify::Distances& distances) {
     const MachiningTime time = time_of(distances);
     std::string text;
-    auto out = std::back_inserter(text);
     if (time.total()) {
-        fmt::format_to(out, "{}: feed {}, ", time_text(*time.total()), time_text(*time.feed));
+        append(text, "{}: feed {}, ", time_text(*time.total()), time_text(*time.feed));
     } else {
         text += "not known, a feed is not told: ";
     }
-    fmt::format_to(out, "rapid {} at {:g} m/min", time_text(time.rapid), 1e-3 * kAssumedRapid);
+    append(text, "rapid {} at {:g} m/min", time_text(time.rapid), 1e-3 * kAssumedRapid);
     if (distances.tool_changes > 0) {
-        fmt::format_to(out, ", {} tool change{} of {:g} s", distances.tool_changes,
-                       distances.tool_changes == 1 ? "" : "s", kAssumedToolChange);
+        append(text, ", {} tool change{} of {:g} s", distances.tool_changes,
+               distances.tool_changes == 1 ? "" : "s", kAssumedToolChange);
     }
-    if (time.dwells > 0.0) fmt::format_to(out, ", dwells {}", time_text(time.dwells));
+    if (time.dwells > 0.0) append(text, ", dwells {}", time_text(time.dwells));
     return text + "; without acceleration";
 }
 

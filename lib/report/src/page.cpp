@@ -5,6 +5,7 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
 
+#include "append.h"
 #include "json.h"
 #include "markup.h"
 #include "plot.h"
@@ -14,7 +15,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <map>
 #include <ostream>
 #include <string_view>
@@ -136,17 +136,15 @@ std::string finding_html(const Checked& checked, const Finding& f, const std::st
                                    f.place.file == 0 && f.place.span.line > 0
                                        ? fmt::format(" data-line=\"{}\"", f.place.span.line)
                                        : "");
-    auto out = std::back_inserter(text);
     std::string where = file_of(checked, f.place);
     if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
     if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
-    fmt::format_to(out, "<b>{}</b> {} <small>{} · {}{}</small>", verify::name_of(f.severity),
-                   escaped(headline(f)), escaped(where), f.rule,
-                   f.suppressed ? " · suppressed" : "");
-    if (!line.empty()) fmt::format_to(out, "<code>{}</code>", escaped(line.substr(0, 200)));
+    append(text, "<b>{}</b> {} <small>{} · {}{}</small>", verify::name_of(f.severity),
+           escaped(headline(f)), escaped(where), f.rule, f.suppressed ? " · suppressed" : "");
+    if (!line.empty()) append(text, "<code>{}</code>", escaped(line.substr(0, 200)));
     for (const std::string& assumption : f.assumptions)
-        fmt::format_to(out, "<small>assumed {}</small>", escaped(assumption));
-    if (f.last_motion > 0) fmt::format_to(out, "<small>{}</small>", escaped(f.hint));
+        append(text, "<small>assumed {}</small>", escaped(assumption));
+    if (f.last_motion > 0) append(text, "<small>{}</small>", escaped(f.hint));
     return text + "</div>\n";
 }
 
@@ -164,19 +162,18 @@ std::string findings_html(const Checked& checked) {
 std::string doubts_html(const Checked& checked) {
     if (checked.verdict.doubts.empty()) return {};
     std::string text = "<section><h2>Doubts</h2>\n";
-    auto out = std::back_inserter(text);
     for (const verify::Doubt& d : checked.verdict.doubts) {
         std::string where = file_of(checked, d.place);
         if (d.place.span.line > 0) where += fmt::format(":{}", d.place.span.line);
-        fmt::format_to(out,
-                       "<div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
-                       "<small>to tell: {}</small></div>\n",
-                       d.accepted ? "note suppressed" : "warning",
-                       d.place.file == 0 && d.place.span.line > 0
-                           ? fmt::format(" data-line=\"{}\"", d.place.span.line)
-                           : "",
-                       d.accepted ? "accepted" : "doubt", escaped(d.message), escaped(where),
-                       d.reason, escaped(std::string(verify::find_reason(d.reason)->tell)));
+        append(text,
+               "<div class=\"finding {}\"{}><b>{}</b> {} <small>{} · {}</small>"
+               "<small>to tell: {}</small></div>\n",
+               d.accepted ? "note suppressed" : "warning",
+               d.place.file == 0 && d.place.span.line > 0
+                   ? fmt::format(" data-line=\"{}\"", d.place.span.line)
+                   : "",
+               d.accepted ? "accepted" : "doubt", escaped(d.message), escaped(where), d.reason,
+               escaped(std::string(verify::find_reason(d.reason)->tell)));
     }
     return text + "</section>\n";
 }
@@ -186,9 +183,8 @@ std::string ledger_html(const Checked& checked) {
     std::string text = "<section><h2>Ledger</h2>\n";
     text += removed_plot(l);
     text += rate_plot(l);
-    auto out = std::back_inserter(text);
-    const auto row = [&out](const char* name, const std::string& value) {
-        fmt::format_to(out, "<tr><th>{}</th><td>{}</td></tr>\n", name, escaped(value));
+    const auto row = [&text](const char* name, const std::string& value) {
+        append(text, "<tr><th>{}</th><td>{}</td></tr>\n", name, escaped(value));
     };
     text += "<table>\n";
     if (checked.simulated) {

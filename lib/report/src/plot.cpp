@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot.h"
 
+#include "append.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 namespace ncsim::report {
@@ -67,25 +68,24 @@ std::string frame(double x_max, double y_max, const std::string& x_name,
     std::string svg =
         fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\"><title>{} over {}</title>", kWidth,
                     kHeight, y_name, x_name);
-    auto out = std::back_inserter(svg);
     const double w = kWidth - kLeft - kRight;
     const double h = kHeight - kTop - kBottom;
     for (int i = 0; i * tick_for(y_max) <= y_max * 1.0001; ++i) {
         const double y = i * tick_for(y_max);
         const double at = kTop + h * (1 - y / y_max);
-        fmt::format_to(out,
-                       "<path d=\"M{} {:.1f}h{:.1f}\" stroke=\"#e3e7eb\"/><text x=\"{}\" "
-                       "y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>",
-                       kLeft, at, w, kLeft - 5, at + 4, y);
+        append(svg,
+               "<path d=\"M{} {:.1f}h{:.1f}\" stroke=\"#e3e7eb\"/><text x=\"{}\" "
+               "y=\"{:.1f}\" text-anchor=\"end\">{:.6g}</text>",
+               kLeft, at, w, kLeft - 5, at + 4, y);
     }
     for (int i = 0; i * tick_for(x_max) <= x_max * 1.0001; ++i) {
         const double x = i * tick_for(x_max);
-        fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.6g}</text>",
-                       kLeft + w * x / x_max, kHeight - 14, x);
+        append(svg, "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.6g}</text>",
+               kLeft + w * x / x_max, kHeight - 14, x);
     }
-    fmt::format_to(out, "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight,
-                   kHeight - 2, x_name);
-    fmt::format_to(out, "<text x=\"{}\" y=\"{}\">{}</text>", kLeft + 4, kTop + 8, y_name);
+    append(svg, "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", kWidth - kRight,
+           kHeight - 2, x_name);
+    append(svg, "<text x=\"{}\" y=\"{}\">{}</text>", kLeft + 4, kTop + 8, y_name);
     return svg;
 }
 
@@ -94,15 +94,14 @@ std::string curve(const std::vector<double>& values, double y_max, bool filled) 
     const double w = kWidth - kLeft - kRight;
     const double h = kHeight - kTop - kBottom;
     std::string path;
-    auto out = std::back_inserter(path);
-    if (filled) fmt::format_to(out, "M{} {}", kLeft, kTop + h);
+    if (filled) append(path, "M{} {}", kLeft, kTop + h);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double x =
             kLeft + w * static_cast<double>(i) / static_cast<double>(values.size() - 1);
-        fmt::format_to(out, "{}{:.1f} {:.1f}", i == 0 && !filled ? "M" : "L", x,
-                       kTop + h * (1 - values[i] / y_max));
+        append(path, "{}{:.1f} {:.1f}", i == 0 && !filled ? "M" : "L", x,
+               kTop + h * (1 - values[i] / y_max));
     }
-    if (filled) fmt::format_to(out, "L{:.1f} {}Z", kLeft + w, kTop + h);
+    if (filled) append(path, "L{:.1f} {}Z", kLeft + w, kTop + h);
     return fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"#1c7ed6\" stroke-width=\"1.2\"/></svg>",
                        path, filled ? "#d0ebff" : "none");
 }

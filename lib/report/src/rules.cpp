@@ -4,11 +4,11 @@
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/rule.h"
 
+#include "append.h"
 #include "json.h"
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -16,20 +16,18 @@ namespace ncsim::report {
 
 std::string rules_text() {
     std::string text;
-    auto out = std::back_inserter(text);
     std::string_view category;
     for (const verify::RuleInfo& rule : verify::rules()) {
         if (verify::name_of(rule.category) != category) {
             category = verify::name_of(rule.category);
-            fmt::format_to(out, "{}{}\n", text.empty() ? "" : "\n", category);
+            append(text, "{}{}\n", text.empty() ? "" : "\n", category);
         }
-        fmt::format_to(out, "  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", rule.id,
-                       verify::name_of(rule.severity), rule.why, "", "", rule.fix);
+        append(text, "  {:<20} {:<8} {}\n  {:<20} {:<8} {}\n", rule.id,
+               verify::name_of(rule.severity), rule.why, "", "", rule.fix);
     }
     text += "\nreasons for doubt, for --accept\n";
     for (const verify::ReasonInfo& reason : verify::reasons())
-        fmt::format_to(out, "  {:<20} {}\n  {:<20} to tell: {}\n", reason.id, reason.why, "",
-                       reason.tell);
+        append(text, "  {:<20} {}\n  {:<20} to tell: {}\n", reason.id, reason.why, "", reason.tell);
     return text;
 }
 

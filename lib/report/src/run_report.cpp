@@ -8,12 +8,12 @@
 #include "ncsim/report/version.h"
 #include "ncsim/verify/machine.h"
 
+#include "append.h"
 #include "json.h"
 
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <iterator>
 #include <ostream>
 
 namespace ncsim::report {
@@ -77,39 +77,34 @@ Json tools_json(const RunFacts& run) {
 
 std::string summary(const RunFacts& run) {
     std::string text;
-    auto out = std::back_inserter(text);
     if (run.part) {
         const PartFacts& s = *run.part;
-        fmt::format_to(out, "part      {} of {}; {} removed in {} hulls\n",
-                       volume_text(s.part_volume), volume_text(s.stock_volume),
-                       volume_text(s.stock_volume - s.part_volume), s.hulls);
+        append(text, "part      {} of {}; {} removed in {} hulls\n", volume_text(s.part_volume),
+               volume_text(s.stock_volume), volume_text(s.stock_volume - s.part_volume), s.hulls);
         for (const auto& [number, used] : run.program->tools) {
             const auto removed = s.removed_by_tool.find(number);
-            fmt::format_to(out, "  T{:<7} {} removed\n", number,
-                           volume_text(removed == s.removed_by_tool.end() ? 0.0 : removed->second));
+            append(text, "  T{:<7} {} removed\n", number,
+                   volume_text(removed == s.removed_by_tool.end() ? 0.0 : removed->second));
         }
         if (run.boundary) {
             const cda::Box box = cda::bounds(*run.boundary);
-            fmt::format_to(out, "extents   {}\n",
-                           box.is_empty() ? "nothing is left" : describe(box));
+            append(text, "extents   {}\n", box.is_empty() ? "nothing is left" : describe(box));
         }
         if (run.simplified) {
-            fmt::format_to(out, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
-                           run.simplified->faces, run.boundary->faces.size(),
-                           run.simplified->deviation_mm);
+            append(text, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
+                   run.simplified->faces, run.boundary->faces.size(), run.simplified->deviation_mm);
         }
-        fmt::format_to(out,
-                       "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
-                       s.bounds.missed_mm, s.bounds.gained_mm,
-                       run.cutting.join_tolerance > 0.0 ? "joined moves, " : "");
+        append(text, "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
+               s.bounds.missed_mm, s.bounds.gained_mm,
+               run.cutting.join_tolerance > 0.0 ? "joined moves, " : "");
     }
     if (run.part && run.cutting.at_line)
-        fmt::format_to(out, "stopped   after line {}\n", *run.cutting.at_line);
+        append(text, "stopped   after line {}\n", *run.cutting.at_line);
     const verify::Distances distances =
         run.part ? run.part->distances : verify::total(run.program->distances);
-    fmt::format_to(out, "path      {:.1f} mm at feed, {:.1f} mm rapid\n", distances.feed_mm,
-                   distances.rapid_mm);
-    fmt::format_to(out, "time      {}\n", time_line(distances));
+    append(text, "path      {:.1f} mm at feed, {:.1f} mm rapid\n", distances.feed_mm,
+           distances.rapid_mm);
+    append(text, "time      {}\n", time_line(distances));
     return text;
 }
 

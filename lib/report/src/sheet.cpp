@@ -8,9 +8,9 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/verify/machine.h"
 
-#include <fmt/format.h>
+#include "append.h"
 
-#include <iterator>
+#include <fmt/format.h>
 
 namespace ncsim::report {
 
@@ -20,13 +20,13 @@ class Sheet {
 public:
     template <typename... Args>
     void line(const char* key, fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), "  {:<11}", key);
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        append(text_, "  {:<11}", key);
+        append(text_, format, std::forward<Args>(args)...);
         text_ += '\n';
     }
     template <typename... Args>
     void title(fmt::format_string<Args...> format, Args&&... args) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+        append(text_, format, std::forward<Args>(args)...);
         text_ += '\n';
     }
     std::string text_;

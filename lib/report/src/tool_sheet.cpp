@@ -5,11 +5,11 @@
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/told.h"
 
+#include "append.h"
 #include "json.h"
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -80,7 +80,7 @@ public:
 
 private:
     void add(const std::string& key, const std::string& what) {
-        fmt::format_to(std::back_inserter(text_), "{:<10}{}\n", key, what);
+        append(text_, "{:<10}{}\n", key, what);
     }
 
     void add_tool(int number) {
