@@ -42,8 +42,11 @@ struct ToolTicks {
 
 class Generator {
 public:
-    explicit Generator(std::uint64_t seed)
-        : random_(seed), scale_(random_), nc_(scale_.inches, scale_.decimals) {
+    explicit Generator(std::uint64_t seed, bool turning = false)
+        : random_(seed),
+          scale_(random_),
+          nc_(scale_.inches, scale_.decimals),
+          only_turns_(turning) {
         program_.seed = seed;
     }
 
@@ -93,7 +96,7 @@ private:
         stock.is_round = random_.one_in(6);
         if (stock.is_round) extent[1] = extent[0];
         // Beyond 100 m a stock is refused.
-        is_far_ = random_.one_in(12) && scale_.size_mm < 1000.0;
+        is_far_ = !only_turns_ && random_.one_in(12) && scale_.size_mm < 1000.0;
         for (std::size_t i = 0; i < 3; ++i) {
             // The program's zero is at one side, in the middle, or at the other.
             min_[i] = -extent[i] / 2 * random_.between(0, 2);
@@ -128,7 +131,9 @@ private:
         const double size = scale_.size_mm;
         ToolTicks t;
         t.radius = std::max<Ticks>(4, nc_.ticks(size * std::pow(10.0, random_.within(-2.0, -0.6))));
-        t.length = std::max<Ticks>(4, nc_.ticks(size * std::pow(10.0, random_.within(-1.0, 0.3))));
+        const double shortest = only_turns_ ? -0.3 : -1.0;
+        t.length =
+            std::max<Ticks>(4, nc_.ticks(size * std::pow(10.0, random_.within(shortest, 0.3))));
         tools_.push_back(t);
         const double d = nc_.mm(2 * t.radius);
         const double l = nc_.mm(t.length);
@@ -269,9 +274,9 @@ private:
     }
 
     bool fits(const Course& course) {
-        constexpr double kMostHulls = 250.0;
+        const double most = only_turns_ ? 1500.0 : 250.0;
         const double more = hulls_of(course);
-        if (hulls_ + more > kMostHulls) return false;
+        if (hulls_ + more > most) return false;
         hulls_ += more;
         return true;
     }
@@ -310,6 +315,7 @@ private:
     // --- Features ---
 
     void feature() {
+        if (only_turns_) return random_.one_in(4) ? turn() : turn_and_move();
         switch (random_.between(0, 11)) {
             case 0:
             case 1: line(); break;
@@ -531,6 +537,7 @@ private:
     Scale scale_;
     NcWriter nc_;
     Program program_;
+    bool only_turns_ = false;
     bool is_far_ = false;
     Triple min_{}, max_{};  // of the stock
     std::vector<ToolTicks> tools_;
@@ -542,6 +549,10 @@ private:
 
 Program random_program(std::uint64_t seed) {
     return Generator(seed)();
+}
+
+Program random_turning_program(std::uint64_t seed) {
+    return Generator(seed, true)();
 }
 
 }  // namespace ncsim::nightly

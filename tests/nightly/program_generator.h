@@ -43,4 +43,7 @@ struct Program {
 /// between moves and in moves; millimetres and inches, absolute and incremental, shifted by G92.
 Program random_program(std::uint64_t seed);
 
+/// The same, but that tools are long and most motions turn them.
+Program random_turning_program(std::uint64_t seed);
+
 }  // namespace ncsim::nightly

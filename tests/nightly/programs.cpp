@@ -3,7 +3,8 @@
 // nightly_programs [COUNT [FIRST]]: COUNT (10,000) random NC programs from number FIRST (0) on,
 // each run from its text to the part and judged by round tools on their true ways (examine.h). Exit
 // code 1 at the first one that is wrong, with its text and how to run it. nightly_programs --show
-// N: the text of program N, and how to run it.
+// N: the text of program N, and how to run it. nightly_programs --turning …: the same of programs
+// of long tools that turn.
 #include "nightly/examine.h"
 #include "nightly/program_generator.h"
 
@@ -86,8 +87,11 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
+    const bool turning = argc > 1 && std::strcmp(argv[1], "--turning") == 0;
+    const auto program_of = turning ? random_turning_program : random_program;
+    if (turning) --argc, ++argv;
     if (argc == 3 && std::strcmp(argv[1], "--show") == 0) {
-        show(random_program(std::strtoull(argv[2], nullptr, 10)));
+        show(program_of(std::strtoull(argv[2], nullptr, 10)));
         return 0;
     }
     const long count = argc > 1 ? std::atol(argv[1]) : 10000;
@@ -99,13 +103,14 @@ int main(int argc, char** argv) {
     int wrong = 0;
     for (long number = first; number < first + count; ++number) {
         set_under_way(number);
-        const Program program = random_program(static_cast<std::uint64_t>(number));
+        const Program program = program_of(static_cast<std::uint64_t>(number));
         try {
             progress.add(examine(program, file));
         } catch (const std::exception& e) {
             std::printf("program %ld: %s\n\n", number, e.what());
             show(program);
-            std::printf("\nto examine it again:\n\n    %s 1 %ld\n", argv[0], number);
+            std::printf("\nto examine it again:\n\n    nightly_programs%s 1 %ld\n",
+                        turning ? " --turning" : "", number);
             if (++wrong == 10) return 1;
         }
     }

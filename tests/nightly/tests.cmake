@@ -37,4 +37,5 @@ if(TARGET ncsim)
   add_test(NAME nightly.RunsThirtyPrograms COMMAND nightly_programs 30)
   # A long slot mill with rounded corners that turns: slabs of it gained three times what was told.
   add_test(NAME nightly.RunsALongToolThatTurns COMMAND nightly_programs 1 403224)
+  add_test(NAME nightly.RunsTenProgramsThatTurn COMMAND nightly_programs --turning 10)
 endif()

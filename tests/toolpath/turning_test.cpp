@@ -3,6 +3,7 @@
 // The bounds of turning.h against what tools do: points of hulls and of sweeps, drawn at random.
 #include "ncsim/toolpath/turning.h"
 
+#include "ncsim/cda/polytope.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
@@ -34,8 +35,8 @@ struct Point2 {
 };
 
 // The half section of a round piece from the axis to the axis; chords within a micrometre for arcs.
-std::vector<Point2> section_of(const ToolPiece& piece, double high) {
-    const auto profile = slice(piece, -kInf, high).profile;
+std::vector<Point2> section_of(const ToolPiece& piece, double high, double low = -kInf) {
+    const auto profile = slice(piece, low, high).profile;
     std::vector<Point2> line{{0.0, profile.front().height}};
     for (const ProfilePoint& corner : profile)
         line.push_back({corner.radius, corner.height});
@@ -202,6 +203,152 @@ TEST(Turning, NoPointOfAHullIsFartherFromTheSweepThanTheBound) {
     }
 }
 
+// Each slab of a long tool by itself: what it gains is measured from the sweep of the whole tool.
+double worst_gain_in_slabs(const Case& c, int points, test::Random& random) {
+    const Samples s = c.samples();
+    const PieceExtent whole = extent_of(c.piece);
+    Worst worst;
+    if (is_above(whole, s.turning.top_mm)) return worst.ratio;
+    PieceExtent kept = whole;
+    kept.high_mm = cut_off(whole, s.turning.top_mm);
+    const double slab_mm = random.within(0.02, 1.0) * (kept.high_mm - kept.low_mm);
+    const ToolExtent extents = in_slabs(below({{whole}}, s.turning.top_mm), slab_mm);
+    const std::vector<Slab> slabs = slabs_of(kept, slab_mm);
+    EXPECT_EQ(slabs.size(), extents.pieces.size());
+    for (int i = 0; i < points; ++i) {
+        const std::size_t k = random.next() % slabs.size();
+        const double low = k > 0 ? slabs[k].low_mm : -kInf;
+        const auto section = section_of(c.piece, slabs[k].high_mm, low);
+        const double t = random.unit();
+        const Vec3 p = (1 - t) * (s.poses[0] * point_of(section, random)) +
+                       t * (s.poses[1] * point_of(section, random));
+        if (c.place && !c.place->contains(p)) continue;
+        const double bound = s.turning.chord_mm +
+                             gained_mm(s.poses[0], s.poses[1], s.turning, {{extents.pieces[k]}});
+        const double gained = c.distance_from_sweep(p) - 1e-3;
+        if (gained > 0.0) worst.add(gained, bound);
+    }
+    return worst.ratio;
+}
+
+TEST(Turning, NoPointOfTheHullOfASlabIsFartherFromTheSweepThanItsBound) {
+    test::Random random(4);
+    double worst = 0.0;
+    for (int i = 0; i < 1500; ++i) {
+        SCOPED_TRACE(i);
+        worst = std::max(worst, worst_gain_in_slabs(random_case(random), 40, random));
+        ASSERT_LE(worst, 1.0);
+    }
+    EXPECT_GT(worst, 0.4) << "the bound is not far from the truth";
+}
+
+// What a cutter really leaves, corner by corner: each of its cells is a slab as long as was told.
+double worst_gain_of_cells(const Case& c, int points, test::Random& random) {
+    const cda::Lattice lattice;
+    Tool tool;
+    tool.pieces.push_back(c.piece);
+    Cutter cutter(tool, lattice, {0.2, Side::Circumscribed});
+    Samples s = c.samples();
+    Worst worst;
+    const ToolExtent kept = below(cutter.extent(), s.turning.top_mm);
+    s.turning.slab_mm = random.within(0.1, 1.0) * kept.pieces[0].high_mm;
+    const ToolExtent slabs = in_slabs(kept, s.turning.slab_mm);
+    std::vector<cda::Cell> cells;
+    cutter.trace(s.poses[0], s.poses[1], {}, cells, liberties_of(s.turning));
+    if (cells.empty()) return worst.ratio;
+    EXPECT_EQ(cells.size(), slabs.pieces.size());
+    const std::size_t k = random.next() % cells.size();
+    const auto body = cda::ConvexPolytope::of(cells[k], lattice);
+    if (!body) return worst.ratio;
+    const double bound =
+        s.turning.chord_mm + gained_mm(s.poses[0], s.poses[1], s.turning, {{slabs.pieces[k]}});
+    const auto corner = [&] {
+        const auto& corners = body->vertices();
+        return lattice.unit_mm * corners[random.next() % corners.size()].approx;
+    };
+    for (int i = 0; i < points; ++i) {
+        const double t = random.one_in(3) ? 0.0 : random.unit();
+        const Vec3 p = (1 - t) * corner() + t * corner();
+        if (c.place && !c.place->contains(p)) continue;
+        const double gained = c.distance_from_sweep(p) - cutter.error_mm() - 1e-3;
+        if (gained > 0.0) worst.add(gained, bound);
+    }
+    return worst.ratio;
+}
+
+TEST(Turning, NoCornerOfACellIsFartherFromTheSweepThanTheBoundOfItsSlab) {
+    test::Random random(5);
+    for (int i = 0; i < 150; ++i) {
+        SCOPED_TRACE(i);
+        ASSERT_LE(worst_gain_of_cells(random_case(random), 30, random), 1.0);
+    }
+}
+
+// Where it begins to be a cylinder is a ring of its corners: a height in units, which is not always
+// the same in millimetres and back.
+TEST(Turning, ASlabIsAsLongAsItWasToldWhereverTheCylinderBegins) {
+    const cda::Lattice lattice;
+    const Pose from = pose_at(place_at(0, 0, 0, -0.1, 0, 0));
+    const Pose to = pose_at(place_at(0, 0, 0, 0.1, 0, 0));
+    const double slab_mm = 6.0;
+    const double aside = 6 * std::sin(0.1 / 180 * std::numbers::pi) + 2e-5;
+    for (int i = 0; i < 100; ++i) {
+        const double height = 2.0 + 0.00137 * i;
+        SCOPED_TRACE(height);
+        Tool tool;
+        tool.pieces.push_back({{{0, 0, 0}, {4, height, 0}, {4, 30, 0}}, true});
+        Cutter cutter(tool, lattice, {});
+        const auto slabs = slabs_of(cutter.extent().pieces[0], slab_mm);
+        std::vector<cda::Cell> cells;
+        cutter.trace(from, to, {}, cells, {.slab_mm = slab_mm});
+        ASSERT_EQ(cells.size(), slabs.size());
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            EXPECT_GE(cells[k].bounds.min.z, slabs[k].low_mm - aside) << k;
+            EXPECT_LE(cells[k].bounds.max.z, slabs[k].high_mm + aside) << k;
+        }
+    }
+}
+
+// It is rounded below, though it is cut off flat: what a ball rolls around reaches down by that.
+TEST(Turning, ASlabGainsWhereTheBallThatRollsAroundItReaches) {
+    const Case c{flat_end_mill(20, 100).pieces[0],
+                 place_at(0, 0, 50, 0, 0, 0),
+                 place_at(4, 0, 50, 4, 0, 0),
+                 {}};
+    const Samples s = c.samples();
+    const ToolExtent slabs = in_slabs({{extent_of(c.piece)}}, 25);
+    const ToolExtent third{{slabs.pieces[2]}};
+    const double gained = gained_mm(s.poses[0], s.poses[1], s.turning, third);
+    Turning lower = s.turning;
+    for (const double below : {0.5, 5.0, 9.5}) {
+        lower.top_mm = slabs.pieces[2].low_mm - below;
+        EXPECT_EQ(gained_mm(s.poses[0], s.poses[1], lower, third), gained) << below;
+    }
+    lower.top_mm = slabs.pieces[2].low_mm - 12.0;
+    EXPECT_EQ(gained_mm(s.poses[0], s.poses[1], lower, third), 0.0);
+}
+
+// One end goes one way, the other the other: the hull of the whole gains with its length.
+TEST(Turning, ALongToolIsCutIntoSlabsInsteadOfTurningInSmallSteps) {
+    const auto taken_by = [](double length) {
+        gcode::Motion motion;
+        motion.what = gcode::Linear{place_at(0, 0, -20, 0, 0, 0), place_at(0, 0, -20, 10, 0, 0)};
+        const ToolExtent tool = extent_of(flat_end_mill(6, length));
+        const Samples s = sample(motion, tool, {});
+        EXPECT_LE(s.bounds.gained_mm, SamplingOptions{}.rotation_gain_mm);
+        EXPECT_LE(s.bounds.missed_mm, SamplingOptions{}.rotation_miss_mm);
+        for (std::size_t i = 1; i < s.poses.size(); ++i) {
+            EXPECT_LE(
+                gained_mm(s.poses[i - 1], s.poses[i], s.turning, in_slabs(tool, s.turning.slab_mm)),
+                s.bounds.gained_mm);
+        }
+        return s;
+    };
+    EXPECT_EQ(taken_by(12).turning.slab_mm, kInf);
+    EXPECT_LT(taken_by(96).turning.slab_mm, 48.0);
+    EXPECT_LT(taken_by(96).poses.size(), 4 * taken_by(12).poses.size());
+}
+
 // Half of it would not do: neither where the tool turns about a point of its own, nor far from the
 // axis, where only its width counts, nor where it moves on meanwhile.
 TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
@@ -247,23 +394,29 @@ TEST(Turning, NoPointOfTheSweepIsFartherFromTheHullThanTheBound) {
     for (int i = 0; i < 150; ++i) {
         SCOPED_TRACE(i);
         const Case c = random_case(random);
-        const Samples s = c.samples();
+        Samples s = c.samples();
         const auto section = section_of(c.piece, kInf);
+        // Or what slabs miss, all of them together.
+        if (random.one_in(2)) s.turning.slab_mm = random.within(1, 30);
         Tool tool;
         tool.pieces.push_back(c.piece);
         Cutter cutter(tool, lattice, {0.02, Side::Circumscribed});
         std::vector<cda::Cell> cells;
-        cutter.trace(s.poses[0], s.poses[1], {}, cells, {s.turning.top_mm, 0.0});
+        cutter.trace(s.poses[0], s.poses[1], {}, cells, liberties_of(s.turning));
         for (int k = 0; k < 50; ++k) {
             const Vec3 p = pose_at(c.at(random.unit())) * point_of(section, random);
             if (c.place && !c.place->contains(p)) continue;
-            ASSERT_EQ(cells.size(), 1U) << "a piece that comes there";
+            ASSERT_FALSE(cells.empty()) << "a piece that comes there";
             const Vec3 q = (1 / lattice.unit_mm) * p;
-            double beyond = 0.0;
-            for (const cda::Plane& plane : cells[0].planes) {
-                const Vec3 n{double(plane.nx), double(plane.ny), double(plane.nz)};
-                const double over = dot(n, q) - static_cast<double>(plane.d);
-                beyond = std::max(beyond, lattice.unit_mm * over / norm(n));
+            double beyond = kInf;
+            for (const cda::Cell& cell : cells) {
+                double beyond_this = 0.0;
+                for (const cda::Plane& plane : cell.planes) {
+                    const Vec3 n{double(plane.nx), double(plane.ny), double(plane.nz)};
+                    const double over = dot(n, q) - static_cast<double>(plane.d);
+                    beyond_this = std::max(beyond_this, lattice.unit_mm * over / norm(n));
+                }
+                beyond = std::min(beyond, beyond_this);
             }
             ASSERT_LE(beyond, s.bounds.missed_mm + 4e-5);
             if (s.bounds.missed_mm > 0) worst = std::max(worst, beyond / s.bounds.missed_mm);
@@ -288,8 +441,9 @@ TEST(Walk, TakesStepsThatAreSmallEnoughForShanksWhereTheyAreWatched) {
         walk.add_tool(1, tool);
         double worst = 0.0;
         walk.take(motion, {}, [&](const Step& step) {
+            const ToolExtent shank{{extent_of(tool.pieces[1])}};
             worst = std::max(worst, gained_mm(step.X_WA, step.X_WB, step.turning,
-                                              {{extent_of(tool.pieces[1])}}));
+                                              in_slabs(shank, step.turning.slab_mm)));
         });
         return worst;
     };

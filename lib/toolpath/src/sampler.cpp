@@ -166,6 +166,29 @@ std::uint32_t whole_turns(const Course& c, std::uint32_t steps, const SamplingOp
     return even <= o.max_steps ? static_cast<std::uint32_t>(even) : steps;
 }
 
+// What a step costs in the part: hulls meet the more of it and of each other the longer they are,
+// and each has its facets.
+double cost_of(const ToolExtent& tool) {
+    double sum = 0.0;
+    for (const PieceExtent& piece : tool.pieces)
+        sum += piece.high_mm - piece.low_mm + 4 * piece.radius_mm;
+    return sum;
+}
+
+double widest(const ToolExtent& tool) {
+    double radius = 0.0;
+    for (const PieceExtent& piece : tool.pieces)
+        radius = std::max(radius, piece.radius_mm);
+    return 2 * radius;
+}
+
+double longest_straight(const ToolExtent& tool) {
+    double length = 0.0;
+    for (const PieceExtent& piece : tool.pieces)
+        length = std::max(length, piece.high_mm - piece.straight_mm);
+    return length;
+}
+
 template <typename PositionAt>
 Samples sample_course(const Course& course, const ToolExtent& whole, const SamplingOptions& options,
                       const PositionAt& position_at) {
@@ -175,12 +198,13 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
         return pose_at(position_at(i == steps ? 1.0 : static_cast<double>(i) / steps));
     };
     // Of the step in which most is gained; none that is more than `limit` is looked for.
-    const auto gained = [&](const Turning& turning, std::uint32_t steps, double limit) {
+    const auto gained = [&](const Turning& turning, const ToolExtent& slabs, std::uint32_t steps,
+                            double limit) {
         double worst = 0.0;
         Pose last = pose(0, steps);
         for (std::uint32_t i = 1; i <= steps && worst <= limit; ++i) {
             const Pose next = pose(i, steps);
-            worst = std::max(worst, gained_mm(last, next, turning, tool));
+            worst = std::max(worst, gained_mm(last, next, turning, slabs));
             last = next;
         }
         return worst;
@@ -192,19 +216,39 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
             return t.chord_mm <= options.chord_tolerance_mm &&
                    missed_mm(t, tool) <= options.rotation_miss_mm;
         });
+    double slab_mm = Turning::kInf;
     if (course.turning.turn_rad > 0.0) {
-        steps = fewest(steps, options.max_steps, [&](std::uint32_t n) {
-            const std::uint32_t even = whole_turns(course, n, options);
-            return gained(course.step(even), even, options.rotation_gain_mm) <=
-                   options.rotation_gain_mm;
-        });
+        const auto fewest_in = [&](const ToolExtent& slabs) {
+            return fewest(steps, options.max_steps, [&](std::uint32_t n) {
+                const std::uint32_t even = whole_turns(course, n, options);
+                return gained(course.step(even), slabs, even, options.rotation_gain_mm) <=
+                       options.rotation_gain_mm;
+            });
+        };
+        std::uint32_t best = fewest_in(tool);
+        double least = best * cost_of(tool);
+        // Shorter slabs, in fewer steps, where that is what decides.
+        for (double slab = longest_straight(tool) / 2; best > steps && slab >= widest(tool);
+             slab /= 2) {
+            const ToolExtent slabs = in_slabs(tool, slab);
+            const std::uint32_t fewer = fewest_in(slabs);
+            const double cost = fewer * cost_of(slabs);
+            if (!(cost < least)) break;
+            least = cost;
+            best = fewer;
+            slab_mm = slab;
+        }
+        steps = best;
     }
     steps = whole_turns(course, steps, options);
     samples.turning = course.step(steps);
+    samples.turning.slab_mm = slab_mm;
     samples.bounds.missed_mm = samples.turning.chord_mm + missed_mm(samples.turning, tool);
     samples.bounds.gained_mm = samples.turning.chord_mm;
-    if (course.turning.turn_rad > 0.0)
-        samples.bounds.gained_mm += gained(samples.turning, steps, Turning::kInf);
+    if (course.turning.turn_rad > 0.0) {
+        samples.bounds.gained_mm +=
+            gained(samples.turning, in_slabs(tool, slab_mm), steps, Turning::kInf);
+    }
     samples.poses.reserve(steps + std::size_t{1});
     for (std::uint32_t i = 0; i <= steps; ++i)
         samples.poses.push_back(pose(i, steps));

@@ -17,12 +17,14 @@ namespace {
 constexpr std::size_t kCachedOrientations = 8;
 constexpr double kAll = std::numeric_limits<double>::infinity();
 
+std::int64_t top_of(const std::vector<LatticePoint>& points) {
+    return std::ranges::max(points, {}, &LatticePoint::z).z;
+}
+
 // From which height on, in units, do all edges of the polytope go straight up? Its upper end, if
 // none do.
 std::int64_t straight_from(const std::vector<LatticePoint>& points) {
-    std::int64_t top = points[0].z;
-    for (const LatticePoint& p : points)
-        top = std::max(top, p.z);
+    const std::int64_t top = top_of(points);
     std::int64_t next = std::numeric_limits<std::int64_t>::min();
     for (const LatticePoint& p : points) {
         if (p.z < top) next = std::max(next, p.z);
@@ -39,6 +41,10 @@ std::int64_t straight_from(const std::vector<LatticePoint>& points) {
 }
 
 }  // namespace
+
+Liberties liberties_of(const Turning& turning, double slack_mm) {
+    return {turning.top_mm, slack_mm, turning.slab_mm};
+}
 
 Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy,
                const ToolPiece* below)
@@ -62,22 +68,35 @@ Cutter::Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy
             lattice.unit_mm * static_cast<double>(straight_from(polytope.points_T));
         extent.straight_mm = std::clamp(straight, extent.straight_mm, extent.high_mm);
         extent_.pieces.push_back(extent);
+        tops_.push_back(top_of(polytope.points_T));
         pieces_.push_back(std::move(polytope));
     }
 }
 
 std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece,
-                                         double top_mm) const {
+                                         const Slab& kept) const {
     std::vector<LatticePoint> points;
     points.reserve(pieces_[piece].points_T.size());
     const auto snap = [](double v) { return static_cast<std::int64_t>(std::round(v)); };
     const PieceExtent& extent = extent_.pieces[piece];
-    const double high = cut_off(extent, top_mm);
-    const double most = high < extent.high_mm ? std::ceil(high / lattice_.unit_mm) : kAll;
-    for (const LatticePoint& p : pieces_[piece].points_T) {
-        const Vec3 v{static_cast<double>(p.x), static_cast<double>(p.y),
-                     std::min(static_cast<double>(p.z), most)};
+    const double most =
+        kept.high_mm < extent.high_mm ? std::ceil(kept.high_mm / lattice_.unit_mm) : kAll;
+    // What begins where it is a cylinder already has the corners of the upper end at both ends.
+    const bool is_above = kept.low_mm > extent.low_mm;
+    const double least = std::ceil(kept.low_mm / lattice_.unit_mm);
+    const std::int64_t top = tops_[piece];
+    const auto add = [&](Vec3 v) {
         points.push_back({snap(dot(rows[0], v)), snap(dot(rows[1], v)), snap(dot(rows[2], v))});
+    };
+    for (const LatticePoint& p : pieces_[piece].points_T) {
+        const Vec3 v{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+        if (!is_above) {
+            add({v.x, v.y, std::min(v.z, most)});
+        } else if (p.z == top) {
+            const double high = std::min(v.z, most);
+            add({v.x, v.y, std::min(least, high)});
+            add({v.x, v.y, high});
+        }
     }
     return points;
 }
@@ -89,7 +108,7 @@ const Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
     Oriented made{rows, {}};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         made.sweeps.push_back(
-            cda::TranslationSweep::of(turned(rows, i, kAll), lattice_, rounding_));
+            cda::TranslationSweep::of(turned(rows, i, {-kAll, kAll}), lattice_, rounding_));
     }
     if (cache_.size() == kCachedOrientations) cache_.erase(cache_.begin());
     cache_.push_back(std::move(made));
@@ -107,18 +126,20 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
         return;
     }
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        if (is_above(extent_.pieces[i], liberties.top_mm)) continue;
-        std::vector<LatticePoint> points = turned(X_WA.rows, i, liberties.top_mm);
-        for (LatticePoint& p : points)
-            p = p + from;
-        for (const LatticePoint& p : turned(X_WB.rows, i, liberties.top_mm))
-            points.push_back(p + to);
-        auto cell = rounding_ == cda::Rounding::Inward
-                        ? cda::convex_hull(points, lattice_, origin, rounding_)
-                        : cda::convex_hull_within(points, lattice_, origin,
-                                                  liberties.slack_mm / lattice_.unit_mm);
-        if (cell) {
-            cells.push_back(std::move(*cell));
+        PieceExtent kept = extent_.pieces[i];
+        if (is_above(kept, liberties.top_mm)) continue;
+        kept.high_mm = cut_off(kept, liberties.top_mm);
+        for (const Slab& slab : slabs_of(kept, liberties.slab_mm)) {
+            std::vector<LatticePoint> points = turned(X_WA.rows, i, slab);
+            for (LatticePoint& p : points)
+                p = p + from;
+            for (const LatticePoint& p : turned(X_WB.rows, i, slab))
+                points.push_back(p + to);
+            auto cell = rounding_ == cda::Rounding::Inward
+                            ? cda::convex_hull(points, lattice_, origin, rounding_)
+                            : cda::convex_hull_within(points, lattice_, origin,
+                                                      liberties.slack_mm / lattice_.unit_mm);
+            if (cell) cells.push_back(std::move(*cell));
         }
     }
 }

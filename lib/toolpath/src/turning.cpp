@@ -10,7 +10,8 @@ using cda::Vec3;
 
 namespace {
 
-constexpr double kMargin = 1.0;  // mm
+constexpr double kMargin = 1.0;   // mm
+constexpr double kOverlap = 0.1;  // mm, of slabs: their ends lie within their neighbours
 
 // Not std::hypot, whose last bit is the library's own affair.
 double length_of(double a, double b) {
@@ -48,11 +49,16 @@ double reach_of(const PieceExtent& piece) {
     return length_of(piece.radius_mm, std::max(std::abs(piece.low_mm), std::abs(piece.high_mm)));
 }
 
-// Acceleration of a point of the axis of the piece: in the frame that turns by Ω it is still but
+// Of the ball that rolls around the core, the largest that fits.
+double ball_of(const PieceExtent& piece) {
+    return std::max(piece.core_low_mm - piece.low_mm, piece.radius_mm - piece.core_radius_mm);
+}
+
+// Acceleration of a point of the axis of the body: in the frame that turns by Ω it is still but
 // for the motion of the tip, so it is at most Ω² times the distance from the axis that turns, and
 // twice Ω times the speed in that frame. `place_mm`: that distance, if it is known to be less.
-double bend_of_axis(const Turning& t, const PieceExtent& piece, double place_mm) {
-    const double from_tip = std::max(std::abs(piece.low_mm), std::abs(piece.high_mm));
+double bend_of_axis(const Turning& t, const Body& body, double place_mm) {
+    const double from_tip = std::max(std::abs(body.low_mm), std::abs(body.high_mm));
     const double distance = std::min(t.tip_mm + t.lean * from_tip, place_mm);
     return t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
 }
@@ -64,29 +70,36 @@ double missed_mm(const Turning& t, const PieceExtent& piece) {
     const double as_it_turns = t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
     // Or without its turning about itself: the axis, and a disc across it that leans with it.
     const double r = piece.radius_mm;
-    const double as_it_leans =
-        bend_of_axis(t, piece, place + r) + r * (t.tilt_bend_rad + t.tilt_rad * t.tilt_rad);
+    const double as_it_leans = bend_of_axis(t, {piece.low_mm, piece.high_mm, r}, place + r) +
+                               r * (t.tilt_bend_rad + t.tilt_rad * t.tilt_rad);
     return std::min(as_it_turns, as_it_leans) / 8;
 }
 
+// What the hull of a body gains that a ball rolls around, and with it the hull of all of that.
+double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const Body& body,
+                 double ball_mm) {
+    const double first = gained_at_first(X_WA, X_WB, body);
+    const double leans = body.radius_mm * t.tilt_bend_rad;
+    const double anywhere = first + (bend_of_axis(t, body, Turning::kInf) + leans) / 8;
+    // The point of the tool that is nearest to a place that matters is at most what is gained
+    // farther away than this. So the gain g is at most first + (b + Ω² g)/8.
+    const double share = t.turn_rad * t.turn_rad / 8;
+    if (share >= 0.5 || t.place_mm == Turning::kInf) return anywhere;
+    const double place = t.place_mm + body.radius_mm + ball_mm + t.moved_mm + t.chord_mm;
+    const double here = (first + (bend_of_axis(t, body, place) + leans) / 8) / (1 - share);
+    return std::min(anywhere, here);
+}
+
 double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const PieceExtent& piece) {
-    const double r = piece.radius_mm;
-    const auto with = [&](const Body& body) {
-        const double first = gained_at_first(X_WA, X_WB, body);
-        const double anywhere =
-            first + (bend_of_axis(t, piece, Turning::kInf) + r * t.tilt_bend_rad) / 8;
-        // The point of the tool that is nearest to a place that matters is at most what is gained
-        // farther away than this. So the gain g is at most first + (b + Ω² g)/8.
-        const double share = t.turn_rad * t.turn_rad / 8;
-        if (share >= 0.5 || t.place_mm == Turning::kInf) return anywhere;
-        const double place = t.place_mm + r + t.moved_mm + t.chord_mm;
-        const double here =
-            (first + (bend_of_axis(t, piece, place) + r * t.tilt_bend_rad) / 8) / (1 - share);
-        return std::min(anywhere, here);
-    };
-    const double core = with({piece.core_low_mm, piece.core_high_mm, piece.core_radius_mm});
-    const bool is_whole = !piece.open_above || t.top_mm + core + t.chord_mm <= piece.high_mm;
-    return is_whole ? core : with({piece.low_mm, piece.high_mm, piece.radius_mm});
+    const double ball = ball_of(piece);
+    const double rolled = gained_mm(
+        X_WA, X_WB, t, {piece.core_low_mm, piece.core_high_mm, piece.core_radius_mm}, ball);
+    // What is above all places that matter by more than it gains gains nothing there.
+    if (piece.core_low_mm - ball > t.top_mm + rolled + t.chord_mm) return 0.0;
+    if (!piece.open_above || t.top_mm + rolled + t.chord_mm <= piece.high_mm) return rolled;
+    const double flat =
+        gained_mm(X_WA, X_WB, t, {piece.low_mm, piece.high_mm, piece.radius_mm}, 0.0);
+    return piece.low_mm > t.top_mm + flat + t.chord_mm ? 0.0 : flat;
 }
 
 }  // namespace
@@ -153,6 +166,56 @@ ToolExtent below(ToolExtent tool, double top_mm) {
     return tool;
 }
 
+std::vector<Slab> slabs_of(const PieceExtent& piece, double slab_mm) {
+    const double length = piece.high_mm - piece.straight_mm;
+    if (!(slab_mm < length)) return {{piece.low_mm, piece.high_mm}};
+    const double count = std::ceil(length / slab_mm);
+    const double height = length / count;
+    std::vector<Slab> slabs;
+    for (double i = 0.0; i < count; ++i) {
+        const double low = piece.straight_mm + i * height;
+        const double high = i + 1.0 < count ? low + height : piece.high_mm;
+        slabs.push_back({i > 0.0 ? low - std::min(kOverlap, height) : piece.low_mm, high});
+    }
+    return slabs;
+}
+
+ToolExtent in_slabs(const ToolExtent& tool, double slab_mm) {
+    ToolExtent result;
+    for (const PieceExtent& piece : tool.pieces) {
+        const std::vector<Slab> slabs = slabs_of(piece, slab_mm);
+        if (slabs.size() == 1) {
+            result.pieces.push_back(piece);
+            continue;
+        }
+        for (std::size_t i = 0; i < slabs.size(); ++i) {
+            PieceExtent e = piece;
+            e.low_mm = e.core_low_mm = slabs[i].low_mm;
+            e.high_mm = e.core_high_mm = e.straight_mm = slabs[i].high_mm;
+            const bool is_last = i + 1 == slabs.size();
+            const double above = is_last ? Turning::kInf : piece.high_mm - e.high_mm;
+            if (i > 0) {
+                // A ball as large as fits above and below; where the tool ends, it is cut off.
+                const double ball =
+                    std::min({piece.radius_mm, e.low_mm - piece.straight_mm, above});
+                e.core_radius_mm = piece.radius_mm - ball;
+                e.open_above = is_last;
+            } else {
+                // As the whole piece is rounded, if that fits.
+                const double ball = piece.radius_mm - piece.core_radius_mm;
+                e.open_above = false;
+                if (piece.open_above && ball <= above && piece.core_low_mm <= e.high_mm) {
+                    e.core_low_mm = piece.core_low_mm;
+                } else {
+                    e.core_radius_mm = piece.radius_mm;
+                }
+            }
+            result.pieces.push_back(e);
+        }
+    }
+    return result;
+}
+
 Turning Turning::raised(double distance_mm) const {
     Turning t = *this;
     t.tip_mm += std::abs(distance_mm);
@@ -172,12 +235,8 @@ double missed_mm(const Turning& turning, const ToolExtent& tool) {
 double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& turning,
                  const ToolExtent& tool) {
     double worst = 0.0;
-    for (const PieceExtent& piece : tool.pieces) {
-        // What is above all places that matter by more than it gains gains nothing there.
-        const double gained = gained_mm(X_WA, X_WB, turning, piece);
-        if (piece.low_mm <= turning.top_mm + gained + turning.chord_mm)
-            worst = std::max(worst, gained);
-    }
+    for (const PieceExtent& piece : tool.pieces)
+        worst = std::max(worst, gained_mm(X_WA, X_WB, turning, piece));
     return worst;
 }
 

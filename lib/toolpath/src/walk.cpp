@@ -24,6 +24,12 @@ Length axis_at(Length from, Length to, double rate, double time) {
     return from + (rate * time / distance) * (to - from);
 }
 
+cda::Box grown(cda::Box box, double by_mm) {
+    box.min = box.min - cda::Vec3{by_mm, by_mm, by_mm};
+    box.max = box.max + cda::Vec3{by_mm, by_mm, by_mm};
+    return box;
+}
+
 }  // namespace
 
 std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
@@ -119,11 +125,14 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     if (found == tools_.end() || !has_known_start(motion)) return {};
     Cutter& cutter = found->second.cutter;
     const ToolExtent& followed = found->second.followed;
+    // The bounds are those of round tools, whose hulls are so near to the ones that are made.
+    const cda::Box place =
+        grown(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
-        Samples samples = sample(part, followed, sampling_, place_);
-        Liberties liberties{samples.turning.top_mm, 0.0};
+        Samples samples = sample(part, followed, sampling_, place);
+        Liberties liberties = liberties_of(samples.turning);
         // A rapid move is followed exactly, so that it meets nothing where a cut has been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
             liberties.slack_mm = slack_mm_;

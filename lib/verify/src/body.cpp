@@ -144,18 +144,19 @@ std::vector<Cell> Body::cells(const Step& step, double raise, Side side) {
     std::vector<Cell> cells;
     toolpath::Cutter& cutter = side == Side::Circumscribed ? outer_ : inner_;
     cutter.trace(raised(step.X_WA, raise), raised(step.X_WB, raise), {}, cells,
-                 {step.turning.top_mm - raise, 0.0});
+                 toolpath::liberties_of(step.turning.raised(raise)));
     return cells;
 }
 
 Box Body::bounds(const Step& step, double raise) const {
     return outer_.bounds(raised(step.X_WA, raise), raised(step.X_WB, raise),
-                         {step.turning.top_mm - raise, 0.0});
+                         toolpath::liberties_of(step.turning.raised(raise)));
 }
 
 double gained_by(const toolpath::Cutter& cutter, const Step& step, double raise) {
     const toolpath::Turning turning = step.turning.raised(raise);
-    const toolpath::ToolExtent kept = toolpath::below(cutter.extent(), turning.top_mm);
+    const toolpath::ToolExtent kept =
+        toolpath::in_slabs(toolpath::below(cutter.extent(), turning.top_mm), turning.slab_mm);
     return turning.chord_mm +
            toolpath::gained_mm(raised(step.X_WA, raise), raised(step.X_WB, raise), turning, kept);
 }

@@ -172,7 +172,7 @@ void Measuring::ask_certainty(const Step& step, const cda::WorkpieceModel& part,
                               std::optional<Vec3>& point) {
     if (move_.certainty == Certainty::Certain) return;
     cells_.clear();
-    now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, {step.turning.top_mm, 0.0});
+    now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, toolpath::liberties_of(step.turning));
     const double less = gained_by(*now_->inscribed, step) + rounding_now(step);
     for (const Cell& cell : cells_) {
         const auto inside = contact(cell, less, part);

@@ -46,7 +46,8 @@ struct Samples {
 /// Poses at equal steps of the motion's parameter, the first and the last exactly its ends; none
 /// for dwells and tool changes. What happens outside of `place` (mm, W) does not matter, and what
 /// of the tool is above samples.turning.top_mm does not come there: a tool that turns is taken to
-/// be cut off above it, as cut_off() says.
+/// be cut off above it, as cut_off() says, and into slabs, as in_slabs() says for
+/// samples.turning.slab_mm.
 ///
 /// Arcs, helices and spirals: chords, where r is the largest radius, δ the angle of a step (rad)
 /// and Δr the change of radius in it: both bounds are (r δ² + 2 Δr δ)/8, for the tool's centre line

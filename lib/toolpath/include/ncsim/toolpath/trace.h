@@ -13,19 +13,24 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
 namespace ncsim::toolpath {
 
-/// What the hulls of a tool that turns may leave out.
+/// How the hulls of a tool that turns are made, and what they may leave out.
 struct Liberties {
     /// What is farther than this above the tip, as cut_off() says, mm.
     double top_mm = std::numeric_limits<double>::infinity();
     /// Facets without which the hull gains no more than this, mm. Inscribed tools keep all.
     double slack_mm = 0.0;
+    /// A hull for each slab of a piece, as slabs_of() says.
+    double slab_mm = std::numeric_limits<double>::infinity();
 };
+/// For the hulls that the bounds of a step are about.
+Liberties liberties_of(const Turning& turning, double slack_mm = 0.0);
 
 /// The cutting pieces of a tool as polytopes on a lattice, ready to be moved.
 class Cutter {
@@ -34,10 +39,10 @@ public:
     Cutter(const Tool& tool, const cda::Lattice& lattice, const ToolAccuracy& accuracy,
            const ToolPiece* below = nullptr);
 
-    /// Appends to `cells` the convex hull of each piece at X_WA and at X_WB. Poses that differ in
-    /// their translation only make exact hulls; turned ones are rounded to the lattice corner by
-    /// corner (half a unit an axis). Errs on the side of the tool's accuracy. A tool at rest leaves
-    /// its own shape. Poses beyond cda::kMaxPose units are clamped to it.
+    /// Appends to `cells` the convex hull of each piece, or each of its slabs, at X_WA and at X_WB.
+    /// Poses that differ in their translation only make exact hulls; turned ones are rounded to the
+    /// lattice corner by corner (half a unit an axis). Errs on the side of the tool's accuracy. A
+    /// tool at rest leaves its own shape. Poses beyond cda::kMaxPose units are clamped to it.
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                std::vector<cda::Cell>& cells, const Liberties& liberties = {});
 
@@ -60,12 +65,14 @@ private:
     };
 
     const Oriented& oriented(const Rotation& rows);
+    // Corners of what is left of a piece between two heights; infinite ones cut nothing off.
     std::vector<cda::LatticePoint> turned(const Rotation& rows, std::size_t piece,
-                                          double top_mm) const;
+                                          const Slab& kept) const;
 
     cda::Lattice lattice_;
     cda::Rounding rounding_ = cda::Rounding::Outward;
     std::vector<PiecePolytope> pieces_;  // as many as extent_ has
+    std::vector<std::int64_t> tops_;     // of these, in units
     std::vector<Oriented> cache_;        // the latest orientations, newest last
     ToolExtent extent_;
     double radius_ = 0.0, low_ = 0.0, high_ = 0.0;  // of a cylinder around all corners, in units

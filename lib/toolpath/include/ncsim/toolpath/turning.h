@@ -25,6 +25,20 @@
 // cylinder within the corner), the sum of a point of each, a ball turned is a ball: only the body
 // within counts. That fails where the piece is cut off flat, at its upper end: it holds if this end
 // is out of the region that matters.
+//
+// For a core K and a ball of radius ρ: x = (1-t) A (k1 + b1) + t B (k2 + b2) is within ρ of the
+// same of k1 and k2, and that within the gain g of K of the tool's K at t. So x is within g of K +
+// ball at t, and the gain is g if that is part of the tool, as far down and up as places are that
+// matter: K + ball reaches down to the height of K less ρ, and x no lower than g below that.
+//
+// **Slabs.** What a long tool gains grows with its length where its ends go opposite ways. A piece
+// may be cut across its axis: each slab leaves a hull of its own, which gains less, being shorter,
+// and all together miss no more, since each follows its part. The gain is counted from the whole
+// tool. A slab of a cylinder, from height z1 to z2 and of radius R, lies in K + ball for K from z1
+// to z2 of radius R - ρ; this is part of the tool if that is a cylinder from z1 - ρ to z2 + ρ. The
+// lowest slab has the ball of the corner, if the tool goes on above by as much; the highest is
+// taken for rolled if no place that matters is as high as its end. All this holds for the very
+// slabs that were told, so that what makes the hulls has to cut at the same heights.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -66,6 +80,16 @@ bool is_above(const PieceExtent& piece, double top_mm);
 /// With all pieces cut off there.
 ToolExtent below(ToolExtent tool, double top_mm);
 
+/// From where to where the slabs of a piece go, the lowest first: what is not a cylinder is part of
+/// it, the others are equally high, no higher than `slab_mm`, and reach a little into the one
+/// below.
+struct Slab {
+    double low_mm = 0.0, high_mm = 0.0;
+};
+std::vector<Slab> slabs_of(const PieceExtent& piece, double slab_mm);
+/// With all pieces cut into slabs: first below(), then this.
+ToolExtent in_slabs(const ToolExtent& tool, double slab_mm);
+
 /// One step of a motion: bounds of how the tool turns and moves between two poses. mm, radians.
 struct Turning {
     static constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -83,6 +107,8 @@ struct Turning {
     /// which all such places are, whatever the tool does in this motion.
     double place_mm = kInf;
     double top_mm = kInf;
+    /// How high the slabs are, at most, whose hulls the tool leaves.
+    double slab_mm = kInf;
 
     /// Of the same tool, mounted `distance` mm higher.
     Turning raised(double distance_mm) const;
