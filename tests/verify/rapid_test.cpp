@@ -27,6 +27,24 @@ TEST(RapidInMaterial, IsFoundAtItsLineWithTheVolumeItTakes) {
     EXPECT_EQ(f.box, (cda::Box{{-20, -5, -2}, {20, 5, 0}}));
 }
 
+// Once it is certain, only steps that come somewhere else are looked at: as when all are, because
+// volumes are measured.
+TEST(RapidInMaterial, IsToldWhereverItIsThoughNotAllStepsAreLookedAt) {
+    const std::string program = kStart + "G0 Z-3\nG0 X30 A60\nG0 X-30 Y3 A0\n";
+    verify::Setup setup = plain_setup();
+    setup.tools.at(1).tool = toolpath::flat_end_mill(10.0, 40.0);
+    const auto quick = findings_of(verdict_of(program, setup), "rapid-in-material");
+    setup.tools.at(1).max_engagement = 1000.0;
+    const auto all = findings_of(verdict_of(program, setup), "rapid-in-material");
+    ASSERT_FALSE(all.empty());
+    ASSERT_EQ(quick.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(quick[i].box, all[i].box) << i;
+        EXPECT_EQ(quick[i].point, all[i].point) << i;
+        EXPECT_EQ(quick[i].certainty, all[i].certainty) << i;
+    }
+}
+
 TEST(RapidInMaterial, IsFoundOnTheWayUpOutOfATunnel) {
     // Flutes of 5 mm at Z-9 leave a roof of 4 mm.
     verify::Setup setup = plain_setup();

@@ -91,12 +91,19 @@ double Measuring::common_volume(const Step& step, const cda::WorkpieceModel& par
 // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
 void Measuring::meet_rapidly(const Step& step, const cda::WorkpieceModel& part) {
     const double rounding = rounding_now(step);
+    // Of a motion that certainly meets material all that is left to be found out is where else, as
+    // a box.
+    const bool is_known =
+        move_.certainty == Certainty::Certain && move_.contact_point && !move_.volume_known;
     bool touches = false;
     std::optional<Vec3> point;
     for (const Cell& cell : step.cells) {
+        const Box box = intersection(cell.bounds, stock_);
+        const Box& known = move_.contact;
+        if (is_known && known.contains(box.min) && known.contains(box.max)) continue;
         if (!part.contact(cell)) continue;
         touches = true;
-        move_.contact.add(intersection(cell.bounds, stock_));
+        move_.contact.add(box);
         // Less than rounding: it is where the cutter was before.
         if (!point) point = contact(cell, rounding, part);
     }
