@@ -44,7 +44,7 @@ target_compile_features(ncsim_egl_tests PRIVATE cxx_std_20)
 target_compile_definitions(ncsim_egl_tests PRIVATE NCSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_include_directories(ncsim_egl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
   ${PROJECT_SOURCE_DIR}/lib/export/include ${PROJECT_SOURCE_DIR}/lib/export/src)
-target_link_libraries(ncsim_egl_tests PRIVATE ncsim::cda GTest::gtest_main PNG::PNG
+target_link_libraries(ncsim_egl_tests PRIVATE ncsim::cda ncsim::trig GTest::gtest_main PNG::PNG
   ${CMAKE_DL_LIBS} ncsim_build_flags)
 add_test(NAME export.egl_draws_the_same COMMAND ncsim_egl_tests)
 
