@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
+#include <set>
 
 namespace ncsim::app {
 
@@ -87,7 +89,10 @@ CLI::Option* add_list(CLI::App& command, const char* name, const char* type, con
 CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     CLI::App* check = app.add_subcommand(
         "check", "Verify programs: is each of them safe to run? Exit code 1 if not");
-    check->add_option("programs", o.programs, "NC programs")->required()->type_name("FILES");
+    check->add_option("programs", o.programs, "NC programs, and folders of them")
+        ->type_name("FILES");
+    check->add_option("--list", o.list, "More of them, a path a line; - is the standard input")
+        ->type_name("FILE");
     add_language_options(*check, o);
     add_setup_options(*check, o);
     add_simulation_options(*check, o);
@@ -124,6 +129,21 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    check
+        ->add_option("--shard", o.shard,
+                     "Only part I of N of the programs, from 0 on; auto: as SLURM_ARRAY_TASK_ID, "
+                     "JOB_COMPLETION_INDEX or CI_NODE_INDEX say")
+        ->type_name("I/N");
+    check->add_option("--shards", o.shards, "N, where auto cannot know it")
+        ->type_name("N")
+        ->check(CLI::Range(1U, 1'000'000U));
+    check->add_option("--out", o.out, "Folder for the result of a shard, for ncsim merge")
+        ->type_name("DIR");
+    check->add_flag("--redo", o.redo, "Verify a shard again whose result is there");
+    check
+        ->add_option("--cache", o.cache,
+                     "Folder of verdicts: of what has not changed they are not found again")
+        ->type_name("DIR");
     add_list(*check, "--accept", "REASONS", "Reasons for doubt that do not count: stock-guess,…",
              [&o](const auto& names) {
                  for (const std::string& name : names)
@@ -158,7 +178,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
 std::vector<std::string> inputs_of(const CheckOptions& o) {
     std::vector<std::string> paths = inputs_of(static_cast<const ProgramOptions&>(o));
     paths.insert(paths.end(), o.programs.begin(), o.programs.end());
-    for (const std::string* path : {&o.machine, &o.design}) {
+    for (const std::string* path : {&o.list, &o.machine, &o.design}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -172,12 +192,57 @@ std::vector<std::string> outputs_of(const CheckOptions& o) {
     return paths;
 }
 
-void complete(const CheckOptions& o) {
+void complete(CheckOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     require_verifying(o);
-    if (!o.html.empty() && o.programs.size() > 1) {
+    if (o.programs.empty() && o.list.empty())
+        throw Refusal{"no program is named: on the command line, or in a --list"};
+    if (!o.html.empty() && (o.programs.size() != 1 || !o.list.empty()))
         throw Refusal{"--html: a page is about one program"};
+    if (o.shard.empty() != o.out.empty())
+        throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
+                                    : "--out: of which shard? --shard I/N"};
+    if (o.shard.empty() && (o.redo || o.shards > 0))
+        throw Refusal{"--redo and --shards are about a --shard"};
+    if (!o.shard.empty() && (o.github || !outputs_of(o).empty()))
+        throw Refusal{"--shard: reports are written by ncsim merge"};
+    if (!o.shard.empty()) o.number = shard_number(o.shard, o.shards);
+}
+
+CLI::App* add_merge(CLI::App& app, MergeOptions& o) {
+    CLI::App* merge = app.add_subcommand(
+        "merge", "Put results of ncsim check --shard together: the reports of one run");
+    merge->add_option("sources", o.sources, "Folders of results, or the files")
+        ->required()
+        ->type_name("DIRS");
+    merge->add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
+    merge->add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
+        ->type_name("FILE");
+    merge->add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
+        ->type_name("FILE");
+    merge->add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
+    merge->add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
+    merge->add_flag("--notes", o.notes, "In the summary why rules were not asked");
+    merge->add_flag("--quiet,-q", o.quiet, "No summary");
+    return merge;
+}
+
+std::string told_to(const CLI::App& command) {
+    static const std::set<std::string, std::less<>> kElsewhere{
+        "programs", "--list",   "--shard",   "--shards",    "--out",      "--redo",
+        "--cache",  "--jobs",   "--json",    "--sarif",     "--junit",    "--csv",
+        "--html",   "--github", "--threads", "--exit-zero", "--max-time", "--max-memory"};
+    std::string told;
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name =
+            option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
+        if (option->count() == 0 || kElsewhere.contains(name)) continue;
+        told += name;
+        for (const std::string& value : option->results())
+            told += '\0' + value;
+        told += '\n';
     }
+    return told;
 }
 
 CLI::App* add_rules(CLI::App& app, RulesOptions& options) {

@@ -6,7 +6,9 @@
 #include "ncsim/verify/selection.h"
 
 #include "program_options.h"
+#include "shard_number.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,16 @@ namespace ncsim::app {
 /// `program`, `save_job` and `model` are not used: there may be many programs.
 struct CheckOptions : ProgramOptions, SimulationOptions {
     std::vector<std::string> programs;
-    std::string machine;            ///< A machine.toml.
-    std::string design;             ///< STL or GLB.
+    std::string list;          ///< More programs, a path a line.
+    std::string shard;         ///< "3/200", "auto"; empty: all of them.
+    std::uint32_t shards = 0;  ///< How many there are, where "auto" cannot know.
+    ShardNumber number;        ///< What these two say.
+    std::string out;           ///< Folder for the results of a shard.
+    bool redo = false;         ///< Though the result of the shard is there.
+    std::string cache;         ///< Folder of verdicts that are known already; empty: none.
+    std::string told;          ///< What of the command line decides verdicts, in one way to say it.
+    std::string machine;       ///< A machine.toml.
+    std::string design;        ///< STL or GLB.
     double design_tolerance = 0.1;  ///< mm
     verify::Selection selection;
     std::string json, sarif, junit, csv, html;  ///< Files to write; empty: not asked for.
@@ -31,6 +41,15 @@ struct CheckOptions : ProgramOptions, SimulationOptions {
     bool quiet = false;  ///< Only findings.
 };
 
+/// `ncsim merge`.
+struct MergeOptions {
+    std::vector<std::string> sources;  ///< Folders and files of results of shards.
+    std::string json, sarif, junit;    ///< Files to write; empty: not asked for.
+    bool github = false;
+    bool exit_zero = false;
+    bool notes = false, quiet = false;  ///< Of the summary; the shards had their own.
+};
+
 struct RulesOptions {
     bool json = false;
 };
@@ -42,9 +61,14 @@ std::vector<std::string> inputs_of(const CheckOptions& options);
 
 /// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
 CLI::App* add_check(CLI::App& app, CheckOptions& options);
+CLI::App* add_merge(CLI::App& app, MergeOptions& options);
 CLI::App* add_rules(CLI::App& app, RulesOptions& options);
 
+/// What was told `command` that decides its verdicts: neither where results go nor how the work is
+/// shared.
+std::string told_to(const CLI::App& command);
+
 /// What can be judged only when all options were read; throws Refusal.
-void complete(const CheckOptions& options);
+void complete(CheckOptions& options);
 
 }  // namespace ncsim::app

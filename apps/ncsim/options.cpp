@@ -113,6 +113,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     CheckOptions check_options;
     CLI::App* check = add_check(app, check_options);
     check->footer(footer("ncsim check samples/simple.nc samples/complex.nc"));
+    MergeOptions merge_options;
+    CLI::App* merge = add_merge(app, merge_options);
+    merge->footer(footer("ncsim merge results/ --sarif all.sarif"));
     DiffOptions diff_options;
     CLI::App* diff = add_diff(app, diff_options);
     diff->footer(footer("ncsim diff old.nc new.nc --tol 0.01"));
@@ -137,8 +140,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
         }
         if (chosen() == check) {
             complete(check_options);
+            check_options.told = told_to(*check);
             return check_options;
         }
+        if (chosen() == merge) return merge_options;
         if (chosen() == diff) {
             complete(diff_options);
             return diff_options;

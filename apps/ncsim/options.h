@@ -23,8 +23,8 @@ struct Farewell {
 };
 
 /// What can be asked for: for each command its options. For each of them there is a run().
-using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, DiffOptions,
-                             RulesOptions, Farewell>;
+using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
+                             DiffOptions, RulesOptions, Farewell>;
 
 /// Total: any arguments give one of them.
 Command parse_options(const std::vector<std::string>& arguments);

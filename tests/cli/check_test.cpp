@@ -91,7 +91,8 @@ TEST(Check, ABrokenProgramHidesNoOther) {
     EXPECT_TRUE(contains(ran.out, "bad.nc:8:1: error")) << ran.out;
     EXPECT_TRUE(contains(ran.out, "missing.nc: not verified: cannot read 'missing.nc'"));
     EXPECT_TRUE(contains(ran.out, "binary.nc: not verified: 'binary.nc' is not an NC program"));
-    EXPECT_TRUE(contains(ran.out, "good.nc: clean"));
+    EXPECT_FALSE(contains(ran.out, "good.nc"));
+    EXPECT_TRUE(contains(ran.out, "failed:\n  bad.nc: 1 error")) << ran.out;
     EXPECT_TRUE(contains(ran.out, "4 programs: 1 clean, 0 not proven, 1 failed, 2 not verified\n"));
 }
 

@@ -20,6 +20,7 @@ if(TARGET ncsim)
       run_test.cpp
       samples_test.cpp
       set_ups_test.cpp
+      shards_test.cpp
       tools_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp

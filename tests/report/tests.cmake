@@ -2,4 +2,5 @@ find_package(nlohmann_json CONFIG REQUIRED)
 ncsim_add_test(report
   LIBRARIES ncsim::report nlohmann_json::nlohmann_json
   SOURCES
-    plain_text_test.cpp)
+    plain_text_test.cpp
+    shard_test.cpp)

@@ -39,14 +39,14 @@ const char* command_for(verify::Severity severity) {
 
 }  // namespace
 
-std::string github_annotations(const Checked& checked) {
+std::string github_annotations(const Checked& checked, bool notes) {
     std::string text;
     if (!checked.failure.empty()) {
         append(text, "::error file={}::not verified: {}\n",
                escaped(relative_path(checked.path), true), escaped(checked.failure, false));
     }
     for (const verify::Finding& f : checked.verdict.findings) {
-        if (f.suppressed) continue;
+        if (f.suppressed || (f.severity == verify::Severity::Note && !notes)) continue;
         const auto& span = f.place.span;
         append(text, "::{} file={}", command_for(f.severity),
                escaped(file_of(checked, f.place), true));

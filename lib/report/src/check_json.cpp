@@ -5,6 +5,8 @@
 #include "ncsim/report/version.h"
 
 #include "json.h"
+#include "json_stream.h"
+#include "shares.h"
 
 #include <ostream>
 
@@ -131,13 +133,19 @@ Json to_json(const Checked& checked) {
 
 }  // namespace
 
-void write_check_json(std::ostream& out, std::span<const Checked> all) {
-    Json json{{"version", 1}, {"ncsim", kVersion}};
-    json["programs"] = Json::array();
-    for (const Checked& checked : all)
-        json["programs"].push_back(to_json(checked));
-    // Bytes of a program that are no UTF-8 become U+FFFD.
-    out << to_text(json);
+Json check_json_share(const Checked& checked) {
+    return to_json(checked);
+}
+
+void write_check_json(std::ostream& out, const Entries& all) {
+    JsonStream json(out);
+    json.begin_object();
+    json.value("version", 1);
+    json.value("ncsim", kVersion);
+    json.begin_array("programs");
+    all([&](const Entry& entry) { json.element(Json::parse(entry.json)); });
+    json.end();
+    json.end();
 }
 
 }  // namespace ncsim::report

@@ -8,6 +8,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -66,21 +71,7 @@ void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d
     append(text, " [{}]\n", d.reason);
 }
 
-// What to tell, so that a program can be proven: a line for each reason, and how to accept them
-// all.
-void put_remedy(std::string& text, const std::vector<verify::Doubt>& doubts) {
-    std::string ids;
-    for (const verify::ReasonInfo& reason : verify::reasons()) {
-        const auto is_open = [&](const verify::Doubt& d) {
-            return d.reason == reason.id && !d.accepted;
-        };
-        if (std::ranges::none_of(doubts, is_open)) continue;
-        append(text, "  {:<8} {}: {}\n", ids.empty() ? "to tell" : "", reason.id, reason.tell);
-        if (!ids.empty()) ids += ',';
-        ids += reason.id;
-    }
-    if (!ids.empty()) append(text, "  or       --accept {}\n", ids);
-}
+constexpr std::string_view kSkipped = "  skipped";
 
 // Rules that could not be asked for the same reason share a line.
 void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped) {
@@ -92,7 +83,7 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
         for (const verify::Skipped& same : skipped) {
             if (same.reason == s.reason) rules += (rules.empty() ? "" : ", ") + same.rule;
         }
-        append(text, "  skipped  {}: {}\n", rules, one_line(s.reason));
+        append(text, "{}  {}: {}\n", kSkipped, rules, one_line(s.reason));
     }
 }
 
@@ -102,8 +93,73 @@ std::string name_of_verdict(const Checked& checked) {
     return name;
 }
 
+// Programs of one kind that are named at the end.
+constexpr std::uint64_t kMostListed = 20;
+
 std::string counted(std::uint64_t n, const char* what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+// Lines of what programs tell, each once, in the order in which they came up.
+class Lines {
+public:
+    void add(const std::string& lines) {
+        for (std::size_t at = 0; at < lines.size();) {
+            const std::size_t end = lines.find('\n', at);
+            std::string line = lines.substr(at, end - at);
+            const auto [place, is_new] = places_.try_emplace(line, lines_.size());
+            if (is_new) lines_.emplace_back(std::move(line), 0);
+            ++lines_[place->second].second;
+            at = end + 1;
+        }
+    }
+    /// Of so many programs; with how many of them, where that is not all.
+    std::string text(std::uint64_t programs = 0) const {
+        std::string text;
+        for (const auto& [line, count] : lines_) {
+            text += line;
+            if (count < programs) text += fmt::format(" ({})", counted(count, "program"));
+            text += '\n';
+        }
+        return text;
+    }
+    const std::vector<std::pair<std::string, std::uint64_t>>& all() const { return lines_; }
+
+private:
+    std::vector<std::pair<std::string, std::uint64_t>> lines_;
+    std::map<std::string, std::size_t> places_;
+};
+
+// What to tell, so that programs can be proven: a line for each reason, and how to accept them all.
+void put_remedies(std::string& text, const std::string& remedies) {
+    std::string ids;
+    for (std::size_t at = 0; at < remedies.size();) {
+        const std::size_t end = remedies.find('\n', at);
+        const std::string line = remedies.substr(at, end - at);
+        append(text, "  {:<8} {}\n", ids.empty() ? "to tell" : "", line);
+        ids += (ids.empty() ? "" : ",") + line.substr(0, line.find(':'));
+        at = end + 1;
+    }
+    if (!ids.empty()) append(text, "  or       --accept {}\n", ids);
+}
+
+// The rules that some program could not be asked, in one line.
+std::string rules_of(const Lines& skipped) {
+    std::string rules;
+    std::set<std::string_view> told;
+    for (const auto& [line, count] : skipped.all()) {
+        std::string_view rest = line;
+        rest.remove_prefix(std::min(rest.find_first_not_of(' ', kSkipped.size()), rest.size()));
+        rest = rest.substr(0, rest.find(':'));
+        while (!rest.empty()) {
+            const std::size_t comma = std::min(rest.find(", "), rest.size());
+            if (told.insert(rest.substr(0, comma)).second)
+                rules.append(rules.empty() ? "" : ", ").append(rest.substr(0, comma));
+            rest.remove_prefix(std::min(comma + 2, rest.size()));
+        }
+    }
+    if (rules.empty()) return {};
+    return fmt::format("  skipped  {}; why: --notes\n", rules);
 }
 
 }  // namespace
@@ -127,30 +183,82 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     for (const verify::Doubt& d : v.doubts) {
         if (!d.accepted || options.notes) put_doubt(text, checked, d);
     }
-    if (options.quiet) return text;
-    append(text, "{}: {}: {}, {}, {}, {}", path, name_of_verdict(checked),
-           counted(v.count(Severity::Error), "error"),
-           counted(v.count(Severity::Warning), "warning"), counted(v.count(Severity::Note), "note"),
-           counted(v.open_doubts(), "doubt"));
-    const std::size_t accepted = v.doubts.size() - v.open_doubts();
-    if (accepted > 0) append(text, ", {} accepted", accepted);
-    if (v.suppressed() > 0) append(text, ", {} suppressed", v.suppressed());
-    text += '\n';
-    put_remedy(text, v.doubts);
+    if (options.quiet || options.many) return text;
+    append(text, "{}: {}: {}\n", path, name_of_verdict(checked), counts_of(checked));
+    put_remedies(text, remedies_of(checked));
     if (!checked.stock.empty()) append(text, "  stock    {}\n", one_line(checked.stock));
     if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
     if (checked.design) append(text, "  design   {}\n", one_line(text_of(*checked.design)));
-    put_skipped(text, v.skipped);
     return text;
 }
 
-std::string summary_of(std::span<const Checked> all) {
-    const auto count = [all](std::string_view word) {
-        return std::ranges::count(all, word, &Checked::word);
-    };
-    return fmt::format("{}: {} clean, {} not proven, {} failed, {} not verified\n",
-                       counted(all.size(), "program"), count("clean"), count("not-proven"),
-                       count("failed"), count("not-verified"));
+std::string counts_of(const Checked& checked) {
+    if (!checked.failure.empty()) return {};
+    const verify::Verdict& v = checked.verdict;
+    std::string text =
+        fmt::format("{}, {}, {}, {}", counted(v.count(Severity::Error), "error"),
+                    counted(v.count(Severity::Warning), "warning"),
+                    counted(v.count(Severity::Note), "note"), counted(v.open_doubts(), "doubt"));
+    const std::size_t accepted = v.doubts.size() - v.open_doubts();
+    if (accepted > 0) text += fmt::format(", {} accepted", accepted);
+    if (v.suppressed() > 0) text += fmt::format(", {} suppressed", v.suppressed());
+    return text;
+}
+
+std::string remedies_of(const Checked& checked) {
+    std::string text;
+    for (const verify::ReasonInfo& reason : verify::reasons()) {
+        const auto is_open = [&](const verify::Doubt& d) {
+            return d.reason == reason.id && !d.accepted;
+        };
+        if (std::ranges::any_of(checked.verdict.doubts, is_open))
+            text += fmt::format("{}: {}\n", reason.id, reason.tell);
+    }
+    return text;
+}
+
+std::string skipped_of(const Checked& checked) {
+    std::string text;
+    put_skipped(text, checked.verdict.skipped);
+    return text;
+}
+
+std::string summary_of(const Entries& all, const TextOptions& options) {
+    std::string text;
+    if (options.quiet) return text;
+    std::uint64_t programs = 0;
+    std::map<std::string, std::uint64_t> words;
+    std::map<std::string, std::string> listed;
+    Lines skipped;
+    Lines to_tell;
+    all([&](const Entry& entry) {
+        ++programs;
+        skipped.add(entry.skipped);
+        to_tell.add(entry.to_tell);
+        if (++words[entry.word] > kMostListed || entry.word == "clean") return;
+        listed[entry.word] += "  " + shown_path(entry.path);
+        if (!entry.counts.empty()) listed[entry.word] += ": " + entry.counts;
+        listed[entry.word] += '\n';
+    });
+    if (!options.many) return skipped.text();
+    put_remedies(text, to_tell.text(programs));
+    if (options.notes) {
+        text += skipped.text(programs);
+    } else {
+        text += rules_of(skipped);
+    }
+    for (const auto& [word, title] :
+         {std::pair{"not-verified", "not verified"}, std::pair{"not-proven", "not proven"},
+          std::pair{"failed", "failed"}}) {
+        const std::uint64_t n = words[word];
+        if (n == 0) continue;
+        append(text, "{}:\n{}", title, listed[word]);
+        if (n > kMostListed) append(text, "  and {} more\n", n - kMostListed);
+    }
+    append(text, "{}: {} clean, {} not proven, {} failed, {} not verified\n",
+           counted(programs, "program"), words["clean"], words["not-proven"], words["failed"],
+           words["not-verified"]);
+    return text;
 }
 
 }  // namespace ncsim::report

@@ -5,11 +5,14 @@
 #include "ncsim/verify/rule.h"
 
 #include "append.h"
+#include "json.h"
 #include "markup.h"
+#include "shares.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 
 namespace ncsim::report {
@@ -108,41 +111,53 @@ void put_case(std::string& text, const Case& c, const std::string& program) {
 
 }  // namespace
 
-void write_junit(std::ostream& out, std::span<const Checked> all,
-                 const verify::Selection& selection, bool warnings_as_errors) {
-    std::string body;
-    std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
-    for (const Checked& checked : all) {
-        const std::string program = relative_path(checked.path);
-        if (!checked.failure.empty()) {
-            ++tests, ++errors;
-            body += fmt::format(
-                " <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" "
-                "time=\"0\">\n  <testcase classname=\"{0}\" name=\"verified\" time=\"0\">\n"
-                "   <error message=\"{1}\"/>\n  </testcase>\n </testsuite>\n",
-                xml(program), xml(checked.failure));
-            continue;
-        }
-        const std::vector<Case> cases = cases_of(checked, selection, warnings_as_errors);
-        const auto failed = static_cast<std::size_t>(
-            std::ranges::count_if(cases, [](const Case& c) { return !c.failures.empty(); }));
-        const auto passed_over = static_cast<std::size_t>(std::ranges::count_if(
-            cases, [](const Case& c) { return c.failures.empty() && !c.skipped.empty(); }));
-        body += fmt::format(
-            " <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" "
-            "time=\"0\">\n",
-            xml(program), cases.size(), failed, passed_over);
-        for (const Case& c : cases)
-            put_case(body, c, program);
-        body += " </testsuite>\n";
-        tests += cases.size(), failures += failed, skipped += passed_over;
+Json junit_share(const Checked& checked, const verify::Selection& selection,
+                 bool warnings_as_errors) {
+    const std::string program = relative_path(checked.path);
+    if (!checked.failure.empty()) {
+        const std::string suite = fmt::format(
+            " <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" "
+            "time=\"0\">\n  <testcase classname=\"{0}\" name=\"verified\" time=\"0\">\n"
+            "   <error message=\"{1}\"/>\n  </testcase>\n </testsuite>\n",
+            xml(program), xml(checked.failure));
+        return {{"tests", 1}, {"failures", 0}, {"errors", 1}, {"skipped", 0}, {"suite", suite}};
     }
+    const std::vector<Case> cases = cases_of(checked, selection, warnings_as_errors);
+    const auto failed =
+        std::ranges::count_if(cases, [](const Case& c) { return !c.failures.empty(); });
+    const auto passed_over = std::ranges::count_if(
+        cases, [](const Case& c) { return c.failures.empty() && !c.skipped.empty(); });
+    std::string suite = fmt::format(
+        " <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" "
+        "time=\"0\">\n",
+        xml(program), cases.size(), failed, passed_over);
+    for (const Case& c : cases)
+        put_case(suite, c, program);
+    suite += " </testsuite>\n";
+    return {{"tests", cases.size()},
+            {"failures", failed},
+            {"errors", 0},
+            {"skipped", passed_over},
+            {"suite", suite}};
+}
+
+void write_junit(std::ostream& out, const Entries& all) {
+    std::array<std::uint64_t, 4> sums{};
+    constexpr std::array<const char*, 4> kCounts{"tests", "failures", "errors", "skipped"};
+    all([&](const Entry& entry) {
+        const Json share = Json::parse(entry.junit);
+        for (std::size_t i = 0; i < kCounts.size(); ++i)
+            sums[i] += share[kCounts[i]].get<std::uint64_t>();
+    });
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         << fmt::format(
                "<testsuites name=\"ncsim check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
                "skipped=\"{}\" time=\"0\">\n",
-               tests, failures, errors, skipped)
-        << body << "</testsuites>\n";
+               sums[0], sums[1], sums[2], sums[3]);
+    all([&](const Entry& entry) {
+        out << Json::parse(entry.junit)["suite"].get_ref<const std::string&>();
+    });
+    out << "</testsuites>\n";
 }
 
 }  // namespace ncsim::report

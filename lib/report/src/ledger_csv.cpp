@@ -4,6 +4,8 @@
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 
+#include "shares.h"
+
 #include <fmt/format.h>
 
 #include <optional>
@@ -32,27 +34,31 @@ std::string csv_path(const std::string& path) {
 
 }  // namespace
 
-void write_ledger_csv(std::ostream& out, std::span<const Checked> all) {
+std::string ledger_csv_share(const Checked& checked) {
+    std::string out;
+    const std::string program = csv_path(relative_path(checked.path));
+    for (const verify::LedgerRow& row : checked.verdict.ledger.rows) {
+        out +=
+            fmt::format("{},{},{},{},{},{},{},{},{},{},{}", program,
+                        csv_path(file_of(checked, {row.file, {}})), row.line, row.first_motion,
+                        row.last_motion, row.tool, name_of(row.kind), number(row.length_mm),
+                        number(row.removed_mm3), number(row.seconds), number(row.removal_rate()));
+        for (const cda::Vec3& corner : {row.contact.min, row.contact.max}) {
+            for (int axis = 0; axis < 3; ++axis) {
+                out += ',';
+                if (!row.contact.is_empty()) out += number(corner[axis]);
+            }
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+void write_ledger_csv(std::ostream& out, const Entries& all) {
     out << "program,file,line,first_motion,last_motion,tool,kind,length_mm,removed_mm3,seconds,"
            "mm3_per_minute,contact_min_x,contact_min_y,contact_min_z,contact_max_x,contact_max_y,"
            "contact_max_z\n";
-    for (const Checked& checked : all) {
-        const std::string program = csv_path(relative_path(checked.path));
-        for (const verify::LedgerRow& row : checked.verdict.ledger.rows) {
-            out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}", program,
-                               csv_path(file_of(checked, {row.file, {}})), row.line,
-                               row.first_motion, row.last_motion, row.tool, name_of(row.kind),
-                               number(row.length_mm), number(row.removed_mm3), number(row.seconds),
-                               number(row.removal_rate()));
-            for (const cda::Vec3& corner : {row.contact.min, row.contact.max}) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    out << ',';
-                    if (!row.contact.is_empty()) out << number(corner[axis]);
-                }
-            }
-            out << '\n';
-        }
-    }
+    all([&](const Entry& entry) { out << entry.csv; });
 }
 
 }  // namespace ncsim::report

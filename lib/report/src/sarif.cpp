@@ -8,10 +8,13 @@
 #include "ncsim/verify/rule.h"
 
 #include "json.h"
+#include "json_stream.h"
+#include "shares.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <ostream>
 #include <string_view>
@@ -50,6 +53,9 @@ const char* level_of(Severity severity) {
     }
     return "error";
 }
+
+// Levels, the heaviest first: so results are written.
+constexpr std::array<const char*, 3> kWeights{"error", "warning", "note"};
 
 // 64 bits, FNV-1a (Fowler, Noll, Vo): told apart, not kept secret.
 std::string fingerprint(std::string_view text) {
@@ -172,66 +178,103 @@ Json result(const Checked& checked, const verify::Doubt& d, Seen& seen) {
 
 }  // namespace
 
-void write_sarif(std::ostream& out, std::span<const Checked> all) {
-    Json notifications = Json::array();
-    Json configuration = Json::array();
-    std::vector<std::pair<Severity, Json>> results;
-    bool all_verified = true;
-    for (const Checked& checked : all) {
-        const std::string path = relative_path(checked.path);
-        if (!checked.failure.empty()) {
-            all_verified = false;
-            notifications.push_back({{"level", "error"},
-                                     {"message", {{"text", "not verified: " + checked.failure}}},
-                                     {"locations", {location(path)}}});
-            continue;
-        }
-        Seen seen;
-        const auto& findings = checked.verdict.findings;
-        for (std::size_t i = 0; i < findings.size(); ++i) {
-            results.emplace_back(findings[i].severity,
-                                 result(checked, findings[i], checked.lines[i], seen));
-        }
-        for (const verify::Doubt& d : checked.verdict.doubts)
-            results.emplace_back(Severity::Warning, result(checked, d, seen));
-        for (const auto& [rule, more] : checked.verdict.unlisted) {
-            notifications.push_back(
-                {{"level", "warning"},
-                 {"message", {{"text", fmt::format("{} more findings of {}", more, rule)}}},
-                 {"locations", {location(path)}}});
-        }
-        for (const verify::Skipped& s : checked.verdict.skipped) {
-            configuration.push_back({{"level", "note"},
-                                     {"associatedRule", {{"id", s.rule}}},
-                                     {"message", {{"text", s.rule + " skipped: " + s.reason}}},
-                                     {"locations", {location(path)}}});
-        }
+Json sarif_share(const Checked& checked, bool notes) {
+    Json share{{"verified", checked.failure.empty()},
+               {"notifications", Json::array()},
+               {"configuration", Json::array()}};
+    for (const char* weight : kWeights)
+        share[weight] = Json::array();
+    const std::string path = relative_path(checked.path);
+    if (!checked.failure.empty()) {
+        share["notifications"].push_back(
+            {{"level", "error"},
+             {"message", {{"text", "not verified: " + checked.failure}}},
+             {"locations", {location(path)}}});
+        return share;
     }
-    if (results.size() > kMaxResults) {
-        // The heaviest stay, in their order.
-        std::ranges::stable_sort(results, std::greater<>{},
-                                 [](const auto& r) { return static_cast<int>(r.first); });
-        notifications.push_back(
+    Seen seen;
+    const auto& findings = checked.verdict.findings;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        Json json = result(checked, findings[i], checked.lines[i], seen);
+        if (findings[i].severity != Severity::Note || notes)
+            share[level_of(findings[i].severity)].push_back(std::move(json));
+    }
+    for (const verify::Doubt& d : checked.verdict.doubts)
+        share["warning"].push_back(result(checked, d, seen));
+    for (const auto& [rule, more] : checked.verdict.unlisted) {
+        share["notifications"].push_back(
             {{"level", "warning"},
-             {"message",
-              {{"text", fmt::format("{} results of the least weight were left out: no "
-                                    "more than {} are accepted",
-                                    results.size() - kMaxResults, kMaxResults)}}}});
-        results.resize(kMaxResults);
+             {"message", {{"text", fmt::format("{} more findings of {}", more, rule)}}},
+             {"locations", {location(path)}}});
     }
-    Json run;
-    run["tool"]["driver"] = {{"name", "ncsim"}, {"version", kVersion}, {"rules", rules_json()}};
-    run["invocations"] = {{{"executionSuccessful", all_verified},
-                           {"toolExecutionNotifications", std::move(notifications)},
-                           {"toolConfigurationNotifications", std::move(configuration)}}};
-    run["columnKind"] = "utf16CodeUnits";
-    run["results"] = Json::array();
-    for (auto& [severity, json] : results)
-        run["results"].push_back(std::move(json));
-    Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-             {"version", "2.1.0"},
-             {"runs", {std::move(run)}}};
-    out << to_text(log);
+    for (const verify::Skipped& s : checked.verdict.skipped) {
+        share["configuration"].push_back({{"level", "note"},
+                                          {"associatedRule", {{"id", s.rule}}},
+                                          {"message", {{"text", s.rule + " skipped: " + s.reason}}},
+                                          {"locations", {location(path)}}});
+    }
+    return share;
+}
+
+void write_sarif(std::ostream& out, const Entries& all) {
+    const auto each = [&](const auto& take) {
+        all([&](const Entry& entry) { take(Json::parse(entry.sarif)); });
+    };
+    bool all_verified = true;
+    std::size_t results = 0;
+    each([&](const Json& share) {
+        all_verified = all_verified && share["verified"].get<bool>();
+        for (const char* weight : kWeights)
+            results += share[weight].size();
+    });
+    JsonStream json(out);
+    json.begin_object();
+    json.value("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
+    json.value("version", "2.1.0");
+    json.begin_array("runs");
+    json.begin_object();
+    json.value("tool",
+               {{"driver", {{"name", "ncsim"}, {"version", kVersion}, {"rules", rules_json()}}}});
+    json.begin_array("invocations");
+    json.begin_object();
+    json.value("executionSuccessful", all_verified);
+    const auto put_all = [&](const char* key) {
+        each([&](const Json& share) {
+            for (const Json& element : share[key])
+                json.element(element);
+        });
+    };
+    json.begin_array("toolExecutionNotifications");
+    put_all("notifications");
+    if (results > kMaxResults) {
+        json.element({{"level", "warning"},
+                      {"message",
+                       {{"text", fmt::format("{} results of the least weight were left out: no "
+                                             "more than {} are accepted",
+                                             results - kMaxResults, kMaxResults)}}}});
+    }
+    json.end();
+    json.begin_array("toolConfigurationNotifications");
+    put_all("configuration");
+    json.end();
+    json.end();
+    json.end();
+    json.value("columnKind", "utf16CodeUnits");
+    json.begin_array("results");
+    std::size_t room = kMaxResults;
+    for (const char* weight : kWeights) {
+        each([&](const Json& share) {
+            for (const Json& element : share[weight]) {
+                if (room == 0) return;
+                --room;
+                json.element(element);
+            }
+        });
+    }
+    json.end();
+    json.end();
+    json.end();
+    json.end();
 }
 
 }  // namespace ncsim::report

@@ -130,6 +130,13 @@ std::string InputSet::read(const std::string& path, std::uintmax_t most) {
     return read_open(path, file.number(), most);
 }
 
+bool InputSet::is_there(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored);
+}
+
+void InputSet::look_through(const std::string& /*folder*/) {}
+
 std::string name_of_input(const std::string& path) {
     return path == kStandardInput ? "<stdin>" : path;
 }

@@ -103,13 +103,12 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
     for (const std::filesystem::path& folder : folders) {
         for (const std::string& file : files) {
             const std::filesystem::path path = folder / file;
-            std::error_code ignored;
-            if (std::filesystem::is_regular_file(path, ignored)) {
+            if (inputs.is_there(path.string()))
                 return gcode::SourceFile{file, inputs.read(path.string())};
-            }
         }
     }
     for (const std::filesystem::path& folder : folders) {
+        inputs.look_through(folder.string());
         if (const std::optional<std::string> file = file_with_program(folder, name))
             return gcode::SourceFile{*file, inputs.read((folder / *file).string())};
     }

@@ -9,7 +9,8 @@
 
 namespace ncsim::report {
 
-/// Workflow commands that GitHub Actions shows beside the lines of a change; a line each.
-std::string github_annotations(const Checked& checked);
+/// Workflow commands that GitHub Actions shows beside the lines of a change; a line each. Notes
+/// only where `notes`.
+std::string github_annotations(const Checked& checked, bool notes);
 
 }  // namespace ncsim::report

@@ -4,15 +4,14 @@
 // the options only: no times, no absolute paths, no order of work.
 #pragma once
 
-#include "ncsim/report/checked.h"
+#include "ncsim/report/entry.h"
 
 #include <iosfwd>
-#include <span>
 
 namespace ncsim::report {
 
 /// Everything (docs/check.schema.json). Lengths in mm, volumes in mm³. Keys are only ever added
 /// within a version.
-void write_check_json(std::ostream& out, std::span<const Checked> all);
+void write_check_json(std::ostream& out, const Entries& all);
 
 }  // namespace ncsim::report

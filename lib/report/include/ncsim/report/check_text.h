@@ -4,8 +4,8 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
+#include "ncsim/report/entry.h"
 
-#include <span>
 #include <string>
 
 namespace ncsim::report {
@@ -14,12 +14,22 @@ namespace ncsim::report {
 struct TextOptions {
     bool notes = false;  ///< Notes and accepted doubts, too.
     bool quiet = false;  ///< Only findings.
+    bool many = false;   ///< Only findings and doubts: summary_of() tells the rest.
 };
 
 /// All there is to say about one program, ending in a newline; empty if that is nothing.
 std::string text_of(const Checked& checked, const TextOptions& options);
 
-/// One line about all of them.
-std::string summary_of(std::span<const Checked> all);
+/// How many findings and doubts it has; empty if it was not verified.
+std::string counts_of(const Checked& checked);
+/// What would prove it: for each reason for doubt its name, ": " and what to tell, a line each.
+std::string remedies_of(const Checked& checked);
+/// What was not asked of it, a line a reason; empty if that is nothing.
+std::string skipped_of(const Checked& checked);
+
+/// After the programs, each of which has told its own. Of one: what was not asked. Of many: what
+/// to tell and what was not asked, once for all, which ones failed and which are not proven, and
+/// how many of each.
+std::string summary_of(const Entries& all, const TextOptions& options);
 
 }  // namespace ncsim::report

@@ -3,18 +3,15 @@
 // Verdicts as tests that passed or failed.
 #pragma once
 
-#include "ncsim/report/checked.h"
-#include "ncsim/verify/selection.h"
+#include "ncsim/report/entry.h"
 
 #include <iosfwd>
-#include <span>
 
 namespace ncsim::report {
 
 /// JUnit XML: a suite for each program, a case for each rule that was selected and one for what
 /// keeps the program from being proven; skipped rules are skipped cases. Warnings fail a case only
 /// if they are to count as errors.
-void write_junit(std::ostream& out, std::span<const Checked> all,
-                 const verify::Selection& selection, bool warnings_as_errors);
+void write_junit(std::ostream& out, const Entries& all);
 
 }  // namespace ncsim::report

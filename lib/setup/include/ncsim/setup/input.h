@@ -23,9 +23,18 @@ inline constexpr std::uintmax_t kMostDeviceBytes = 64'000'000;
 /// the file and what the system said, and may be called from several threads.
 class InputSet {
 public:
+    InputSet() = default;
+    InputSet(const InputSet&) = delete;
+    InputSet& operator=(const InputSet&) = delete;
+    virtual ~InputSet() = default;
+
     /// All bytes of a file; whoever asks again for the standard input gets the same. Throws if it
     /// cannot be read, is a folder, has more bytes than `most`, or is an output of the same run.
-    std::string read(const std::string& path, std::uintmax_t most = kMostBytes);
+    virtual std::string read(const std::string& path, std::uintmax_t most = kMostBytes);
+    /// Is there a file to be read?
+    virtual bool is_there(const std::string& path);
+    /// Whatever stands in `folder` is going to be looked at.
+    virtual void look_through(const std::string& folder);
 
     /// `path` is named to be read, which may happen later. Throws if the standard input is named
     /// for the second time.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What reports say of one program, made when it was verified: its share of each of them. The
+// program itself may be forgotten then; many shares, from wherever they come, are put together to
+// the same bytes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace ncsim::report {
+
+struct Entry {
+    std::string path;     ///< As the program was named.
+    std::string word;     ///< "clean", "not-proven", "failed", "not-verified".
+    int code = 0;         ///< What the command would end with if it were the only one.
+    std::string text;     ///< For people.
+    std::string counts;   ///< For people: "1 error, 0 warnings, 0 notes, 2 doubts".
+    std::string to_tell;  ///< For people: what would prove it, a line a reason for doubt.
+    std::string skipped;  ///< For people: what was not asked, a line a reason.
+    std::string json;     ///< In one line, as are the next two.
+    std::string sarif;
+    std::string junit;
+    std::string github;  ///< Annotations, a line each.
+    std::string csv;     ///< Lines of the ledger.
+    bool operator==(const Entry&) const = default;
+};
+
+/// One line of JSON, and back. Bytes that are no UTF-8 become U+FFFD. Nothing if it is no such
+/// line.
+std::string line_of(const Entry& entry);
+std::optional<Entry> entry_from(std::string_view line);
+
+/// Calls its argument for every entry in the order of the programs; may be asked to more than once,
+/// so that nobody has to keep them all.
+using Entries = std::function<void(const std::function<void(const Entry&)>&)>;
+
+}  // namespace ncsim::report

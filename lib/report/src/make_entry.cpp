@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/make_entry.h"
+
+#include "ncsim/report/annotations.h"
+#include "ncsim/report/check_text.h"
+
+#include "json.h"
+#include "shares.h"
+
+namespace ncsim::report {
+
+Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
+    Entry entry;
+    entry.path = checked.path;
+    entry.word = checked.word;
+    entry.code = code;
+    entry.text = text_of(checked, {options.notes, options.quiet, options.many});
+    entry.counts = counts_of(checked);
+    entry.to_tell = remedies_of(checked);
+    entry.skipped = skipped_of(checked);
+    if (options.json) entry.json = to_line(check_json_share(checked));
+    if (options.sarif) entry.sarif = to_line(sarif_share(checked, options.notes));
+    if (options.junit)
+        entry.junit = to_line(junit_share(checked, options.selection, options.warnings_as_errors));
+    if (options.github) entry.github = github_annotations(checked, options.notes);
+    if (options.csv) entry.csv = ledger_csv_share(checked);
+    return entry;
+}
+
+}  // namespace ncsim::report

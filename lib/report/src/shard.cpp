@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/shard.h"
+
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+
+#include "json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::report {
+
+namespace {
+
+constexpr int kFormat = 1;
+constexpr std::uint64_t kMostPrograms = 100'000'000;
+
+[[noreturn]] void fail(const std::string& file, const std::string& why) {
+    throw std::runtime_error(fmt::format("'{}': {}", file, why));
+}
+
+struct Head {
+    std::string version;
+    ShardHead head;
+};
+
+std::optional<Head> head_from(const std::string& line) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object() || !json.contains("ncsim-shard")) return std::nullopt;
+    try {
+        if (json.at("ncsim-shard").get<int>() != kFormat ||
+            json.at("programs").get<std::uint64_t>() > kMostPrograms)
+            return std::nullopt;
+        return Head{json.at("version").get<std::string>(),
+                    {json.at("list").get<std::string>(), json.at("options").get<std::string>(),
+                     json.at("shard").get<std::uint32_t>(), json.at("of").get<std::uint32_t>(),
+                     json.at("programs").get<std::uint64_t>()}};
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
+// "17 {…}": the place in the list, and the entry.
+std::optional<std::uint64_t> index_of(const std::string& line) {
+    std::uint64_t index = 0;
+    std::size_t at = 0;
+    for (; at < line.size() && line[at] >= '0' && line[at] <= '9' && at < 18; ++at)
+        index = 10 * index + static_cast<std::uint64_t>(line[at] - '0');
+    if (at == 0 || at >= line.size() || line[at] != ' ') return std::nullopt;
+    return index;
+}
+
+std::string end_of(std::uint64_t programs) {
+    return fmt::format("end {}", programs);
+}
+
+}  // namespace
+
+std::string shard_file_name(std::uint32_t shard, std::uint32_t of) {
+    const std::size_t digits = std::max<std::size_t>(4, std::to_string(of).size());
+    return fmt::format("shard-{0:0{2}}-of-{1:0{2}}.ndjson", shard, of, digits);
+}
+
+void write_shard(std::ostream& out, const ShardHead& head, std::span<const Placed> entries) {
+    out << to_line({{"ncsim-shard", kFormat},
+                    {"version", kVersion},
+                    {"list", head.list},
+                    {"options", head.options},
+                    {"shard", head.shard},
+                    {"of", head.of},
+                    {"programs", head.programs}})
+        << '\n';
+    for (const Placed& placed : entries)
+        out << placed.index << ' ' << line_of(placed.entry) << '\n';
+    out << end_of(entries.size()) << '\n';
+}
+
+bool has_head(const std::string& file, const ShardHead& head) {
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    if (!std::getline(in, line)) return false;
+    const std::optional<Head> found = head_from(line);
+    return found && found->version == kVersion && found->head == head;
+}
+
+std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32_t shard,
+                               std::uint32_t of) {
+    std::vector<std::size_t> order(sizes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) { return sizes[i]; });
+    // Who has least: by load, then by number.
+    using Load = std::pair<std::uint64_t, std::uint32_t>;
+    std::vector<Load> loads;
+    for (std::uint32_t i = 0; i < of; ++i)
+        loads.emplace_back(0, i);
+    const std::greater<> comes_later;
+    std::vector<std::size_t> mine;
+    for (const std::size_t program : order) {
+        std::ranges::pop_heap(loads, comes_later);
+        Load& least = loads.back();
+        if (least.second == shard) mine.push_back(program);
+        // Each costs something, however small.
+        constexpr std::uint64_t kStart = 1000;
+        least.first += sizes[program] + kStart;
+        std::ranges::push_heap(loads, comes_later);
+    }
+    std::ranges::sort(mine);
+    return mine;
+}
+
+Shards::Shards(const std::vector<std::string>& files) : files_(files) {
+    if (files_.empty()) throw std::runtime_error("there are no shards");
+    std::ranges::sort(files_);
+    for (std::uint32_t file = 0; file < files_.size(); ++file)
+        take(file);
+    const auto missing = std::ranges::count(places_, kNowhere, &Place::offset);
+    if (missing > 0) {
+        throw std::runtime_error(
+            fmt::format("{} of {} programs are in no shard: not all {} shards are there", missing,
+                        places_.size(), head_.of));
+    }
+}
+
+void Shards::take(std::uint32_t number) {
+    const std::string& file = files_[number];
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    if (!in) fail(file, "it cannot be read");
+    std::optional<Head> head;
+    if (std::getline(in, line)) head = head_from(line);
+    if (!head) fail(file, "it is no result of ncsim check --shard");
+    if (head->version != kVersion)
+        fail(file, fmt::format("it was written by ncsim {}", one_line(head->version)));
+    ShardHead same = head->head;
+    same.shard = head_.shard;
+    if (number == 0) {
+        head_ = head->head;
+        places_.resize(head_.programs);
+    } else if (same != head_) {
+        fail(file, same.list != head_.list         ? "it is of another list of programs"
+                   : same.options != head_.options ? "other options were asked for"
+                                                   : "it is of another number of shards");
+    }
+    std::uint64_t programs = 0;
+    for (auto offset = static_cast<std::uint64_t>(in.tellg()); std::getline(in, line);
+         offset = static_cast<std::uint64_t>(in.tellg())) {
+        const std::optional<std::uint64_t> index = index_of(line);
+        if (!index) {
+            if (line != end_of(programs) || in.peek() != std::ifstream::traits_type::eof()) break;
+            return;
+        }
+        if (in.eof() || *index >= places_.size()) break;
+        ++programs;
+        Place& place = places_[*index];
+        if (place.offset == kNowhere) {
+            place = {number, offset};
+        } else if (line_at(place) != line) {
+            fail(file, fmt::format("program {} of the list is told of in '{}', too, and not the "
+                                   "same",
+                                   *index + 1, files_[place.file]));
+        }
+    }
+    fail(file, "it is cut off");
+}
+
+std::string Shards::line_at(const Place& place) const {
+    std::ifstream in(files_[place.file], std::ios::binary);
+    in.seekg(static_cast<std::streamoff>(place.offset));
+    std::string line;
+    if (!std::getline(in, line)) fail(files_[place.file], "it cannot be read");
+    return line;
+}
+
+Entries Shards::entries() const {
+    return [this](const std::function<void(const Entry&)>& take) {
+        for (const Place& place : places_) {
+            const std::string line = line_at(place);
+            const std::optional<Entry> entry =
+                entry_from(std::string_view(line).substr(line.find(' ') + 1));
+            if (!entry) fail(files_[place.file], "it is no result of ncsim check --shard");
+            take(*entry);
+        }
+    };
+}
+
+}  // namespace ncsim::report

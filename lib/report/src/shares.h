@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The share that one program has in each report, as JSON; the writers of the reports make them and
+// read them.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/verify/selection.h"
+
+#include "json.h"
+
+#include <string>
+
+namespace ncsim::report {
+
+Json check_json_share(const Checked& checked);
+Json sarif_share(const Checked& checked, bool notes);
+Json junit_share(const Checked& checked, const verify::Selection& selection,
+                 bool warnings_as_errors);
+std::string ledger_csv_share(const Checked& checked);
+
+}  // namespace ncsim::report

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/shard.h"
+
+#include "../support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace ncsim::report {
+namespace {
+
+TEST(Shards, DealEachProgramOnceAndEvenly) {
+    test::Random random(5);
+    std::vector<std::uint64_t> sizes(1000);
+    for (std::uint64_t& size : sizes)
+        size = static_cast<std::uint64_t>(random.between(0, 1'000'000));
+    sizes[17] = 0;
+    for (const std::uint32_t of : {1U, 2U, 7U, 64U, 2000U}) {
+        std::vector<int> taken(sizes.size(), 0);
+        std::vector<std::uint64_t> loads;
+        for (std::uint32_t shard = 0; shard < of; ++shard) {
+            const std::vector<std::size_t> mine = dealt(sizes, shard, of);
+            EXPECT_TRUE(std::ranges::is_sorted(mine));
+            std::uint64_t& load = loads.emplace_back(0);
+            for (const std::size_t i : mine) {
+                ++taken[i];
+                load += sizes[i];
+            }
+        }
+        EXPECT_EQ(std::ranges::count(taken, 1), 1000);
+        const auto [least, most] = std::ranges::minmax(loads);
+        // Whoever has most would have less without its smallest.
+        if (of <= 64) {
+            EXPECT_LE(most - least, 1'001'000U) << of;
+        }
+    }
+}
+
+TEST(Entry, ComesBackFromItsLine) {
+    Entry entry{"a \"b\"\n.nc", "failed", 1,           "text\n\twith ümläuts",
+                "1 error",      "x: y\n", "  skipped", R"({"a":[1,2.5,"\u0001"]})",
+                "{}",           "{}",     "::error\n", "1,2\n"};
+    const std::string line = line_of(entry);
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    EXPECT_EQ(entry_from(line), entry);
+    for (std::size_t cut : {line.size() - 1, line.size() / 2, std::size_t{0}})
+        EXPECT_FALSE(entry_from(line.substr(0, cut))) << cut;
+    EXPECT_FALSE(entry_from(R"({"code": 1})"));
+    EXPECT_FALSE(entry_from("[]"));
+}
+
+}  // namespace
+}  // namespace ncsim::report
