@@ -7,3 +7,26 @@ install(EXPORT ncsimTargets NAMESPACE ncsim:: DESTINATION ${NCSIM_CMAKE_DIR})
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/ncsimConfigVersion.cmake
         DESTINATION ${NCSIM_CMAKE_DIR})
+
+# A package of the program for Debian 12, by `./dev package`: what it links to, and what it loads when
+# it draws. With it come the documents and the samples.
+install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs samples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_COMPONENTS_ALL program)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CONTACT "The ncsim project <ncsim@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulates NC milling programs and verifies them")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ncsim)
+set(CPACK_DEBIAN_PROGRAM_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+  "ncsim reads G-code, moves the cutter, takes what it sweeps away from the stock exactly, and
+says what is left and whether the program is safe: pictures, meshes, solids, reports, exit codes
+for CI.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libosmesa6)
+include(CPack)
