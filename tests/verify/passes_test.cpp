@@ -50,6 +50,17 @@ TEST(Passes, KeepTheLowerOneAndOfThoseThatCrossTheFirst) {
     EXPECT_TRUE(passes.cover(way({0, 0, -4}, {9, 0, -4}).step(), 0.0));
 }
 
+TEST(Passes, StraightDownReachToTheirLowerEnd) {
+    Passes passes;
+    passes.add(way({1, 2, 5}, {1, 2, -4}).step());
+    EXPECT_TRUE(passes.cover(way({1, 2, -4}, {1, 2, 5}).step(), 0.0));
+    EXPECT_TRUE(passes.cover(way({1, 2, 3}, {1, 2, -4}).step(), 0.0));
+    EXPECT_FALSE(passes.cover(way({1, 2, 3}, {1, 2, -4.001}).step(), 0.0));
+    EXPECT_FALSE(passes.cover(way({1, 3, 3}, {1, 3, 2}).step(), 0.0));
+    passes.add(way({1, 2, 0}, {1, 2, -6}).step());
+    EXPECT_TRUE(passes.cover(way({1, 2, 9}, {1, 2, -6}).step(), 0.0));
+}
+
 TEST(Passes, AreThoseOfAnUprightTool) {
     Passes passes;
     Way leaning = way({0, 0, 0}, {9, 0, 0});

@@ -45,6 +45,21 @@ TEST(RapidInMaterial, IsToldWhereverItIsThoughNotAllStepsAreLookedAt) {
     }
 }
 
+// Back into its own hole a drill may go at rapid, but no deeper, and not before it is made.
+TEST(RapidInMaterial, IsNoneInAHoleThatAPeckLeft) {
+    verify::Setup setup = plain_setup();
+    const auto found = [&](const std::string& moves) {
+        return findings_of(verdict_of(kStart + moves, setup), "rapid-in-material").size();
+    };
+    EXPECT_EQ(found("G0 X0 Y0 Z1\nG1 Z-2\nG0 Z1\nG0 Z-2\nG1 Z-4\nG0 Z1\nG0 Z-4\nG0 Z1\n"), 0U);
+    EXPECT_EQ(found("G0 X0 Y0 Z1\nG1 Z-2\nG0 Z1\nG0 Z-2.01\nG0 Z1\n"), 1U);
+    EXPECT_EQ(found("G0 X0 Y0 Z1\nG1 Z-2\nG0 Z1\nX0.01\nG0 Z-2\nG0 Z1\n"), 1U);
+    EXPECT_EQ(found("G0 X0 Y0 Z1\nG0 Z-2\nG1 Z-2\nG0 Z1\nG0 Z-2\nG0 Z1\n"), 1U);
+    // Along a slot and back; aside of it the walls stand.
+    EXPECT_EQ(found("G0 X-30 Y0 Z-2\nG1 X10\nG0 X-30\nG0 X10\n"), 0U);
+    EXPECT_EQ(found("G0 X-30 Y0 Z-2\nG1 X10\nG0 X-30 Y1\n"), 1U);
+}
+
 TEST(RapidInMaterial, IsFoundOnTheWayUpOutOfATunnel) {
     // Flutes of 5 mm at Z-9 leave a roof of 4 mm.
     verify::Setup setup = plain_setup();

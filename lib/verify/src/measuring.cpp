@@ -90,6 +90,8 @@ double Measuring::common_volume(const Step& step, const cda::WorkpieceModel& par
 
 // Most rapid moves meet nothing, which is cheap to ask; the rest is looked at closely.
 void Measuring::meet_rapidly(const Step& step, const cda::WorkpieceModel& part) {
+    // Back into a hole, say, that a peck has left.
+    if (now_->widens && now_->passes.cover(step, 0.0)) return;
     const double rounding = rounding_now(step);
     // Of a motion that certainly meets material all that is left to be found out is where else, as
     // a box.

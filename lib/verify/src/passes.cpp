@@ -3,6 +3,7 @@
 
 #include "body.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ncsim::verify {
@@ -11,6 +12,8 @@ Passes::Pass Passes::pass_of(const toolpath::Step& step) {
     cda::Vec3 a = step.X_WA.translation;
     cda::Vec3 b = step.X_WB.translation;
     if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
+    // Straight up or down: only the lower end matters.
+    if (a.x == b.x && a.y == b.y) a.z = b.z = std::min(a.z, b.z);
     return {{a.x, a.y, b.x, b.y}, {a.z, b.z}};
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where an upright tool has passed. Programs clear a pocket level by level along the same way, so
-// what is above their flutes mostly goes where the flutes were before: that is looked up here, and
-// the part need not be asked.
+// Where an upright tool has passed. Programs clear a pocket level by level along the same way, and
+// drill in pecks, so what is above their flutes, and what moves at rapid, mostly goes where the
+// flutes were before: that is looked up here, and the part need not be asked.
 #pragma once
 
 #include "ncsim/toolpath/walk.h"

@@ -181,7 +181,8 @@ public:
 
     void look_back(const Step& step, const cda::WorkpieceModel& part, double removed) {
         cut_at_ = CutAt{move_.motion->tool, step.X_WB};
-        if (asks_above() && stands_out(step)) now_->passes.add(step);
+        const bool drills = now_->widens && falls_straight(step);
+        if ((asks_above() || drills) && stands_out(step)) now_->passes.add(step);
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
             // Cells that are exact meet material if they remove some; of the others slivers may be
             // left where they were before.
