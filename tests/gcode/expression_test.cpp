@@ -88,6 +88,11 @@ TEST(Expression, TruncatesAndCountsBitsOnFanuc) {
 
 TEST(Expression, IsExactWhereMachinistsExpectIt) {
     EXPECT_EQ(value_of("[cos[60] * 2]"), value_of("[sin[30] * 2]"));
+    EXPECT_EQ(value_of("[sin[30] * 2]"), 1.0);
+    EXPECT_EQ(value_of("tan[45]"), 1.0);
+    EXPECT_EQ(value_of("fix[tan[225]]"), 1.0);
+    EXPECT_EQ(value_of("atan[1]/[1]"), 45.0);
+    EXPECT_EQ(value_of("atan[0*-1]/[-1]"), 180.0);
     EXPECT_EQ(value_of("sin[180]"), 0.0);
     EXPECT_EQ(value_of("cos[270]"), 0.0);
 }

@@ -2,7 +2,7 @@
 # not here does not exist; the picture of it, with one line a room, is in CONTRIBUTING.md.
 set(layers
   "trig:"
-  "gcode:"
+  "gcode:    trig"
   "cda:"
   "toolpath: gcode cda trig"
   "verify:   gcode toolpath cda trig"

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -18,6 +19,32 @@ TEST(SinCos, IsExactForQuarterTurns) {
         const int phase = ((turn % 4) + 4) % 4;
         EXPECT_EQ(v.sin, phase == 1 ? 1.0 : phase == 3 ? -1.0 : 0.0);
         EXPECT_EQ(v.cos, phase == 0 ? 1.0 : phase == 2 ? -1.0 : 0.0);
+    }
+}
+
+TEST(SinCos, IsExactWhereMachinistsExpectIt) {
+    for (int turn = -4; turn <= 4; ++turn) {
+        SCOPED_TRACE(turn);
+        const double at = 360.0 * turn;
+        EXPECT_EQ(sin_cos(at + 30.0).sin, 0.5);
+        EXPECT_EQ(sin_cos(at + 150.0).sin, 0.5);
+        EXPECT_EQ(sin_cos(at - 30.0).sin, -0.5);
+        EXPECT_EQ(sin_cos(at + 210.0).sin, -0.5);
+        EXPECT_EQ(sin_cos(at + 60.0).cos, 0.5);
+        EXPECT_EQ(sin_cos(at - 60.0).cos, 0.5);
+        EXPECT_EQ(sin_cos(at + 120.0).cos, -0.5);
+        EXPECT_EQ(tangent(at + 45.0), 1.0);
+        EXPECT_EQ(tangent(at + 135.0), -1.0);
+        EXPECT_EQ(tangent(at + 225.0), 1.0);
+        EXPECT_EQ(tangent(at - 45.0), -1.0);
+    }
+}
+
+TEST(SinCos, OfNoNumberIsThatOfZero) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const double none : {kInfinity, -kInfinity, std::nan("")}) {
+        EXPECT_EQ(sin_cos(none).sin, 0.0);
+        EXPECT_EQ(sin_cos(none).cos, 1.0);
     }
 }
 
@@ -80,6 +107,18 @@ TEST(LengthOf, IsExactForWholeNumbersThatHaveOne) {
     EXPECT_EQ(length_of(-3.0, 4.0), 5.0);
     EXPECT_EQ(length_of(0.0, -0.1), 0.1);
     EXPECT_EQ(length_of(20e6, 21e6), 29e6);
+}
+
+TEST(LengthOf, IsFiniteWhereverTheLengthIs) {
+    for (const int scale : {-1070, -600, -331, -330, 0, 500, 510, 1015}) {
+        SCOPED_TRACE(scale);
+        EXPECT_EQ(length_of(std::ldexp(-3.0, scale), std::ldexp(4.0, scale)),
+                  std::ldexp(5.0, scale));
+        EXPECT_EQ(length_of(0.0, std::ldexp(1.0, scale)), std::ldexp(1.0, scale));
+    }
+    EXPECT_EQ(length_of(1.0, -std::numeric_limits<double>::infinity()),
+              std::numeric_limits<double>::infinity());
+    EXPECT_TRUE(std::isnan(length_of(1.0, std::nan(""))));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 //
 // G2 and G3: by centre, by radius, helices, turns, full circles, in every plane.
 #include "ncsim/gcode/print.h"
+#include "ncsim/trig/angles.h"
 
 #include "machine.h"
 
@@ -89,8 +90,8 @@ bool Machine::arc(const Command& command, bool clockwise) {
         }
     }
     out.turns = turns_clockwise ? -turns : turns;
-    const double radius = std::hypot(state_.position[axes.first] - out.centre_1,
-                                     state_.position[axes.second] - out.centre_2);
+    const double radius = trig::length_of(state_.position[axes.first] - out.centre_1,
+                                          state_.position[axes.second] - out.centre_2);
     if (radius * state_.unit_mm() < kTiny) {
         if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
         return feed_straight(out.end, MoveKind::Feed, mask);
@@ -110,7 +111,7 @@ bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& 
     const double y0 = state_.position[axes.second];
     const double dx = arc.end[axes.first] - x0;
     const double dy = arc.end[axes.second] - y0;
-    const double chord = std::hypot(dx, dy);
+    const double chord = trig::length_of(dx, dy);
     double r = command['R'];
     if (state_.programmed.scaled) r *= std::abs(state_.programmed.scale[axes.first % 3]);
     if (chord * state_.unit_mm() < 1e-9) {
@@ -171,16 +172,16 @@ bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& 
     };
     const RadiusTolerance& tolerance = state_.inches ? kInch : kMetric;
     const auto fits = [&] {
-        return tolerance.allows(std::hypot(x0 - arc.centre_1, y0 - arc.centre_2),
-                                std::hypot(x1 - arc.centre_1, y1 - arc.centre_2));
+        return tolerance.allows(trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2),
+                                trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2));
     };
     if (state_.absolute_centres && rules_.strict && (!command.has(c1) || !command.has(c2))) {
         return fail(Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
     }
     centre(state_.absolute_centres);
     if (fits()) return true;
-    const double r0 = std::hypot(x0 - arc.centre_1, y0 - arc.centre_2);
-    const double r1 = std::hypot(x1 - arc.centre_1, y1 - arc.centre_2);
+    const double r0 = trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2);
+    const double r1 = trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2);
     if (!rules_.strict) {
         // Perhaps the centres are meant the other way: old posts write them absolute without G90.1.
         centre(!state_.absolute_centres);

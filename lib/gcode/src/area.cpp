@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "area.h"
 
+#include "ncsim/trig/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,7 +27,7 @@ double distance(PlanePoint p, PlanePoint a, PlanePoint b) {
     const double length_2 = x * x + y * y;
     double t = length_2 > 0.0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / length_2 : 0.0;
     t = std::clamp(t, 0.0, 1.0);
-    return std::hypot(p.x - (a.x + t * x), p.y - (a.y + t * y));
+    return trig::length_of(p.x - (a.x + t * x), p.y - (a.y + t * y));
 }
 
 double distance(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
@@ -50,7 +52,7 @@ std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, do
         add(p.x - half, p.x + half);
     }
     // The two sides of the band between the ends.
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = trig::length_of(b.x - a.x, b.y - a.y);
     if (length == 0.0) return out;
     const PlanePoint n{-(b.y - a.y) / length * radius, (b.x - a.x) / length * radius};
     for (const double side : {-1.0, 1.0}) {

@@ -2,6 +2,8 @@
 //
 // G150 of Haas: a pocket of any shape. Its outline stands in a subprogram, which is not run but
 // listened to: a line from the starting hole to the outline, and around it once.
+#include "ncsim/trig/angles.h"
+
 #include "area.h"
 #include "machine.h"
 
@@ -24,13 +26,16 @@ constexpr double kChord = 0.001;
 /// Ends that should meet and lie no farther apart do, mm.
 constexpr double kMeets = 0.005;
 
+/// An arc whose ends are no farther apart, seen from the centre, is a full circle. In degrees.
+constexpr double kNoTurn = 1e-9 * 180.0 / std::numbers::pi;
+
+/// In degrees, positive counter-clockwise.
 double sweep_of(const OutlineMove& move) {
-    const double from = std::atan2(move.from.y - move.centre.y, move.from.x - move.centre.x);
-    const double to = std::atan2(move.to.y - move.centre.y, move.to.x - move.centre.x);
-    constexpr double kTurn = 2.0 * std::numbers::pi;
+    const double from = trig::angle_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
+    const double to = trig::angle_of(move.to.x - move.centre.x, move.to.y - move.centre.y);
     double sweep = move.turns > 0 ? to - from : from - to;
-    while (sweep <= 1e-9)
-        sweep += kTurn;
+    while (sweep <= kNoTurn)
+        sweep += 360.0;
     return move.turns > 0 ? sweep : -sweep;
 }
 
@@ -39,11 +44,11 @@ PlanePoint along(const OutlineMove& move, double share) {
         return {move.from.x + share * (move.to.x - move.from.x),
                 move.from.y + share * (move.to.y - move.from.y)};
     }
-    const double angle = share * sweep_of(move);
+    const trig::SinCos turn = trig::sin_cos(share * sweep_of(move));
     const double x = move.from.x - move.centre.x;
     const double y = move.from.y - move.centre.y;
-    return {move.centre.x + x * std::cos(angle) - y * std::sin(angle),
-            move.centre.y + x * std::sin(angle) + y * std::cos(angle)};
+    return {move.centre.x + x * turn.cos - y * turn.sin,
+            move.centre.y + x * turn.sin + y * turn.cos};
 }
 
 /// The outline as a polygon.
@@ -52,8 +57,10 @@ std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double 
     for (const OutlineMove& move : loop) {
         int pieces = 1;
         if (move.turns != 0) {
-            const double r = std::hypot(move.from.x - move.centre.x, move.from.y - move.centre.y);
-            const double step = 2.0 * std::acos(1.0 - std::min(chord / r, 0.5));
+            const double r =
+                trig::length_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
+            const double rise = std::min(chord / r, 0.5);
+            const double step = 2.0 * trig::angle_of(1.0 - rise, std::sqrt(rise * (2.0 - rise)));
             const double wanted = step > 0.0 ? std::abs(sweep_of(move)) / step : kMostPieces;
             pieces = static_cast<int>(std::ceil(std::clamp(wanted, 4.0, kMostPieces)));
         }
@@ -165,8 +172,8 @@ bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
         return needs("a line (G1) from the starting hole to the outline");
     const std::vector<OutlineMove> loop(heard_.begin() + 1, heard_.end());
     const double unit = state_.unit_mm();
-    if (std::hypot(loop.back().to.x - loop.front().from.x, loop.back().to.y - loop.front().from.y) >
-        kMeets / unit) {
+    if (trig::length_of(loop.back().to.x - loop.front().from.x,
+                        loop.back().to.y - loop.front().from.y) > kMeets / unit) {
         return needs("an outline that ends where it begins");
     }
     const double cutter = std::abs(radius_of_register(command, span));
@@ -250,7 +257,7 @@ bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side,
         const double turn = first.turns > 0 ? 1.0 : -1.0;
         ahead = {-turn * (middle.y - first.centre.y), turn * (middle.x - first.centre.x)};
     }
-    const double length = std::hypot(ahead.x, ahead.y);
+    const double length = trig::length_of(ahead.x, ahead.y);
     const double in = side == CutterSide::Left ? radius / length : -radius / length;
     const PlanePoint beside{middle.x - in * ahead.y, middle.y + in * ahead.x};
 

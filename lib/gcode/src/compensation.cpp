@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compensation.h"
 
+#include "ncsim/trig/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,11 +10,13 @@
 namespace ncsim::gcode {
 namespace {
 
-/// Corners flatter than this (radians) are none: the moved paths meet by themselves.
-constexpr double kFlat = 1e-5;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// Corners flatter than this (degrees) are none: the moved paths meet by themselves.
+constexpr double kFlat = 1e-5 * kDegrees;
 
 /// Nearer to a reversal than this the corner counts as an outside one (LinuxCNC's figure).
-constexpr double kReversal = 0.05;
+constexpr double kReversal = 0.05 * kDegrees;
 
 double cross(double ax, double ay, double bx, double by) {
     return ax * by - ay * bx;
@@ -35,7 +39,7 @@ void Compensation::begin_beside(CutterSide side, double radius, const Axes& at) 
 }
 
 double Compensation::radius_of(const Element& e) const {
-    return std::hypot(e.to.x - e.centre.x, e.to.y - e.centre.y);
+    return trig::length_of(e.to.x - e.centre.x, e.to.y - e.centre.y);
 }
 
 /// Left of a counter-clockwise arc lies its centre.
@@ -45,10 +49,10 @@ double Compensation::offset_radius(const Element& e) const {
 
 Compensation::Vec Compensation::start_tangent(const Element& e) const {
     if (!e.is_arc) {
-        const double length = std::hypot(e.to.x - e.from.x, e.to.y - e.from.y);
+        const double length = trig::length_of(e.to.x - e.from.x, e.to.y - e.from.y);
         return {(e.to.x - e.from.x) / length, (e.to.y - e.from.y) / length};
     }
-    const double r = std::hypot(e.from.x - e.centre.x, e.from.y - e.centre.y);
+    const double r = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
     const double turn = e.turns > 0 ? 1.0 : -1.0;
     return {-turn * (e.from.y - e.centre.y) / r, turn * (e.from.x - e.centre.x) / r};
 }
@@ -120,7 +124,7 @@ void Compensation::dwell(const MachineState& state, double seconds, SourceSpan s
 bool Compensation::take(MachineState& state, Element element) {
     if (s_.entering) {
         const double length =
-            std::hypot(element.to.x - element.from.x, element.to.y - element.from.y);
+            trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
         if (length <= s_.radius) {
             log_.add(Message::CompensationEntry, element.span);
             return false;
@@ -143,12 +147,13 @@ bool Compensation::join(const Element& next) {
     const Vec corner = held.to;
     const Vec in = end_tangent(held);
     const Vec out = start_tangent(next);
-    const double turn = std::atan2(cross(in.x, in.y, out.x, out.y), in.x * out.x + in.y * out.y);
+    const double turn =
+        trig::angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
     if (std::abs(turn) < kFlat) {
         emit(held, beside(corner, out));
         return true;
     }
-    const bool outside = turn * s_.side < 0.0 || std::abs(turn) > std::numbers::pi - kReversal;
+    const bool outside = turn * s_.side < 0.0 || std::abs(turn) > 180.0 - kReversal;
     if (!outside) {
         Vec point;
         if (!meeting_point(held, next, point)) {
@@ -194,7 +199,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     };
     // Rounded programs have arcs that end a little nearer or farther than they start.
     const auto circle_of = [&](const Element& e) {
-        const double at_start = std::hypot(e.from.x - e.centre.x, e.from.y - e.centre.y);
+        const double at_start = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
         const double programmed = &e == &a ? radius_of(e) : at_start;
         return Circle{e.centre, offset_radius(e) - radius_of(e) + programmed};
     };
@@ -213,7 +218,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
         const Circle k = circle_of(b);
         const double dx = k.centre.x - c.centre.x;
         const double dy = k.centre.y - c.centre.y;
-        const double distance = std::hypot(dx, dy);
+        const double distance = trig::length_of(dx, dy);
         if (distance == 0.0) return false;
         const double along =
             (distance * distance + c.radius * c.radius - k.radius * k.radius) / (2.0 * distance);
@@ -226,7 +231,7 @@ bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point)
     }
     if (candidates.empty()) return false;
     point = *std::ranges::min_element(
-        candidates, {}, [&](Vec v) { return std::hypot(v.x - corner.x, v.y - corner.y); });
+        candidates, {}, [&](Vec v) { return trig::length_of(v.x - corner.x, v.y - corner.y); });
     // Trimmed to less than nothing: the cutter does not fit in.
     const PlaneAxes axes = axes_of(a.state.plane);
     const Vec start{s_.at[axes.first], s_.at[axes.second]};

@@ -3,8 +3,9 @@
 // ,R and ,C of Fanuc and its kin: an arc or a chamfer in the corner between a line and the next;
 // ,A: the direction of a line, of whose end one coordinate is told, or which meets the next line. A
 // line is held back, because only the next one tells where it ends.
+#include "ncsim/trig/angles.h"
+
 #include "machine.h"
-#include "trig.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,8 +91,8 @@ bool Machine::cut_corner(const Axes& next) {
     const double y1 = held.end[axes.second] - from[axes.second];
     const double x2 = next[axes.first] - held.end[axes.first];
     const double y2 = next[axes.second] - held.end[axes.second];
-    const double length_1 = std::hypot(x1, y1);
-    const double length_2 = std::hypot(x2, y2);
+    const double length_1 = trig::length_of(x1, y1);
+    const double length_2 = trig::length_of(x2, y2);
     if (std::min(length_1, length_2) <= kRounding) return refuse("two lines that have a length");
     const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
     const double cross = (x1 * y2 - y1 * x2) / (length_1 * length_2);
@@ -161,7 +162,7 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
         if (i != axes.first && i != axes.second && (mask & 1U << i) != 0)
             return refuse("a line in the plane (G17, G18, G19)");
     }
-    const SinCos d = sin_cos_degrees(command.angle);
+    const trig::SinCos d = trig::sin_cos(command.angle);
     const double x = to[axes.first] - from[axes.first];
     const double y = to[axes.second] - from[axes.second];
     const bool tells_first = (mask & 1U << axes.first) != 0;
@@ -228,8 +229,8 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     if (!stays_in_plane(state_.position, next)) return refuse("a next line in the plane");
     const Axes from = programmed_from(state_.position);
     const Axes to = programmed_from(next);
-    const SinCos a = sin_cos_degrees(*held.angle);
-    const SinCos b = sin_cos_degrees(command.angle);
+    const trig::SinCos a = trig::sin_cos(*held.angle);
+    const trig::SinCos b = trig::sin_cos(command.angle);
     const double cross = a.cos * b.sin - a.sin * b.cos;
     if (std::abs(cross) <= kRounding) return refuse("a next line that it meets");
     const double x = to[axes.first] - from[axes.first];

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expression.h"
 
+#include "ncsim/trig/angles.h"
+
 #include "number.h"
-#include "trig.h"
 
 #include <algorithm>
 #include <array>
@@ -217,21 +218,21 @@ private:
             }
         }
         if (name == "pow") return finite(std::pow(*a, *b));
-        return atan2_degrees(*a, *b);
+        return trig::angle_of(*b, *a);
     }
 
     std::optional<double> of_one(std::string_view name, double x) {
         if (name == "abs") return std::abs(x);
-        if (name == "sin") return sin_cos_degrees(x).sin;
-        if (name == "cos") return sin_cos_degrees(x).cos;
+        if (name == "sin") return trig::sin_cos(x).sin;
+        if (name == "cos") return trig::sin_cos(x).cos;
         if (name == "tan") {
-            const SinCos s = sin_cos_degrees(x);
+            const trig::SinCos s = trig::sin_cos(x);
             return finite(s.sin / s.cos);
         }
         if (name == "asin" || name == "acos") {
             if (std::abs(x) > 1.0) return fail(Message::FunctionRange, name);
             const double other = std::sqrt((1.0 - x) * (1.0 + x));
-            return name == "asin" ? atan2_degrees(x, other) : atan2_degrees(other, x);
+            return name == "asin" ? trig::angle_of(other, x) : trig::angle_of(x, other);
         }
         if (name == "sqrt" || (name == "sqr" && !arithmetic_.strict)) {
             if (x < 0.0) return fail(Message::FunctionRange, name);

@@ -2,8 +2,9 @@
 //
 // G70, G71, G72 as Haas has them: the cycle that is on drills on a circle, an arc, a line. They
 // hold for their block alone.
+#include "ncsim/trig/angles.h"
+
 #include "machine.h"
-#include "trig.h"
 
 #include <cmath>
 
@@ -66,7 +67,7 @@ bool Machine::hole_pattern(const Command& command, Code code, bool words_taken) 
         const double turn = code == Code::G70 ? i * 360.0 / holes : i * command.get('K', 0.0);
         const double angle = on_line ? command['J'] : command['J'] + sense * turn;
         const double distance = on_line ? i * command['I'] : std::abs(command['I']);
-        const SinCos direction = sin_cos_degrees(angle);
+        const trig::SinCos direction = trig::sin_cos(angle);
         Axes hole = centre;
         hole[kX] += distance * direction.cos;
         hole[kY] += distance * direction.sin;

@@ -4,8 +4,7 @@
 #include "machine.h"
 
 #include "ncsim/gcode/print.h"
-
-#include "trig.h"
+#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <charconv>
@@ -565,8 +564,8 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
     const Axes at = programmed_from(state_.position);
     const double x = at[axes.first];
     const double y = at[axes.second];
-    double radius = std::hypot(x, y);
-    double angle = atan2_degrees(y, x);
+    double radius = trig::length_of(x, y);
+    double angle = trig::angle_of(x, y);
     const bool by_letters = command.has('@') || command.has('^');
     const auto take = [&](bool has, double value, double& what) {
         if (has) what = state_.incremental ? what + value : value;
@@ -580,7 +579,7 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
         take((mask & 1U << axes.first) != 0, command[kLetters[axes.first]], radius);
         take((mask & 1U << axes.second) != 0, command[kLetters[axes.second]], angle);
     }
-    const SinCos direction = sin_cos_degrees(angle);
+    const trig::SinCos direction = trig::sin_cos(angle);
     end[axes.first] = radius * direction.cos;
     end[axes.second] = radius * direction.sin;
     mask |= 1U << axes.first | 1U << axes.second;

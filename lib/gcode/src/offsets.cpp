@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Coordinate systems: G54 … G59.3, G92 and G52, G10, G43, G41's radius, G68, G51, G16.
+#include "ncsim/trig/angles.h"
+
 #include "machine.h"
-#include "trig.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ constexpr std::string_view kAxisNames = "XYZABCUVW";
 
 void rotate(double& x, double& y, double degrees) {
     if (degrees == 0.0) return;
-    const SinCos r = sin_cos_degrees(degrees);
+    const trig::SinCos r = trig::sin_cos(degrees);
     const double turned = x * r.cos - y * r.sin;
     y = x * r.sin + y * r.cos;
     x = turned;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "path.h"
 
-#include "trig.h"
+#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr std::size_t kMostHeld = 10'000;
 
 void rotate(double& x, double& y, double degrees) {
     if (degrees == 0.0) return;
-    const SinCos r = sin_cos_degrees(degrees);
+    const trig::SinCos r = trig::sin_cos(degrees);
     const double turned = x * r.cos - y * r.sin;
     y = x * r.sin + y * r.cos;
     x = turned;
@@ -302,7 +302,7 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     const double limit = options_.strict ? kFullCircleStrict : kFullCircle;
     const bool full = std::abs(x0 * y1 - y0 * x1) <= limit * (x0 * x0 + y0 * y0) &&
                       x0 * x1 + y0 * y1 > 0.0 &&
-                      std::hypot(x1 - x0, y1 - y0) <= limit * std::hypot(x0, y0) * 4;
+                      trig::length_of(x1 - x0, y1 - y0) <= limit * trig::length_of(x0, y0) * 4;
     const Place from = start(state);
     Axes centre = state.position;
     centre[axes.first] = arc.centre_1;

@@ -56,11 +56,18 @@ double remainder_of(double x, double step) {
 }  // namespace
 
 SinCos sin_cos(double degrees) {
+    if (!std::isfinite(degrees)) return {};
     const double turned = remainder_of(degrees, 360.0);
     const double rest = remainder_of(turned, 90.0);
     const double quarter_turns = std::nearbyint(turned / 90.0);
-    const double s = sine_near_zero(rest * kRadiansPerDegree);
-    const double c = cosine_near_zero(rest * kRadiansPerDegree);
+    double s = sine_near_zero(rest * kRadiansPerDegree);
+    double c = cosine_near_zero(rest * kRadiansPerDegree);
+    // The series are a last bit off here, of all places.
+    if (std::abs(rest) == 30.0) s = std::copysign(0.5, rest);
+    if (std::abs(rest) == 45.0) {
+        c = std::sqrt(0.5);
+        s = std::copysign(c, rest);
+    }
     switch (static_cast<int>(quarter_turns)) {
         case 1: return {c, -s};
         case -1: return {-c, s};
@@ -85,7 +92,15 @@ double angle_of(double x, double y) {
 }
 
 double length_of(double x, double y) {
-    return std::sqrt(x * x + y * y);
+    const double square = x * x + y * y;
+    if (square > 1e-200 && std::isfinite(square)) return std::sqrt(square);
+    // Too large or too small for a square: divided by a power of two, which rounds nothing.
+    const double sum = std::abs(x) + std::abs(y);
+    if (sum == 0.0 || !std::isfinite(sum)) return sum;
+    const int scale = std::ilogb(sum);
+    const double u = std::ldexp(x, -scale);
+    const double v = std::ldexp(y, -scale);
+    return std::ldexp(std::sqrt(u * u + v * v), scale);
 }
 
 }  // namespace ncsim::trig

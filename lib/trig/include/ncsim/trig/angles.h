@@ -12,18 +12,19 @@ struct SinCos {
     double cos = 1.0;
 };
 
-/// Within 2^-52 of the truth for |degrees| below 1e6; exact for multiples of 90 degrees.
+/// Within 2^-52 of the truth; exact where machinists expect it: for multiples of 90 degrees, and
+/// sin 30 = cos 60 = 0.5, sin 45 = cos 45. Of what is no finite number: that of 0.
 SinCos sin_cos(double degrees);
 
-/// Requires cos != 0.
+/// 1 for 45 degrees. Requires cos != 0.
 double tangent(double degrees);
 
 /// The angle of (x, y) against the x axis in degrees, in (-180, 180]; exact for multiples of
 /// 45 degrees, else within 4e-14. 0 for the zero vector.
 double angle_of(double x, double y);
 
-/// √(x² + y²): std::hypot differs in its last bit, too. Of coordinates: within 1e-150 … 1e150, or
-/// 0.
+/// √(x² + y²), within two units of the last bit of whatever is finite: std::hypot differs there,
+/// too.
 double length_of(double x, double y);
 
 }  // namespace ncsim::trig
