@@ -2,6 +2,7 @@ ncsim_add_test(toolpath
   LIBRARIES ncsim::toolpath ncsim::trig
   SOURCES
     machine_test.cpp
+    messages_test.cpp
     sampler_test.cpp
     stock_test.cpp
     tool_comment_test.cpp
@@ -11,3 +12,5 @@ ncsim_add_test(toolpath
     tool_test.cpp
     trace_test.cpp
     turning_test.cpp)
+# The table of messages is private to the library.
+target_include_directories(ncsim_toolpath_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/toolpath/src)

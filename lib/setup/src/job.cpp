@@ -10,6 +10,7 @@
 #include "ncsim/verify/machine.h"
 
 #include "holder_file.h"
+#include "messages.h"
 
 #include <fmt/format.h>
 
@@ -179,14 +180,10 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
         !entry.spec.diameter || std::abs(*known->spec.diameter - *entry.spec.diameter) <= kSame) {
         return;
     }
-    gcode::Diagnostic d;
-    d.severity = gcode::Severity::Warning;
-    d.code = "tool-conflict";
-    d.message = fmt::format(
-        "this says tool {} has a diameter of {:g} mm, but {} says {:g} mm, "
-        "which is used",
-        entry.spec.number, *entry.spec.diameter, known->file, *known->spec.diameter);
-    d.span = entry.span;
+    gcode::Diagnostic d = gcode::diagnostic_of(
+        Message::TableDisagrees, entry.span,
+        {std::to_string(entry.spec.number), fmt::format("{:g}", *entry.spec.diameter), known->file,
+         fmt::format("{:g}", *known->spec.diameter)});
     d.file = entry.file;
     job.diagnostics.push_back(std::move(d));
 }

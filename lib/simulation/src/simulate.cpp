@@ -11,6 +11,7 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
+#include "messages.h"
 
 #include <fmt/format.h>
 
@@ -188,14 +189,9 @@ private:
             ++result_.diagnostics.front().count;
             return;
         }
-        gcode::Diagnostic d;
-        d.code = "path-accuracy";
-        d.message = fmt::format(
-            "this move takes more steps than are made of one: its path is missed by up to {:.3g} "
-            "mm, more than --tolerance {:g}",
-            missed_mm, tolerance_mm_);
-        d.span = motion.span;
-        result_.diagnostics.push_back(std::move(d));
+        result_.diagnostics.push_back(gcode::diagnostic_of(
+            Message::PathAccuracy, motion.span,
+            {fmt::format("{:.3g}", missed_mm), fmt::format("{:g}", tolerance_mm_)}));
     }
 
     Simulation& result_;

@@ -3,19 +3,20 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "messages.h"
 #include "text.h"
 #include "tool_comment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 namespace ncsim::toolpath {
 
 namespace {
 
-using gcode::Severity;
 using Json = nlohmann::json;
 
 constexpr double kMostTools = 1e8;
@@ -24,26 +25,17 @@ class Collector {
 public:
     explicit Collector(ToolFile& result, const std::string& file) : result_(result), file_(file) {}
 
-    void tell(Severity severity, const char* code, std::string message, gcode::SourceSpan span) {
-        gcode::Diagnostic d;
-        d.severity = severity;
-        d.code = code;
-        d.message = std::move(message);
-        d.span = span;
+    void tell(const gcode::MessageText& message, gcode::SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {}) {
+        gcode::Diagnostic d = gcode::diagnostic_of(message, span, arguments);
         d.file = file_;
         result_.diagnostics.push_back(std::move(d));
     }
 
     void keep(ToolSpec spec, cda::Vec3 offset, gcode::SourceSpan span, std::string text) {
-        const std::string name = "tool " + std::to_string(spec.number);
-        if (find_tool(result_.tools, spec.number)) {
-            return tell(Severity::Warning, "tool-conflict",
-                        name + " is described twice; the first one is used", span);
-        }
-        if (!is_complete(spec)) {
-            return tell(Severity::Warning, "tool-unknown",
-                        name + " has no diameter; it is left out", span);
-        }
+        const std::string number = std::to_string(spec.number);
+        if (find_tool(result_.tools, spec.number)) return tell(Message::ToolTwice, span, {number});
+        if (!is_complete(spec)) return tell(Message::NoDiameter, span, {number});
         ToolEntry entry;
         entry.spec = std::move(spec);
         entry.told_by = ToldBy::Table;
@@ -118,21 +110,14 @@ void read_table(const gcode::SourceFile& file, double unit, ToolFile& result) {
         line = text::trimmed(line);
         if (line.empty() || line.front() == ';') continue;
         if (!read_table_line(line, number, unit, out)) {
-            out.tell(
-                Severity::Error, "tool-table",
-                any ? "this is no line of a tool table: expected T and P, as in T1 P1 D10 ;end "
-                      "mill"
-                    : "this is no tool table that is known: neither LinuxCNC's (T1 P1 D10 ;end "
-                      "mill) nor JSON of CAMotics, Fusion or Kiri:Moto",
-                {number, 1, 0});
-            return;
+            return out.tell(any ? Message::NoTableLine : Message::NoTable, {number, 1, 0});
         }
         any = true;
     }
     if (any) {
         result.format = "LinuxCNC tool table";
     } else {
-        out.tell(Severity::Error, "tool-table", "this tool table is empty", {1, 1, 0});
+        out.tell(Message::TableEmpty, {1, 1, 0});
     }
 }
 
@@ -192,10 +177,8 @@ void read_camotics_tool(int number, const Json& json, Collector& out) {
     spec.description = text_of(json, "description");
     const std::string shape = text::upper(text_of(json, "shape"));
     const auto unknown = [&] {
-        out.tell(Severity::Warning, "tool-unknown",
-                 "tool " + std::to_string(number) + " has the shape " +
-                     text::quoted(text_of(json, "shape")) + ", which is not known; it is left out",
-                 {});
+        out.tell(Message::ShapeUnknown, {},
+                 {std::to_string(number), text::quoted(text_of(json, "shape"))});
     };
     if (shape.empty() || shape == "CYLINDRICAL") {
         spec.kind = ToolKind::FlatEndMill;
@@ -342,11 +325,8 @@ void read_fusion_tool(const Json& json, Collector& out) {
     spec.kind = fusion_kind(type);
     spec.description = text_of(json, "description");
     if (!spec.kind) {
-        return out.tell(Severity::Warning, "tool-unknown",
-                        "tool " + std::to_string(number) + " is of the type " + text::quoted(type) +
-                            ", which is not known; it is left out. A job file can describe it by "
-                            "its profile ([[tool.piece]])",
-                        {});
+        return out.tell(Message::FusionTypeUnknown, {},
+                        {std::to_string(number), text::quoted(type)});
     }
     spec.diameter = scaled(positive_of(g, "DC"), unit);
     spec.corner_radius = scaled(positive_of(g, "RE"), unit);
@@ -394,11 +374,8 @@ void read_kiri_tool(const Json& json, Collector& out) {
         if (tip > 0) spec.tip_diameter = std::min(tip, *spec.diameter);
         spec.angle = angle_of_cone(*spec.diameter - tip, *spec.length);
     } else {
-        return out.tell(Severity::Warning, "tool-unknown",
-                        "tool " + std::to_string(spec.number) + " is of the type " +
-                            text::quoted(text_of(json, "type")) +
-                            ", which is not known; it is left out",
-                        {});
+        return out.tell(Message::TypeUnknown, {},
+                        {std::to_string(spec.number), text::quoted(text_of(json, "type"))});
     }
     if (spec.number == 0) return;
     out.keep(std::move(spec), {}, {}, text_of(json, "name"));
@@ -417,11 +394,9 @@ void read_json(const gcode::SourceFile& file, ToolFile& result) {
     try {
         json = Json::parse(file.text);
     } catch (const Json::parse_error& e) {
-        return out.tell(Severity::Error, "tool-table", "this JSON is broken here",
-                        place_of(file.text, e.byte > 0 ? e.byte - 1 : 0));
+        return out.tell(Message::JsonBroken, place_of(file.text, e.byte > 0 ? e.byte - 1 : 0));
     } catch (const Json::exception&) {
-        return out.tell(Severity::Error, "tool-table",
-                        "a number in this JSON is beyond what a computer can hold", {1, 1, 0});
+        return out.tell(Message::JsonNumber, {1, 1, 0});
     }
     const Json& list = json.is_object() && json.contains("data") ? json["data"] : json;
     const bool is_list =
@@ -436,10 +411,7 @@ void read_json(const gcode::SourceFile& file, ToolFile& result) {
         for (const Json& tool : list)
             read_kiri_tool(tool, out);
     } else if (!json.is_object() || !read_camotics(json, result, out)) {
-        out.tell(
-            Severity::Error, "tool-table",
-            "this JSON is neither a CAMotics project nor a tool library of Fusion or Kiri:Moto",
-            {1, 1, 0});
+        out.tell(Message::JsonUnknown, {1, 1, 0});
     }
 }
 

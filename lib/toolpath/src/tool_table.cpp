@@ -6,6 +6,7 @@
 
 #include "ncsim/gcode/parser.h"
 
+#include "messages.h"
 #include "text.h"
 #include "tool_comment.h"
 
@@ -268,15 +269,10 @@ private:
             certain_[index] = true;
         } else if (placed.remark.certain && known->spec.diameter && spec.diameter &&
                    std::abs(*known->spec.diameter - *spec.diameter) > 1e-3) {
-            gcode::Diagnostic d;
-            d.severity = gcode::Severity::Warning;
-            d.code = "tool-conflict";
-            d.message = "this comment says tool " + std::to_string(spec.number) +
-                        " has a diameter of " + text::number(*spec.diameter) + " mm, but line " +
-                        std::to_string(known->span.line) + " said " +
-                        text::number(*known->spec.diameter) + " mm, which is used";
-            d.span = placed.span;
-            notes_.diagnostics.push_back(std::move(d));
+            notes_.diagnostics.push_back(gcode::diagnostic_of(
+                Message::CommentsDisagree, placed.span,
+                {std::to_string(spec.number), text::number(*spec.diameter),
+                 std::to_string(known->span.line), text::number(*known->spec.diameter)}));
         }
     }
 
@@ -284,14 +280,7 @@ private:
         const cda::Vec3 size = box.size();
         if (!text::is_sane_length(size.x) || !text::is_sane_length(size.y) ||
             !text::is_sane_length(size.z)) {
-            gcode::Diagnostic d;
-            d.severity = gcode::Severity::Warning;
-            d.code = "stock-size";
-            d.message =
-                "this comment describes a block without volume, or one larger than a kilometre; it "
-                "is not used";
-            d.span = span;
-            notes_.diagnostics.push_back(std::move(d));
+            notes_.diagnostics.push_back(gcode::diagnostic_of(Message::StockSize, span));
             return;
         }
         notes_.stock = StockEntry{{box}, ToldBy::Comment, span, text};

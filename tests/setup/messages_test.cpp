@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is said of a job that can be run, word for word: every row of messages.def.
+#include "messages.h"
+
+#include "ncsim/setup/job.h"
+
+#include "support/messages.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace ncsim::setup {
+namespace {
+
+// What two tellers of tool 1 that do not agree make it say.
+std::vector<std::string> said_of_a_table_and_a_comment() {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("ncsim_setup_" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    const std::string table = (folder / "tool.tbl").string();
+    std::ofstream(table) << "T1 P1 D8 ;flat end mill\n";
+    JobOptions options;
+    options.tool_tables = {table};
+    const Job job = job_of({"a.nc", "G21\n(T1 D=6. CR=0. - flat end mill)\nT1 M6\nM30\n"}, options);
+    std::filesystem::remove_all(folder);
+    std::vector<std::string> out;
+    for (const gcode::Diagnostic& d : job.diagnostics)
+        out.push_back(test::said(d));
+    return out;
+}
+
+const std::vector<std::string> kSaid = {
+    "tool-conflict: this says tool 1 has a diameter of 6 mm, but tool.tbl says 8 mm, which is used",
+};
+
+TEST(Messages, AreSaidInTheseWords) {
+    EXPECT_EQ(said_of_a_table_and_a_comment(), kSaid);
+}
+
+TEST(Messages, AreAllSaidHere) {
+    constexpr gcode::MessageText kRows[] = {
+#define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
+#include "messages.def"
+#undef NCSIM_DIAGNOSTIC
+    };
+    for (const gcode::MessageText& row : kRows) {
+        EXPECT_TRUE(std::ranges::any_of(kSaid, [&](const std::string& said) {
+            return test::says(said, row);
+        })) << row.text;
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::setup
