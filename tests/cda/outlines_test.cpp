@@ -154,29 +154,5 @@ TEST(Outlines, DropsPointsOfDroppedPieces) {
     EXPECT_EQ(outlines.points()[outlines.pieces()[0].head].fixed.approx().y, 30.0);
 }
 
-TEST(Interner, NumbersManyKeysAsOneByOne) {
-    struct Hash {
-        std::uint64_t operator()(const std::uint64_t& key) const { return mix(0, key / 2); }
-    };
-    Random random(3);
-    Interner<std::uint64_t, Hash> one_by_one;
-    Interner<std::uint64_t, Hash> together;
-    for (const std::size_t count : {0U, 1U, 7U, 8U, 15U, 16U, 17U, 1000U, 20000U}) {
-        std::vector<std::uint64_t> keys;
-        std::vector<std::uint32_t> expected;
-        for (std::size_t i = 0; i < count; ++i) {
-            keys.push_back(static_cast<std::uint64_t>(random.between(0, 12000)));
-            expected.push_back(one_by_one(keys.back()));
-        }
-        std::vector<std::uint32_t> numbers(count, ~std::uint32_t{0});
-        together.number_all(keys, [&](std::size_t i, std::uint32_t n) { numbers[i] = n; });
-        EXPECT_EQ(numbers, expected);
-    }
-    ASSERT_EQ(together.size(), one_by_one.size());
-    for (std::size_t i = 0; i < together.size(); ++i)
-        EXPECT_EQ(together.keys()[i], one_by_one.keys()[i]);
-    EXPECT_GT(together.size(), 5000U);  // in several chunks
-}
-
 }  // namespace
 }  // namespace ncsim::cda

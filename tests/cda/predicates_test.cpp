@@ -40,6 +40,178 @@ TEST(Meet, PlanesThroughOneLineMeetInNoPoint) {
     EXPECT_FALSE(meet({1, 0, 0, 3}, {1, 0, 0, 4}, {0, 0, 1, 0}));
 }
 
+// Three planes that meet in a point of the range, and a fourth one.
+struct Four {
+    Plane a, b, c, h;
+    ExactPoint p;
+};
+
+// Planes of any size, or of a few bits and close to one point, so that doubles cannot tell.
+Four random_four(Random& random) {
+    while (true) {
+        Four f;
+        const bool is_close = random.one_in(2);
+        const std::int64_t size = std::int64_t{1}
+                                  << (is_close ? random.between(1, 6) : kNormalBits);
+        const auto at = test::random_point(random, std::int64_t{1} << kCoordinateBits);
+        for (Plane* plane : {&f.a, &f.b, &f.c, &f.h}) {
+            *plane = random_plane(random);
+            if (!is_close) continue;
+            const Plane n = test::random_normal(random, size);
+            *plane = canonical(n.nx, n.ny, n.nz,
+                               n.nx * at.x + n.ny * at.y + n.nz * at.z +
+                                   (random.one_in(3) ? random.between(-1, 1) : 0));
+        }
+        const auto p = meet(f.a, f.b, f.c);
+        if (!p || !in_range(*p)) continue;
+        f.p = *p;
+        return f;
+    }
+}
+
+constexpr int kMany = 20000;
+
+TEST(Meet, HasTheSameNumbersInAnyOrderAndForOpposites) {
+    Random random(21);
+    for (int i = 0; i < kMany; ++i) {
+        const Four f = random_four(random);
+        for (const auto& p :
+             {meet(f.b, f.a, f.c), meet(f.c, f.b, f.a), meet(f.b, f.c, f.a),
+              meet(f.a.opposite(), f.b, f.c), meet(f.a, f.c.opposite(), f.b.opposite())}) {
+            ASSERT_TRUE(p);
+            EXPECT_TRUE(same_point(*p, f.p));
+            EXPECT_EQ(p->approx, f.p.approx);
+        }
+        const auto bare = meet_exactly(f.a, f.b, f.c);
+        ASSERT_TRUE(bare);
+        EXPECT_TRUE(same_point(*bare, f.p));
+    }
+}
+
+TEST(Meet, IsNothingWhereNothingTurns) {
+    Random random(22);
+    int nothing = 0;
+    for (int i = 0; i < kMany; ++i) {
+        const Plane a = test::random_normal(random, 2);
+        const Plane b = test::random_normal(random, 2);
+        const Plane c = test::random_normal(random, 2);
+        EXPECT_EQ(meet(a, b, c).has_value(), turn(a, b, c) != 0);
+        nothing += turn(a, b, c) == 0 ? 1 : 0;
+    }
+    EXPECT_GT(nothing, 1000);
+}
+
+TEST(Classify, DependsOnThePointAlone) {
+    Random random(23);
+    for (int i = 0; i < kMany; ++i) {
+        const Four f = random_four(random);
+        EXPECT_EQ(classify(reduced(f.p), f.h), classify(f.p, f.h));
+    }
+}
+
+TEST(Classify, InDoublesIsRightOrSilent) {
+    Random random(24);
+    int silent = 0;
+    for (int i = 0; i < kMany; ++i) {
+        const Four f = random_four(random);
+        const auto told = classify_in_doubles(f.p, f.h);
+        silent += told ? 0 : 1;
+        if (told) {
+            EXPECT_EQ(*told, classify_exact(f.p, f.h));
+        }
+        EXPECT_FALSE(classify_in_doubles(f.p, f.a));
+    }
+    EXPECT_GT(silent, 1000);
+    EXPECT_LT(silent, kMany - 1000);
+}
+
+TEST(Turn, IsCyclicAndChangesItsSignWithAnyTwo) {
+    Random random(25);
+    for (int i = 0; i < kMany; ++i) {
+        const std::int64_t size = random.one_in(2) ? 2 : std::int64_t{1} << kNormalBits;
+        const Plane s = test::random_normal(random, size);
+        const Plane t = test::random_normal(random, size);
+        const Plane h = test::random_normal(random, size);
+        EXPECT_EQ(turn(s, t, h), turn(t, h, s));
+        EXPECT_EQ(turn(s, t, h), -turn(t, s, h));
+        EXPECT_EQ(turn(s, t, h), -turn(s, t, h.opposite()));
+    }
+}
+
+TEST(CompareCoordinate, IsAnOrderOfPoints) {
+    Random random(26);
+    int equal = 0;
+    for (int i = 0; i < kMany; ++i) {
+        const Four f = random_four(random);
+        const auto other = meet(f.a, f.b, f.h);
+        const auto third = meet(f.a, f.c, f.h);
+        if (!other || !in_range(*other) || !third || !in_range(*third)) continue;
+        bool is_one = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int order = compare_coordinate(f.p, *other, axis);
+            EXPECT_EQ(order, compare_coordinate_exact(f.p, *other, axis));
+            EXPECT_EQ(order, -compare_coordinate(*other, f.p, axis));
+            const int next = compare_coordinate(*other, *third, axis);
+            if (order * next >= 0 && order + next != 0) {
+                EXPECT_EQ(compare_coordinate(f.p, *third, axis), order != 0 ? order : next);
+            }
+            is_one &= order == 0;
+        }
+        EXPECT_EQ(is_one, same_point(reduced(f.p), reduced(*other)));
+        EXPECT_EQ(is_one, classify(f.p, f.h) == Side::On);
+        equal += is_one ? 1 : 0;
+    }
+    EXPECT_GT(equal, 500);
+}
+
+TEST(CompareCoordinate, TellsPointsApartThatDoublesDoNot) {
+    // 1/3 of a unit, and a billionth of a billionth of one more.
+    ExactPoint a;
+    a.x = Int128{1} << 80;
+    a.w = 3 * (Int128{1} << 80);
+    ExactPoint b = a;
+    b.x += 1 << 20;
+    a.approx.x = b.approx.x = 1.0 / 3.0;
+    EXPECT_EQ(compare_coordinate(a, b, 0), -1);
+    EXPECT_EQ(compare_coordinate(b, a, 0), 1);
+    EXPECT_EQ(compare_coordinate(a, a, 0), 0);
+    EXPECT_EQ(compare_coordinate(a, b, 1), 0);
+}
+
+// Of parallel planes, by many units or by one.
+TEST(CompareDistances, IsAnOrderOfParallelPlanes) {
+    Random random(27);
+    for (int i = 0; i < kMany; ++i) {
+        const Plane n = test::random_normal(random, 1 << 20);
+        const auto moved = [&] {
+            const std::int64_t times = random.between(1, 3);
+            return canonical(times * n.nx, times * n.ny, times * n.nz, random.between(-4, 4));
+        };
+        const Plane a = moved();
+        const Plane b = moved();
+        const Plane c = moved();
+        const int order = compare_distances(a, b);
+        EXPECT_EQ(order, -compare_distances(b, a));
+        EXPECT_EQ(order == 0, a == b);
+        if (order == compare_distances(b, c)) {
+            EXPECT_EQ(compare_distances(a, c), order);
+        }
+        // A point of a is below b where b is beyond a.
+        const std::size_t axis = n.nx != 0 ? 0 : n.ny != 0 ? 1 : 2;
+        const Plane u = axis == 0 ? Plane{0, 1, 0, 0} : Plane{1, 0, 0, 0};
+        const Plane v = axis == 2 ? Plane{0, 1, 0, 0} : Plane{0, 0, 1, 0};
+        const auto p = meet(a, u, v);
+        ASSERT_TRUE(p);
+        EXPECT_EQ(static_cast<int>(classify_exact(*p, b)), -order);
+        EXPECT_TRUE(same_direction(a, b));
+        EXPECT_FALSE(same_direction(a, b.opposite()));
+        EXPECT_EQ(distance_beyond(a, b, true), order);
+        EXPECT_EQ(distance_beyond(a, b, true), -distance_beyond(a, b.opposite(), false));
+        EXPECT_EQ(distance_beyond(a, b.opposite(), false),
+                  -static_cast<int>(classify_exact(*p, b.opposite())));
+    }
+}
+
 TEST(Classify, APointIsOnThePlanesThatMadeIt) {
     Random random(1);
     for (int i = 0; i < 20000; ++i) {
@@ -188,6 +360,23 @@ TEST(OrderAlong, FollowsTheDirectionOfTheTwoNormals) {
     EXPECT_EQ(order_along(x, y, low, {0, 0, -1, -2}), Side::Below);
     EXPECT_EQ(order_along(y, x, low, {0, 0, 1, 2}), Side::Above);
     EXPECT_EQ(order_along(x, y, low, {1, 1, 1, 1}), Side::On);
+}
+
+TEST(OrderAlong, IsAnOrderOfPointsOfTheLine) {
+    Random random(28);
+    int equal = 0;
+    for (int i = 0; i < kMany; ++i) {
+        // a and b on the line of f.a and f.b: where f.c meets it and where f.h does.
+        const Four f = random_four(random);
+        const auto b = meet(f.a, f.b, f.h);
+        if (!b || !in_range(*b)) continue;
+        const Side order = order_along(f.a, f.b, f.p, f.h);
+        EXPECT_EQ(order_along(f.b, f.a, f.p, f.h), opposite(order));
+        EXPECT_EQ(order_along(f.a, f.b, f.p, f.h.opposite()), order);
+        EXPECT_EQ(order_along(f.a, f.b, *b, f.c), opposite(order));
+        equal += order == Side::On ? 1 : 0;
+    }
+    EXPECT_GT(equal, 500);
 }
 
 }  // namespace

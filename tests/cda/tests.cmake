@@ -5,17 +5,23 @@ ncsim_add_test(cda
     gmp
   SOURCES
     account_test.cpp
+    block_tree_test.cpp
     check_test.cpp
     collision_test.cpp
+    domination_test.cpp
+    evaluation_test.cpp
     filtered_polygon_test.cpp
     flat_test.cpp
+    half_box_test.cpp
     hull_test.cpp
+    interner_test.cpp
     intersect_test.cpp
     lattice_quickhull_test.cpp
     lattice_test.cpp
     loops_test.cpp
     models_test.cpp
     normal_table_test.cpp
+    numbering_test.cpp
     outlines_test.cpp
     plane_store_test.cpp
     polytope_test.cpp
@@ -23,5 +29,6 @@ ncsim_add_test(cda
     shape_test.cpp
     tree_test.cpp
     triangulate_test.cpp
+    wide_test.cpp
     workpiece_test.cpp)
 target_include_directories(ncsim_cda_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/cda/src)

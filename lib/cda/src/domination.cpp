@@ -97,23 +97,4 @@ bool Profile::may_be_covered_by(const Profile& other) const {
     return covered;
 }
 
-bool same_direction(const Plane& a, const Plane& b) {
-    return std::int64_t{a.nx} * b.nx + std::int64_t{a.ny} * b.ny + std::int64_t{a.nz} * b.nz > 0;
-}
-
-int compare_distances(const Plane& a, const Plane& b) {
-    // d/|n| in a component that is not zero: parallel normals are in proportion.
-    const auto component = [axis = a.nx != 0   ? 0
-                                   : a.ny != 0 ? 1
-                                               : 2](const Plane& p) {
-        return static_cast<Int128>(std::abs(axis == 0 ? p.nx : axis == 1 ? p.ny : p.nz));
-    };
-    const Int128 difference = b.d * component(a) - a.d * component(b);
-    return difference > 0 ? 1 : difference < 0 ? -1 : 0;
-}
-
-int distance_beyond(const Plane& facet, const Plane& plane, bool same) {
-    return compare_distances(facet, same ? plane : plane.opposite()) * (same ? 1 : -1);
-}
-
 }  // namespace ncsim::cda

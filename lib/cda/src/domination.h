@@ -61,13 +61,4 @@ struct Profile {
     std::array<float, 16> reach{};
 };
 
-/// Of planes with the same direction: the sign of the distance of `b` less that of `a`. Exact.
-int compare_distances(const Plane& a, const Plane& b);
-
-bool same_direction(const Plane& a, const Plane& b);
-
-/// Of a plane that is parallel to a facet's, in the same direction or not: positive if the facet is
-/// below it, 0 if it lies in it, negative above. Exact.
-int distance_beyond(const Plane& facet, const Plane& plane, bool same);
-
 }  // namespace ncsim::cda

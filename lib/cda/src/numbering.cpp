@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numbering.h"
 
-#include "interner.h"
-#include "wide.h"
+#include "ncsim/cda/mix.h"
 
 #include <array>
 #include <cmath>
@@ -10,27 +9,6 @@
 #include <utility>
 
 namespace ncsim::cda {
-
-namespace {
-
-// Sign of p/q − r/s for q, s > 0, by continued fractions: no product exceeds 128 bits.
-int compare_fractions(Int128 p, Int128 q, Int128 r, Int128 s) {
-    int sign = 1;
-    while (true) {
-        const Int128 a = floor_quotient(p, q);
-        const Int128 b = floor_quotient(r, s);
-        if (a != b) return a < b ? -sign : sign;
-        p -= a * q;
-        r -= b * s;
-        if (p == 0 || r == 0) return sign * (p == r ? 0 : p == 0 ? -1 : 1);
-        // Fractions in (0, 1): compare the reciprocals the other way round.
-        std::swap(p, q);
-        std::swap(r, s);
-        sign = -sign;
-    }
-}
-
-}  // namespace
 
 Pluecker::Pluecker(const Plane& s, const Plane& t)
     : d{std::int64_t{s.ny} * t.nz - std::int64_t{s.nz} * t.ny,
@@ -74,17 +52,6 @@ bool are_same(const Pluecker& a, const Pluecker& b) {
         if ((a.m[i] % p) * q != (b.m[i] % q) * p) return false;
     }
     return true;
-}
-
-int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
-    const double p = a.approx[axis];
-    const double q = b.approx[axis];
-    // Each within 2 ulp.
-    if (std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q))) return p < q ? -1 : 1;
-    const auto numerator = [axis](const ExactPoint& v) {
-        return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-    };
-    return compare_fractions(numerator(a), a.w, numerator(b), b.w);
 }
 
 }  // namespace ncsim::cda

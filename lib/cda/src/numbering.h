@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names for exact things: keys for lines, order of points.
+// Names for exact things: keys for lines.
 #pragma once
 
 #include "ncsim/cda/predicates.h"
@@ -36,8 +36,5 @@ inline std::size_t longest(const std::array<std::int64_t, 3>& d) {
     }
     return axis;
 }
-
-/// Sign of a[axis] − b[axis], exactly.
-int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis);
 
 }  // namespace ncsim::cda

@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Bits, for normals of N and coordinates of B bits: a plane that meets the stock has
-// |d| <= 3·2^(N+B); a vertex has w of 3N + log2 6 and coordinates of |d|·2^2N·6 … but Hadamard-like
-// cancellation keeps them at w·2^B, since the point lies within the stock; n·x − d·w adds
-// N + log2 3 to the one and |d| to the other.
 #include "ncsim/cda/predicates.h"
 
 #include "wide.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 namespace ncsim::cda {
 
 namespace {
-
-// Twice the bits, rounded up, of the largest sum in classify_exact: w has 3N + 2.6 bits, a
-// coordinate of the point w·2^B, and there are three products of N more bits and d·w of 1.6 more
-// again.
-constexpr double kClassifyBits = 4.0 * kNormalBits + kCoordinateBits + 2.6 + 1.6 + 1.0;
-static_assert(kClassifyBits < 127.0, "a sign needs more than 128 bits");
 
 // Largest error of the double evaluation n·approx − d, in plane units: coordinates below 2^B within
 // 2 ulp times normals below 2^N, three products, three sums: below 16 · 2^(N+B) · 2^-53.
@@ -43,6 +34,23 @@ Minor minor(const Plane& a, const Plane& b) {
     return {std::int64_t{a.ny} * b.nz - std::int64_t{a.nz} * b.ny,
             std::int64_t{a.nz} * b.nx - std::int64_t{a.nx} * b.nz,
             std::int64_t{a.nx} * b.ny - std::int64_t{a.ny} * b.nx};
+}
+
+// Sign of p/q − r/s for q, s > 0, by continued fractions: no product exceeds 128 bits.
+int compare_fractions(Int128 p, Int128 q, Int128 r, Int128 s) {
+    int sign = 1;
+    while (true) {
+        const Int128 a = floor_quotient(p, q);
+        const Int128 b = floor_quotient(r, s);
+        if (a != b) return a < b ? -sign : sign;
+        p -= a * q;
+        r -= b * s;
+        if (p == 0 || r == 0) return sign * (p == r ? 0 : p == 0 ? -1 : 1);
+        // Fractions in (0, 1): compare the reciprocals the other way round.
+        std::swap(p, q);
+        std::swap(r, s);
+        sign = -sign;
+    }
 }
 
 Vec3 nearest(const ExactPoint& p) {
@@ -120,11 +128,16 @@ Side classify_near(const Plane& p, const Plane& q, const Plane& r, const Plane& 
     return (height > 0) == (exact_w > 0) ? Side::Above : Side::Below;
 }
 
-Side classify(const ExactPoint& p, const Plane& plane) {
+std::optional<Side> classify_in_doubles(const ExactPoint& p, const Plane& plane) {
     const double v = p.approx.x * plane.nx + p.approx.y * plane.ny + p.approx.z * plane.nz -
                      static_cast<double>(plane.d);
     if (v > kFilterError) return Side::Above;
     if (v < -kFilterError) return Side::Below;
+    return std::nullopt;
+}
+
+Side classify(const ExactPoint& p, const Plane& plane) {
+    if (const auto side = classify_in_doubles(p, plane)) return *side;
     return classify_exact(p, plane);
 }
 
@@ -141,6 +154,21 @@ bool same_point(const ExactPoint& a, const ExactPoint& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
 }
 
+int compare_coordinate_exact(const ExactPoint& a, const ExactPoint& b, int axis) {
+    const auto numerator = [axis](const ExactPoint& v) {
+        return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+    };
+    return compare_fractions(numerator(a), a.w, numerator(b), b.w);
+}
+
+int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
+    const double p = a.approx[axis];
+    const double q = b.approx[axis];
+    // Each within 2 ulp.
+    if (std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q))) return p < q ? -1 : 1;
+    return compare_coordinate_exact(a, b, axis);
+}
+
 int turn(const Plane& s, const Plane& t, const Plane& h) {
     const Int128 v = static_cast<Int128>(det2(s.ny, s.nz, t.ny, t.nz)) * h.nx +
                      static_cast<Int128>(det2(s.nz, s.nx, t.nz, t.nx)) * h.ny +
@@ -151,6 +179,21 @@ int turn(const Plane& s, const Plane& t, const Plane& h) {
 Side order_along(const Plane& s, const Plane& t, const ExactPoint& a, const Plane& through_b) {
     const Side side = classify(a, through_b);
     return turn(s, t, through_b) > 0 ? side : opposite(side);
+}
+
+int compare_distances(const Plane& a, const Plane& b) {
+    // d/|n| in a component that is not zero: parallel normals are in proportion.
+    const auto component = [axis = a.nx != 0   ? 0
+                                   : a.ny != 0 ? 1
+                                               : 2](const Plane& p) {
+        return static_cast<Int128>(std::abs(axis == 0 ? p.nx : axis == 1 ? p.ny : p.nz));
+    };
+    const Int128 difference = b.d * component(a) - a.d * component(b);
+    return difference > 0 ? 1 : difference < 0 ? -1 : 0;
+}
+
+int distance_beyond(const Plane& facet, const Plane& plane, bool same) {
+    return compare_distances(facet, same ? plane : plane.opposite()) * (same ? 1 : -1);
 }
 
 }  // namespace ncsim::cda

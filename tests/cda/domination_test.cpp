@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What one plane or cell implies of another in a box, against points of the box.
+#include "domination.h"
+
+#include "support/random_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace ncsim::cda {
+namespace {
+
+using test::Random;
+
+constexpr std::int64_t kReach = 1 << 20;
+const HalfBox kBox{{-2 * kReach + 1, -2 * kReach + 1, -2 * kReach + 1},
+                   {2 * kReach - 1, 2 * kReach - 1, 2 * kReach - 1}};
+
+// A plane that cuts the box; of few directions, so that some are parallel.
+Plane random_plane(Random& random) {
+    const Plane n = test::random_normal(random, random.one_in(2) ? 2 : 1000);
+    const std::int64_t size = std::abs(n.nx) + std::abs(n.ny) + std::abs(n.nz);
+    return canonical(n.nx, n.ny, n.nz, random.between(-size * kReach + size, size * kReach - size));
+}
+
+LatticePoint random_point(Random& random) {
+    return test::random_point(random, kReach - 1);
+}
+
+bool is_below(const LatticePoint& p, const Plane& plane) {
+    return plane.nx * p.x + plane.ny * p.y + plane.nz * p.z <= plane.d;
+}
+
+struct Planes {
+    std::vector<Plane> exact;
+    std::vector<BoxPlane> seen;
+};
+
+Planes random_planes(Random& random, std::size_t count) {
+    Planes planes;
+    for (std::size_t i = 0; i < count; ++i)
+        planes.exact.push_back(random_plane(random));
+    const BoxFrame frame(kBox);
+    for (const Plane& plane : planes.exact)
+        planes.seen.emplace_back(HalfPlane(plane), plane, frame);
+    return planes;
+}
+
+TEST(Implies, NeverClaimsWhatAPointOfTheBoxDenies) {
+    Random random(71);
+    int strict = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Planes p = random_planes(random, 2);
+        const Domination found = implies(p.seen[0], p.seen[1]);
+        EXPECT_NE(found == Domination::Coplanar, p.exact[0] != p.exact[1]);
+        if (found == Domination::None) continue;
+        ++strict;
+        for (int k = 0; k < 20; ++k) {
+            const LatticePoint at = random_point(random);
+            if (is_below(at, p.exact[0])) {
+                ASSERT_TRUE(is_below(at, p.exact[1]));
+            }
+        }
+    }
+    EXPECT_GT(strict, 500);
+}
+
+TEST(Implies, SeesParallelPlanesAsTheyAre) {
+    const BoxFrame frame(kBox);
+    const Plane low{1, 2, 2, 100};
+    const Plane high{1, 2, 2, 101};
+    const BoxPlane a(HalfPlane(low), low, frame);
+    const BoxPlane b(HalfPlane(high), high, frame);
+    EXPECT_EQ(implies(a, b), Domination::Strict);
+    EXPECT_EQ(implies(b, a), Domination::None);
+    EXPECT_EQ(implies(a, a), Domination::Coplanar);
+    const Plane back = low.opposite();
+    EXPECT_EQ(implies(a, BoxPlane(HalfPlane(back), back, frame)), Domination::None);
+}
+
+TEST(Implies, SeesWhatHoldsInTheBoxAlone) {
+    // Below x = -reach/2 in the box is below x + y/8 = 0 there, and nowhere else.
+    const BoxFrame frame(kBox);
+    const Plane m{1, 0, 0, -kReach / 2};
+    const Plane p{8, 1, 0, 0};
+    EXPECT_EQ(implies(BoxPlane(HalfPlane(m), m, frame), BoxPlane(HalfPlane(p), p, frame)),
+              Domination::Strict);
+    const Plane steep{1, 1, 0, 0};
+    EXPECT_EQ(implies(BoxPlane(HalfPlane(m), m, frame), BoxPlane(HalfPlane(steep), steep, frame)),
+              Domination::None);
+}
+
+TEST(Dominated, CellsLieWithinTheOther) {
+    Random random(72);
+    int found = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Planes cell = random_planes(random, 4);
+        const Planes by = random_planes(random, static_cast<std::size_t>(random.between(1, 2)));
+        if (dominated(cell.seen, by.seen) == Domination::None) continue;
+        ++found;
+        for (int k = 0; k < 20; ++k) {
+            const LatticePoint at = random_point(random);
+            const auto in = [&](const std::vector<Plane>& planes) {
+                return std::ranges::all_of(planes, [&](const Plane& p) { return is_below(at, p); });
+            };
+            if (in(cell.exact)) {
+                ASSERT_TRUE(in(by.exact));
+            }
+        }
+    }
+    EXPECT_GT(found, 500);
+    const Planes some = random_planes(random, 5);
+    EXPECT_EQ(dominated(some.seen, some.seen), Domination::Coplanar);
+}
+
+// A profile is there to save work: what is dominated must not be passed over, within one plane.
+TEST(Profile, NeverHidesAnUprightCellBelowAnother) {
+    Random random(73);
+    const BoxFrame frame(kBox);
+    for (int i = 0; i < 2000; ++i) {
+        const std::int64_t d = random.between(-kReach + 2, kReach - 2);
+        const Plane low{0, 0, 1, d};
+        const Plane high{0, 0, 1, random.between(d, kReach - 1)};
+        const std::vector<BoxPlane> a{{HalfPlane(low), low, frame}};
+        const std::vector<BoxPlane> b{{HalfPlane(high), high, frame}};
+        EXPECT_TRUE(Profile(a).may_be_covered_by(Profile(b)));
+        EXPECT_EQ(Profile(a).direction, 4);
+    }
+    const Plane low{0, 0, 1, 0};
+    const Plane high{0, 0, 1, kReach / 2};
+    EXPECT_FALSE(
+        Profile(std::vector<BoxPlane>{{HalfPlane(high), high, frame}})
+            .may_be_covered_by(Profile(std::vector<BoxPlane>{{HalfPlane(low), low, frame}})));
+}
+
+}  // namespace
+}  // namespace ncsim::cda

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation.h"
+
+#include "block.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace ncsim::cda {
+namespace {
+
+constexpr std::int64_t kSize = 10;
+constexpr double kHalf = 0.5 * kSize;
+
+Evaluation evaluated(const Block& block) {
+    return evaluate(block.tree(), {block.stock(), nullptr, block.table(), {kHalf, kHalf, kHalf}});
+}
+
+TEST(Evaluation, OfAWholeBlockIsItsStock) {
+    const Block block(kSize);
+    const Evaluation whole = evaluated(block);
+    EXPECT_NEAR(whole.volume, 1000.0, 1e-9);
+    // Six faces of four edges.
+    EXPECT_EQ(whole.outlines.pieces().size(), 24U);
+    EXPECT_EQ(whole.leaves, 1U);
+}
+
+// What unit cubes say, for leaves of any size; what a cell has in common with the part likewise.
+TEST(Evaluation, HasTheVolumeThatIsLeft) {
+    test::Random random(91);
+    for (int scene = 0; scene < 60; ++scene) {
+        SCOPED_TRACE(scene);
+        Block block(kSize);
+        std::vector<Cell> cells;
+        for (std::uint32_t i = 1; i < 12; ++i)
+            cells.push_back(random_unit_box(random, kSize).cell(Origin{i}));
+        block.cut(cells, static_cast<std::uint32_t>(random.between(6, 40)));
+        const UnitBox window = random_unit_box(random, kSize);
+        double left = 0.0;
+        double common = 0.0;
+        for (std::int64_t at = 0; at < kSize * kSize * kSize; ++at) {
+            const LatticePoint p{at % kSize, at / kSize % kSize, at / kSize / kSize};
+            if (!block.has(p)) continue;
+            left += 1.0;
+            if (window.has(p)) common += 1.0;
+        }
+        EXPECT_NEAR(evaluated(block).volume, left, 1e-9);
+        const std::vector<Plane> planes = window.cell(Origin{99}).planes;
+        EvaluationInput input{block.stock(), &planes, block.table(), {kHalf, kHalf, kHalf}};
+        EXPECT_NEAR(evaluate(block.tree(), input).volume, common, 1e-9);
+        input.only_first = true;
+        EXPECT_EQ(evaluate(block.tree(), input).outlines.pieces().empty(), common == 0.0);
+    }
+}
+
+// A wall that two cells share from either side is no wall.
+TEST(Evaluation, LeavesNoMembraneBetweenCellsThatTouch) {
+    Block block(kSize);
+    block.cut({UnitBox{{2, 2, 2}, {5, 8, 8}}.cell(Origin{1}),
+               UnitBox{{5, 2, 2}, {8, 8, 8}}.cell(Origin{2})});
+    const Evaluation hollow = evaluated(block);
+    EXPECT_NEAR(hollow.volume, 1000.0 - 6 * 6 * 6, 1e-9);
+    for (const auto& piece : hollow.outlines.pieces()) {
+        const Plane plane = hollow.outlines.plane(piece.plane);
+        EXPECT_FALSE(std::abs(plane.nx) == 1 && std::abs(plane.d) == 5);
+    }
+}
+
+// Of what lies twice, the first motion has the face.
+TEST(Evaluation, GivesAFaceToTheFirstOfTwo) {
+    Block block(kSize);
+    block.cut({UnitBox{{2, 2, 4}, {6, 8, 11}}.cell(Origin{7}),
+               UnitBox{{2, 2, 4}, {8, 8, 11}}.cell(Origin{3})});
+    const Evaluation once = evaluated(block);
+    EXPECT_FALSE(once.outlines.pieces().empty());
+    for (const auto& piece : once.outlines.pieces())
+        EXPECT_NE(piece.origin, Origin{7});
+}
+
+}  // namespace
+}  // namespace ncsim::cda
