@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // engine_table [-t THREADS] PROGRAM…: what a hull costs, from NC text to the watertight boundary,
-// stage by stage in CPU seconds, and the work that was counted. A row a program.
+// stage by stage in CPU seconds, and the work that was counted. A row a program; with
+// -DNCSIM_COUNT_FILTERS=ON also how often doubles could not tell.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/gcode/interpreter.h"
@@ -9,11 +10,15 @@
 #include "ncsim/toolpath/tool_table.h"
 #include "ncsim/toolpath/trace.h"
 
+#include "filter_counts.h"
 #include "programs.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -113,6 +118,22 @@ void measure(const std::string& name, std::uint32_t threads) {
     if (checksum > 1e300) std::puts("");  // so that nothing is left out
 }
 
+// In builds that count: what was asked, and the share that doubles could not tell.
+void print_filters() {
+#ifdef NCSIM_COUNT_FILTERS
+    constexpr std::array kNames{"points", "glances", "corners", "coordinates"};
+    for (std::size_t i = 0; i < cda::kFilters; ++i) {
+        const auto asked = static_cast<double>(cda::filter_counts[i].asked.exchange(0));
+        const auto doubtful = static_cast<double>(cda::filter_counts[i].doubtful.exchange(0));
+        const auto touching = static_cast<double>(cda::filter_counts[i].touching.exchange(0));
+        fmt::print("    {:<12}{:>14.0f} asked{:>9.3f} % doubtful{:>9.3f} % touch\n", kNames[i],
+                   asked, 100.0 * doubtful / std::max(asked, 1.0),
+                   100.0 * touching / std::max(asked, 1.0));
+    }
+    std::fflush(stdout);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -127,6 +148,7 @@ int main(int argc, char** argv) {
             threads = static_cast<std::uint32_t>(std::atoi(argv[++i]));
         } else {
             measure(argument, threads);
+            print_filters();
         }
     }
 }

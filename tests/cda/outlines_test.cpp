@@ -3,7 +3,6 @@
 // Points rounded with an estimate in doubles against divisions, and numbers of points and keys.
 #include "outlines.h"
 
-#include "interner.h"
 #include "support/random.h"
 #include "wide.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filtered_polygon.h"
 
+#include "filter_counts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -38,15 +40,22 @@ double height_error(const FilterPlane& plane, double error) {
 // have in common: corners of one lie in planes of the other.
 Side side_exactly(const FilterPlane& a, const FilterPlane& b, const FilterPlane& c,
                   const FilterPlane& cut, double most) {
+    count_doubtful(Filter::Corner);
     for (const FilterPlane* plane : {&a, &b, &c}) {
-        if (plane->exact == cut.exact) return Side::On;
+        if (plane->exact == cut.exact) {
+            count_touching(Filter::Corner);
+            return Side::On;
+        }
     }
-    return classify_near(a.exact, b.exact, c.exact, cut.exact, most);
+    const Side side = classify_near(a.exact, b.exact, c.exact, cut.exact, most);
+    if (side == Side::On) count_touching(Filter::Corner);
+    return side;
 }
 
 // The same, in doubles first; and how far, in units of its normal.
 Side side_of(const FilteredPoint& point, const FilterPlane& a, const FilterPlane& b,
              const FilterPlane& c, const FilterPlane& cut, double& height) {
+    count_asked(Filter::Corner);
     height = point.p.x * cut.nx + point.p.y * cut.ny + point.p.z * cut.nz - cut.d;
     const double bound = height_error(cut, point.error);
     if (height > bound) return Side::Above;
@@ -182,6 +191,15 @@ template <class Lanes>
     }
 }
 
+// Nothing, but in builds that count.
+void count_glances([[maybe_unused]] std::span<const Glance> glances) {
+#ifdef NCSIM_COUNT_FILTERS
+    count_asked(Filter::Glance, glances.size());
+    count_doubtful(Filter::Glance,
+                   static_cast<std::uint64_t>(std::ranges::count(glances, Glance::Doubtful)));
+#endif
+}
+
 using LookAt = void (*)(const RowsOfPlanes&, std::size_t, const RowsOfPoints&, std::size_t, double,
                         const RowsOfGlances&);
 
@@ -298,6 +316,7 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
 }
 
 int FilteredPolygon::classify_corners(const FilterPlane& cut) {
+    count_asked(Filter::Corner, size());
     if (heights_.size() < padded_) heights_.resize(2 * padded_);
     const double bound = height_error(cut, error_);
     const Found found = heights_above(cut, bound, corners_.x.data(), corners_.y.data(),
@@ -408,6 +427,7 @@ void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size
          from(planes.one_norm_)},
         end - begin, {corners_.x.data(), corners_.y.data(), corners_.z.data()}, size(), error_,
         {glances.where.data() + begin, glances.low.data() + begin, glances.high.data() + begin});
+    count_glances(std::span(glances.where).subspan(begin, end - begin));
 }
 
 void FilteredPolygon::assign(const FilteredPolygon& other) {

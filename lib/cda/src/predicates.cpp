@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/predicates.h"
 
+#include "filter_counts.h"
 #include "wide.h"
 
 #include <cmath>
@@ -137,8 +138,12 @@ std::optional<Side> classify_in_doubles(const ExactPoint& p, const Plane& plane)
 }
 
 Side classify(const ExactPoint& p, const Plane& plane) {
+    count_asked(Filter::Point);
     if (const auto side = classify_in_doubles(p, plane)) return *side;
-    return classify_exact(p, plane);
+    count_doubtful(Filter::Point);
+    const Side side = classify_exact(p, plane);
+    if (side == Side::On) count_touching(Filter::Point);
+    return side;
 }
 
 ExactPoint reduced(const ExactPoint& p) {
@@ -164,9 +169,13 @@ int compare_coordinate_exact(const ExactPoint& a, const ExactPoint& b, int axis)
 int compare_coordinate(const ExactPoint& a, const ExactPoint& b, int axis) {
     const double p = a.approx[axis];
     const double q = b.approx[axis];
+    count_asked(Filter::Coordinate);
     // Each within 2 ulp.
     if (std::abs(p - q) > 1e-15 * (std::abs(p) + std::abs(q))) return p < q ? -1 : 1;
-    return compare_coordinate_exact(a, b, axis);
+    count_doubtful(Filter::Coordinate);
+    const int order = compare_coordinate_exact(a, b, axis);
+    if (order == 0) count_touching(Filter::Coordinate);
+    return order;
 }
 
 int turn(const Plane& s, const Plane& t, const Plane& h) {
