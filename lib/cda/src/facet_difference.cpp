@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The only file that sees CGAL. Polygons go in with exact rational corners; what comes out is
-// described by planes again: every edge of the result lies on an edge of the facet or of a mask.
+// Polygons go in with exact rational corners; what comes out is described by planes again: every
+// edge of the result lies on an edge of the facet or of a mask.
 #include "facet_difference.h"
 
-#include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_set_2.h>
