@@ -33,7 +33,7 @@ if(NCSIM_SANITIZE)
   target_compile_options(ncsim_cgal_flags INTERFACE
     $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=vptr>)
 endif()
-# -O3 takes up to a quarter longer to compile CGAL, and no program that was measured is faster for it.
+# -O3 takes up to a quarter longer to compile CGAL, and nothing that was measured is faster for it.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(ncsim_cgal_flags INTERFACE $<$<CONFIG:Release>:-O2>)
 endif()

@@ -15,8 +15,7 @@
 //     n_s × n_t, the direction of a line           2N + 1
 //     w, the determinant of three normals          3N + log2 6
 //     x, y, z of a point of the range              B more than its w: |x/w| <= 2^B
-//     n·x − d·w, what classify_exact() adds up     N + log2 3 more than x, once more for d·w, a
-//     sign
+//     n·x − d·w, what classify_exact() adds up     N + log2 3 more than x, 1 for d·w, a sign
 //
 // Of points outside of the range the numbers are as large as they please, and nothing here holds.
 #pragma once
