@@ -1,7 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outcome.h"
 
+#include <algorithm>
+#include <string>
+
 namespace ncsim::app {
+
+namespace {
+
+report::SolidFacts solid_facts(const brep::Recognised& solid,
+                               const exporter::Provenance& provenance) {
+    report::SolidFacts facts;
+    for (const auto& form : brep::kForms)
+        facts.kinds.emplace_back(form, 0);
+    for (const brep::Face& face : solid.part.faces)
+        ++facts.kinds[face.surface.form.index()].second;
+    facts.faces = solid.part.faces.size();
+    facts.miss_mm = solid.part.miss_mm;
+    facts.facets_kept = solid.facets_kept;
+    facts.facet_miss_mm = solid.part.facet_miss_mm;
+    for (const cda::Origin origin : solid.of_facets) {
+        const std::uint32_t line = provenance.of(origin).nc_line;
+        if (line != 0) facts.facet_lines.push_back(line);
+    }
+    std::sort(facts.facet_lines.begin(), facts.facet_lines.end());
+    facts.facet_lines.erase(std::unique(facts.facet_lines.begin(), facts.facet_lines.end()),
+                            facts.facet_lines.end());
+    return facts;
+}
+
+}  // namespace
 
 report::RunFacts run_facts(const Outcome& outcome) {
     report::RunFacts facts;
@@ -14,6 +42,8 @@ report::RunFacts run_facts(const Outcome& outcome) {
         facts.simplified = {*outcome.options.simplify, outcome.simplified->deviation_mm,
                             outcome.simplified->boundary.faces.size()};
     }
+    if (outcome.solid && outcome.options.step_surfaces == StepSurfaces::Analytic)
+        facts.solid = solid_facts(*outcome.solid, outcome.simulation->provenance);
     return facts;
 }
 

@@ -3,6 +3,7 @@
 // What is known at the end of a run.
 #pragma once
 
+#include "ncsim/brep/recognise.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/simplify.h"
 #include "ncsim/report/facts.h"
@@ -24,6 +25,8 @@ struct Outcome {
     const cda::Boundary* boundary = nullptr;
     /// What meshes are made of, if it is not `boundary` itself.
     const exporter::Simplified* simplified = nullptr;
+    /// What --step writes, if anybody asked for it.
+    const brep::Recognised* solid = nullptr;
 };
 
 /// What is reported of it; points into it.

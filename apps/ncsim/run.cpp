@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run.h"
 
+#include "ncsim/brep/apart.h"
+#include "ncsim/brep/recognise.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/ply.h"
@@ -15,6 +17,7 @@
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
 
 #include "animation.h"
 #include "console.h"
@@ -80,9 +83,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.threemf,
                   [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
     outputs.write(o.step, [&](std::ostream& out) {
-        const exporter::StepOptions options{
-            std::max(o.simplify.value_or(0.0), exporter::kStepTolerance), o.step_max_faces};
-        exporter::write_step(out, *outcome.boundary, s.provenance, options);
+        exporter::write_step_solid(out, outcome.solid->part, s.provenance, o.step_max_faces);
     });
     outputs.write(o.save_stock, [&](std::ostream& out) {
         const cda::Shape stock =
@@ -91,6 +92,19 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     });
     outputs.write(o.stats, [&](std::ostream& out) { s.part->write_statistics(out); });
     outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
+}
+
+// What --step writes: surfaces as the tools left them, or their facets.
+brep::Recognised solid_of(const Outcome& outcome) {
+    const Options& o = outcome.options;
+    const double tolerance = std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
+    if (o.step_surfaces == StepSurfaces::Faceted) {
+        const exporter::Simplified flat = exporter::simplify(*outcome.boundary, tolerance);
+        brep::Recognised solid{brep::faceted(flat.boundary, flat.origins)};
+        brep::keep_apart(solid.part);
+        return solid;
+    }
+    return simulation::solid_of(outcome.plan, outcome.survey, *outcome.simulation, tolerance);
 }
 
 }  // namespace
@@ -122,6 +136,7 @@ int run(Options options) {
     Outcome outcome{options, plan, survey};
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
+    std::optional<brep::Recognised> recognised;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         Animation animation(options, survey, outputs);
@@ -130,7 +145,9 @@ int run(Options options) {
             if (so_far.boundary) now.boundary = &*so_far.boundary;
             animation.take(now);
         };
-        simulation = simulation::simulate(plan, survey, {},
+        simulation::Verification nothing;
+        nothing.keep_cuts = !o.step.empty();
+        simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
         if (animation.every() != 0) take_frame(*simulation);
@@ -144,6 +161,10 @@ int run(Options options) {
         if (o.simplify && outcome.boundary) {
             simplified = exporter::simplify(*outcome.boundary, *o.simplify);
             outcome.simplified = &*simplified;
+        }
+        if (!o.step.empty()) {
+            recognised = solid_of(outcome);
+            outcome.solid = &*recognised;
         }
         write_outputs(outcome, outputs);
     }
@@ -160,6 +181,10 @@ int run(Options options) {
         if (!o.quiet)
             put_text(report::summary(run_facts(outcome)), outputs.takes_standard_output());
         if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
+    }
+    if (o.step_strict && recognised && recognised->facets_kept > 0) {
+        say("ncsim: --step-strict: facets were kept, see above\n");
+        return faulty ? kFindings : kEnvironment;
     }
     return faulty ? kFindings : kClean;
 }

@@ -68,6 +68,12 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
+StepSurfaces read_step_surfaces(const std::string& name) {
+    if (name == "analytic") return StepSurfaces::Analytic;
+    if (name == "faceted") return StepSurfaces::Faceted;
+    throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
+}
+
 double read_simplify(double tolerance) {
     if (tolerance == 0.0 || (tolerance >= 1e-6 && tolerance <= 1.0)) return tolerance;
     throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
@@ -133,6 +139,13 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
         ->type_name("FILE");
     run->add_option("--step", o.step, "Solid for CAD, STEP AP214")->type_name("FILE");
+    run->add_option_function<std::string>(
+           "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
+           "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
+           "[analytic]")
+        ->type_name("WHAT");
+    run->add_flag("--step-strict", o.step_strict,
+                  "Exit with 2 if round surfaces had to be kept as facets");
     run->add_option("--step-max-faces", o.step_max_faces,
                     fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
         ->check(CLI::Range(1, 1'000'000'000))

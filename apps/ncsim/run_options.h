@@ -17,6 +17,10 @@
 
 namespace ncsim::app {
 
+/// Of what a solid for CAD is made: surfaces as tools leave them, or facets of tools that are
+/// polygons.
+enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
+
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
@@ -34,6 +38,8 @@ struct Options : ProgramOptions, SimulationOptions {
     std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
     /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
     std::optional<double> simplify;
+    StepSurfaces step_surfaces = StepSurfaces::Analytic;
+    bool step_strict = false;  ///< Facets that are kept are a failure.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     bool quiet = false;
     /// A first look: tools that nobody describes are guessed, round shapes are coarser.

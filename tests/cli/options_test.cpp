@@ -129,6 +129,7 @@ TEST(Options, RefuseWhatMakesNoSense) {
         {"run", "part.nc", "--simplify", "1e-9"},
         {"run", "part.nc", "--simplify", "nan"},
         {"run", "part.nc", "--step-max-faces", "0"},
+        {"run", "part.nc", "--step-surfaces", "round"},
         {"run", "part.nc", "--at-line", "0"},
         {"run", "part.nc", "--every", "10"},
         {"run", "part.nc", "--gif", "a.gif", "--every", "0"},

@@ -6,15 +6,16 @@ set(layers
   "cda:"
   "toolpath: gcode cda trig"
   "verify:   gcode toolpath cda trig"
-  "export:   cda trig"
+  "brep:     gcode cda toolpath trig"
+  "export:   cda brep trig"
   "report:   gcode toolpath cda verify"
   "setup:    gcode toolpath cda trig verify report"
-  "simulation: gcode toolpath cda verify export report setup"
-  "app:      gcode toolpath cda verify export report setup simulation")
+  "simulation: gcode toolpath cda verify brep export report setup"
+  "app:      gcode toolpath cda verify brep export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library trig gcode cda toolpath verify export report setup simulation)
+foreach(library trig gcode cda toolpath verify brep export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 

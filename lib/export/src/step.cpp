@@ -2,11 +2,11 @@
 //
 // A STEP file is a list of numbered entities. They are written in an order in which each
 // refers to earlier ones only: units and product, then for each shell its faces, before each face
-// the edges it is the first to use, before each edge its line and vertices.
+// the edges it is the first to use, before each edge its curve and vertices.
 #include "ncsim/export/step.h"
 
+#include "ncsim/brep/apart.h"
 #include "ncsim/export/simplify.h"
-#include "ncsim/trig/angles.h"
 
 #include "palette.h"
 #include "text.h"
@@ -21,6 +21,7 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ncsim::exporter {
@@ -34,6 +35,7 @@ constexpr std::size_t kFlushSize = std::size_t{1} << 20;
 // Points nearer than this are one point to the reader, in mm. Above the rounding of coordinates,
 // below the lattice on which parts are cut.
 constexpr const char* kUncertainty = "1.E-06";
+constexpr double kUncertaintyMm = 1e-6;
 // Lines named in the name of a face at most.
 constexpr std::size_t kNamedLines = 8;
 
@@ -96,83 +98,20 @@ std::string list(std::span<const Entity> entities) {
     return text;
 }
 
-// Volume inside the faces, six times, about a common corner; negative for a void.
-double sixfold_volume(const cda::Boundary& boundary, std::span<const std::size_t> faces) {
-    double sum = 0.0;
-    const Vec3 apex = boundary.vertices[boundary.faces[faces[0]].loops[0][0]];
-    for (const std::size_t f : faces) {
-        for (const auto& loop : boundary.faces[f].loops) {
-            const Vec3 a = boundary.vertices[loop[0]] - apex;
-            for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-                sum += cda::dot(a, cda::cross(boundary.vertices[loop[i]] - apex,
-                                              boundary.vertices[loop[i + 1]] - apex));
-            }
-        }
-    }
-    return sum;
-}
-
-// How often the faces wind around the point: ±1 inside, 0 outside. Sum of the solid angles of the
-// loops' triangles, signed (van Oosterom and Strackee, The Solid Angle of a Plane Triangle, 1983).
-double winding_number(const cda::Boundary& boundary, std::span<const std::size_t> faces, Vec3 p) {
-    double sum = 0.0;
-    for (const std::size_t f : faces) {
-        for (const auto& loop : boundary.faces[f].loops) {
-            const Vec3 a = cda::normalized(boundary.vertices[loop[0]] - p);
-            for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-                const Vec3 b = cda::normalized(boundary.vertices[loop[i]] - p);
-                const Vec3 c = cda::normalized(boundary.vertices[loop[i + 1]] - p);
-                sum += 2.0 * trig::angle_of(1.0 + cda::dot(a, b) + cda::dot(b, c) + cda::dot(c, a),
-                                            cda::dot(a, cda::cross(b, c)));
-            }
-        }
-    }
-    return sum / 720.0;
-}
-
-struct Solid {
-    std::vector<std::size_t> outside;             // faces
-    std::vector<std::vector<std::size_t>> voids;  // faces of each
-};
-
-// Shells that enclose material, each with the voids that lie in it. `shells` is the number of them.
-std::vector<Solid> solids_of(const cda::Boundary& boundary) {
-    std::vector<std::vector<std::size_t>> shells(boundary.shells);
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
-        const std::uint32_t shell = boundary.faces[f].shell;
-        if (shell >= shells.size()) shells.resize(std::size_t{shell} + 1);
-        shells[shell].push_back(f);
-    }
-    std::erase_if(shells, [](const auto& shell) { return shell.empty(); });
-    std::vector<Solid> solids;
-    std::vector<std::vector<std::size_t>> voids;
-    for (auto& shell : shells) {
-        if (sixfold_volume(boundary, shell) > 0.0) {
-            solids.push_back({std::move(shell), {}});
-        } else {
-            voids.push_back(std::move(shell));
-        }
-    }
-    for (auto& shell : voids) {
-        const Vec3 point = boundary.vertices[boundary.faces[shell[0]].loops[0][0]];
-        // Nothing to choose from with a single solid, the usual case.
-        const auto around = std::find_if(solids.begin(), solids.end(), [&](const Solid& solid) {
-            return solids.size() == 1 || winding_number(boundary, solid.outside, point) > 0.5;
-        });
-        if (around != solids.end()) around->voids.push_back(std::move(shell));
-    }
-    return solids;
+// As far as edges are off their surfaces; the accuracy of those who read numbers else.
+std::string uncertainty_of(const brep::Part& part) {
+    return part.miss_mm > kUncertaintyMm ? real(part.miss_mm) : kUncertainty;
 }
 
 class Writer {
 public:
-    Writer(std::ostream& out, const Simplified& part, const Provenance& provenance)
+    Writer(std::ostream& out, const brep::Part& part, const Provenance& provenance)
         : out_(out),
-          boundary_(part.boundary),
-          origins_(part.origins),
+          part_(part),
           provenance_(provenance),
           palette_(provenance),
-          vertices_(boundary_.vertices.size()),
+          vertices_(part.vertices.size()),
+          edges_(part.edges.size(), 0),
           styles_(palette_.makers().size(), 0) {}
 
     void write() {
@@ -180,8 +119,8 @@ public:
         const Entity context = units();
         const Entity shape = product();
         std::vector<Entity> items{placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0})};
-        for (const Solid& solid : solids_of(boundary_))
-            items.push_back(brep(solid));
+        for (const brep::Solid& solid : part_.solids)
+            items.push_back(solid_brep(solid));
         const std::string kind =
             items.size() > 1 ? "ADVANCED_BREP_SHAPE_REPRESENTATION" : "SHAPE_REPRESENTATION";
         const Entity representation = add(kind + "(''," + list(items) + "," + ref(context) + ")");
@@ -220,7 +159,7 @@ private:
         const Entity angle = add("(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.))");
         const Entity solid = add("(NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT())");
         const Entity uncertainty =
-            add(std::string("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(") + kUncertainty + ")," +
+            add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(" + uncertainty_of(part_) + ")," +
                 ref(length) + ",'distance_accuracy_value','')");
         return add("(GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
                    ref(uncertainty) + ")) GLOBAL_UNIT_ASSIGNED_CONTEXT(" +
@@ -275,47 +214,70 @@ private:
     const Vertex& vertex(std::uint32_t i) {
         Vertex& v = vertices_[i];
         if (v.vertex == 0) {
-            v.point = point(boundary_.vertices[i]);
+            v.point = point(part_.vertices[i]);
             v.vertex = add("VERTEX_POINT(''," + ref(v.point) + ")");
         }
         return v;
     }
 
-    Vec3 along(std::uint32_t a, std::uint32_t b) const {
-        return cda::normalized(boundary_.vertices[b] - boundary_.vertices[a]);
-    }
-
-    // The edge between two vertices, from the one with the smaller number to the other.
-    Entity edge(std::uint32_t a, std::uint32_t b) {
-        const auto [low, high] = std::minmax(a, b);
-        const std::uint64_t key = std::uint64_t{low} << 32 | high;
-        const auto found = edges_.find(key);
-        if (found != edges_.end()) return found->second;
-        const Vertex from = vertex(low);
-        const Vertex to = vertex(high);
-        const Entity vector = add("VECTOR(''," + ref(direction(along(low, high))) + ",1.)");
-        const Entity line = add("LINE(''," + ref(from.point) + "," + ref(vector) + ")");
-        const Entity made = add("EDGE_CURVE(''," + ref(from.vertex) + "," + ref(to.vertex) + "," +
-                                ref(line) + ",.T.)");
-        edges_.emplace(key, made);
+    Entity edge(std::uint32_t number) {
+        Entity& made = edges_[number];
+        if (made != 0) return made;
+        const brep::Edge& e = part_.edges[number];
+        const Vertex from = vertex(e.from);
+        const Vertex to = vertex(e.to);
+        const Entity curve =
+            std::visit([&](const auto& c) { return curve_of(c, e, from); }, e.curve);
+        made = add("EDGE_CURVE(''," + ref(from.vertex) + "," + ref(to.vertex) + "," + ref(curve) +
+                   ",.T.)");
         return made;
     }
 
-    Entity edge_loop(const std::vector<std::uint32_t>& loop) {
+    Entity curve_of(const brep::Line&, const brep::Edge& e, const Vertex& from) {
+        const Vec3 along = cda::normalized(part_.vertices[e.to] - part_.vertices[e.from]);
+        const Entity vector = add("VECTOR(''," + ref(direction(along)) + ",1.)");
+        return add("LINE(''," + ref(from.point) + "," + ref(vector) + ")");
+    }
+
+    // Counted from where the edge starts.
+    Entity curve_of(const brep::Circle& c, const brep::Edge& e, const Vertex&) {
+        const Vec3 out = part_.vertices[e.from] - c.centre;
+        const Vec3 x = cda::normalized(out - cda::dot(out, c.axis) * c.axis);
+        return add("CIRCLE(''," + ref(placement(c.centre, c.axis, x)) + "," + real(c.radius) + ")");
+    }
+
+    Entity curve_of(const brep::Ellipse& c, const brep::Edge&, const Vertex&) {
+        return add("ELLIPSE(''," + ref(placement(c.centre, c.axis, c.major)) + "," +
+                   real(c.major_radius) + "," + real(c.minor_radius) + ")");
+    }
+
+    Entity curve_of(const brep::Spline& c, const brep::Edge&, const Vertex&) {
+        std::vector<Entity> points;
+        for (const Vec3& p : c.points)
+            points.push_back(point(p));
+        std::string multiplicities, knots;
+        for (std::size_t i = 0; i < c.knots.size(); ++i) {
+            if (i > 0) multiplicities += ',', knots += ',';
+            multiplicities += i == 0 || i + 1 == c.knots.size() ? '4' : '2';
+            knots += real(c.knots[i]);
+        }
+        return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.,(" +
+                   multiplicities + "),(" + knots + "),.UNSPECIFIED.)");
+    }
+
+    Entity edge_loop(const brep::Loop& loop) {
         std::vector<Entity> oriented;
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const std::uint32_t a = loop[i];
-            const std::uint32_t b = loop[(i + 1) % loop.size()];
-            const Entity of = edge(a, b);
+        for (const brep::EdgeUse& use : loop) {
+            const Entity of = edge(use.edge);
             oriented.push_back(
-                add("ORIENTED_EDGE('',*,*," + ref(of) + (a < b ? ",.T.)" : ",.F.)")));
+                add("ORIENTED_EDGE('',*,*," + ref(of) + (use.is_forward ? ",.T.)" : ",.F.)")));
         }
         return add("EDGE_LOOP(''," + list(oriented) + ")");
     }
 
-    std::string name_of(std::size_t face) const {
+    std::string name_of(const brep::Face& face) const {
         std::vector<std::uint32_t> lines;
-        for (const cda::Origin origin : origins_[face]) {
+        for (const cda::Origin origin : face.origins) {
             lines.push_back(provenance_.of(origin).nc_line);
         }
         std::sort(lines.begin(), lines.end());
@@ -329,24 +291,59 @@ private:
         return lines.size() > kNamedLines ? name + "_ETC" : name;
     }
 
-    Entity face(std::size_t f) {
-        const cda::BoundaryFace& from = boundary_.faces[f];
+    Entity face(std::uint32_t number) {
+        const brep::Face& from = part_.faces[number];
+        const bool is_flat = std::holds_alternative<brep::Plane>(from.surface.form);
         std::vector<Entity> bounds;
-        for (const auto& loop : from.loops) {
+        for (const brep::Loop& loop : from.loops) {
             const Entity of = edge_loop(loop);
-            bounds.push_back(add((bounds.empty() ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',") +
-                                 ref(of) + ",.T.)"));
+            const bool is_outline = bounds.empty() && is_flat;
+            bounds.push_back(
+                add((is_outline ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',") + ref(of) + ",.T.)"));
         }
-        const auto& outline = from.loops.front();
-        const Entity where =
-            placement(vertex(outline[0]).point, from.normal,
-                      along(std::min(outline[0], outline[1]), std::max(outline[0], outline[1])));
-        const Entity plane = add("PLANE(''," + ref(where) + ")");
-        const Entity made =
-            add("ADVANCED_FACE('" + name_of(f) + "'," + list(bounds) + "," + ref(plane) + ",.T.)");
+        // Without it, readers lose the tip of a cone with other edges than a circle.
+        if (brep::has_tip(part_, from)) {
+            const Entity tip = point(std::get<brep::Cone>(from.surface.form).apex);
+            const Entity corner = add("VERTEX_POINT(''," + ref(tip) + ")");
+            const Entity loop = add("VERTEX_LOOP(''," + ref(corner) + ")");
+            bounds.push_back(add("FACE_BOUND(''," + ref(loop) + ",.T.)"));
+        }
+        const Entity surface =
+            std::visit([&](const auto& form) { return surface_of(form, from); }, from.surface.form);
+        const Entity made = add("ADVANCED_FACE('" + name_of(from) + "'," + list(bounds) + "," +
+                                ref(surface) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
         const Entity look = style(provenance_.of(from.origin));
         styled_.push_back(add("STYLED_ITEM('',(" + ref(look) + ")," + ref(made) + ")"));
         return made;
+    }
+
+    std::string place_of(const brep::Frame& frame) {
+        return ref(placement(frame.origin, frame.axis, frame.x));
+    }
+
+    // Placed in the corner in which its outline starts.
+    Entity surface_of(const brep::Plane&, const brep::Face& face) {
+        const brep::EdgeUse& use = face.loops.front().front();
+        const brep::Edge& e = part_.edges[use.edge];
+        const Entity corner = vertex(use.is_forward ? e.from : e.to).point;
+        return add("PLANE(''," + ref(placement(corner, face.frame.axis, face.frame.x)) + ")");
+    }
+    Entity surface_of(const brep::Cylinder& form, const brep::Face& face) {
+        return add("CYLINDRICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) +
+                   ")");
+    }
+    Entity surface_of(const brep::Cone& form, const brep::Face& face) {
+        const double height = cda::dot(face.frame.origin - form.apex, form.axis);
+        const double half = brep::half_angle_rad(form);
+        return add("CONICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.slope * height) +
+                   "," + real(half) + ")");
+    }
+    Entity surface_of(const brep::Sphere& form, const brep::Face& face) {
+        return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+    }
+    Entity surface_of(const brep::Torus& form, const brep::Face& face) {
+        return add("TOROIDAL_SURFACE(''," + place_of(face.frame) + "," + real(form.major) + "," +
+                   real(form.minor) + ")");
     }
 
     // The colour of a tool.
@@ -369,14 +366,14 @@ private:
         return made;
     }
 
-    Entity shell(std::span<const std::size_t> faces) {
+    Entity shell(const brep::Shell& faces) {
         std::vector<Entity> made;
-        for (const std::size_t f : faces)
+        for (const std::uint32_t f : faces)
             made.push_back(face(f));
         return add("CLOSED_SHELL(''," + list(made) + ")");
     }
 
-    Entity brep(const Solid& solid) {
+    Entity solid_brep(const brep::Solid& solid) {
         const Entity outside = shell(solid.outside);
         if (solid.voids.empty()) return add("MANIFOLD_SOLID_BREP(''," + ref(outside) + ")");
         std::vector<Entity> voids;
@@ -393,14 +390,13 @@ private:
     }
 
     std::ostream& out_;
-    const cda::Boundary& boundary_;
-    const std::vector<std::vector<cda::Origin>>& origins_;
+    const brep::Part& part_;
     const Provenance& provenance_;
     Palette palette_;
     Entity last_ = 0;
     std::string text_;
     std::vector<Vertex> vertices_;
-    std::unordered_map<std::uint64_t, Entity> edges_;     // by the two vertices
+    std::vector<Entity> edges_;                           // by number; 0: not yet
     std::unordered_map<std::string, Entity> directions_;  // by their text
     std::vector<Entity> styles_;                          // by rank of the tool; 0: not yet
     std::vector<Entity> styled_;
@@ -408,15 +404,22 @@ private:
 
 }  // namespace
 
-void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const StepOptions& options) {
-    const Simplified part = simplify(boundary, options.tolerance_mm);
-    if (part.boundary.faces.size() > options.max_faces) {
-        throw std::runtime_error("the part has " + std::to_string(part.boundary.faces.size()) +
-                                 " faces, more than the " + std::to_string(options.max_faces) +
+void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+                      std::size_t max_faces) {
+    if (part.faces.size() > max_faces) {
+        throw std::runtime_error("the part has " + std::to_string(part.faces.size()) +
+                                 " faces, more than the " + std::to_string(max_faces) +
                                  " that a STEP file is to have (--step-max-faces, --simplify)");
     }
     Writer(out, part, provenance).write();
+}
+
+void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                const StepOptions& options) {
+    const Simplified part = simplify(boundary, options.tolerance_mm);
+    brep::Part solid = brep::faceted(part.boundary, part.origins);
+    brep::keep_apart(solid);
+    write_step_solid(out, solid, provenance, options.max_faces);
 }
 
 }  // namespace ncsim::exporter

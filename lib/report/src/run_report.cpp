@@ -73,6 +73,33 @@ Json tools_json(const RunFacts& run) {
     return tools;
 }
 
+// "47 faces: 21 planes, 20 cylinders, 3 tori; edges within 1e-09 mm", and what was not recognised.
+std::string solid_text(const SolidFacts& solid) {
+    std::string text = fmt::format("step      {} face{}", solid.faces, solid.faces == 1 ? "" : "s");
+    const char* before = ": ";
+    for (const auto& [kind, count] : solid.kinds) {
+        if (count == 0) continue;
+        const std::string many = kind == "torus" ? "tori" : kind + "s";
+        text += fmt::format("{}{} {}", before, count, count == 1 ? kind : many);
+        before = ", ";
+    }
+    // Nobody measures less.
+    constexpr double kLeast = 1e-9;
+    text += fmt::format("; edges within {:.2g} mm\n", std::max(solid.miss_mm, kLeast));
+    if (solid.facets_kept == 0) return text;
+    text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
+                        solid.facets_kept == 1 ? "is a facet" : "are facets");
+    if (solid.facet_miss_mm > kLeast)
+        text += fmt::format(", within {:.2g} mm of what is beside them", solid.facet_miss_mm);
+    constexpr std::size_t kMostLines = 6;
+    before = ": line ";
+    for (std::size_t i = 0; i < std::min(kMostLines, solid.facet_lines.size()); ++i) {
+        text += fmt::format("{}{}", before, solid.facet_lines[i]);
+        before = ", ";
+    }
+    return text + (solid.facet_lines.size() > kMostLines ? ", …\n" : "\n");
+}
+
 }  // namespace
 
 std::string summary(const RunFacts& run) {
@@ -94,6 +121,7 @@ std::string summary(const RunFacts& run) {
             append(text, "simpler   {} faces instead of {}, {:.3g} mm off at most\n",
                    run.simplified->faces, run.boundary->faces.size(), run.simplified->deviation_mm);
         }
+        if (run.solid) text += solid_text(*run.solid);
         append(text, "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
                s.bounds.missed_mm, s.bounds.gained_mm,
                run.cutting.join_tolerance > 0.0 ? "joined moves, " : "");
@@ -159,6 +187,17 @@ void write_report(std::ostream& out, const RunFacts& run) {
         json["simplified"] = {{"tolerance_mm", run.simplified->tolerance_mm},
                               {"deviation_mm", run.simplified->deviation_mm},
                               {"faces", run.simplified->faces}};
+    }
+    if (run.solid) {
+        Json kinds = Json::object();
+        for (const auto& [kind, count] : run.solid->kinds)
+            kinds[kind] = count;
+        json["step"] = {{"faces", run.solid->faces},
+                        {"surfaces", std::move(kinds)},
+                        {"edges_within_mm", run.solid->miss_mm},
+                        {"facets_kept", run.solid->facets_kept},
+                        {"facets_within_mm", run.solid->facet_miss_mm},
+                        {"lines_of_facets", run.solid->facet_lines}};
     }
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);

@@ -4,6 +4,7 @@
 // design), ISO 10303-42 (geometry and topology).
 #pragma once
 
+#include "ncsim/brep/part.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/provenance.h"
 #include "ncsim/export/simplify.h"
@@ -41,5 +42,11 @@ struct StepOptions {
 /// than `options.max_faces` faces, or the stream fails.
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
                 const StepOptions& options = {});
+
+/// The same for a part of faces and edges as they are, which may be curved: PLANE, CYLINDRICAL_,
+/// CONICAL_, SPHERICAL_ and TOROIDAL_SURFACE, LINE, CIRCLE, ELLIPSE and B_SPLINE_CURVE_WITH_KNOTS.
+/// The uncertainty in the file is part.miss_mm, if that is more than 1e-6 mm.
+void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+                      std::size_t max_faces = kStepMaxFaces);
 
 }  // namespace ncsim::exporter

@@ -7,9 +7,12 @@
 #include "ncsim/report/facts.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace ncsim::report {
 
@@ -17,6 +20,17 @@ namespace ncsim::report {
 struct SimplifiedFacts {
     double tolerance_mm = 0.0, deviation_mm = 0.0;
     std::size_t faces = 0;
+};
+
+/// What STEP was written with true surfaces.
+struct SolidFacts {
+    std::size_t faces = 0;
+    /// Of each kind, as many as there are, in the order of the list: "plane", "cylinder" …
+    std::vector<std::pair<std::string, std::size_t>> kinds{};
+    double miss_mm = 0.0;         ///< Of edges from surfaces, at most.
+    std::size_t facets_kept = 0;  ///< Among the planes: of round tools, not recognised.
+    double facet_miss_mm = 0.0;   ///< Of edges of theirs, from the faces beside them.
+    std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut those, ascending.
 };
 
 /// What is known at the end of a run. What is pointed to must outlive it.
@@ -27,6 +41,7 @@ struct RunFacts {
     const PartFacts* part = nullptr;          ///< Null: it could not be simulated.
     const cda::Boundary* boundary = nullptr;  ///< Null: nobody asked for it.
     std::optional<SimplifiedFacts> simplified;
+    std::optional<SolidFacts> solid;
 };
 
 /// A few lines for people.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Is it what it says: closed, on its surfaces, without folds? Asked as a stranger would, of the
+// result alone.
+#pragma once
+
+#include "ncsim/brep/part.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ncsim::brep {
+
+/// By integrals along the edges, without triangles.
+struct Measure {
+    double area = 0.0;    ///< mm²
+    double length = 0.0;  ///< Of its edges, mm.
+    /// mm³: of the cone from `apex` over the face, the sum of which over a shell is its volume.
+    double volume = 0.0;
+};
+Measure measure(const Part& part, const Face& face, Vec3 apex);
+
+/// Of all solids, mm³.
+double volume(const Part& part);
+
+/// What is wrong with it.
+struct Fault {
+    std::uint32_t face = 0;
+    std::string what;
+};
+
+/// Of edges on the surface of the face within `tolerance_mm`; of loops that neither cross nor touch
+/// themselves or each other, go round the face on the side where it is, and one of them around all
+/// others on planes. Also what the edges miss: `miss_mm` is raised to it. O(n log n) for n edges
+/// that are spread evenly.
+std::vector<Fault> faults_of(const Part& part, std::uint32_t face, double tolerance_mm,
+                             double& miss_mm);
+
+/// Of all faces; and each edge is used twice, in opposite directions. Sets part.miss_mm.
+std::vector<Fault> check(Part& part, double tolerance_mm);
+
+}  // namespace ncsim::brep

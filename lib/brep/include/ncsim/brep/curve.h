@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curves that edges lie on. mm, frame W.
+#pragma once
+
+#include "ncsim/cda/vec.h"
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+
+using cda::Vec3;
+
+struct Line {};
+/// The edge runs counter-clockwise about `axis` (unit).
+struct Circle {
+    Vec3 centre, axis;
+    double radius = 0.0;
+};
+/// The edge runs counter-clockwise about `axis`. `major` is a unit vector at right angles to it.
+struct Ellipse {
+    Vec3 centre, axis, major;
+    double major_radius = 0.0, minor_radius = 0.0;
+};
+/// A cubic B-spline. Of the knots, each different, the first and the last count four times, the
+/// others twice: there are twice as many control points as knots. It ends in its first and last
+/// control point, and goes on smoothly between.
+struct Spline {
+    std::vector<Vec3> points;
+    std::vector<double> knots;
+};
+
+using Curve = std::variant<Line, Circle, Ellipse, Spline>;
+
+/// A curve between two points of it: from `from` to `to` for t from 0 to 1. Where both are one,
+/// a circle or an ellipse as a whole. Points of a curve that misses its ends by some error miss by
+/// as much.
+class Track {
+public:
+    Track(const Curve& curve, Vec3 from, Vec3 to);
+
+    Vec3 at(double t) const;
+    Vec3 derivative(double t) const;  ///< By t.
+    /// Of circles and ellipses: the angle that is passed, in degrees, in (0, 360].
+    double sweep_degrees() const { return sweep_; }
+    /// Pieces so short that a polynomial follows each: of 15 degrees, one for each knot.
+    std::size_t pieces() const;
+
+private:
+    Curve curve_;
+    Vec3 from_, to_;
+    Vec3 x_, y_;  // to where the edge starts, and on from there; of an ellipse its half axes
+    Vec3 centre_;
+    double start_ = 0.0, sweep_ = 0.0;  // degrees
+};
+
+}  // namespace ncsim::brep

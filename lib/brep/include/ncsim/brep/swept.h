@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which surfaces a motion can leave behind: those that the pieces of its tool's profile sweep, and
+// those of the tool at rest where it starts and ends.
+#pragma once
+
+#include "ncsim/brep/surface.h"
+#include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/stock.h"
+#include "ncsim/toolpath/tool.h"
+
+#include <vector>
+
+namespace ncsim::brep {
+
+struct Candidate {
+    Surface surface;
+    bool is_at_rest = false;  ///< Of the tool in its first or last pose.
+};
+
+/// Whose facets approximate one of the candidates, and how well: no corner is farther from it than
+/// `error_mm`.
+struct Source {
+    std::vector<Candidate> candidates;
+    double error_mm = 0.0;
+};
+
+/// Of a tool that keeps its direction, by pieces of its profile:
+///
+/// | piece | line | line along the axis | arc about an axis along the tool's |
+/// | --- | --- | --- | --- |
+/// | disc | plane, if it is level | plane | plane, if it is level |
+/// | upright | 2 planes | cylinder | 2 cylinders, also of helices |
+/// | sloping | 2 planes | cone | 2 cones, if it is level |
+/// | rounded | 2 cylinders, if it is level | ring | 2 rings, if it is level |
+/// | ball | cylinder | sphere | ring, in any plane |
+///
+/// Arcs whose radius changes by more than 4 µm, and rings that are thicker than wide, have no
+/// surface here. Of tools that turn, only those at rest.
+std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool);
+
+/// Six planes, or a cylinder and two of them; nothing of stock from a file, whose facets are what
+/// they are.
+std::vector<Candidate> surfaces_of(const toolpath::Stock& stock);
+
+}  // namespace ncsim::brep

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+constexpr double kParallel = 1e-5;  // rad
+// Axes nearer than this are one, or nothing can be said of them, mm.
+constexpr double kApart = 0.01;
+
+bool is_parallel(Vec3 a, Vec3 b) {
+    return norm(cross(a, b)) <= kParallel;
+}
+bool is_across(Vec3 a, Vec3 b) {
+    return std::abs(dot(a, b)) <= kParallel;
+}
+bool near(double a, double b) {
+    return std::abs(a - b) <= kTouchMm;
+}
+// From the axis to the point, at right angles.
+Vec3 away(Vec3 origin, Vec3 axis, Vec3 p) {
+    const Vec3 v = p - origin;
+    return v - dot(v, axis) * axis;
+}
+
+std::optional<Form> plane_at(Vec3 origin, Vec3 normal) {
+    return Plane{origin, normalized(normal)};
+}
+
+struct Touch {
+    using Answer = std::optional<Form>;
+
+    Answer operator()(const Plane& a, const Cylinder& b) const {
+        if (!is_across(a.normal, b.axis) || !near(std::abs(distance(a, b.origin)), b.radius))
+            return {};
+        return plane_at(b.origin, cross(a.normal, b.axis));
+    }
+    Answer operator()(const Plane& a, const Cone& b) const {
+        const double sine = b.slope / std::sqrt(1.0 + b.slope * b.slope);
+        const bool is_along = std::abs(std::abs(dot(a.normal, b.axis)) - sine) <= kParallel;
+        if (!is_along || !near(distance(a, b.apex), 0.0)) return {};
+        return plane_at(b.apex, cross(a.normal, b.axis));
+    }
+    Answer operator()(const Plane& a, const Torus& b) const {
+        if (!is_parallel(a.normal, b.axis) || !near(std::abs(distance(a, b.centre)), b.minor))
+            return {};
+        return Cylinder{b.centre, b.axis, b.major};
+    }
+    Answer operator()(const Cylinder& a, const Cylinder& b) const {
+        if (!is_parallel(a.axis, b.axis)) return {};
+        const Vec3 apart = away(a.origin, a.axis, b.origin);
+        const double d = norm(apart);
+        if (d < kApart || !(near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius))))
+            return {};
+        return plane_at(a.origin, cross(a.axis, apart));
+    }
+    Answer operator()(const Cylinder& a, const Sphere& b) const {
+        if (!near(norm(away(a.origin, a.axis, b.centre)), 0.0) || !near(a.radius, b.radius))
+            return {};
+        return plane_at(b.centre, a.axis);
+    }
+    Answer operator()(const Cylinder& a, const Torus& b) const {
+        if (is_parallel(a.axis, b.axis)) {
+            const bool same = near(norm(away(a.origin, a.axis, b.centre)), 0.0);
+            if (same && (near(a.radius, b.major + b.minor) || near(a.radius, b.major - b.minor)))
+                return plane_at(b.centre, b.axis);
+            return {};
+        }
+        // The ring goes on as a pipe.
+        if (!is_across(a.axis, b.axis) || !near(a.radius, b.minor)) return {};
+        const Vec3 apart = away(a.origin, a.axis, b.centre);
+        if (!near(norm(apart), b.major) || !near(dot(apart, b.axis), 0.0)) return {};
+        return plane_at(b.centre, a.axis);
+    }
+    Answer operator()(const Cone& a, const Cone& b) const {
+        if (!is_parallel(a.axis, b.axis) || std::abs(a.slope - b.slope) > kParallel) return {};
+        const Vec3 apart = away(a.apex, a.axis, b.apex);
+        const double height = std::abs(dot(b.apex - a.apex, a.axis));
+        if (norm(apart) < kApart || !near(norm(apart), a.slope * height)) return {};
+        return plane_at(a.apex, cross(a.axis, apart));
+    }
+    Answer operator()(const Cone& a, const Sphere& b) const {
+        return round_end(a, b.centre, 0.0, b.radius);
+    }
+    Answer operator()(const Cone& a, const Torus& b) const {
+        if (!is_parallel(a.axis, b.axis)) return {};
+        return round_end(a, b.centre, b.major, b.minor);
+    }
+    Answer operator()(const Sphere& a, const Torus& b) const {
+        const Vec3 apart = a.centre - b.centre;
+        if (!near(a.radius, b.minor) || !near(dot(apart, b.axis), 0.0) ||
+            !near(norm(apart), b.major))
+            return {};
+        return plane_at(b.centre, cross(b.axis, apart));
+    }
+    Answer operator()(const Torus& a, const Torus& b) const {
+        const Vec3 apart = b.centre - a.centre;
+        const double d = norm(apart);
+        if (!is_parallel(a.axis, b.axis) || !near(a.minor, b.minor) || d < kApart ||
+            !near(dot(apart, a.axis), 0.0))
+            return {};
+        if (!near(d, a.major + b.major) && !near(d, std::abs(a.major - b.major))) return {};
+        return plane_at(a.centre, cross(a.axis, apart));
+    }
+    template <typename A, typename B>
+    Answer operator()(const A&, const B&) const {
+        return {};
+    }
+
+private:
+    // A tube about the axis of a cone, and the cone.
+    static Answer round_end(const Cone& a, Vec3 centre, double major, double minor) {
+        if (!near(norm(away(a.apex, a.axis, centre)), 0.0)) return {};
+        const double cosine = 1.0 / std::sqrt(1.0 + a.slope * a.slope);
+        const double sine = a.slope * cosine;
+        const double height = dot(centre - a.apex, a.axis);
+        const double d = major * cosine - height * sine;
+        if (!near(std::abs(d), minor)) return {};
+        return plane_at(a.apex + (height + d * sine) * a.axis, a.axis);
+    }
+};
+
+struct Axis {
+    Vec3 origin, direction;
+};
+
+std::optional<Axis> axis_of(const Form& form) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return Axis{f->origin, f->axis};
+    if (const auto* f = std::get_if<Cone>(&form)) return Axis{f->apex, f->axis};
+    if (const auto* f = std::get_if<Torus>(&form)) return Axis{f->centre, f->axis};
+    return std::nullopt;
+}
+
+// About which both turn into themselves.
+std::optional<Axis> common_axis(const Form& a, const Form& b) {
+    const auto first = axis_of(a), second = axis_of(b);
+    const auto* plane = std::get_if<Plane>(&b);
+    const auto* sphere = std::get_if<Sphere>(&b);
+    if (first && second) {
+        if (is_parallel(first->direction, second->direction) &&
+            near(norm(away(first->origin, first->direction, second->origin)), 0.0))
+            return first;
+        return std::nullopt;
+    }
+    if (second) return common_axis(b, a);
+    if (first && plane) return is_parallel(first->direction, plane->normal) ? first : std::nullopt;
+    if (first && sphere) {
+        const Vec3 apart = away(first->origin, first->direction, sphere->centre);
+        return near(norm(apart), 0.0) ? first : std::nullopt;
+    }
+    if (const auto* other = std::get_if<Sphere>(&a)) {
+        if (plane) return Axis{other->centre, plane->normal};
+        if (sphere && norm(sphere->centre - other->centre) > kApart)
+            return Axis{other->centre, normalized(sphere->centre - other->centre)};
+        return std::nullopt;
+    }
+    return sphere ? common_axis(b, a) : std::nullopt;
+}
+
+Curve circle_about(Vec3 origin, Vec3 direction, Vec3 p) {
+    const Vec3 centre = origin + dot(p - origin, direction) * direction;
+    return Circle{centre, direction, norm(p - centre)};
+}
+
+// The circle of a ring in a plane through its axis.
+Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
+    const Vec3 out = away(torus.centre, torus.axis, p);
+    const Vec3 in_plane = normalized(out - dot(out, normal) * normal);
+    return Circle{torus.centre + torus.major * in_plane, normal, torus.minor};
+}
+
+Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
+    const double lean = dot(plane.normal, cylinder.axis);
+    const double height = dot(plane.normal, cylinder.origin - plane.origin) / lean;
+    const Vec3 minor = normalized(cross(plane.normal, cylinder.axis));
+    return Ellipse{cylinder.origin - height * cylinder.axis, plane.normal,
+                   cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
+}
+
+// Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes.
+std::optional<Curve> mitre(const Cylinder& a, const Cylinder& b, Vec3 p, Vec3 q) {
+    constexpr double kEqual = 1e-6, kLeastAngle = 1e-3;
+    const Vec3 normal = cross(a.axis, b.axis);
+    if (std::abs(a.radius - b.radius) > kEqual || norm(normal) < kLeastAngle) return std::nullopt;
+    if (std::abs(dot(b.origin - a.origin, normal)) > kEqual * norm(normal)) return std::nullopt;
+    // The point of the first axis on the plane of the second one and the normal.
+    const Vec3 side = cross(normal, b.axis);
+    const Vec3 centre = a.origin + (dot(b.origin - a.origin, side) / dot(a.axis, side)) * a.axis;
+    const Plane planes[] = {{centre, normalized(a.axis - b.axis)},
+                            {centre, normalized(a.axis + b.axis)}};
+    for (const Plane& plane : planes) {
+        if (std::abs(distance(plane, p)) < kTouchMm && std::abs(distance(plane, q)) < kTouchMm)
+            return ellipse(plane, a);
+    }
+    return std::nullopt;
+}
+
+bool is_ruled(const Form& form) {
+    return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
+           std::holds_alternative<Cone>(form);
+}
+
+// Eigenvectors of a symmetric matrix, by rotations (Jacobi).
+struct Eigen {
+    std::array<double, 3> values;
+    std::array<Vec3, 3> vectors;
+};
+
+Eigen eigen(std::array<std::array<double, 3>, 3> m) {
+    std::array<std::array<double, 3>, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    constexpr int kSweeps = 12;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+            if (m[p][q] == 0.0) continue;
+            const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
+            const double t =
+                (theta >= 0.0 ? 1.0 : -1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
+            const double c = 1.0 / std::sqrt(t * t + 1.0), s = t * c;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double a = m[k][p], b = m[k][q];
+                m[k][p] = c * a - s * b;
+                m[k][q] = s * a + c * b;
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double a = m[p][k], b = m[q][k];
+                m[p][k] = c * a - s * b;
+                m[q][k] = s * a + c * b;
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double a = v[k][p], b = v[k][q];
+                v[k][p] = c * a - s * b;
+                v[k][q] = s * a + c * b;
+            }
+        }
+    }
+    Eigen result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        result.values[i] = m[i][i];
+        result.vectors[i] = {v[0][i], v[1][i], v[2][i]};
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<Form> touch(const Form& a, const Form& b) {
+    return a.index() <= b.index() ? std::visit(Touch{}, a, b) : std::visit(Touch{}, b, a);
+}
+
+std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+    if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
+    const bool is_first_plane = std::holds_alternative<Plane>(a);
+    const bool is_second_plane = std::holds_alternative<Plane>(b);
+    if (is_first_plane && is_second_plane) return Line{};
+    if (const auto touching = touch(a, b)) {
+        if (is_ruled(a) && is_ruled(b)) return Line{};
+        for (const Form* form : {&a, &b}) {
+            if (const auto* pipe = std::get_if<Cylinder>(form))
+                return circle_about(pipe->origin, pipe->axis, p);
+        }
+        for (const Form* form : {&a, &b}) {
+            const auto* plane = std::get_if<Plane>(&*touching);
+            if (const auto* ring = std::get_if<Torus>(form); ring && plane)
+                return meridian(*ring, plane->normal, p);
+        }
+        return std::nullopt;
+    }
+    const auto* first = std::get_if<Cylinder>(&a);
+    const auto* second = std::get_if<Cylinder>(&b);
+    if (first && second) {
+        if (is_parallel(first->axis, second->axis)) return Line{};
+        return mitre(*first, *second, p, q);
+    }
+    if (!is_first_plane && !is_second_plane) return std::nullopt;
+    const auto& plane = std::get<Plane>(is_first_plane ? a : b);
+    const Form& other = is_first_plane ? b : a;
+    if (const auto* f = std::get_if<Cylinder>(&other)) {
+        if (std::abs(dot(plane.normal, f->axis)) <= kParallel) return Line{};
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Torus>(&other)) {
+        if (is_across(plane.normal, f->axis) && std::abs(distance(plane, f->centre)) < 1e-7)
+            return meridian(*f, plane.normal, p);
+    }
+    if (std::holds_alternative<Cone>(other)) {
+        // Rulings pass through the apex.
+        constexpr double kOn = 1e-9;
+        const Vec3 middle = 0.5 * (p + q);
+        if (norm(q - p) > kTouchMm && std::abs(distance(plane, std::get<Cone>(other).apex)) < kOn &&
+            std::abs(distance(other, middle)) < kOn)
+            return Line{};
+    }
+    return std::nullopt;
+}
+
+double solve(std::span<const Form* const> forms, Vec3& p) {
+    constexpr int kMostSteps = 60;
+    constexpr double kLongest = 1.0, kDone = 1e-14, kFlat = 1e-9;
+    for (int step = 0; step < kMostSteps; ++step) {
+        std::array<std::array<double, 3>, 3> m{};
+        Vec3 right;
+        for (const Form* form : forms) {
+            const Vec3 g = gradient(*form, p);
+            const double d = distance(*form, p);
+            right = right - d * g;
+            for (int i = 0; i < 3; ++i) {
+                for (int j = 0; j < 3; ++j)
+                    m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += g[i] * g[j];
+            }
+        }
+        const Eigen e = eigen(m);
+        const double largest = std::max({e.values[0], e.values[1], e.values[2]});
+        Vec3 move;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (e.values[i] > kFlat * largest)
+                move = move + (dot(right, e.vectors[i]) / e.values[i]) * e.vectors[i];
+        }
+        const double length = norm(move);
+        p = p + (length > kLongest ? kLongest / length : 1.0) * move;
+        if (length < kDone) break;
+    }
+    double miss = 0.0;
+    for (const Form* form : forms)
+        miss = std::max(miss, std::abs(distance(*form, p)));
+    return miss;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How two surfaces meet: decided by what they are, never by the angle at a point, which cannot tell
+// surfaces that touch from some that cross.
+#pragma once
+
+#include "ncsim/brep/curve.h"
+#include "ncsim/brep/surface.h"
+
+#include <optional>
+#include <span>
+
+namespace ncsim::brep {
+
+/// Programs round their numbers, so that lines and arcs miss each other where they should touch. By
+/// less than this they do, mm.
+inline constexpr double kTouchMm = 3e-3;
+
+/// Where two surfaces touch along a curve: a third one that crosses both there (the plane in which
+/// the tool stood, as a rule). Nothing if they do not.
+std::optional<Form> touch(const Form& a, const Form& b);
+
+/// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then
+/// the curve through `p`, which is on both; `q` is another point of it. Nothing: a spline has to be
+/// laid through it.
+std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q);
+
+/// Moves `p` to a point of all forms, the nearest as far as Newton's method finds it. Where they
+/// have none in common, as near to all of them as may be. Returns the largest distance.
+double solve(std::span<const Form* const> forms, Vec3& p);
+
+}  // namespace ncsim::brep

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_set.h"
+
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+
+constexpr double kSameMm = 2e-5;
+// Of two surfaces that are the same, keys differ by less: numbers below are sums of a few lengths
+// that do, times at most one, over parts of a metre.
+constexpr double kKeyRange = 20 * kSameMm;
+
+// Some direction in which nothing is symmetric.
+constexpr Vec3 kAskew{0.4837, 0.6291, 0.6087};
+
+double along(Vec3 axis) {
+    return std::abs(dot(axis, kAskew));
+}
+
+// Where the axis passes the origin.
+double place(Vec3 origin, Vec3 axis) {
+    return dot(origin - dot(origin, axis) * axis, kAskew);
+}
+
+struct Key {
+    double operator()(const Plane& f) const {
+        return dot(f.origin, f.normal) + dot(f.normal, kAskew);
+    }
+    double operator()(const Cylinder& f) const {
+        return place(f.origin, f.axis) + 0.7 * f.radius + along(f.axis);
+    }
+    double operator()(const Cone& f) const { return dot(f.apex, kAskew) + dot(f.axis, kAskew); }
+    double operator()(const Sphere& f) const { return dot(f.centre, kAskew) + 0.7 * f.radius; }
+    double operator()(const Torus& f) const {
+        return dot(f.centre, kAskew) + 0.7 * f.major + 0.3 * f.minor + along(f.axis);
+    }
+};
+
+}  // namespace
+
+std::uint32_t SurfaceSet::add(const Surface& surface) {
+    const double key = std::visit(Key{}, surface.form);
+    const auto end = by_key_.upper_bound(key + kKeyRange);
+    for (auto at = by_key_.lower_bound(key - kKeyRange); at != end; ++at) {
+        if (is_same(surfaces_[at->second], surface, kSameMm)) return at->second;
+    }
+    const std::uint32_t number = add_alone(surface);
+    by_key_.emplace(key, number);
+    return number;
+}
+
+std::uint32_t SurfaceSet::add_alone(const Surface& surface) {
+    surfaces_.push_back(surface);
+    return static_cast<std::uint32_t>(surfaces_.size() - 1);
+}
+
+}  // namespace ncsim::brep

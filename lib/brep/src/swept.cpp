@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/swept.h"
+
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/pose.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using gcode::Position;
+using toolpath::Pose;
+using toolpath::ProfilePoint;
+
+// Lengths that are equal but for rounding, mm.
+constexpr double kEqual = 1e-9;
+// Programs round: an arc may end so much nearer to its centre than it starts.
+constexpr double kMostSpiral = 4e-3;
+
+// --- Profiles -----------------------------------------------------------------------------
+
+// A straight piece of a profile, from below: radius and height at both ends. Or a round one:
+// `fillet` about (radius, height).
+struct Element {
+    double radius = 0.0, height = 0.0, end_radius = 0.0, end_height = 0.0;
+    double fillet = 0.0;
+    double rise() const { return end_height - height; }
+    double widening() const { return end_radius - radius; }
+};
+
+struct Flat {
+    double r, h;
+};
+
+Flat direction(Flat a, Flat b) {
+    const double r = b.r - a.r, h = b.h - a.h;
+    const double length = std::sqrt(r * r + h * h);
+    return length > kEqual ? Flat{r / length, h / length} : Flat{0.0, 0.0};
+}
+
+std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
+    const auto& profile = piece.profile;
+    if (profile.empty()) return {};
+    std::vector<Flat> corners{{0.0, profile.front().height}};
+    for (const ProfilePoint& p : profile)
+        corners.push_back({p.radius, p.height});
+    corners.push_back({0.0, profile.back().height});
+    std::vector<Element> elements;
+    Flat at = corners.front();  // where the last element ends
+    const auto straight_to = [&](Flat end) {
+        if (std::abs(end.r - at.r) > kEqual || std::abs(end.h - at.h) > kEqual)
+            elements.push_back({at.r, at.h, end.r, end.h});
+        at = end;
+    };
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Flat corner = corners[i + 1];
+        const double rho = profile[i].fillet;
+        if (rho <= 0.0) {
+            straight_to(corner);
+            continue;
+        }
+        const Flat in = direction(corners[i], corner), out = direction(corner, corners[i + 2]);
+        const double turn = in.r * out.h - in.h * out.r;
+        const double tangent = rho * turn / (1.0 + in.r * out.r + in.h * out.h);
+        const Flat begin{corner.r - tangent * in.r, corner.h - tangent * in.h};
+        straight_to(begin);
+        elements.push_back({begin.r - rho * in.h, begin.h + rho * in.r, 0.0, 0.0, rho});
+        at = {corner.r + tangent * out.r, corner.h + tangent * out.h};
+    }
+    straight_to(corners.back());
+    return elements;
+}
+
+// --- Sweeps -------------------------------------------------------------------------------
+
+class Sweeps {
+public:
+    explicit Sweeps(std::vector<Candidate>& into) : into_(&into) {}
+
+    void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
+
+    // The piece where it stands, as far as it looks that way.
+    void rest(const Element& e, Vec3 tip, Vec3 axis) {
+        const Vec3 at = tip + e.height * axis;
+        if (e.fillet > 0.0) {
+            tube(at, axis, e.radius, e.fillet);
+        } else if (std::abs(e.rise()) <= kEqual) {
+            disc(e, at, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            add(Cylinder{at, axis, e.radius});
+        } else {
+            cone(at, axis, e.radius, e.widening() / e.rise());
+        }
+    }
+
+    void line(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        const bool is_level = std::abs(along) <= kEqual;
+        const Vec3 at = tip + e.height * axis;
+        const Vec3 side = normalized(cross(axis, d));
+        if (norm(cross(axis, d)) <= kEqual) {
+            // Along the axis: what the tool itself leaves, but for the end that it leaves last.
+            rest(e, tip, axis);
+        } else if (e.fillet > 0.0) {
+            if (e.radius <= kEqual) {
+                add(Cylinder{at, d, e.fillet});
+            } else if (is_level) {
+                for (const double sign : {-1.0, 1.0})
+                    add(Cylinder{at + (sign * e.radius) * side, d, e.fillet});
+            }
+        } else if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, at, axis);
+        } else {
+            slopes(e, at, axis, side, d);
+        }
+    }
+
+    // About `centre`, at the height of the tip, at `reach` from it.
+    void arc(const Element& e, Vec3 centre, Vec3 axis, double reach, bool is_level) {
+        const Vec3 at = centre + e.height * axis;
+        if (e.fillet > 0.0) {
+            if (!is_level) return;
+            tube(at, axis, reach + e.radius, e.fillet);
+            if (e.radius > kEqual && reach > e.radius) tube(at, axis, reach - e.radius, e.fillet);
+        } else if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, at, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            add(Cylinder{at, axis, reach + e.radius});
+            if (reach > e.radius + kEqual) add(Cylinder{at, axis, reach - e.radius}, false);
+        } else if (is_level) {
+            const double slope = e.widening() / e.rise();
+            cone(at, axis, reach + e.radius, slope);
+            if (reach > e.radius) cone(at, axis, reach - e.radius, -slope, false);
+        }
+    }
+
+    // About an axis across the tool's: of its sides, which it passes upright.
+    void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+        if (e.fillet > 0.0) {
+            if (e.radius <= kEqual) tube(centre + e.height * axis, about, reach, e.fillet);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            for (const double sign : {-1.0, 1.0})
+                add(Plane{centre + (sign * e.radius) * about, -sign * about}, false);
+        }
+    }
+
+private:
+    void add(const Form& form, bool is_hollow = true) {
+        into_->push_back({{form, is_hollow && !std::holds_alternative<Plane>(form)}, at_rest_});
+    }
+
+    // What closes the profile below looks down, above up; the material is on the other side.
+    void disc(const Element& e, Vec3 at, Vec3 axis) {
+        add(Plane{at, e.widening() > 0.0 ? axis : -axis});
+    }
+
+    void tube(Vec3 centre, Vec3 axis, double major, double minor) {
+        if (major <= kEqual) {
+            add(Sphere{centre, minor});
+        } else if (major > minor * (1.0 + 1e-6)) {
+            add(Torus{centre, axis, major, minor});
+        }
+    }
+
+    // Through the circle of `radius` about `at`.
+    void cone(Vec3 at, Vec3 axis, double radius, double slope, bool is_hollow = true) {
+        const Vec3 apex = at - (radius / slope) * axis;
+        add(Cone{apex, slope > 0.0 ? axis : -axis, std::abs(slope)}, is_hollow);
+    }
+
+    // The planes that touch the side along two of its rulings, and hold the direction of the way.
+    void slopes(const Element& e, Vec3 at, Vec3 axis, Vec3 side, Vec3 d) {
+        const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
+        const double up = e.rise() / length, out = e.widening() / length;
+        const Vec3 ahead = cross(side, axis);
+        const double cosine = out * dot(d, axis) / (up * dot(d, ahead));
+        if (std::abs(cosine) >= 1.0) return;
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 towards = cosine * ahead + (sign * sine) * side;
+            add(Plane{at + e.radius * towards, -(up * towards - out * axis)});
+        }
+    }
+
+    std::vector<Candidate>* into_;
+    bool at_rest_ = false;
+};
+
+Vec3 axis_of(const Pose& pose) {
+    return {pose.rows[0].z, pose.rows[1].z, pose.rows[2].z};
+}
+
+bool is_plain(const Position& p) {
+    const double angles[] = {p.a.degrees(), p.b.degrees(), p.c.degrees()};
+    const double lengths[] = {p.u.mm(), p.v.mm(), p.w.mm()};
+    for (int i = 0; i < 3; ++i) {
+        if (angles[i] != 0.0 || lengths[i] != 0.0) return false;
+    }
+    return true;
+}
+
+// The circle of an arc, its centre where it starts.
+struct Way {
+    Vec3 centre, about;
+    double radius = 0.0;
+    bool is_level = true;
+};
+
+std::optional<Way> way_of(const gcode::Arc& arc) {
+    if (!is_plain(arc.from) || !is_plain(arc.to)) return std::nullopt;
+    constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
+    const auto plane = static_cast<std::size_t>(arc.plane);
+    if (plane >= kAxes.size()) return std::nullopt;
+    const auto [first, second, third] = kAxes[plane];
+    const Vec3 from = toolpath::linear_axes(arc.from), to = toolpath::linear_axes(arc.to);
+    Way way;
+    way.centre = from;
+    way.centre[first] = arc.centre_1.mm();
+    way.centre[second] = arc.centre_2.mm();
+    way.about[third] = 1.0;
+    const auto radius = [&](Vec3 p) {
+        const double x = p[first] - way.centre[first], y = p[second] - way.centre[second];
+        return std::sqrt(x * x + y * y);
+    };
+    if (std::abs(radius(from) - radius(to)) > kMostSpiral) return std::nullopt;
+    way.radius = 0.5 * (radius(from) + radius(to));
+    way.is_level = std::abs(from[third] - to[third]) <= kEqual;
+    return way;
+}
+
+}  // namespace
+
+std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool) {
+    std::vector<Candidate> candidates;
+    const Position* from = gcode::start_of(motion);
+    const Position* to = gcode::end_of(motion);
+    if (!from || !to) return candidates;
+    const Pose start = toolpath::pose_at(*from), end = toolpath::pose_at(*to);
+    const bool turns = start.rows != end.rows;
+    const Vec3 axis = axis_of(start);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    std::optional<Way> way;
+    if (arc) way = way_of(*arc);
+    Sweeps sweeps(candidates);
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        for (const Element& e : elements_of(piece)) {
+            sweeps.set_at_rest(false);
+            if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
+                sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
+            } else if (way && way->is_level) {
+                sweeps.arc_across(e, way->centre, axis, way->about, way->radius);
+            } else if (!turns && std::holds_alternative<gcode::Linear>(motion.what) &&
+                       start.translation != end.translation) {
+                sweeps.line(e, start.translation, axis,
+                            normalized(end.translation - start.translation));
+            }
+            sweeps.set_at_rest(true);
+            sweeps.rest(e, start.translation, axis);
+            sweeps.rest(e, end.translation, axis_of(end));
+        }
+    }
+    return candidates;
+}
+
+std::vector<Candidate> surfaces_of(const toolpath::Stock& stock) {
+    std::vector<Candidate> candidates;
+    if (stock.shape) return candidates;
+    for (int i = 0; i < 3; ++i) {
+        if (stock.is_round && i != stock.axis) continue;
+        Vec3 n;
+        n[i] = 1.0;
+        candidates.push_back({{Plane{stock.box.max, n}, false}, false});
+        candidates.push_back({{Plane{stock.box.min, -n}, false}, false});
+    }
+    if (stock.is_round) {
+        Vec3 axis;
+        axis[stock.axis] = 1.0;
+        const double radius = 0.5 * stock.box.size()[(stock.axis + 1) % 3];
+        candidates.push_back({{Cylinder{stock.box.centre(), axis, radius}, false}, false});
+    }
+    return candidates;
+}
+
+}  // namespace ncsim::brep

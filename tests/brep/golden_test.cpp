@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parts as a machinist would describe them: so many faces of each kind, volumes as on paper, and
+// nothing of it depends on how round the simulated tools are.
+#include "ncsim/brep/check.h"
+#include "ncsim/export/step.h"
+#include "ncsim/setup/job.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ncsim::brep {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kBlock = 80.0 * 60.0 * 20.0;
+
+// Planes, cylinders, cones, spheres, tori.
+using Kinds = std::array<int, 5>;
+
+struct Golden {
+    std::string name;
+    std::string moves;  // after the tool and the stock were told
+    Kinds kinds;
+    double volume;
+    bool is_bar = false;  // else a block of 80 x 60 x 20
+};
+
+std::string program(const Golden& golden) {
+    return "(T1 D=10. CR=0. - flat end mill)\n(T2 D=6. CR=0. TAPER=118deg - drill)\n"
+           "(T3 D=8. CR=4. - ball end mill)\n(T4 D=12. CR=2. - bull nose end mill)\n"
+           "(T5 D=10. CR=0. TAPER=45deg - chamfer mill)\n" +
+           std::string(golden.is_bar ? "" : "(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n") +
+           "G21 G90 G17 F300 S5000 M3\n" + golden.moves + "M30\n";
+}
+
+struct Made {
+    Recognised solid;
+    std::string step;
+};
+
+Made make(const Golden& golden, double tool_tolerance, unsigned threads = 0) {
+    simulation::Plan plan;
+    setup::JobOptions options;
+    std::string message;
+    if (golden.is_bar) options.stock = toolpath::parse_stock_option("D60x20", message);
+    plan.job = setup::job_of({golden.name + ".nc", program(golden)}, options);
+    plan.keep_boundary = true;
+    plan.tool_tolerance = tool_tolerance;
+    plan.threads = threads;
+    const simulation::Survey survey = simulation::survey(plan);
+    EXPECT_TRUE(survey.is_ready());
+    simulation::Verification nothing;
+    nothing.keep_cuts = true;
+    const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
+    Made made{simulation::solid_of(plan, survey, milled, exporter::kStepTolerance), {}};
+    std::ostringstream out;
+    exporter::write_step_solid(out, made.solid.part, milled.provenance);
+    made.step = out.str();
+    return made;
+}
+
+Kinds kinds_of(const Part& part) {
+    Kinds kinds{};
+    for (const Face& face : part.faces)
+        ++kinds[face.surface.form.index()];
+    return kinds;
+}
+
+// Of the ball of 8 mm, 3 deep: across the way, and where it stood.
+double ball_section() {
+    return 16.0 * std::acos(0.25) - std::sqrt(15.0);
+}
+double ball_cap() {
+    return kPi * 9.0 * (3.0 * 4.0 - 3.0) / 3.0;
+}
+// Of the bull nose, 3 deep.
+double bull_section() {
+    return 12.0 * 3.0 - 2.0 * (4.0 - kPi);
+}
+
+// Under the circle of radius 30, from -y to y.
+double across_bar(double y) {
+    return 2.0 * (y * std::sqrt(900.0 - y * y) + 900.0 * std::asin(y / 30.0));
+}
+
+std::vector<Golden> goldens() {
+    const double tip = 3.0 / std::tan(59.0 * kPi / 180.0);
+    return {
+        {"bores",
+         "T1 M6\nG0 X45 Y30 Z5\nG1 Z-25\nG3 X45 Y30 I-5 J0\nG0 Z5\nG0 X50 Y30\nG1 Z-5\n"
+         "G3 X50 Y30 I-10 J0\nG0 Z5\n",
+         {7, 2, 0, 0, 0},
+         kBlock - kPi * (100.0 * 20.0 + 125.0 * 5.0)},
+        {"slot",
+         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X50\nG0 Z5\n",
+         {9, 2, 0, 0, 0},
+         kBlock - 4.0 * (300.0 + 25.0 * kPi)},
+        {"slot_askew",
+         "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG1 X44 Y27\nG0 Z5\n",
+         {9, 2, 0, 0, 0},
+         kBlock - 4.0 * (250.0 + 25.0 * kPi)},
+        {"arc_slot",
+         "T1 M6\nG0 X55 Y20 Z5\nG1 Z-4\nG3 X25 Y20 I-15 J0\nG0 Z5\n",
+         {7, 4, 0, 0, 0},
+         kBlock - 4.0 * (150.0 * kPi + 25.0 * kPi)},
+        {"bent_slot",
+         "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG1 X40\nG3 X50 Y30 I0 J10\nG1 Y45\nG0 Z5\n",
+         {11, 4, 0, 0, 0},
+         kBlock - 4.0 * (350.0 + 10.0 * 10.0 * kPi / 2 + 25.0 * kPi)},
+        {"pocket",
+         "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG1 X50\nG1 Y35\nG1 X20\nG1 Y20\nG1 Y28\nG1 X50\nG0 Z5\n",
+         {11, 4, 0, 0, 0},
+         kBlock - 4.0 * (40.0 * 25.0 - (100.0 - 25.0 * kPi))},
+        {"chamfer",
+         "T5 M6\nG0 X-10 Y-3 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
+         {7, 0, 0, 0, 0},
+         kBlock - 40.0},
+        {"ball_groove",
+         "T3 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\n",
+         {7, 1, 0, 0, 0},
+         kBlock - 80.0 * ball_section()},
+        {"short_ball_groove",
+         "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X60\nG0 Z5\n",
+         {6, 1, 0, 2, 0},
+         kBlock - 40.0 * ball_section() - ball_cap()},
+        {"ball_ring",
+         "T3 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
+         {7, 0, 0, 0, 1},
+         kBlock - 30.0 * kPi * ball_section()},
+        {"dimple", "T3 M6\nG0 X40 Y30 Z5\nG1 Z-3\nG0 Z5\n", {6, 0, 0, 1, 0}, kBlock - ball_cap()},
+        {"bull_groove",
+         "T4 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\n",
+         {10, 2, 0, 0, 0},
+         kBlock - 80.0 * bull_section()},
+        {"bull_ring",
+         "T4 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
+         {8, 2, 0, 0, 2},
+         kBlock - 30.0 * kPi * bull_section()},
+        {"drill",
+         "T2 M6\nG0 X40 Y30 Z5\nG1 Z-10\nG0 Z5\n",
+         {6, 1, 1, 0, 0},
+         kBlock - 9.0 * kPi * (10.0 - tip + tip / 3.0)},
+        {"bar",
+         "T1 M6\nG0 X-40 Y0 Z5\nG1 Z-4\nG1 X40\nG0 Z5\n",
+         {6, 1, 0, 0, 0},
+         900.0 * kPi * 20.0 - 4.0 * across_bar(5.0),
+         true},
+    };
+}
+
+class GoldenPart : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenPart, HasTheFacesOfItsDrawingAtAnyTolerance) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(GetParam(), tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), GetParam().kinds);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_EQ(made.solid.part.solids.size(), 1U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-9);
+        EXPECT_NEAR(volume(made.solid.part), GetParam().volume, 1e-9 * GetParam().volume);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Recognise, GoldenPart, testing::ValuesIn(goldens()),
+                         [](const auto& tested) { return tested.param.name; });
+
+TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
+    const Golden golden = goldens()[4];
+    EXPECT_EQ(make(golden, 0.05, 1).step, make(golden, 0.05, 3).step);
+}
+
+}  // namespace
+}  // namespace ncsim::brep
