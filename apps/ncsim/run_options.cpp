@@ -142,7 +142,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option_function<std::string>(
            "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
            "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
-           "[analytic]")
+           "[faceted]")
         ->type_name("WHAT");
     run->add_flag("--step-strict", o.step_strict,
                   "Exit with 2 if round surfaces had to be kept as facets");

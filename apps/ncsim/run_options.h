@@ -38,7 +38,7 @@ struct Options : ProgramOptions, SimulationOptions {
     std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
     /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
     std::optional<double> simplify;
-    StepSurfaces step_surfaces = StepSurfaces::Analytic;
+    StepSurfaces step_surfaces = StepSurfaces::Faceted;
     bool step_strict = false;  ///< Facets that are kept are a failure.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     bool quiet = false;

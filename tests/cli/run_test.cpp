@@ -280,13 +280,13 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     folder.write("drill.nc",
                  "(T1 D=6. CR=0. TAPER=118deg - drill)\n(STOCK/BLOCK,20.,20.,20.,0.,0.,20.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X10. Y10. Z5.\nG1 Z-10. F100.\nG0 Z5.\nM30\n");
-    const Ran ran = folder.run({"run", "drill.nc", "--step", "a.step", "--step-strict"});
+    const Ran ran = folder.run(
+        {"run", "drill.nc", "--step", "a.step", "--step-surfaces", "analytic", "--step-strict"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "step      8 faces: 6 planes, 1 cylinder, 1 cone; edges within"))
         << ran.out;
     EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 1U);
-    const Ran flat =
-        folder.run({"run", "drill.nc", "-q", "--step", "a.step", "--step-surfaces", "faceted"});
+    const Ran flat = folder.run({"run", "drill.nc", "-q", "--step", "a.step"});
     EXPECT_EQ(flat.exit_code, 0) << flat.err;
     EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 0U);
     EXPECT_GT(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE("), 20U);
@@ -298,8 +298,8 @@ TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     folder.write("ramp.nc",
                  "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,20.,20.,0.,0.,20.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X15. Y10. Z0.\nG1 X45. Z-6. F100.\nG0 Z5.\nM30\n");
-    const Ran ran =
-        folder.run({"run", "ramp.nc", "--step", "a.step", "--step-strict", "--report", "a.json"});
+    const Ran ran = folder.run({"run", "ramp.nc", "--step", "a.step", "--step-surfaces", "analytic",
+                                "--step-strict", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 2) << ran.err;
     EXPECT_TRUE(contains(ran.out, "facets of round tools")) << ran.out;
     EXPECT_TRUE(contains(ran.out, ": line 6")) << ran.out;
