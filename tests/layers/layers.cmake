@@ -4,18 +4,19 @@ set(layers
   "trig:"
   "gcode:    trig"
   "cda:"
-  "toolpath: gcode cda trig"
-  "verify:   gcode toolpath cda trig"
-  "brep:     gcode cda toolpath trig"
+  "machine:  cda trig"
+  "toolpath: gcode machine cda trig"
+  "verify:   gcode toolpath machine cda trig"
+  "brep:     gcode cda machine toolpath trig"
   "export:   cda brep trig"
-  "report:   gcode toolpath cda verify"
-  "setup:    gcode toolpath cda trig verify report"
-  "simulation: gcode toolpath cda verify brep export report setup"
-  "app:      gcode toolpath cda verify brep export report setup simulation")
+  "report:   gcode toolpath machine cda verify"
+  "setup:    gcode toolpath machine cda trig verify report"
+  "simulation: gcode toolpath machine cda verify brep export report setup"
+  "app:      gcode toolpath machine cda verify brep export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library trig gcode cda toolpath verify brep export report setup simulation)
+foreach(library trig gcode cda machine toolpath verify brep export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 

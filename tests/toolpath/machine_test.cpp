@@ -48,10 +48,6 @@ TEST(PoseAt, AFullTurnIsTheSameOrientation) {
     EXPECT_EQ(pose_at(at(1, 2, 3, 30)).rows, pose_at(at(1, 2, 3, 390)).rows);
 }
 
-Vec3 axis_of(const Pose& X_WT) {
-    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
-}
-
 TEST(PoseAt, CUnderAnUprightToolMovesItWithoutTurningIt) {
     for (const double c : {1.0, 45.0, 90.0, -137.0, 1000.0})
         EXPECT_EQ(pose_at(at(30, 0, 5, 0, 0, c)).rows, Pose{}.rows);

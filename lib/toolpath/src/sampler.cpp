@@ -273,10 +273,6 @@ Cosines cosines(Angle a, Angle b) {
             passes(0.0) ? 1.0 : std::max(at_low, at_high)};
 }
 
-Vec3 axis_of(const Pose& X_WT) {
-    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
-}
-
 // The line through the origin about which a motion turns, if it is one.
 std::optional<Vec3> turning_axis(const Position& from, const Position& to) {
     const bool a = from.a != to.a, b = from.b != to.b, c = from.c != to.c;

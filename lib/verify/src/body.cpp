@@ -29,10 +29,6 @@ toolpath::ToolAccuracy with_side(toolpath::ToolAccuracy accuracy, Side side) {
 
 }  // namespace
 
-Vec3 axis_of(const Pose& X_WT) {
-    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
-}
-
 Pose raised(const Pose& X_WT, double distance) {
     Pose pose = X_WT;
     if (distance != 0.0) pose.translation = pose.translation + distance * axis_of(X_WT);

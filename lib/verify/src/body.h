@@ -21,8 +21,6 @@ struct Meeting {
     cda::Box box;                    ///< Encloses it.
 };
 
-/// Unit vector from the tip to the spindle, in W.
-cda::Vec3 axis_of(const toolpath::Pose& X_WT);
 /// The pose `distance` mm along the tool axis, towards the spindle.
 toolpath::Pose raised(const toolpath::Pose& X_WT, double distance);
 /// The halfspaces of `cell` drawn in by `distance` (mm, > 0) or moved out (< 0).

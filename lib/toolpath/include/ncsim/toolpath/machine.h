@@ -4,11 +4,12 @@
 #pragma once
 
 #include "ncsim/gcode/motion.h"
+#include "ncsim/machine/chain.h"
 #include "ncsim/toolpath/pose.h"
 
 namespace ncsim::toolpath {
 
-/// X_WT of a machine whose rotary axes pass through the origin of W:
+/// X_WT of machine::default_chain(), whose rotary axes pass through the origin of W:
 ///
 ///     X_WT = Rz(C) · Ry(B) · Rx(A) · translation(X+U, Y+V, Z+W)
 ///
@@ -19,6 +20,9 @@ namespace ncsim::toolpath {
 /// rotation that takes z to the axis of the tool. So equal axes have equal rotations, and C under
 /// an upright tool moves it without turning it. For multiples of 90 degrees the matrix is exact.
 Pose pose_at(const gcode::Position& position);
+
+/// As a chain of joints takes it.
+machine::Values values_of(const gcode::Position& position);
 
 /// X + U, Y + V, Z + W in mm.
 cda::Vec3 linear_axes(const gcode::Position& position);

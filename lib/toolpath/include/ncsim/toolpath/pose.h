@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where the tool is. Frames: W workpiece, T tool (tip at the origin, +z towards the
-// spindle). X_WT is the pose of T in W: p_W = X_WT * p_T.
+// Where the tool is: the pose of lib/machine, under the name it has here.
 #pragma once
 
-#include "ncsim/cda/vec.h"
-
-#include <array>
+#include "ncsim/machine/pose.h"
 
 namespace ncsim::toolpath {
 
-/// A rotation followed by a translation, in mm.
-struct Pose {
-    /// Rows of the rotation matrix.
-    std::array<cda::Vec3, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    cda::Vec3 translation;
-
-    bool operator==(const Pose&) const = default;
-};
-
-cda::Vec3 operator*(const Pose& X_AB, cda::Vec3 p_B);
-Pose operator*(const Pose& X_AB, const Pose& X_BC);
+using machine::Pose;
 
 }  // namespace ncsim::toolpath

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/toolpath/pose.h"
+#include "ncsim/machine/pose.h"
 
-namespace ncsim::toolpath {
+namespace ncsim::machine {
 
 using cda::Vec3;
 
@@ -29,4 +29,18 @@ Pose operator*(const Pose& X_AB, const Pose& X_BC) {
     return X_AC;
 }
 
-}  // namespace ncsim::toolpath
+Vec3 axis_of(const Pose& X_WT) {
+    return {X_WT.rows[0].z, X_WT.rows[1].z, X_WT.rows[2].z};
+}
+
+std::array<Vec3, 3> least_rotation_to(Vec3 axis) {
+    const double x = axis.x + 0.0, y = axis.y + 0.0, z = axis.z + 0.0;
+    const double aside = x * x + y * y;
+    if (aside == 0.0 && z < 0.0) return {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+    // 1/(1 + z), without the loss where z is nearly -1.
+    const double k = z < 0.0 ? (1 - z) / aside : 1 / (1 + z);
+    const double xy = 0.0 - x * y * k;
+    return {{{1 - x * x * k, xy, x}, {xy, 1 - y * y * k, y}, {0.0 - x, 0.0 - y, z}}};
+}
+
+}  // namespace ncsim::machine

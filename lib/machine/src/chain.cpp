@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/machine/chain.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace ncsim::machine {
+
+using cda::Vec3;
+
+namespace {
+
+using Rows = std::array<Vec3, 3>;
+
+// About X, Y or Z what stays is exact, and a product with it is that of a plane rotation.
+Rows rotation(Vec3 u, double degrees) {
+    const trig::SinCos q = trig::sin_cos(degrees);
+    const double c = q.cos;
+    const double s = u.x + u.y + u.z < 0.0 ? -q.sin : q.sin;
+    if (u.y == 0.0 && u.z == 0.0) return {{{1, 0, 0}, {0, c, -s}, {0, s, c}}};
+    if (u.x == 0.0 && u.z == 0.0) return {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}};
+    if (u.x == 0.0 && u.y == 0.0) return {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+    const double k = 1.0 - c;
+    const Vec3 w = q.sin * u;
+    return {{{c + k * u.x * u.x, k * u.x * u.y - w.z, k * u.x * u.z + w.y},
+             {k * u.x * u.y + w.z, c + k * u.y * u.y, k * u.y * u.z - w.x},
+             {k * u.x * u.z - w.y, k * u.y * u.z + w.x, c + k * u.z * u.z}}};
+}
+
+// 0 + v keeps the sign of a zero, so that equal places have equal bits.
+double sum(double a, double v) {
+    return a == 0.0 ? v : a + v;
+}
+
+Vec3 shifted(Vec3 p, Vec3 u, double by) {
+    if (u.y == 0.0 && u.z == 0.0) return {sum(p.x, u.x * by), p.y, p.z};
+    if (u.x == 0.0 && u.z == 0.0) return {p.x, sum(p.y, u.y * by), p.z};
+    if (u.x == 0.0 && u.y == 0.0) return {p.x, p.y, sum(p.z, u.z * by)};
+    return p + by * u;
+}
+
+Vec3 times(const Rows& rows, Vec3 v) {
+    return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+}
+
+}  // namespace
+
+std::optional<std::size_t> index_of(char letter) {
+    const std::size_t i = kLetters.find(letter);
+    return i == std::string_view::npos ? std::nullopt : std::optional(i);
+}
+
+Joint joint_of(char letter, bool turns, Vec3 direction, Vec3 through, Positive positive) {
+    const Vec3 u = normalized(direction);
+    return {letter, turns, positive == Positive::Part ? -u : u, through};
+}
+
+Vec3 moved(const Joint& joint, double value, Vec3 p) {
+    if (!joint.turns) return shifted(p, joint.direction, value);
+    if (value == 0.0) return p;
+    return times(rotation(joint.direction, value), p - joint.through) + joint.through;
+}
+
+Vec3 turned(const Joint& joint, double value, Vec3 direction) {
+    if (!joint.turns || value == 0.0) return direction;
+    return times(rotation(joint.direction, value), direction);
+}
+
+const Joint* Chain::find(char letter) const {
+    const auto found = std::ranges::find(joints, letter, &Joint::letter);
+    return found == joints.end() ? nullptr : &*found;
+}
+
+bool Chain::has_head() const {
+    bool has_moved = false;
+    for (const Joint& joint : joints) {
+        if (joint.turns && has_moved) return true;
+        has_moved |= !joint.turns;
+    }
+    return false;
+}
+
+Chain Chain::placed(Vec3 zero, double length) const {
+    // Where the axes are linear joints stand so far from 0 that the tip is at the program's zero;
+    // what lies behind them moved with them.
+    const Vec3 stand{zero.x, zero.y, zero.z + length};
+    Vec3 shift = -zero;
+    Chain chain = *this;
+    for (Joint& joint : chain.joints) {
+        if (joint.turns) {
+            joint.through = joint.through + shift;
+        } else if (joint.letter >= 'X' && joint.letter <= 'Z') {
+            shift = shift + stand[joint.letter - 'X'] * joint.direction;
+        }
+    }
+    return chain;
+}
+
+Pose Chain::pose(const Values& values) const {
+    constexpr std::size_t kFirstSecond = 6;  // of U
+    Pose X_WT;
+    int count = 0;
+    bool is_least = true;
+    for (const Joint& joint : std::views::reverse(joints)) {
+        const std::size_t i = *index_of(joint.letter);
+        double value = values[i];
+        if (!joint.turns) {
+            if (i < 3 && !find(kLetters[i + kFirstSecond])) value += values[i + kFirstSecond];
+            X_WT.translation = shifted(X_WT.translation, joint.direction, value);
+            continue;
+        }
+        // Turned only about axes that are turned: a product with the identity is exact, but for
+        // -0.0.
+        if (value == 0.0) continue;
+        const Rows rows = rotation(joint.direction, value);
+        X_WT.translation = X_WT.translation - joint.through;
+        X_WT = Pose{rows, {}} * X_WT;
+        X_WT.translation = X_WT.translation + joint.through;
+        // About one axis at right angles to the tool's it is the least one already.
+        is_least = ++count == 1 && joint.direction.z == 0.0;
+    }
+    if (!is_least) X_WT.rows = least_rotation_to(axis_of(X_WT));
+    return X_WT;
+}
+
+}  // namespace ncsim::machine

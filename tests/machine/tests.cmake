@@ -1,0 +1,5 @@
+ncsim_add_test(machine
+  LIBRARIES ncsim::machine ncsim::trig
+  SOURCES
+    chain_test.cpp
+    inverse_test.cpp)
