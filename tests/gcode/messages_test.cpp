@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class By : unsigned char { Default, Strict, Fanuc };
+enum class By : unsigned char { Default, Strict, Fanuc, Tip };
 
 struct Case {
     By by;
@@ -38,6 +38,7 @@ std::vector<std::string> said_of(const Case& c) {
     std::ranges::replace(text, '~', '\n');
     InterpreterOptions options;
     options.strict = c.by == By::Strict;
+    if (c.by == By::Tip) options.tip_control = {{{428, Coordinates::Tip}}, true, false};
     options.dialect = c.by == By::Fanuc ? Dialect::Fanuc : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
@@ -76,6 +77,12 @@ const std::vector<Case>& cases() {
         {By::Default, "o1 repeet [2]",
          "1:11: error: 'repeet' is no control word (such as sub, call, if, while) "
          "[o-word-unknown]"},
+        {By::Tip, "G0 X0 Y0 Z0 A10~G43.4 H1",
+         "2:1: error: G43.4 with rotary axes that are not at 0: whether X, Y and Z turn with the "
+         "table from there or from 0 is not told (machine file, control.tip_frame_at); the program "
+         "is stopped here [kinematics]"},
+        {By::Tip, "M428~G0 X0 Y0 Z0 A10~G81 X1 R2 Z-5 F100",
+         "3:1: error: G81 is not simulated under tip control with the tool tilted [kinematics]"},
         // Values
         {By::Default, "G0 X" + std::string(200, '[') + "1" + std::string(200, ']'),
          "1:4: error: this expression is nested too deeply [expression-too-deep]"},

@@ -8,6 +8,7 @@ ncsim_add_test(gcode
     messages_test.cpp
     parser_test.cpp
     refused_block_test.cpp
-    state_test.cpp)
+    state_test.cpp
+    tip_control_test.cpp)
 # The table of codes is private to the library.
 target_include_directories(ncsim_gcode_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/gcode/src)

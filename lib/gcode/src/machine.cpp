@@ -18,6 +18,8 @@ Axes to_axes(const Position& p) {
             p.c.degrees(), p.u.mm(), p.v.mm(), p.w.mm()};
 }
 
+constexpr KnownAxes kNothing{false, false, false};
+
 }  // namespace
 
 Machine::Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log,
@@ -107,8 +109,8 @@ void Machine::let_out(const Command& command) {
         command.group(Group::Plane) != Code::None ||
         command.group(Group::ToolLength) != Code::None ||
         command.group(Group::CutterSide) == Code::G40 ||
-        command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Stop) == 2 ||
-        command.group(MGroup::Stop) == 30) {
+        command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
+        command.group(MGroup::Stop) == 2 || command.group(MGroup::Stop) == 30) {
         compensation_.flush(state_);
         path_.set_origin(span_, file_);
     }
@@ -161,7 +163,7 @@ bool Machine::act(const Command& command) {
         return false;
     }
     set_modes(command);
-    if (!set_programmed(command) || !one_shot(command)) return false;
+    if (!set_programmed(command) || !check_tip_control(command) || !one_shot(command)) return false;
     if (!move(command, command.group(Group::Motion))) return false;
     if (command.group(MGroup::Stop) != kNone) stop(command);
     return true;
@@ -306,16 +308,61 @@ void Machine::set_speeds_and_tools(const Command& command) {
         case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
         default: break;
     }
-    if (const int code = command.group(MGroup::Kinematics); code != kNone) state_.kinematics = code;
+    if (const int code = command.group(MGroup::Kinematics); code != kNone) {
+        const auto told = options_.tip_control.m_codes.find(code);
+        const bool is_told = told != options_.tip_control.m_codes.end();
+        state_.kinematics = is_told ? 0 : code;
+        state_.tip_by_length = false;
+        if (is_told) choose(told->second);
+    }
+}
+
+/// Does any rotary axis stand elsewhere than at 0?
+bool Machine::is_turned() const {
+    const Axes at = machine_position();
+    return at[kA] != 0.0 || at[kB] != 0.0 || at[kC] != 0.0;
+}
+
+/// From here on X, Y and Z are something else. Nothing moves: where all rotary axes are at 0 the
+/// tip is where the linear axes are, and else only the machine knows.
+void Machine::choose(Coordinates coordinates) {
+    if (coordinates == state_.coordinates) return;
+    state_.coordinates = coordinates;
+    if (is_turned()) set_knowledge(state_, Knowledge{{false, false, false}, kNothing, kNothing});
+}
+
+/// What under tip control, with the tool tilted, would not go where it is taken to.
+bool Machine::check_tip_control(const Command& command) {
+    if (state_.coordinates != Coordinates::Tip || !command.axis_words || command.axes_are_taken())
+        return true;
+    bool turns = is_turned();
+    for (const char letter : {'A', 'B', 'C'})
+        turns |= command.has(letter) && command[letter] != 0.0;
+    if (!turns) return true;
+    const Code motion = command.group(Group::Motion);
+    const Code now = motion == Code::None ? state_.motion : motion;
+    std::string_view what;
+    if (is_cycle(now)) {
+        what = name_of(now);
+    } else if (command.group(Group::Pocket) != Code::None) {
+        what = name_of(command.group(Group::Pocket));
+    } else if (command.group(Group::HolePattern) != Code::None) {
+        what = name_of(command.group(Group::HolePattern));
+    } else if (state_.cutter_side != CutterSide::Off) {
+        what = state_.cutter_side == CutterSide::Left ? "G41" : "G42";
+    } else if (state_.programmed.rotated || state_.programmed.scaled) {
+        what = state_.programmed.rotated ? "G68" : "G51";
+    } else if (state_.programmed.polar) {
+        what = "G16";
+    }
+    return what.empty() || fail(Message::TipControlForbids, command.span, {what});
 }
 
 /// After M428 and its kin, what a rotary axis does to the tip is told by the configuration of the
 /// machine alone. Where none has turned, nothing depends on it.
 bool Machine::needs_kinematics(const Command& command) {
     if (state_.kinematics == 0) return false;
-    const Axes at = machine_position();
-    return command.has_any(letters('A', 'B', 'C')) || at[kA] != 0.0 || at[kB] != 0.0 ||
-           at[kC] != 0.0;
+    return command.has_any(letters('A', 'B', 'C')) || is_turned();
 }
 
 void Machine::set_units(bool inches) {

@@ -175,6 +175,9 @@ private:
     bool is_speed_mode(const Command& command, Code motion) const;
     double seconds_of(const Command& command, char letter) const;
     bool needs_kinematics(const Command& command);
+    bool is_turned() const;
+    void choose(Coordinates coordinates);
+    bool check_tip_control(const Command& command);
     bool is_known(std::size_t axis) const;
     void tell_place(std::size_t axis);
 

@@ -356,6 +356,17 @@ std::optional<double> Machine::gauge_length() const {
 bool Machine::set_tool_length(const Command& command) {
     const Code code = command.group(Group::ToolLength);
     if (code == Code::None) return true;
+    if (code == Code::G43_4) {
+        if (is_turned() && !options_.tip_control.frame_at_zero) {
+            stopped_ = true;
+            return fail(Message::TipFrameUntold, span_of_g(command, code));
+        }
+        state_.tip_by_length = true;
+        choose(Coordinates::Tip);
+    } else if (state_.tip_by_length) {
+        state_.tip_by_length = false;
+        choose(Coordinates::Axes);
+    }
     const double unit = state_.unit_mm();
     uses_length_offsets_ |= code != Code::G49;
     state_.length_register = code == Code::G49 ? kNoLength : kStatedLength;

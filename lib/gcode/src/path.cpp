@@ -159,6 +159,8 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.spindle = state.spindle;
     motion_.spindle_rpm = state.spindle_rpm;
     motion_.tool = state.tool;
+    motion_.coordinates = state.coordinates;
+    motion_.length = Length::from_mm(state.tool_offset[kZ] * state.unit_mm());
     motion_.known_start = state.known;
     const Knowledge end = after_move(state, mask, machine_coordinates_);
     motion_.known_end = end.known;
@@ -288,8 +290,18 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
         motion_.feed *= state.unit_mm();
     }
     if (!std::holds_alternative<Linear>(motion_.what)) motion_.what = Linear{};
+    // A place of the machine, and where the tip is then is a matter of how it turns.
+    const auto is_turned = [](const Position& p) {
+        return p.a != Angle() || p.b != Angle() || p.c != Angle();
+    };
+    const bool is_lost = machine_coordinates_ && state.coordinates == Coordinates::Tip &&
+                         (mask & (1U << kX | 1U << kY | 1U << kZ)) != 0 &&
+                         (is_turned(a) || is_turned(b));
+    constexpr KnownAxes kNothing{false, false, false};
+    if (is_lost) motion_.known_start = motion_.known_end = kNothing;
     emit(state, from, target);
     arrive(state, end, target, mask);
+    if (is_lost) set_knowledge(state, Knowledge{kNothing, kNothing, kNothing});
 }
 
 void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {

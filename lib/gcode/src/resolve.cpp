@@ -17,9 +17,9 @@ constexpr double kLargest = 1e12;
 }  // namespace
 
 Resolver::Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
-                   const std::vector<std::string>& allow)
-    : rules_(rules), parameters_(parameters), log_(log) {
-    for (const std::string& word : allow) {
+                   const InterpreterOptions& options)
+    : rules_(rules), parameters_(parameters), log_(log), tip_control_(options.tip_control) {
+    for (const std::string& word : options.allow) {
         if (word.empty()) continue;
         const char letter =
             word[0] >= 'a' && word[0] <= 'z' ? static_cast<char>(word[0] - 32) : word[0];
@@ -123,7 +123,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         unknown_g_ = true;
         return true;  // the rest of the block may have faults of its own
     }
-    const Group group = entry_of(code).group;
+    Group group = entry_of(code).group;
+    if (code == Code::G43_4 && tip_control_.by_length_word) group = Group::ToolLength;
     if (group == Group::Ignored) {
         command.has_others = true;  // it may have words of its own
         return true;
@@ -147,9 +148,12 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     const double whole = std::round(value);
     const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
     const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
-    const MGroup group = is_whole ? m_group(number) : MGroup::Unknown;
+    const bool is_told = tip_control_.m_codes.contains(number);
+    const MGroup group = is_told    ? MGroup::Kinematics
+                         : is_whole ? m_group(number)
+                                    : MGroup::Unknown;
     const bool foreign =
-        rules_.strict && (number == 13 || number == 14 || group == MGroup::Kinematics);
+        rules_.strict && !is_told && (number == 13 || number == 14 || group == MGroup::Kinematics);
     if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
         if (is_allowed('M', value)) return true;

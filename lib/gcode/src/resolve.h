@@ -4,6 +4,8 @@
 // words that nobody knows reported.
 #pragma once
 
+#include "ncsim/gcode/interpretation.h"
+
 #include "command.h"
 #include "expression.h"
 #include "rules.h"
@@ -17,7 +19,7 @@ namespace ncsim::gcode {
 class Resolver {
 public:
     Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
-             const std::vector<std::string>& allow);
+             const InterpreterOptions& options);
 
     /// Fills `command` from `block`. False after reporting an error.
     bool resolve(const Block& block, Command& command);
@@ -38,6 +40,7 @@ private:
     const Rules& rules_;
     const ParameterSource& parameters_;
     DiagnosticLog& log_;
+    const TipControl& tip_control_;
     std::vector<std::pair<char, double>> allow_;
     bool unknown_g_ = false;
 };

@@ -16,7 +16,7 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
       result_(result),
       path_(options, sink, log, result),
       machine_(options, rules, log, path_, parameters_),
-      resolver_(rules, parameters_, log, options.allow) {
+      resolver_(rules, parameters_, log, options) {
     parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
     most_blocks_ = options.limits.repeated_blocks + line_count(program);
     files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});

@@ -45,6 +45,18 @@ struct Limits {
     std::uint32_t call_depth = 64;
 };
 
+/// What is told of a control that keeps the tip in its place while rotary axes turn. Where they are
+/// not at 0 when a mode begins, the place of the tip is not known: that would take geometry.
+struct TipControl {
+    /// M428 and its kin, which each configuration of LinuxCNC has in its own way.
+    std::map<int, Coordinates> m_codes;
+    bool by_length_word = false;  ///< G43.4 begins it, G49 ends it.
+    /// With G43.4, X Y Z turn with the table as it stands with its axes at 0, wherever they are at
+    /// that time. Else that is not told.
+    bool frame_at_zero = false;
+    bool operator==(const TipControl&) const = default;
+};
+
 struct InterpreterOptions {
     /// For programs that say neither G20 nor G21.
     DefaultUnits default_units = DefaultUnits::Millimetres;
@@ -77,6 +89,7 @@ struct InterpreterOptions {
     /// What canned cycles retract to before the program says G98 or G99, a parameter of the
     /// machine, too. Without it: G98, under strict rules G99.
     std::optional<bool> starts_with_g99;
+    TipControl tip_control;
     FileReader read_file;
     FrameObserver observe_frame;
     Limits limits;

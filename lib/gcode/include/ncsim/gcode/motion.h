@@ -88,6 +88,12 @@ enum class MoveKind : std::uint8_t {
 /// "rapid", "feed" or "probe".
 const char* name_of(MoveKind kind);
 
+/// What X, Y and Z of a motion are.
+enum class Coordinates : std::uint8_t {
+    Axes,  ///< Where the linear axes stand, less offsets: rotary axes turn that away from W.
+    Tip,   ///< Where the tip is in W, which turns with the table: the control moves the axes.
+};
+
 /// Which axes of a start position were never set by the program: what is known of
 /// where a move begins. A move whose start is unknown in an axis must not cut a phantom path.
 struct KnownAxes {
@@ -107,6 +113,8 @@ struct Motion {
     SpindleTurning spindle = SpindleTurning::Stopped;
     double spindle_rpm = 0.0;  ///< As programmed by S; 0: never set.
     int tool = 0;              ///< In the spindle, 0: none was called.
+    Coordinates coordinates = Coordinates::Axes;
+    Length length;  ///< Of the tool as the control counts it (G43), along Z.
     KnownAxes known_start, known_end;
     /// Some axis is known by incremental words only, from a place that nobody told: the start of
     /// the program (taken as 0), or a place of the machine.

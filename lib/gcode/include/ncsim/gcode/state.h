@@ -104,7 +104,10 @@ struct MachineState {
     int length_register = kNoLength;    ///< H of G43, or a LengthRegister.
     bool length_told = false;           ///< Of that register.
     std::optional<double> tool_length;  ///< Of the tool in the spindle, mm, where it is told.
-    int kinematics = 0;  ///< The M code that last chose how the machine turns (M428 …); 0: none.
+    /// The M code that last chose how the machine turns (M428 …), if nobody told it; 0: none.
+    int kinematics = 0;
+    Coordinates coordinates = Coordinates::Axes;
+    bool tip_by_length = false;  ///< By G43.4.
 
     // Places
     Axes position{};     ///< Of the controlled point, program coordinates.
