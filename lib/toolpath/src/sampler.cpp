@@ -191,11 +191,11 @@ double longest_straight(const ToolExtent& tool) {
 
 template <typename PositionAt>
 Samples sample_course(const Course& course, const ToolExtent& whole, const SamplingOptions& options,
-                      const PositionAt& position_at) {
+                      const Poses& poses, const PositionAt& position_at) {
     const ToolExtent tool = below(whole, course.turning.top_mm);
     Samples samples;
     const auto pose = [&](std::uint32_t i, std::uint32_t steps) {
-        return pose_at(position_at(i == steps ? 1.0 : static_cast<double>(i) / steps));
+        return poses.at(position_at(i == steps ? 1.0 : static_cast<double>(i) / steps));
     };
     // Of the step in which most is gained; none that is more than `limit` is looked for.
     const auto gained = [&](const Turning& turning, const ToolExtent& slabs, std::uint32_t steps,
@@ -343,27 +343,183 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     return t;
 }
 
-Samples sample_linear(const gcode::Linear& m, const ToolExtent& tool,
-                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
-    Course c;
-    const auto lowest_mm = [&m] { return std::min(linear_axes(m.from).z, linear_axes(m.to).z); };
-    c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, place);
-    c.turning.moved_mm = norm(linear_axes(m.to) - linear_axes(m.from));
-    return sample_course(c, tool, options, [&m](double t) { return between(m.from, m.to, t); });
+// --- Machines that somebody told ----------------------------------------------------------------
+
+// A joint that turns in a motion, as the others stand at its start.
+struct Turned {
+    Vec3 direction, through;  // in W
+    double radians = 0.0;
+};
+
+// Where the tip is, seen from between two joints, all the way: within `radius` mm of a point that
+// goes from one place to the other.
+struct Reach {
+    Vec3 from, to;
+    double radius = 0.0;
+};
+
+double distance_from_line(Vec3 p, Vec3 through, Vec3 direction) {
+    const Vec3 out = p - through;
+    return norm(out - dot(out, direction) * direction);
 }
 
-Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const ToolExtent& tool,
-                   const SamplingOptions& options, const std::optional<cda::Box>& place) {
+// The joints are followed from the tool to the part; `bulge_mm` as above, `way_mm` that of the tip
+// against what does not turn.
+Turning turning_of(const Poses& poses, const Position& from, const Position& to, double bulge_mm,
+                   double way_mm, const std::optional<cda::Box>& place) {
+    const machine::Chain& chain = *poses.chain();
+    const machine::Values v0 = values_of(from), v1 = values_of(to);
+    const auto of = [&chain](const machine::Values& v, const machine::Joint& joint) {
+        const std::size_t i = *machine::index_of(joint.letter);
+        const bool adds = i < 3 && !chain.find(machine::kLetters[i + 6]);  // U, V, W
+        return adds ? v[i] + v[i + 6] : v[i];
+    };
+    Turning t;
+    Reach tip{{}, {}, bulge_mm};
+    Vec3 axis{0, 0, 1};        // of the tool at the start of the motion
+    double ways = 0.0;         // of all that moves straight
+    bool is_one_block = true;  // nothing turns between them
+    bool has_turned = false, has_moved = false;
+    bool is_alone = true;
+    double distance = 0.0;
+    std::vector<Turned> turning;  // from the tool to the part
+    bool head_turns = false;      // something moves straight before something that turns
+    for (std::size_t i = chain.joints.size(); i-- > 0;) {
+        const machine::Joint& joint = chain.joints[i];
+        const double a = of(v0, joint), b = of(v1, joint);
+        const auto carry = [&](Turned& inner) {
+            inner.through = machine::moved(joint, a, inner.through);
+            inner.direction = machine::turned(joint, a, inner.direction);
+        };
+        if (!joint.turns) {
+            tip.from = machine::moved(joint, a, tip.from);
+            tip.to = machine::moved(joint, b, tip.to);
+            if (a != b) {
+                is_one_block &= !has_moved || !has_turned;
+                has_moved = true;
+                ways += std::abs(b - a);
+                head_turns |= !turning.empty();
+            }
+            std::ranges::for_each(turning, carry);
+            continue;
+        }
+        has_turned |= has_moved;
+        const Vec3 n = joint.direction;
+        const double radians = kRadiansPerDegree * std::abs(b - a);
+        if (radians == 0.0) {
+            tip.from = machine::moved(joint, a, tip.from);
+            tip.to = machine::moved(joint, b, tip.to);
+            axis = machine::turned(joint, a, axis);
+            std::ranges::for_each(turning, carry);
+            continue;
+        }
+        // How far the tool's axis is from that of the joint, as the sine of the angle.
+        const double lean = std::min(1.0, norm(cross(n, axis)) + t.tilt_rad);
+        const bool spins = poses.of_tip() && norm(cross(n, axis)) + t.tilt_rad == 0.0;
+        t.tilt_bend_rad += radians * (radians * lean + 2 * t.tilt_rad);
+        t.tilt_rad += radians * lean;
+        if (!spins) t.turn_rad += radians;
+        axis = machine::turned(joint, a, axis);
+        // The point of its axis that is next to the tip. About one alone, the axis itself counts.
+        const Vec3 middle = 0.5 * (tip.from + tip.to);
+        const Vec3 through = joint.through + dot(middle - joint.through, n) * n;
+        const bool first = turning.empty();
+        is_alone = first;
+        const double far = std::max(norm(tip.from - through), norm(tip.to - through)) + tip.radius;
+        if (first) {
+            t.lean = lean;
+            distance = std::max(distance_from_line(tip.from, through, n),
+                                distance_from_line(tip.to, through, n)) +
+                       tip.radius;
+            t.tip_mm = far;
+        } else {
+            t.tip_mm = std::max(t.tip_mm, far);
+        }
+        tip = {through, through, far};
+        std::ranges::for_each(turning, carry);
+        turning.push_back({n, through, radians});
+    }
+    // The speeds of three axes add up to no more than √3 times that of all.
+    const double moved = is_one_block ? way_mm : std::max(ways, 2 * way_mm);
+    // Of the tip in W.
+    double tip_way = moved;
+    const Pose start = poses.at(from), end = poses.at(to);
+    if (poses.of_tip()) {
+        t.tip_mm = 0.0;
+        t.lean = 1.0;
+        t.moved_mm = 0.0;
+        tip_way = way_mm;
+    } else {
+        t.moved_mm = moved;
+        tip_way += t.turn_rad * t.tip_mm;
+        if (is_alone && !turning.empty()) {
+            t.tip_mm = distance;
+        } else {
+            t.lean = 1.0;
+        }
+    }
+    if (t.turn_rad == 0.0 || !place || place->is_empty()) return t;
+    if (!poses.of_tip() && !head_turns) {
+        // Of the places from the first axis; those of the others are so far from it, there and
+        // back.
+        const Turned& outer = turning.back();
+        t.place_mm = 0.0;
+        for (const Vec3 corner : corners_of(*place)) {
+            t.place_mm = std::max(
+                t.place_mm, is_alone ? distance_from_line(corner, outer.through, outer.direction)
+                                     : norm(corner - outer.through));
+        }
+        for (std::size_t i = 1; i < turning.size(); ++i)
+            t.place_mm += 2 * norm(turning[i].through - turning[i - 1].through);
+    }
+    // Heights along the tool's axis above the tip, from the nearer end of the motion.
+    t.top_mm = -Turning::kInf;
+    for (const Pose& X_WT : {start, end}) {
+        for (const Vec3 corner : corners_of(*place)) {
+            const Vec3 out = corner - X_WT.translation;
+            t.top_mm = std::max(
+                t.top_mm, dot(out, axis_of(X_WT)) + std::min(2.0, t.tilt_rad / 2) * norm(out));
+        }
+    }
+    t.top_mm += tip_way / 2 + bulge_mm;
+    return t;
+}
+
+Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
+                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
+    Course c;
+    const double way = norm(linear_axes(m.to) - linear_axes(m.from));
+    if (poses.chain()) {
+        c.turning = turning_of(poses, m.from, m.to, 0.0, way, place);
+    } else {
+        const auto lowest_mm = [&m] {
+            return std::min(linear_axes(m.from).z, linear_axes(m.to).z);
+        };
+        c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, place);
+        c.turning.moved_mm = way;
+    }
+    return sample_course(c, tool, options, poses,
+                         [&m](double t) { return between(m.from, m.to, t); });
+}
+
+Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
+                   const ToolExtent& tool, const SamplingOptions& options,
+                   const std::optional<cda::Box>& place) {
     const Polar p = polar(m);
     Course c;
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
-    const auto lowest_mm = [&motion] { return extent_of_path(motion).min.z; };
-    c.turning = turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, place);
-    c.turning.moved_mm = c.radius_mm * c.sweep_rad + c.radius_change_mm +
-                         norm(linear_axes(m.to) - linear_axes(m.from));
-    return sample_course(c, tool, options, [&](double t) { return on_arc(m, p, t); });
+    const double way = c.radius_mm * c.sweep_rad + c.radius_change_mm +
+                       norm(linear_axes(m.to) - linear_axes(m.from));
+    if (poses.chain()) {
+        c.turning = turning_of(poses, m.from, m.to, 2 * c.radius_mm, way, place);
+    } else {
+        const auto lowest_mm = [&motion] { return extent_of_path(motion).min.z; };
+        c.turning = turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, place);
+        c.turning.moved_mm = way;
+    }
+    return sample_course(c, tool, options, poses, [&](double t) { return on_arc(m, p, t); });
 }
 
 // --- Splines ------------------------------------------------------------------------------
@@ -436,12 +592,12 @@ double distance_to_chord(Vec3 p, Vec3 a, Vec3 b) {
     return norm(p - (a + t * ab));
 }
 
-Samples sample_spline(const gcode::Spline& m, const ToolExtent& tool,
+Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExtent& tool,
                       const SamplingOptions& options, const std::optional<cda::Box>& place) {
     const SplineCurve curve(m);
-    if (!curve.is_sound()) return sample_linear({m.from, m.to}, tool, options, place);
+    if (!curve.is_sound()) return sample_linear({m.from, m.to}, poses, tool, options, place);
     Samples samples;
-    samples.poses.push_back(pose_at(m.from));
+    samples.poses.push_back(poses.at(m.from));
     struct Piece {
         double from, to;
         int depth;
@@ -471,7 +627,7 @@ Samples sample_spline(const gcode::Spline& m, const ToolExtent& tool,
             pending.push_back({piece.from, middle, piece.depth + 1});
         } else {
             worst = std::max(worst, off);
-            samples.poses.push_back(pose_at(curve.at(piece.to)));
+            samples.poses.push_back(poses.at(curve.at(piece.to)));
         }
     }
     samples.bounds = {2 * worst, 2 * worst};
@@ -537,15 +693,16 @@ cda::Box extent_of_path(const gcode::Motion& motion) {
 }
 
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
-               const std::optional<cda::Box>& place) {
+               const std::optional<cda::Box>& place, const Kinematics* told) {
+    const Poses poses(told, motion);
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
-        return sample_linear(*linear, tool, options, place);
+        return sample_linear(*linear, poses, tool, options, place);
     }
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
-        return sample_arc(motion, *arc, tool, options, place);
+        return sample_arc(motion, *arc, poses, tool, options, place);
     }
     if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
-        return sample_spline(*spline, tool, options, place);
+        return sample_spline(*spline, poses, tool, options, place);
     }
     return {};
 }

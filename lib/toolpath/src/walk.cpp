@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ncsim::toolpath {
 
@@ -69,13 +70,15 @@ std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
 }
 
 Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
-           const SamplingOptions& sampling, RapidPath rapid, const Watch& watch)
+           const SamplingOptions& sampling, RapidPath rapid, const Watch& watch,
+           std::shared_ptr<const Kinematics> told)
     : lattice_(lattice),
       stock_(stock),
       accuracy_(accuracy),
       sampling_(sampling),
       rapid_(rapid),
       watch_(watch),
+      told_(std::move(told)),
       place_(stock) {
     constexpr double kShare = 0.1;
     slack_mm_ = kShare * sampling.rotation_gain_mm;
@@ -114,7 +117,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     const auto found = tools_.find(motion.tool);
     const gcode::Position* end = end_of(motion);
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
-    const Pose X_WT = pose_at(*end);
+    const Pose X_WT = Poses(told_.get(), motion).at(*end);
     trace(found->second.cutter, X_WT, X_WT, origin, {});
     step({X_WT, X_WT, cells_, {}, {}});
 }
@@ -131,7 +134,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
 
     SampleBounds worst;
     const auto walk = [&](const gcode::Motion& part) {
-        Samples samples = sample(part, followed, sampling_, place);
+        Samples samples = sample(part, followed, sampling_, place, told_.get());
         Liberties liberties = liberties_of(samples.turning);
         // A rapid move is followed exactly, so that it meets nothing where a cut has been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
@@ -151,7 +154,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     };
 
     const auto* linear = std::get_if<Linear>(&motion.what);
-    if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg) {
+    const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
+    if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg || of_tip) {
         walk(motion);
         return worst;
     }

@@ -7,6 +7,8 @@
 #include "ncsim/machine/chain.h"
 #include "ncsim/toolpath/pose.h"
 
+#include <optional>
+
 namespace ncsim::toolpath {
 
 /// X_WT of machine::default_chain(), whose rotary axes pass through the origin of W:
@@ -23,6 +25,29 @@ Pose pose_at(const gcode::Position& position);
 
 /// As a chain of joints takes it.
 machine::Values values_of(const gcode::Position& position);
+
+/// A machine, and where the program's zero is in it.
+struct Kinematics {
+    machine::Chain chain;  ///< In machine coordinates.
+    cda::Vec3 zero;        ///< Of W, mm; counts where axes are programmed, and tables turn.
+};
+
+/// The poses of one motion: of a machine that somebody told, or of the default one.
+class Poses {
+public:
+    /// `told` may be null, and must outlive this.
+    Poses(const Kinematics* told, const gcode::Motion& motion);
+
+    Pose at(const gcode::Position& position) const;
+    /// In W; null for the default one.
+    const machine::Chain* chain() const { return chain_ ? &*chain_ : nullptr; }
+    /// X, Y and Z are where the tip is in W, whatever turns.
+    bool of_tip() const { return of_tip_; }
+
+private:
+    std::optional<machine::Chain> chain_;
+    bool of_tip_ = false;
+};
 
 /// X + U, Y + V, Z + W in mm.
 cda::Vec3 linear_axes(const gcode::Position& position);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/pose.h"
 #include "ncsim/toolpath/turning.h"
 
@@ -57,9 +58,19 @@ struct Samples {
 /// chords of what turns: (θ²ρ + 2 θ s)/8 for θ in a step, ρ the distance from the axis and s the
 /// distance moved in the rotating frame.
 ///
+/// On a machine that somebody `told` (else null) the rotary axes may lie anywhere: θ is the sum of
+/// all, ρ the largest distance of the tip, over the motion, from an axis that turns, and of the
+/// rest of the tool by its reach more. For x = E1(t) … En(t) y, with turns by θ_i and ways by v_j,
+///
+///     |x″| ≤ Σ_i Σ_k θ_i θ_k d + 2 Σ_i θ_i Σ_j v_j,  d the distance from the axis of the inner
+///     one.
+///
+/// Where the tip is programmed it goes straight in W (or on its arc), and the tool turns about it:
+/// θ²·reach/8, and turns of a round tool about its own axis count for nothing.
+///
 /// Splines: steps are halved until the curve lies within half the chord tolerance of each chord at
 /// a quarter, the half and three quarters of it: tested there, not proved between.
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
-               const std::optional<cda::Box>& place = {});
+               const std::optional<cda::Box>& place = {}, const Kinematics* told = nullptr);
 
 }  // namespace ncsim::toolpath

@@ -15,6 +15,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -52,9 +53,11 @@ struct Watch {
 
 class Walk {
 public:
-    /// Cells whose bounds do not overlap `stock` (mm, W) are left out.
+    /// Cells whose bounds do not overlap `stock` (mm, W) are left out. `told`: how the machine
+    /// turns.
     Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
-         const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {});
+         const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {},
+         std::shared_ptr<const Kinematics> told = nullptr);
 
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
@@ -86,6 +89,7 @@ private:
     double slack_mm_;  // the share of the gain that facets may be left out for
     RapidPath rapid_;
     Watch watch_;
+    std::shared_ptr<const Kinematics> told_;
     cda::Box place_;  // that matters: the stock and what is watched
     std::map<int, Known> tools_;
     std::vector<cda::Cell> cells_;  // of one step, kept for its memory

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machines that somebody told: the bounds of what hulls of their poses miss and gain.
+#include "ncsim/machine/presets.h"
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/sampler.h"
+#include "ncsim/toolpath/tool.h"
+
+#include "../support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ncsim::toolpath {
+namespace {
+
+using cda::Vec3;
+using gcode::Angle;
+using gcode::Length;
+using gcode::Position;
+using machine::joint_of;
+
+Position at(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
+    Position p;
+    p.x = Length::from_mm(x), p.y = Length::from_mm(y), p.z = Length::from_mm(z);
+    p.a = Angle::from_degrees(a), p.b = Angle::from_degrees(b), p.c = Angle::from_degrees(c);
+    return p;
+}
+
+gcode::Motion line(const Position& from, const Position& to, gcode::Coordinates coordinates) {
+    gcode::Motion m;
+    m.what = gcode::Linear{from, to};
+    m.coordinates = coordinates;
+    return m;
+}
+
+Vec3 direction(test::Random& random) {
+    for (;;) {
+        const Vec3 v{random.within(-1, 1), random.within(-1, 1), random.within(-1, 1)};
+        if (const double size = norm(v); size > 0.1 && size < 1.0) return normalized(v);
+    }
+}
+
+// One to three rotary joints, anywhere before, between and behind X, Y and Z.
+Kinematics random_machine(test::Random& random) {
+    Kinematics told;
+    const Vec3 along[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    std::vector<std::int64_t> places;
+    for (std::int64_t count = random.between(1, 3); count > 0; --count)
+        places.push_back(random.between(0, 3));
+    std::ranges::sort(places);
+    std::size_t next = 0;
+    for (std::int64_t i = 0; i <= 3; ++i) {
+        for (; next < places.size() && places[next] == i; ++next) {
+            const Vec3 through{random.within(-50, 50), random.within(-50, 50),
+                               random.within(-50, 50)};
+            const Vec3 about = random.one_in(3) ? direction(random) : along[random.between(0, 2)];
+            told.chain.joints.push_back(joint_of("CAB"[next], true, about, through));
+        }
+        if (i < 3) {
+            told.chain.joints.push_back(
+                joint_of("XYZ"[i], false, along[static_cast<std::size_t>(i)]));
+        }
+    }
+    told.zero = {random.within(-30, 30), random.within(-30, 30), random.within(-30, 30)};
+    return told;
+}
+
+struct Cylinder {
+    double radius, height;
+};
+
+// How far it reaches in a direction.
+double support(const Pose& X_WT, const Cylinder& tool, Vec3 d) {
+    const Vec3 axis = axis_of(X_WT);
+    const double lean = dot(axis, d);
+    return dot(X_WT.translation, d) + std::max(0.0, tool.height * lean) +
+           tool.radius * norm(d - lean * axis);
+}
+
+double distance_to(const Pose& X_WT, const Cylinder& tool, Vec3 p) {
+    const Vec3 out = p - X_WT.translation;
+    const double z = dot(out, axis_of(X_WT));
+    const double aside = std::max(0.0, norm(out - z * axis_of(X_WT)) - tool.radius);
+    const double above = std::max({0.0, -z, z - tool.height});
+    return std::sqrt(aside * aside + above * above);
+}
+
+Position between(const Position& a, const Position& b, double t) {
+    const auto of = [t](double p, double q) { return p + t * (q - p); };
+    return at(of(a.x.mm(), b.x.mm()), of(a.y.mm(), b.y.mm()), of(a.z.mm(), b.z.mm()),
+              of(a.a.degrees(), b.a.degrees()), of(a.b.degrees(), b.b.degrees()),
+              of(a.c.degrees(), b.c.degrees()));
+}
+
+struct Case {
+    Kinematics told;
+    gcode::Motion motion;
+    Cylinder tool{};
+    Samples samples;
+
+    explicit Case(test::Random& random) : told(random_machine(random)) {
+        const auto somewhere = [&](const Position* near) {
+            const double way = near ? 8.0 : 30.0;
+            const double turn = near ? 25.0 : 180.0;
+            const auto of = [&](double from, double by) {
+                return random.one_in(3) ? from : from + random.within(-by, by);
+            };
+            const Position zero;
+            const Position& n = near ? *near : zero;
+            return at(of(n.x.mm(), way), of(n.y.mm(), way), of(n.z.mm(), way),
+                      of(n.a.degrees(), turn), of(n.b.degrees(), turn), of(n.c.degrees(), turn));
+        };
+        const Position from = somewhere(nullptr);
+        const bool of_tip = random.one_in(2);
+        motion = line(from, somewhere(&from),
+                      of_tip ? gcode::Coordinates::Tip : gcode::Coordinates::Axes);
+        motion.length = Length::from_mm(random.within(0, 80));
+        tool = {random.within(0.5, 6), random.within(1, 40)};
+        SamplingOptions coarse;
+        coarse.rotation_miss_mm = random.within(0.05, 1.0);
+        coarse.rotation_gain_mm = random.within(0.5, 3.0);
+        const ToolExtent extent = extent_of(flat_end_mill(2 * tool.radius, tool.height));
+        std::optional<cda::Box> place;
+        if (random.one_in(2)) {
+            place.emplace();
+            place->add(Vec3{random.within(-60, 0), random.within(-60, 0), random.within(-60, 0)});
+            place->add(Vec3{random.within(0, 60), random.within(0, 60), random.within(0, 60)});
+        }
+        samples = sample(motion, extent, coarse, place, &told);
+        where = place;
+    }
+    std::optional<cda::Box> where;
+    Pose pose(double t) const {
+        const auto& m = std::get<gcode::Linear>(motion.what);
+        return Poses(&told, motion).at(between(m.from, m.to, t));
+    }
+};
+
+TEST(ToldMachine, NoSweepIsMissedByMoreThanTheBound) {
+    test::Random random(11);
+    double worst = 0.0;
+    for (int i = 0; i < 100'000; ++i) {
+        const Case c(random);
+        const auto steps = static_cast<double>(c.samples.poses.size() - 1);
+        const auto k = static_cast<std::size_t>(random.between(0, static_cast<int>(steps) - 1));
+        const Pose& A = c.samples.poses[k];
+        const Pose& B = c.samples.poses[k + 1];
+        for (int j = 0; j < 5; ++j) {
+            const Pose now = c.pose((static_cast<double>(k) + random.unit()) / steps);
+            const Vec3 d = direction(random);
+            if (c.where) {  // then it is about places there
+                const double angle = random.within(0, 6.2831853);
+                const Vec3 p =
+                    now * Vec3{c.tool.radius * std::cos(angle), c.tool.radius * std::sin(angle),
+                               random.within(0, c.tool.height)};
+                if (!c.where->contains(p)) continue;
+                const double out =
+                    dot(p, d) - std::max(support(A, c.tool, d), support(B, c.tool, d));
+                ASSERT_LE(out, c.samples.bounds.missed_mm + 1e-9) << i;
+                continue;
+            }
+            const double beyond =
+                support(now, c.tool, d) - std::max(support(A, c.tool, d), support(B, c.tool, d));
+            ASSERT_LE(beyond, c.samples.bounds.missed_mm + 1e-9) << i;
+            if (c.samples.bounds.missed_mm > 1e-6)
+                worst = std::max(worst, beyond / c.samples.bounds.missed_mm);
+        }
+    }
+    EXPECT_GT(worst, 0.3) << "the bound is no bound of this";
+}
+
+TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
+    test::Random random(12);
+    double worst = 0.0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Case c(random);
+        const auto steps = static_cast<double>(c.samples.poses.size() - 1);
+        const auto k = static_cast<std::size_t>(random.between(0, static_cast<int>(steps) - 1));
+        const auto on_tool = [&] {
+            const double angle = random.within(0, 6.2831853);
+            const double r = random.one_in(2) ? c.tool.radius : random.within(0, c.tool.radius);
+            const double z = random.one_in(2) ? c.tool.height : random.within(0, c.tool.height);
+            return Vec3{r * std::cos(angle), r * std::sin(angle), z};
+        };
+        // Of slabs, each has a hull.
+        if (c.samples.turning.slab_mm < c.tool.height) continue;
+        const double s = random.unit();
+        const Vec3 x =
+            (1 - s) * (c.samples.poses[k] * on_tool()) + s * (c.samples.poses[k + 1] * on_tool());
+        if (c.where && !c.where->contains(x)) continue;
+        double nearest = std::numeric_limits<double>::infinity();
+        double best = 0.0;
+        const auto look = [&](double t) {
+            const double d = distance_to(c.pose((static_cast<double>(k) + t) / steps), c.tool, x);
+            if (d < nearest) nearest = d, best = t;
+        };
+        for (int j = 0; j <= 64; ++j)
+            look(j / 64.0);
+        for (double step = 1 / 128.0; step > 1e-7; step /= 2) {
+            const double middle = best;
+            look(std::max(0.0, middle - step));
+            look(std::min(1.0, middle + step));
+        }
+        ASSERT_LE(nearest, c.samples.bounds.gained_mm + 1e-6) << i;
+        if (c.samples.bounds.gained_mm > 1e-3)
+            worst = std::max(worst, nearest / c.samples.bounds.gained_mm);
+    }
+    EXPECT_GT(worst, 0.1) << "the bound is no bound of this";
+}
+
+TEST(ToldMachine, TheTipStaysInItsPlaceWhileTheTableTurns) {
+    const Kinematics told{*machine::preset("xyzac-trt"), {}};
+    const gcode::Motion turn =
+        line(at(10, 20, 30, 0, 0, 0), at(10, 20, 30, -60, 0, 75), gcode::Coordinates::Tip);
+    const Samples samples = sample(turn, extent_of(ball_end_mill(3, 20)), {}, {}, &told);
+    ASSERT_GT(samples.poses.size(), 10U);
+    for (const Pose& pose : samples.poses)
+        EXPECT_EQ(pose.translation, (Vec3{10, 20, 30}));
+    EXPECT_LT(norm(axis_of(samples.poses.back()) - axis_of(told.chain.pose({0, 0, 0, -60, 0, 75}))),
+              1e-15);
+}
+
+// C turns the part under an upright tool, which does not see it: the hull is exact.
+TEST(ToldMachine, AnUprightToolUnderTipControlOnlyMoves) {
+    const Kinematics told{*machine::preset("xyzac-trt"), {}};
+    const Samples samples =
+        sample(line(at(0, 0, 0), at(50, 0, 0, 0, 0, 300), gcode::Coordinates::Tip),
+               extent_of(flat_end_mill(10, 40)), {}, {}, &told);
+    EXPECT_EQ(samples.poses.size(), 2U);
+    EXPECT_EQ(samples.bounds, SampleBounds{});
+    EXPECT_EQ(samples.poses.front().rows, samples.poses.back().rows);
+}
+
+// The same poses, told as places of the tip and as those of the axes.
+TEST(ToldMachine, BothModesMeetInTheSamePoses) {
+    test::Random random(13);
+    for (int i = 0; i < 1000; ++i) {
+        const Kinematics told = random_machine(random);
+        const Position p =
+            at(random.within(-50, 50), random.within(-50, 50), random.within(-50, 50),
+               random.within(-180, 180), random.within(-180, 180), random.within(-180, 180));
+        const gcode::Motion axes = line(p, p, gcode::Coordinates::Axes);
+        const Pose X_WT = Poses(&told, axes).at(p);
+        Position tip = p;
+        tip.x = Length::from_mm(X_WT.translation.x);
+        tip.y = Length::from_mm(X_WT.translation.y);
+        tip.z = Length::from_mm(X_WT.translation.z);
+        EXPECT_EQ(Poses(&told, line(tip, tip, gcode::Coordinates::Tip)).at(tip), X_WT);
+    }
+}
+
+TEST(ToldMachine, WithoutOneThePosesAreThoseOfBefore) {
+    const gcode::Motion m =
+        line(at(1, 2, 3, 4, 5, 6), at(7, 8, 9, 10, 11, 12), gcode::Coordinates::Axes);
+    const Poses poses(nullptr, m);
+    EXPECT_EQ(poses.chain(), nullptr);
+    EXPECT_EQ(poses.at(at(1, 2, 3, 4, 5, 6)), pose_at(at(1, 2, 3, 4, 5, 6)));
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath
