@@ -14,10 +14,12 @@
 #include "ncsim/export/vrml.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/report/sheet.h"
+#include "ncsim/setup/machine_file.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
+#include "ncsim/simulation/take_machine.h"
 
 #include "animation.h"
 #include "console.h"
@@ -114,7 +116,12 @@ int run(Options options) {
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
+    if (!options.machine.empty()) inputs.expect(options.machine);
     simulation::Plan plan = plan_for(options, inputs);
+    std::vector<std::string> not_used;
+    if (!options.machine.empty())
+        not_used =
+            simulation::take_machine(plan, setup::read_machine_file(options.machine, inputs));
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
@@ -126,6 +133,8 @@ int run(Options options) {
     if (!o.quiet && !survey.interpretation.refused)
         say(report::assumption_sheet(plan.job.program.name, survey,
                                      simulation::cutting_facts(plan)));
+    for (const std::string& what : not_used)
+        say("not used: " + what + "\n");
     print_findings(plan.job.program, survey.diagnostics);
 
     if (o.at_line && *o.at_line > survey.interpretation.lines) {

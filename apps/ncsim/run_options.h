@@ -23,6 +23,7 @@ enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
+    std::string machine;  ///< A machine.toml: offsets, and how it turns.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
 
     /// Of the picture; several are put on one sheet with a caption. Never empty.

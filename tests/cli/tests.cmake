@@ -1,8 +1,9 @@
 # The program as its users meet it: command, exit code, both streams.
 if(TARGET ncsim)
+  find_package(fmt CONFIG REQUIRED)
   find_package(nlohmann_json CONFIG REQUIRED)
   ncsim_add_test(cli
-    LIBRARIES ncsim_app nlohmann_json::nlohmann_json
+    LIBRARIES ncsim_app nlohmann_json::nlohmann_json fmt::fmt
     SOURCES
       bad_input_test.cpp
       check_test.cpp
@@ -12,6 +13,7 @@ if(TARGET ncsim)
       files_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp
+      machine_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp

@@ -77,8 +77,7 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
             verify::kHomeHeight);
     }
     if (program.turns_tools()) {
-        sheet.line("rotation",
-                   "assumed: A, B, C turn the tool about X, Y, Z through the program zero");
+        sheet.line("rotation", "{}", program.rotation);
     }
     for (const auto& [number, used] : program.tools) {
         sheet.line(fmt::format("tool T{}", number).c_str(), "{}; {}", toolpath::describe(used.tool),

@@ -4,6 +4,7 @@
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/setup/mesh_file.h"
 
+#include "kinematics_reader.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
 
@@ -114,8 +115,19 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     const auto point = [&r](std::optional<cda::Vec3>& into) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
     };
+    KinematicsReader kinematics(r);
     r.each(r.root(), "",
-           {{"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
+           {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
+            {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
+            {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
+            {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
+            {"link",
+             [&](const toml::node& n, const std::string& k) {
+                 r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
+                     kinematics.take_link(element, key);
+                 });
+             }},
+            {"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
             {"travel",
              [&](const toml::node& n, const std::string& k) {
                  read_axes(r, n, k, m.travel, [&](const toml::node& node, const std::string& key) {
@@ -134,7 +146,9 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
             {"spindle",
              [&](const toml::node& n, const std::string& k) {
                  r.each(r.table(n, k), k,
-                        {{"min", [&](const auto& v,
+                        {{"link", [&](const auto& v,
+                                      const auto& key) { kinematics.take_spindle_link(v, key); }},
+                         {"min", [&](const auto& v,
                                      const auto& key) { m.min_rpm = r.not_negative(v, key); }},
                          {"max", [&](const auto& v, const auto& key) {
                               m.max_rpm = r.positive(v, key);
@@ -183,6 +197,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
                      read_tool_limits(r, element, key, file.tools);
                  });
              }}});
+    file.kinematics = kinematics.kinematics();
+    file.tip_control = kinematics.tip_control();
     return file;
 }
 

@@ -9,9 +9,11 @@
 #include "ncsim/setup/coordinate_systems.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
+#include "ncsim/simulation/take_machine.h"
 #include "ncsim/verify/verifier.h"
 
 #include "cut_free.h"
+#include "place_kinematics.h"
 #include "refine.h"
 
 #include <fmt/format.h>
@@ -57,13 +59,6 @@ verify::ToolFacts facts_of(const report::UsedTool& used, const verify::ToolFacts
         facts.blind_assumption = "a face mill does not cut in the inner half of its diameter";
     }
     return facts;
-}
-
-// Where the program's zero, W, lies in the machine; nothing if nobody tells.
-std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
-    if (workpiece.rotation != 0.0 || workpiece.frame != gcode::OriginFrame{}) return std::nullopt;
-    return cda::Vec3{workpiece.origin[gcode::kX], workpiece.origin[gcode::kY],
-                     workpiece.origin[gcode::kZ]};
 }
 
 // Moves fixtures that were told in another system to W. Those of which nobody knows how far that is
@@ -126,6 +121,9 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.design = questions.design != nullptr;
     setup.ledger = questions.ledger || questions.look;
     setup.rapid = rapid_path(questions);
+    setup.kinematics = plan.placed;
+    setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, true);
+    setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, false);
     setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
     setup.cutting_tools = survey.cutting_tools;
     setup.accepted = accepted_reasons(plan.job.options.accept);
@@ -180,35 +178,6 @@ report::Look look_at(const Survey& survey, const Simulation& simulation) {
     return look;
 }
 
-// What the machine tells, where the job does not tell it. Returns what cannot be used.
-std::vector<std::string> take_machine(setup::Job& job, const setup::MachineFile& file) {
-    std::vector<std::string> lost;
-    for (const auto& [system, origin] : file.offsets) {
-        if (!setup::origin_of(job.interpreter, system))
-            setup::tell_offset(job.interpreter, system, origin);
-    }
-    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
-        if (!told) return;
-        to.x = gcode::Length::from_mm(told->x);
-        to.y = gcode::Length::from_mm(told->y);
-        to.z = gcode::Length::from_mm(told->z);
-    };
-    lead(job.interpreter.homes[0], file.machine.home);
-    lead(job.interpreter.homes[1], file.machine.tool_change);
-    if (!file.start || job.start) return lost;
-    constexpr int kG54 = 1;
-    const auto origin = setup::origin_of(job.interpreter, kG54);
-    if (!origin) {
-        lost.emplace_back(
-            "where the tool starts: the machine tells it, but not where G54 is in it");
-        return lost;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-        job.interpreter.start[static_cast<std::size_t>(axis)] =
-            gcode::Length::from_mm((*file.start - *origin)[axis]);
-    return lost;
-}
-
 std::vector<std::string> unused_tools(const Plan& plan, const Survey& survey) {
     std::vector<std::string> unused;
     for (const toolpath::ToolSpec& spec : plan.job.options.tools) {
@@ -235,7 +204,7 @@ std::string_view verdict_word(verify::Outcome outcome) {
 void check(Plan plan, const Questions& questions, report::Checked& checked) {
     require_verifying(plan);
     checked.path = plan.job.program.name;
-    std::vector<std::string> not_used = take_machine(plan.job, questions.machine);
+    std::vector<std::string> not_used = take_machine(plan, questions.machine);
     Survey survey = simulation::survey(plan);
     if (survey.only_rapid) cut_nothing(survey);
     checked.moves = survey.moves;

@@ -19,15 +19,22 @@ namespace {
 // What of a motion the part can tell.
 struct Trace {
     explicit Trace(const gcode::Motion& m)
-        : what(m.what), kind(m.kind), tool(m.tool), known(m.known_start) {}
+        : what(m.what),
+          kind(m.kind),
+          tool(m.tool),
+          coordinates(m.coordinates),
+          known(m.known_start) {}
     decltype(gcode::Motion::what) what;
     gcode::MoveKind kind;
     int tool;
+    gcode::Coordinates coordinates;
     gcode::KnownAxes known;
     bool operator==(const Trace&) const = default;
 };
 
 bool moves_alike(const Surveyed& a, const Surveyed& b) {
+    // On machines that are told, motions are not all that makes poses.
+    if (a.plan.kinematics || b.plan.kinematics) return false;
     const auto same_tool = [](const auto& s, const auto& t) {
         return s.first == t.first && s.second.tool == t.second.tool;
     };

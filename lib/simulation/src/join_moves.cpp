@@ -32,7 +32,8 @@ const gcode::Linear* plain_line(const gcode::Motion& motion) {
 }
 
 bool is_alike(const gcode::Motion& a, const gcode::Motion& b) {
-    return a.tool == b.tool && a.file == b.file && a.feed == b.feed && a.feed_mode == b.feed_mode &&
+    return a.tool == b.tool && a.file == b.file && a.coordinates == b.coordinates &&
+           a.length == b.length && a.feed == b.feed && a.feed_mode == b.feed_mode &&
            a.feed_mode != gcode::FeedMode::InverseTime && a.spindle == b.spindle &&
            a.spindle_rpm == b.spindle_rpm && a.start_assumed == b.start_assumed &&
            a.offset_unknown == b.offset_unknown && a.spindle_in_doubt == b.spindle_in_doubt;

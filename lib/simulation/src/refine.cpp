@@ -85,6 +85,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
         if (rule.id != contact.rule) setup.selection.ignored.emplace(rule.id);
     }
     setup.rapid = setup_->rapid;
+    setup.kinematics = setup_->kinematics;
     const toolpath::Watch watch = verify::watch_of(setup);
     setup.accuracy.tolerance_mm = plan.tool_tolerance;
     verify::Verifier verifier(std::move(setup), survey.stock->box,

@@ -44,7 +44,9 @@ toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Latt
     sampling.chord_tolerance_mm = plan.tolerance;
     sampling.rotation_miss_mm = plan.tolerance;
     sampling.rotation_gain_mm = 10 * plan.tolerance;
-    return {lattice, survey.stock->box, accuracy, sampling, verification.rapid, verification.watch};
+    return {lattice,    survey.stock->box,  accuracy,
+            sampling,   verification.rapid, verification.watch,
+            plan.placed};
 }
 
 class Mill {
@@ -63,6 +65,7 @@ public:
           keeps_cells_(plan.keep_carved),
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
+          machine_(plan.placed),
           volume_(result.stock_volume) {
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
@@ -83,7 +86,7 @@ public:
         if (motions_ == most_motions_) return;
         ++motions_;
         result_.line = line_;
-        verify::add(result_.distances, motion);
+        verify::add(result_.distances, motion, machine_.get());
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
@@ -209,6 +212,7 @@ private:
     bool keeps_cells_;
     setup::Budget budget_;
     double tolerance_mm_;
+    std::shared_ptr<const toolpath::Kinematics> machine_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
     double volume_;

@@ -9,6 +9,7 @@
 #include "ncsim/toolpath/trace.h"
 
 #include "messages.h"
+#include "place_kinematics.h"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,9 @@ void tell(Survey& survey, const gcode::MessageText& message, gcode::SourceSpan s
 // What the motions alone tell, gathered in one pass.
 class MotionSurvey {
 public:
-    explicit MotionSurvey(Survey& result) : result_(result) {}
+    /// `told`: how the machine turns; may be null.
+    MotionSurvey(Survey& result, const toolpath::Kinematics* told)
+        : result_(result), told_machine_(told) {}
 
     struct ToolTrack {
         gcode::SourceSpan first;
@@ -68,6 +71,12 @@ public:
         result_.turns[0] |= to->a.degrees() != 0.0;
         result_.turns[1] |= to->b.degrees() != 0.0;
         result_.turns[2] |= to->c.degrees() != 0.0;
+        const bool is_turned = to->a.degrees() != 0.0 || to->b.degrees() != 0.0 ||
+                               to->c.degrees() != 0.0 || from->a.degrees() != 0.0 ||
+                               from->b.degrees() != 0.0 || from->c.degrees() != 0.0;
+        const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
+        result_.uses_tip_control |= of_tip;
+        result_.turns_under_axes |= is_turned && !of_tip;
         told_[0] |= motion.known_end.x;
         told_[1] |= motion.known_end.y;
         told_[2] |= motion.known_end.z;
@@ -83,7 +92,7 @@ public:
         ToolTrack& track = track_of(motion);
         if (feed) result_.cutting_tools.insert(motion.tool);
         if (feed) track.clues.take(motion);
-        const toolpath::Samples samples = verify::coarse_samples(motion);
+        const toolpath::Samples samples = verify::coarse_samples(motion, told_machine_);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
             result_.tip_positions.add(p);
@@ -117,6 +126,7 @@ private:
     }
 
     Survey& result_;
+    const toolpath::Kinematics* told_machine_;
     std::map<int, ToolTrack> tracks_;
     std::array<bool, 3> told_{};
     gcode::SourceSpan first_cut_from_nowhere_;
@@ -331,14 +341,26 @@ struct Look {
     std::array<bool, 3> told;  // X, Y, Z, by some move or by the start
 };
 
+// How A, B and C turn the tool, and what of it nobody told.
+std::string rotation_of(const Plan& plan, const Survey& survey) {
+    if (!plan.kinematics)
+        return "assumed: A, B, C turn the tool about X, Y, Z through the program zero";
+    const gcode::WorkOffset& zero = survey.interpretation.workpiece;
+    std::string text = "as the machine file tells";
+    if (survey.uses_tip_control) text += ", X Y Z are the tip's under tip control";
+    const std::string guess = kinematics_guess(plan, zero, survey.turns, !survey.turns_under_axes);
+    return guess.empty() ? text : text + "; assumed: " + guess;
+}
+
 Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
     Look look;
     Survey& result = look.survey;
     result.untold = untold;
-    MotionSurvey motions(result);
+    MotionSurvey motions(result, plan.placed.get());
     result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
     look.told = motions.told();
+    result.rotation = rotation_of(plan, result);
     result.diagnostics = result.interpretation.diagnostics;
     result.diagnostics.insert(result.diagnostics.end(), plan.job.diagnostics.begin(),
                               plan.job.diagnostics.end());
@@ -387,6 +409,7 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
 }  // namespace
 
 Survey survey(Plan& plan) {
+    place_kinematics(plan);
     Look look = look_at(plan, {});
     const Survey& first = look.survey;
     const bool drawn = first.feed_moves > 0 || (first.only_rapid && plan.draft);

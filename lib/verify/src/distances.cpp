@@ -31,11 +31,11 @@ std::optional<double> seconds_of(const gcode::Motion& motion, double length) {
 
 }  // namespace
 
-toolpath::Samples coarse_samples(const gcode::Motion& motion) {
+toolpath::Samples coarse_samples(const gcode::Motion& motion, const toolpath::Kinematics* machine) {
     toolpath::SamplingOptions coarse;
     coarse.chord_tolerance_mm = 0.01;
     coarse.rotation_miss_mm = 0.5;
-    return toolpath::sample(motion, {}, coarse);
+    return toolpath::sample(motion, {}, coarse, {}, machine);
 }
 
 void add_path(Distances& distances, const gcode::Motion& motion, const toolpath::Samples& samples) {
@@ -56,10 +56,10 @@ void add_rest(Distances& distances, const gcode::Motion& motion) {
     if (std::holds_alternative<gcode::ToolChange>(motion.what)) ++distances.tool_changes;
 }
 
-void add(Distances& distances, const gcode::Motion& motion) {
+void add(Distances& distances, const gcode::Motion& motion, const toolpath::Kinematics* machine) {
     add_rest(distances, motion);
     if (start_of(motion) && toolpath::has_known_start(motion))
-        add_path(distances, motion, coarse_samples(motion));
+        add_path(distances, motion, coarse_samples(motion, machine));
 }
 
 Distances total(const std::map<int, Distances>& distances) {

@@ -26,7 +26,7 @@ constexpr auto kReasons = std::to_array<ReasonInfo>({
     {"radius-guess", "Nobody said how wide the cutter of a compensated path is.",
      "the tool of the D number, with its diameter"},
     {"kinematics-guess", "Nobody said how the machine turns.",
-     "nothing yet: look at the picture, and accept it"},
+     "preset, pivot and [offsets] in the machine file, or its [[link]]s"},
     {"reading-guess", "A block can be read in more than one way.",
      "write it as the control wants it"},
     {"left-out", "Words or lines were left out, because nobody knows what they do.",

@@ -80,6 +80,8 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move);
 /// The reasons for doubt (ids) that it rests on: with any of them it is a warning.
 std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
                                          Certainty certainty = Certainty::Certain);
+/// What nobody told of how the machine turns, in words; empty: nothing, or it does not turn.
+std::string kinematics_guess(const Setup& setup, const Move& move);
 /// Do rotary axes stand anywhere but at 0?
 bool is_turned(const gcode::Motion& motion);
 /// Why what `requirement` names is not told; nothing if it is.

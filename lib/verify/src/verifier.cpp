@@ -347,7 +347,8 @@ private:
         } else {
             toolpath::SamplingOptions coarse;
             coarse.chord_tolerance_mm = 0.01;
-            const toolpath::Samples samples = toolpath::sample(motion, {}, coarse);
+            const toolpath::Samples samples =
+                toolpath::sample(motion, {}, coarse, {}, setup_.kinematics.get());
             for (std::size_t i = 1; i < samples.poses.size(); ++i) {
                 const Vec3 chord = samples.poses[i].translation - samples.poses[i - 1].translation;
                 move_.length_mm += norm(chord);
@@ -364,10 +365,17 @@ private:
             path = {};
             path.add(toolpath::linear_axes(to));
         }
+        // Axes are elsewhere than the tip then.
+        move_.is_tilted_tip = motion.coordinates == gcode::Coordinates::Tip && is_turned(motion);
         move_.way_before = way_;
-        way_.add(path);
+        if (!move_.is_tilted_tip) way_.add(path);
         move_.way = way_;
-        if (setup_.machine.work_zero && toolpath::has_known_end(motion)) {
+        const auto is_told = [](const auto& travel) { return travel.has_value(); };
+        if (move_.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_told)) {
+            log_.doubt("told-not-used",
+                       "travels: where the axes go under tip control is not compared with them",
+                       place());
+        } else if (setup_.machine.work_zero && toolpath::has_known_end(motion)) {
             const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
             move_.machine_path = Box{path.min + shift, path.max + shift};
         }
@@ -437,10 +445,12 @@ private:
                                    : fmt::format("T{} moves, and nobody describes it", m.tool),
                        place());
         }
-        if (is_turned(m)) {
+        if (!setup_.kinematics && is_turned(m)) {
             log_.doubt("kinematics-guess",
                        "rotary axes turn; taken to turn the tool about the program zero (ISO 841)",
                        place());
+        } else if (std::string guess = kinematics_guess(setup_, move_); !guess.empty()) {
+            log_.doubt("kinematics-guess", "rotary axes turn; taken: " + guess, place());
         }
         if (move_.after_probe && now_)
             log_.doubt("probe-guess", "moves after a probe stand on what it met", place());

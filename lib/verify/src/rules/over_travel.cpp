@@ -57,7 +57,7 @@ void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
 }  // namespace
 
 void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
-    if (!move.is_move) return;
+    if (!move.is_move || move.is_tilted_tip) return;
     if (!move.machine_path) {
         compare_ways(setup, move, log);
         return;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Rapid moves that cut, and what every contact with the part rests on.
+#include "ncsim/gcode/state.h"
+
 #include "finding_log.h"
 #include "rule_table.h"
+
+#include <fmt/format.h>
 
 namespace ncsim::verify {
 
@@ -38,6 +42,26 @@ bool is_turned(const gcode::Motion& motion) {
     return is_turned_at(gcode::start_of(motion)) || is_turned_at(gcode::end_of(motion));
 }
 
+std::string kinematics_guess(const Setup& setup, const Move& move) {
+    const gcode::Motion& motion = *move.motion;
+    if (!is_turned(motion)) return {};
+    const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
+    std::string guess = of_tip ? setup.tip_guess : setup.axes_guess;
+    const auto add = [&guess](std::string_view what) {
+        guess.append(guess.empty() ? "" : "; ").append(what);
+    };
+    const bool has_length = move.length_register != gcode::kNoLength && move.length_told;
+    if (!of_tip && setup.kinematics && setup.kinematics->chain.has_head() && !has_length) {
+        add(
+            fmt::format("the head turns a tool of {:g} mm, a length that nobody told (G43, tool "
+                        "table)",
+                        motion.length.mm()));
+    }
+    if (of_tip && setup.rapid.dog_leg && motion.kind == gcode::MoveKind::Rapid)
+        add("under tip control rapid moves are straight");
+    return guess;
+}
+
 std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     std::vector<std::string> all;
     const ToolFacts* tool = facts_of(setup, move.motion->tool);
@@ -47,9 +71,8 @@ std::vector<std::string> assumptions_of(const Setup& setup, const Move& move) {
     if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
         all.push_back("home: " + setup.home_assumption);
     }
-    if (is_turned(*move.motion)) {
-        all.emplace_back("kinematics: A, B and C turn about the program origin");
-    }
+    if (const std::string guess = kinematics_guess(setup, move); !guess.empty())
+        all.push_back("kinematics: " + guess);
     if (move.after_probe) {
         all.emplace_back("probe: it met something at its target; what follows may stand on that");
     }
@@ -73,7 +96,7 @@ std::vector<std::string_view> guesses_of(const Setup& setup, const Move& move,
     if (motion.offset_unknown || (motion.machine_coordinates && !setup.home_assumption.empty())) {
         reasons.emplace_back("offset-guess");
     }
-    if (is_turned(motion)) reasons.emplace_back("kinematics-guess");
+    if (!kinematics_guess(setup, move).empty()) reasons.emplace_back("kinematics-guess");
     if (certainty == Certainty::Within) reasons.emplace_back("uncertain-contact");
     return reasons;
 }

@@ -30,6 +30,7 @@ struct ProgramFacts {
     /// Moves whose start the program does not tell; they leave no trace.
     std::uint64_t moves_from_nowhere = 0;
     std::array<bool, 3> turns{};  ///< About X, Y, Z: A, B, C.
+    std::string rotation;         ///< How that turns the tool, in words.
     /// Axes X, Y, Z that the program never tells, though it cuts: taken as 0.
     std::array<bool, 3> untold{};
     bool uses_machine_coordinates = false;

@@ -47,9 +47,30 @@
 //     max_ramp = 3                   # degrees, of one that does not cut at its centre
 //     blind_diameter = 6             # mm that do not cut about the axis
 //     left_handed = false
+//
+// How it turns, by the name of a machine (before the first [table]), or by its links from the bed
+// to the part and to the tool; without either A, B and C turn about the program's zero:
+//
+//     preset = "xyzac-trt"           # see ncsim/machine/presets.h
+//     pivot = { A = [0, 20, 10], C = [0, 0, 0] }   # a point of each rotary axis: the machine
+//                                    # coordinates of the spindle nose when it is there, mm
+//     control = { m_codes = { M428 = "tip", M429 = "axes" }, tip_frame = "table" }
+//                                    # tip_frame: G43.4 is known, too
+//     part = { link = "platter" }
+//     [spindle]
+//     link = "head"
+//     [[link]]
+//     name = "cradle"
+//     parent = "table"               # without: the bed
+//     axis = "A"
+//     turns_about = [1, 0, 0]        # or moves_along
+//     through = [0, 20, 10]
+//     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
 #pragma once
 
+#include "ncsim/gcode/interpretation.h"
 #include "ncsim/setup/input.h"
+#include "ncsim/setup/told_kinematics.h"
 #include "ncsim/verify/machine.h"
 #include "ncsim/verify/setup.h"
 
@@ -64,6 +85,8 @@ struct MachineFile {
     verify::MachineDescription machine;
     std::map<int, cda::Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
     std::optional<cda::Vec3> start;    ///< Machine coordinates.
+    std::optional<ToldKinematics> kinematics;
+    gcode::TipControl tip_control;
     /// Limits by tool number; the shape is not told here.
     std::map<int, verify::ToolFacts> tools;
 };

@@ -6,8 +6,11 @@
 #include "ncsim/report/facts.h"
 #include "ncsim/setup/budget.h"
 #include "ncsim/setup/job.h"
+#include "ncsim/setup/machine_file.h"
+#include "ncsim/toolpath/machine.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -23,6 +26,10 @@ struct Plan {
     double join_tolerance = 0.0;
     /// A first look: tools that nobody describes are guessed.
     bool draft = false;
+    /// How the machine turns, if somebody tells it; and with the program's zero, once it was
+    /// surveyed.
+    std::optional<setup::ToldKinematics> kinematics;
+    std::shared_ptr<const toolpath::Kinematics> placed;
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
     unsigned threads = 0;  ///< 0: as many as the machine has.

@@ -23,10 +23,12 @@ struct Distances {
 };
 
 /// Adds those of a motion with a known start, of a dwell or of a tool change.
-void add(Distances& distances, const gcode::Motion& motion);
+void add(Distances& distances, const gcode::Motion& motion,
+         const toolpath::Kinematics* machine = nullptr);
 
 /// The path of the tip within a hundredth of a millimetre: what lengths are measured on.
-toolpath::Samples coarse_samples(const gcode::Motion& motion);
+toolpath::Samples coarse_samples(const gcode::Motion& motion,
+                                 const toolpath::Kinematics* machine = nullptr);
 /// The two halves of add(), for who has the samples.
 void add_path(Distances& distances, const gcode::Motion& motion, const toolpath::Samples& samples);
 void add_rest(Distances& distances, const gcode::Motion& motion);

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -60,6 +61,11 @@ struct Setup {
     Selection selection;
     Suppressions suppressions;  ///< Of the program itself.
     toolpath::RapidPath rapid;
+    /// How the machine turns; null: nobody tells it.
+    std::shared_ptr<const toolpath::Kinematics> kinematics;
+    /// What of that is assumed nevertheless, in words: where the program tells places of the tip,
+    /// and where it tells those of axes.
+    std::string tip_guess, axes_guess = "A, B and C turn about the program origin";
     toolpath::ToolAccuracy accuracy;
     std::optional<cda::Box> stock;   ///< mm, W.
     double path_tolerance_mm = 0.0;  ///< How far a path may be missed; 0: nobody asks.

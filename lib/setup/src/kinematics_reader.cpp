@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kinematics_reader.h"
+
+#include "ncsim/machine/presets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <ranges>
+#include <string_view>
+
+namespace ncsim::setup {
+
+namespace {
+
+using cda::Vec3;
+using gcode::Coordinates;
+
+constexpr std::size_t kMostLinks = 100;
+constexpr std::string_view kBed = "bed";
+
+// X, Y, Z, A, B or C.
+std::optional<char> axis_named(std::string_view name) {
+    if (name.size() != 1 || std::string_view("XYZABC").find(name[0]) == std::string_view::npos)
+        return std::nullopt;
+    return name[0];
+}
+
+bool turns(char letter) {
+    return letter <= 'C';
+}
+
+// The number of "M428": those of every control are not free.
+std::optional<int> m_code_named(std::string_view name) {
+    constexpr int kFirst = 100, kLast = 9999;
+    int number = 0;
+    const char* end = name.data() + name.size();
+    if (name.size() < 2 || name[0] != 'M') return std::nullopt;
+    const auto read = std::from_chars(name.data() + 1, end, number);
+    const bool is_one =
+        read.ec == std::errc() && read.ptr == end && number >= kFirst && number <= kLast;
+    return is_one ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+void KinematicsReader::take_preset(const toml::node& node, const std::string& key) {
+    preset_ = Name{&node, r_.text(node, key)};
+    if (machine::preset(preset_->name)) return;
+    std::string names;
+    for (const machine::Preset& known : machine::presets())
+        names.append(names.empty() ? "" : ", ").append(known.name);
+    r_.fail(node, fmt::format("'{}': no machine of this name; expected {}", key, names));
+}
+
+void KinematicsReader::take_pivots(const toml::node& node, const std::string& key) {
+    pivots_node_ = &node;
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}.{}': expected A, B or C", key, name.str()));
+        pivots_[*letter] = r_.vector(value, fmt::format("{}.{}", key, name.str()));
+    }
+}
+
+void KinematicsReader::take_control(const toml::node& node, const std::string& key) {
+    control_node_ = &node;
+    // One of the words that are known, of which not all can be simulated.
+    const auto choose = [this](std::string_view built, std::string_view other, const auto& done) {
+        return [this, built, other, done](const toml::node& n, const std::string& k) {
+            const std::string word = r_.text(n, k);
+            if (word == other)
+                r_.fail(n,
+                        fmt::format("'{}': \"{}\" is not simulated, only \"{}\"", k, other, built));
+            if (word != built) r_.fail(n, fmt::format("'{}': expected \"{}\"", k, built));
+            done();
+        };
+    };
+    const TomlReader::Take m_codes = [this](const toml::node& n, const std::string& k) {
+        for (const auto& [name, value] : r_.table(n, k)) {
+            const auto number = m_code_named(name.str());
+            const std::string whole = fmt::format("{}.{}", k, name.str());
+            if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
+            const std::string mode = r_.text(value, whole);
+            if (mode != "tip" && mode != "axes")
+                r_.fail(value, fmt::format("'{}': expected \"tip\" or \"axes\"", whole));
+            control_.m_codes[*number] = mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
+        }
+    };
+    r_.each(r_.table(node, key), key,
+            {{"m_codes", m_codes},
+             {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
+             {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
+             {"tip_turns", choose("joints", "vector", [] {})}});
+}
+
+void KinematicsReader::take_link(const toml::node& node, const std::string& key) {
+    Link link;
+    link.node = &node;
+    std::optional<char> letter;
+    std::optional<Vec3> along, about, through;
+    std::optional<bool> turns_part;
+    const auto direction = [this](std::optional<Vec3>& into) {
+        return [this, &into](const toml::node& n, const std::string& k) {
+            into = r_.vector(n, k);
+            constexpr double kNothing = 1e-6;
+            if (norm(*into) < kNothing) r_.fail(n, fmt::format("'{}': it has no length", k));
+        };
+    };
+    r_.each(r_.table(node, key), key,
+            {{"name", [&](const auto& n, const auto& k) { link.name = r_.text(n, k); }},
+             {"parent", [&](const auto& n, const auto& k) { link.parent = r_.text(n, k); }},
+             {"axis",
+              [&](const toml::node& n, const std::string& k) {
+                  letter = axis_named(r_.text(n, k));
+                  if (!letter) r_.fail(n, fmt::format("'{}': expected X, Y, Z, A, B or C", k));
+              }},
+             {"moves_along", direction(along)},
+             {"turns_about", direction(about)},
+             {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
+             {"positive", [&](const toml::node& n, const std::string& k) {
+                  const std::string which = r_.text(n, k);
+                  if (which != "part" && which != "tool")
+                      r_.fail(n, fmt::format("'{}': expected \"part\" or \"tool\"", k));
+                  turns_part = which == "part";
+              }}});
+    if (link.name.empty() || link.name == kBed || find(link.name))
+        r_.fail(node, "a link needs a name of its own, which is not \"bed\"");
+    if (links_.size() >= kMostLinks) r_.fail(node, fmt::format("more than {} links", kMostLinks));
+    if (letter) {
+        const bool rotary = turns(*letter);
+        const auto& told = rotary ? about : along;
+        if (!told || (rotary ? along : about)) {
+            r_.fail(node, fmt::format("axis {} needs {}, and nothing else", *letter,
+                                      rotary ? "turns_about" : "moves_along"));
+        }
+        if (!rotary && (through || turns_part))
+            r_.fail(node, fmt::format("axis {} moves straight: no through, no positive", *letter));
+        if (std::ranges::any_of(
+                links_, [&](const Link& l) { return l.joint && l.joint->letter == *letter; })) {
+            r_.fail(node, fmt::format("axis {} is told twice", *letter));
+        }
+        const auto positive =
+            turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
+        link.joint = machine::joint_of(*letter, rotary, *told, through.value_or(Vec3{}), positive);
+        link.is_placed = through.has_value();
+        // Positions have X, Y and Z along the axes of the program.
+        Vec3 own;
+        if (!rotary) own[*letter - 'X'] = 1.0;
+        if (!rotary && norm(link.joint->direction - own) > 1e-9)
+            r_.fail(node,
+                    fmt::format("axis {}: only {} along itself is simulated", *letter, *letter));
+    } else if (along || about || through || turns_part) {
+        r_.fail(node, "a link that moves needs its axis");
+    }
+    links_.push_back(std::move(link));
+}
+
+void KinematicsReader::take_part(const toml::node& node, const std::string& key) {
+    r_.each(r_.table(node, key), key, {{"link", [this](const auto& n, const auto& k) {
+                                            part_ = Name{&n, r_.text(n, k)};
+                                        }}});
+}
+
+void KinematicsReader::take_spindle_link(const toml::node& node, const std::string& key) {
+    tool_ = Name{&node, r_.text(node, key)};
+}
+
+const KinematicsReader::Link* KinematicsReader::find(const std::string& name) const {
+    const auto found = std::ranges::find(links_, name, &Link::name);
+    return found == links_.end() ? nullptr : &*found;
+}
+
+// From a link to the bed.
+std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& from) const {
+    std::vector<const Link*> way;
+    const toml::node* named_at = from.node;
+    for (std::string name = from.name; !name.empty() && name != kBed;) {
+        const Link* link = find(name);
+        if (!link) r_.fail(*named_at, fmt::format("there is no link '{}'", name));
+        if (way.size() >= links_.size())
+            r_.fail(*link->node, fmt::format("link '{}' carries itself", name));
+        way.push_back(link);
+        named_at = link->node;
+        name = link->parent;
+    }
+    return way;
+}
+
+ToldKinematics KinematicsReader::of_preset() const {
+    ToldKinematics told{*machine::preset(preset_->name), {}};
+    for (const auto& [letter, place] : pivots_) {
+        if (!told.chain.find(letter))
+            r_.fail(*pivots_node_,
+                    fmt::format("'pivot': {} has no axis {}", preset_->name, letter));
+    }
+    for (machine::Joint& joint : told.chain.joints) {
+        if (!joint.turns) continue;
+        const auto place = pivots_.find(joint.letter);
+        if (place == pivots_.end()) {
+            told.untold_pivots += joint.letter;
+        } else {
+            joint.through = place->second;
+        }
+    }
+    return told;
+}
+
+ToldKinematics KinematicsReader::of_links() const {
+    const toml::node& first = *links_.front().node;
+    if (!part_) r_.fail(first, "which link carries the part? part = { link = \"…\" }");
+    if (!tool_) r_.fail(first, "which link carries the tool? [spindle] link = \"…\"");
+    ToldKinematics told;
+    const auto add = [&](const Link* link) {
+        if (!link->joint) return;
+        told.chain.joints.push_back(*link->joint);
+        if (link->joint->turns && !link->is_placed) told.untold_pivots += link->joint->letter;
+    };
+    std::vector<const Link*> up = way_up(*part_);
+    std::vector<const Link*> down = way_up(*tool_);
+    // What carries both moves neither against the other.
+    while (!up.empty() && !down.empty() && up.back() == down.back()) {
+        if (up.back()->joint) {
+            r_.fail(*up.back()->node,
+                    fmt::format("link '{}' carries the part and the tool", up.back()->name));
+        }
+        up.pop_back();
+        down.pop_back();
+    }
+    std::ranges::for_each(up, add);
+    std::ranges::for_each(std::views::reverse(down), add);
+    for (const Link& link : links_) {
+        if (link.joint && !told.chain.find(link.joint->letter)) {
+            r_.fail(*link.node,
+                    fmt::format("axis {} moves neither the part nor the tool", link.joint->letter));
+        }
+    }
+    for (const char letter : {'X', 'Y', 'Z'}) {
+        if (!told.chain.find(letter)) r_.fail(first, fmt::format("no link moves along {}", letter));
+    }
+    return told;
+}
+
+std::optional<ToldKinematics> KinematicsReader::kinematics() const {
+    if (preset_ && !links_.empty())
+        r_.fail(*preset_->node, "a machine is told by its preset or by its links, not both");
+    if (pivots_node_ && !preset_) r_.fail(*pivots_node_, "'pivot' belongs to a preset");
+    if (links_.empty()) {
+        for (const auto& name : {part_, tool_}) {
+            if (name) r_.fail(*name->node, fmt::format("there is no link '{}'", name->name));
+        }
+    }
+    if (preset_) return of_preset();
+    if (!links_.empty()) return of_links();
+    if (control_node_) {
+        r_.fail(*control_node_,
+                "'control' needs to know how the machine turns: preset or [[link]]");
+    }
+    return std::nullopt;
+}
+
+}  // namespace ncsim::setup

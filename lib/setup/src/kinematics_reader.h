@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a machine file tells of how the machine turns: a preset with its pivots, or links; and of
+// its control.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+#include "ncsim/setup/told_kinematics.h"
+
+#include "toml_reader.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::setup {
+
+class KinematicsReader {
+public:
+    explicit KinematicsReader(const TomlReader& reader) : r_(reader) {}
+
+    // Each of these throws std::runtime_error as those of TomlReader do.
+    void take_preset(const toml::node& node, const std::string& key);
+    void take_pivots(const toml::node& node, const std::string& key);
+    void take_control(const toml::node& node, const std::string& key);
+    void take_link(const toml::node& node, const std::string& key);
+    void take_part(const toml::node& node, const std::string& key);
+    void take_spindle_link(const toml::node& node, const std::string& key);
+
+    // When all is read, and belongs together.
+    std::optional<ToldKinematics> kinematics() const;
+    const gcode::TipControl& tip_control() const { return control_; }
+
+private:
+    struct Link {
+        const toml::node* node;
+        std::string name, parent;
+        std::optional<machine::Joint> joint;
+        bool is_placed = false;
+    };
+    struct Name {
+        const toml::node* node;
+        std::string name;
+    };
+    ToldKinematics of_preset() const;
+    ToldKinematics of_links() const;
+    std::vector<const Link*> way_up(const Name& from) const;
+    const Link* find(const std::string& name) const;
+
+    const TomlReader& r_;
+    std::optional<Name> preset_, part_, tool_;
+    const toml::node* pivots_node_ = nullptr;
+    std::map<char, cda::Vec3> pivots_;
+    std::vector<Link> links_;
+    const toml::node* control_node_ = nullptr;
+    gcode::TipControl control_;
+};
+
+}  // namespace ncsim::setup

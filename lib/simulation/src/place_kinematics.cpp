@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "place_kinematics.h"
+
+#include <memory>
+#include <vector>
+
+namespace ncsim::simulation {
+
+std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
+    if (workpiece.rotation != 0.0 || workpiece.frame != gcode::OriginFrame{}) return std::nullopt;
+    return cda::Vec3{workpiece.origin[gcode::kX], workpiece.origin[gcode::kY],
+                     workpiece.origin[gcode::kZ]};
+}
+
+void place_kinematics(Plan& plan) {
+    if (!plan.kinematics) return;
+    const gcode::Interpretation seen = gcode::interpret(plan.job.program, plan.job.interpreter, {});
+    toolpath::Kinematics placed{plan.kinematics->chain,
+                                work_zero(seen.workpiece).value_or(cda::Vec3{})};
+    for (machine::Joint& joint : placed.chain.joints) {
+        if (plan.kinematics->untold_pivots.find(joint.letter) != std::string::npos)
+            joint.through = placed.zero;
+    }
+    plan.placed = std::make_shared<const toolpath::Kinematics>(std::move(placed));
+}
+
+std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiece,
+                             const std::array<bool, 3>& turns, bool of_tip) {
+    if (!plan.kinematics) return "A, B and C turn about the program origin";
+    const setup::ToldKinematics& told = *plan.kinematics;
+    std::vector<std::string> guesses;
+    std::string at_zero;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        const char letter = "ABC"[i];
+        if (!turns[i]) continue;
+        if (!told.chain.find(letter)) {
+            guesses.push_back(std::string("the machine has no axis ") + letter +
+                              "; its words turn nothing");
+        } else if (told.untold_pivots.find(letter) != std::string::npos) {
+            at_zero += at_zero.empty() ? "" : ", ";
+            at_zero += letter;
+        }
+    }
+    if (workpiece.rotation != 0.0 || workpiece.origin[gcode::kA] != 0.0 ||
+        workpiece.origin[gcode::kB] != 0.0 || workpiece.origin[gcode::kC] != 0.0) {
+        guesses.emplace_back("the coordinate system is turned; taken as if it were not");
+    }
+    if (!of_tip && !at_zero.empty())
+        guesses.push_back("the axes " + at_zero + " pass through the program zero");
+    if (!of_tip && !work_zero(workpiece) && at_zero.empty())
+        guesses.emplace_back("the program zero is that of the machine, from which axes are told");
+    std::string all;
+    for (const std::string& guess : guesses)
+        all += (all.empty() ? "" : "; ") + guess;
+    return all;
+}
+
+}  // namespace ncsim::simulation

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/simulation/take_machine.h"
+
+#include "ncsim/setup/coordinate_systems.h"
+
+namespace ncsim::simulation {
+
+std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file) {
+    setup::Job& job = plan.job;
+    plan.kinematics = file.kinematics;
+    job.interpreter.tip_control = file.tip_control;
+    std::vector<std::string> lost;
+    for (const auto& [system, origin] : file.offsets) {
+        if (!setup::origin_of(job.interpreter, system))
+            setup::tell_offset(job.interpreter, system, origin);
+    }
+    const auto lead = [](gcode::Position& to, const std::optional<cda::Vec3>& told) {
+        if (!told) return;
+        to.x = gcode::Length::from_mm(told->x);
+        to.y = gcode::Length::from_mm(told->y);
+        to.z = gcode::Length::from_mm(told->z);
+    };
+    lead(job.interpreter.homes[0], file.machine.home);
+    lead(job.interpreter.homes[1], file.machine.tool_change);
+    if (!file.start || job.start) return lost;
+    constexpr int kG54 = 1;
+    const auto origin = setup::origin_of(job.interpreter, kG54);
+    if (!origin) {
+        lost.emplace_back(
+            "where the tool starts: the machine tells it, but not where G54 is in it");
+        return lost;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        job.interpreter.start[static_cast<std::size_t>(axis)] =
+            gcode::Length::from_mm((*file.start - *origin)[axis]);
+    return lost;
+}
+
+}  // namespace ncsim::simulation

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Machines that turn, told by a file: run and check.
+#include "cli/run_program.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kPi = 3.14159265358979;
+
+const char* const kTrt =
+    "preset = \"xyzac-trt\"\n"
+    "pivot = { A = [0, 0, -40], C = [0, 0, 0] }\n"
+    "control = { m_codes = { M428 = \"tip\", M429 = \"axes\" }, tip_frame = \"table\" }\n"
+    "[offsets]\n"
+    "G54 = [0, 0, 0]\n";
+
+// A hole of 12 mm along the tool under tip control, entered from 5 mm above a block's top, at A and
+// C: the file proves its kinematics, as LinuxCNC's own demos do.
+std::string hole(double a, double c, const std::string& begin, const std::string& end) {
+    const double ra = a * kPi / 180, rc = c * kPi / 180;
+    // Of a table that turns by the right hand: A, then C, turned back.
+    const double axis[] = {std::sin(rc) * std::sin(ra), std::cos(rc) * std::sin(ra), std::cos(ra)};
+    const auto at = [&](double along) {
+        return fmt::format("X{:.6f} Y{:.6f} Z{:.6f}", along * axis[0], along * axis[1],
+                           along * axis[2]);
+    };
+    return "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+           "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z50\n" +
+           begin + "\n" + fmt::format("G0 {} A{} C{}\n", at(30), a, c) + "G0 " + at(6) + "\n" +
+           "G1 " + at(-12) + " F300\nG0 " + at(30) + "\n" + end + "M30\n";
+}
+
+const std::string kBack = "G0 A0 C0\nM429\n";
+// Without tip control the program would make another part.
+const std::vector<std::string> kTool{"--tool", "T1=flat:D6:L40"};
+
+std::vector<std::string> with(std::vector<std::string> first,
+                              const std::vector<std::string>& more) {
+    first.insert(first.end(), kTool.begin(), kTool.end());
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+double removed(const Folder& folder, const std::string& program,
+               const std::vector<std::string>& more) {
+    folder.write("a.nc", program);
+    std::vector<std::string> all{"--report", "r.json"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Ran ran = folder.run(with({"run", "a.nc"}, all));
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    if (ran.exit_code != 0) return 0.0;
+    return json::parse(folder.read("r.json"))["volume_mm3"]["removed"];
+}
+
+// A plunge along the tool makes a hole as wide as the tool: a cylinder whose axis meets the top of
+// the block at the zero, cut by it aslant, and a flat end.
+TEST(Machine, MovesAtFixedAnglesAlongTheToolAreHoles) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    for (const auto& [a, c] : {std::pair{0.0, 0.0}, {-30.0, 0.0}, {-30.0, 75.0}, {25.0, -110.0}}) {
+        const double volume = removed(folder, hole(a, c, "M428", kBack), {"--machine", "m.toml"});
+        EXPECT_NEAR(volume, kPi * 9 * 12, 0.012 * kPi * 9 * 12) << a << " " << c;
+        const double by_length =
+            removed(folder, hole(a, c, "G43.4 H1", "G0 A0 C0\nG49\n"), {"--machine", "m.toml"});
+        EXPECT_EQ(by_length, volume);
+    }
+}
+
+// The same hole with the places of the axes told, as a post without tip control writes them: for a
+// quarter turn they are known without a formula. A turns about Y0 Z-40.
+TEST(Machine, AxesOfAChainThatIsToldMakeTheSameHole) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG0 X0 Y0 Z80\n";
+    // A90 lifts what is at Y30 to Z-10: a hole of 12 mm into the side, 8 mm below the top.
+    const std::string by_axes = "G0 A90\nG0 X0 Y-32 Z0\nG1 Z-22 F300\nG0 Z80\nG0 A0\nM30\n";
+    const std::string by_tip =
+        "M428\nG0 X0 Y60 Z50\nG0 Y60 Z-8 A90\nG1 Y18 F300\nG0 Y60\nM429\nM30\n";
+    const double axes = removed(folder, head + by_axes, {"--machine", "m.toml"});
+    const double tip = removed(folder, head + by_tip, {"--machine", "m.toml"});
+    EXPECT_NEAR(tip, kPi * 9 * 12, 0.012 * kPi * 9 * 12);
+    EXPECT_NEAR(axes, tip, 0.002 * tip);
+}
+
+json verdict(const Folder& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> all{"--json", "v.json"};
+    all.insert(all.end(), more.begin(), more.end());
+    folder.run(with({"check", "a.nc"}, all));
+    return json::parse(folder.read("v.json"));
+}
+
+std::vector<std::string> reasons(const json& v) {
+    std::vector<std::string> ids;
+    for (const json& doubt : v["programs"][0]["doubts"])
+        ids.push_back(doubt["reason"]);
+    return ids;
+}
+
+bool has(const std::vector<std::string>& ids, const std::string& id) {
+    return std::ranges::find(ids, id) != ids.end();
+}
+
+TEST(Machine, NothingIsGuessedOfTurningUnderTipControl) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    folder.write("a.nc", hole(-30, 75, "M428", kBack));
+    EXPECT_FALSE(has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess"));
+    // A preset alone tells the directions, which is all that counts then.
+    folder.write("m.toml",
+                 "preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = \"tip\", "
+                 "M429 = \"axes\" } }\n");
+    EXPECT_FALSE(has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess"));
+    // B is none of its axes.
+    folder.write("a.nc", hole(-30, 75, "M428\nG0 B5", kBack));
+    EXPECT_TRUE(has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess"));
+}
+
+TEST(Machine, WhatIsNotToldOfAChainIsADoubt) {
+    Folder folder;
+    folder.write("a.nc", hole(-30, 0, "", "G0 A0 C0\n"));
+    const std::string preset = "preset = \"xyzac-trt\"\n";
+    const std::string pivots = "pivot = { A = [0, 0, -40], C = [0, 0, 0] }\n";
+    const std::string offsets = "[offsets]\nG54 = [0, 0, 0]\n";
+    const auto is_guess = [&](const std::string& machine) {
+        folder.write("m.toml", machine);
+        return has(reasons(verdict(folder, {"--machine", "m.toml"})), "kinematics-guess");
+    };
+    EXPECT_TRUE(is_guess(offsets));
+    EXPECT_TRUE(is_guess(preset + offsets)) << "where A is";
+    EXPECT_TRUE(is_guess(preset + pivots)) << "where the program's zero is";
+    EXPECT_FALSE(is_guess(preset + pivots + offsets));
+}
+
+TEST(Machine, TheLengthOfAToolThatAHeadTurnsHasToBeTold) {
+    Folder folder;
+    folder.write("m.toml",
+                 "preset = \"bridge-cb\"\npivot = { B = [0, 0, 150], C = [0, 0, 0] }\n"
+                 "[offsets]\nG54 = [0, 0, 0]\n");
+    std::string program = hole(0, 0, "G0 B30", "G0 B0\n");
+    folder.write("a.nc", program);
+    const std::vector<std::string> machine{"--machine", "m.toml"};
+    EXPECT_TRUE(has(reasons(verdict(folder, machine)), "kinematics-guess"));
+    folder.write("t.tbl", "T1 P1 Z80 D6\n");
+    // What --tool tells comes before the table, and has no length.
+    folder.run(
+        {"check", "a.nc", "--machine", "m.toml", "--tool-table", "t.tbl", "--json", "v.json"});
+    EXPECT_FALSE(has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess"));
+}
+
+// Places of the tip are not those of the axes: the travels say nothing, and it is said.
+TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
+    Folder folder;
+    folder.write("a.nc", hole(-30, 75, "M428", kBack));
+    folder.write("m.toml", std::string(kTrt) + "[travel]\nx = [-1, 1]\n");
+    const json v = verdict(folder, {"--machine", "m.toml"});
+    EXPECT_TRUE(has(reasons(v), "told-not-used"));
+    const auto is_judged = [](const json& verdict) {
+        return std::ranges::any_of(verdict["programs"][0]["findings"], [](const json& finding) {
+            return finding["rule"] == "over-travel";
+        });
+    };
+    EXPECT_FALSE(is_judged(v));
+    // Nor do they count for the length of the way where G54 is not told: it is 16 mm without them.
+    folder.write("a.nc", hole(-30, 75, "M428", kBack + "G0 X-16\n"));
+    for (const auto& [travel, beyond] : {std::pair{"17", false}, {"15", true}}) {
+        folder.write("m.toml", std::string("preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = "
+                                           "\"tip\", M429 = \"axes\" } }\n[travel]\nx = [0, ") +
+                                   travel + "]\n");
+        EXPECT_EQ(is_judged(verdict(folder, {"--machine", "m.toml"})), beyond) << travel;
+    }
+}
+
+TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
+    const std::string linear =
+        "[[link]]\nname = \"x\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"
+        "[[link]]\nname = \"y\"\nparent = \"x\"\naxis = \"Y\"\nmoves_along = [0, 1, 0]\n"
+        "[[link]]\nname = \"z\"\nparent = \"y\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n";
+    const std::string ends = "part = { link = \"cradle\" }\nspindle = { link = \"z\" }\n";
+    const auto cradle = [](const std::string& more) {
+        return "[[link]]\nname = \"cradle\"\naxis = \"A\"\n" + more;
+    };
+    const std::string about = "turns_about = [1, 0, 0]\n";
+    struct Case {
+        std::string text, message;
+    };
+    const std::vector<Case> cases{
+        {"preset = \"robot\"\n", "m.toml:1:10: 'preset': no machine of this name"},
+        {"preset = 3\n", "m.toml:1:10: 'preset': expected a text"},
+        {"pivot = { A = [0, 0, 0] }\n", "'pivot' belongs to a preset"},
+        {"preset = \"4axis-a\"\npivot = { B = [0, 0, 0] }\n", "m.toml:2:"},
+        {"preset = \"4axis-a\"\npivot = { X = [0, 0, 0] }\n", "expected A, B or C"},
+        {"preset = \"4axis-a\"\npivot = { A = [0, 0, nan] }\n", "expected a number"},
+        {"control = { tip_frame = \"table\" }\n", "'control' needs to know how the machine turns"},
+        {"preset = \"4axis-a\"\ncontrol = { tip_frame = \"work\" }\n",
+         "\"work\" is not simulated, only \"table\""},
+        {"preset = \"4axis-a\"\ncontrol = { tip_turns = \"vector\" }\n", "is not simulated"},
+        {"preset = \"4axis-a\"\ncontrol = { tip_frame_at = \"start\" }\n", "is not simulated"},
+        {"preset = \"4axis-a\"\ncontrol = { m_codes = { M3 = \"tip\" } }\n",
+         "expected M100 to M9999"},
+        {"preset = \"4axis-a\"\ncontrol = { m_codes = { M428 = \"plane\" } }\n",
+         "expected \"tip\" or \"axes\""},
+        {linear + cradle(about), "which link carries the part?"},
+        {ends + linear, "there is no link 'cradle'"},
+        {ends + linear + cradle(about) + "parent = \"platter\"\n", "there is no link 'platter'"},
+        {ends + linear + cradle(about) + "parent = \"cradle\"\n", "link 'cradle' carries itself"},
+        {ends + linear + cradle("turns_about = [0, 0, 0]\n"), "it has no length"},
+        {ends + linear + cradle(""), "axis A needs turns_about"},
+        {ends + linear + cradle(about + "moves_along = [1, 0, 0]\n"), "and nothing else"},
+        {ends + linear + cradle(about + "travel = [-10, 10]\n"), "'travel' is not known"},
+        {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\naxis = \"A\"\n" + about,
+         "axis A is told twice"},
+        {ends + linear + cradle(about) + "[[link]]\nname = \"x\"\n", "a name of its own"},
+        {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\naxis = \"B\"\n" + about,
+         "axis B moves neither the part nor the tool"},
+        {ends + cradle(about) + "[[link]]\nname = \"z\"\n", "no link moves along X"},
+        {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\nturns_about = [1, 0, 0]\n",
+         "a link that moves needs its axis"},
+        {"preset = \"4axis-a\"\n" + ends + linear + cradle(about), "not both"},
+    };
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    for (const Case& c : cases) {
+        folder.write("m.toml", c.text);
+        for (const char* command : {"run", "check"}) {
+            const Ran ran = folder.run({command, "a.nc", "--machine", "m.toml"});
+            EXPECT_EQ(ran.exit_code, 2) << c.text;
+            EXPECT_NE(ran.err.find(c.message), std::string::npos) << c.text << ran.err;
+            EXPECT_NE(ran.err.find("m.toml:"), std::string::npos) << ran.err;
+        }
+    }
+}
+
+// Links tell what a preset tells.
+TEST(Machine, LinksMakeTheSameMachineAsItsPreset) {
+    Folder folder;
+    const std::string links =
+        "control = { m_codes = { M428 = \"tip\", M429 = \"axes\" } }\n"
+        "part = { link = \"platter\" }\nspindle = { link = \"head\" }\n"
+        "[[link]]\nname = \"saddle\"\naxis = \"Y\"\nmoves_along = [0, 1, 0]\n"
+        "[[link]]\nname = \"table\"\nparent = \"saddle\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"
+        "[[link]]\nname = \"cradle\"\nparent = \"table\"\naxis = \"A\"\nturns_about = [2, 0, 0]\n"
+        "through = [0, 0, -40]\npositive = \"part\"\n"
+        "[[link]]\nname = \"platter\"\nparent = \"cradle\"\naxis = \"C\"\n"
+        "turns_about = [0, 0, 1]\nthrough = [0, 0, 0]\npositive = \"part\"\n"
+        "[[link]]\nname = \"head\"\nparent = \"bed\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n"
+        "[offsets]\nG54 = [0, 0, 0]\n";
+    folder.write("preset.toml", kTrt);
+    folder.write("links.toml", links);
+    for (const std::string begin : {"M428", ""}) {
+        const std::string program = hole(-30, 75, begin, "G0 A0 C0\n");
+        EXPECT_EQ(removed(folder, program, {"--machine", "links.toml"}),
+                  removed(folder, program, {"--machine", "preset.toml"}));
+    }
+}
+
+TEST(Machine, TheSampleIsMilledOnItsMachineAndOnNoOther) {
+    Folder folder;
+    const std::string samples = std::string(NCSIM_SOURCE_DIR) + "/samples/";
+    const Ran ran =
+        folder.run({"run", samples + "five-axis.nc", "--machine", samples + "machines/trt.toml",
+                    "--tolerance", "0.05", "--report", "r.json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    // As at the default tolerance: six grooves of 36 x 6 mm, 4 to 12 mm deep.
+    const double volume = json::parse(folder.read("r.json"))["volume_mm3"]["removed"];
+    EXPECT_NEAR(volume, 11019, 0.03 * 11019);
+    const Ran alone = folder.run({"run", samples + "five-axis.nc"});
+    EXPECT_EQ(alone.exit_code, 1);
+    EXPECT_NE(alone.err.find("[kinematics]"), std::string::npos) << alone.err;
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
