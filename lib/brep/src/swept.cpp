@@ -194,10 +194,6 @@ private:
     bool at_rest_ = false;
 };
 
-Vec3 axis_of(const Pose& pose) {
-    return {pose.rows[0].z, pose.rows[1].z, pose.rows[2].z};
-}
-
 bool is_plain(const Position& p) {
     const double angles[] = {p.a.degrees(), p.b.degrees(), p.c.degrees()};
     const double lengths[] = {p.u.mm(), p.v.mm(), p.w.mm()};
