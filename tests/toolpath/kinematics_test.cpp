@@ -7,6 +7,7 @@
 #include "ncsim/toolpath/tool.h"
 
 #include "../support/random.h"
+#include "positions.h"
 
 #include <gtest/gtest.h>
 
@@ -18,17 +19,9 @@ namespace ncsim::toolpath {
 namespace {
 
 using cda::Vec3;
-using gcode::Angle;
 using gcode::Length;
 using gcode::Position;
 using machine::joint_of;
-
-Position at(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
-    Position p;
-    p.x = Length::from_mm(x), p.y = Length::from_mm(y), p.z = Length::from_mm(z);
-    p.a = Angle::from_degrees(a), p.b = Angle::from_degrees(b), p.c = Angle::from_degrees(c);
-    return p;
-}
 
 gcode::Motion line(const Position& from, const Position& to, gcode::Coordinates coordinates) {
     gcode::Motion m;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/machine.h"
 
+#include "positions.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,16 +11,8 @@ namespace ncsim::toolpath {
 namespace {
 
 using cda::Vec3;
-using gcode::Angle;
 using gcode::Length;
 using gcode::Position;
-
-Position at(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
-    Position p;
-    p.x = Length::from_mm(x), p.y = Length::from_mm(y), p.z = Length::from_mm(z);
-    p.a = Angle::from_degrees(a), p.b = Angle::from_degrees(b), p.c = Angle::from_degrees(c);
-    return p;
-}
 
 TEST(PoseAt, WithoutRotationTheTipIsWhereTheProgramSays) {
     const Pose X_WT = pose_at(at(1, 2, 3));

@@ -3,6 +3,8 @@
 
 #include "ncsim/toolpath/machine.h"
 
+#include "positions.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,17 +15,9 @@ namespace ncsim::toolpath {
 namespace {
 
 using cda::Vec3;
-using gcode::Angle;
 using gcode::Length;
 using gcode::Motion;
 using gcode::Position;
-
-Position at(double x, double y, double z, double a = 0) {
-    Position p;
-    p.x = Length::from_mm(x), p.y = Length::from_mm(y), p.z = Length::from_mm(z);
-    p.a = Angle::from_degrees(a);
-    return p;
-}
 
 Motion line(Position from, Position to) {
     Motion m;
