@@ -13,7 +13,6 @@ namespace ncsim::app {
 /// be written.
 int run(CheckOptions options);
 
-int run(MergeOptions options);
 int run(const RulesOptions& options);
 
 }  // namespace ncsim::app

@@ -158,20 +158,12 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
                     "Ask for pieces cut free, too: costs about half a simulation more");
     check->add_flag("--air-cuts", o.air_cuts,
                     "Ask for feed moves that remove nothing, too; slower");
-    check->add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
-    check->add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
-        ->type_name("FILE");
-    check->add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
-        ->type_name("FILE");
+    add_report_options(*check, o);
     check->add_option("--csv", o.csv, "What every block removed and took, CSV; slower")
         ->type_name("FILE");
     check->add_option("--html", o.html, "A page about one program, with the part to turn")
         ->type_name("FILE");
-    check->add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
     check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
-    check->add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
-    check->add_flag("--notes", o.notes, "Show notes, too");
-    check->add_flag("--quiet,-q", o.quiet, "Only findings, no verdicts and no summary");
     return check;
 }
 
@@ -185,8 +177,8 @@ std::vector<std::string> inputs_of(const CheckOptions& o) {
 }
 
 std::vector<std::string> outputs_of(const CheckOptions& o) {
-    std::vector<std::string> paths;
-    for (const std::string* path : {&o.json, &o.sarif, &o.junit, &o.csv, &o.html}) {
+    std::vector<std::string> paths = outputs_of(static_cast<const ReportOptions&>(o));
+    for (const std::string* path : {&o.csv, &o.html}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -207,24 +199,6 @@ void complete(CheckOptions& o) {
     if (!o.shard.empty() && (o.github || !outputs_of(o).empty()))
         throw Refusal{"--shard: reports are written by ncsim merge"};
     if (!o.shard.empty()) o.number = shard_number(o.shard, o.shards);
-}
-
-CLI::App* add_merge(CLI::App& app, MergeOptions& o) {
-    CLI::App* merge = app.add_subcommand(
-        "merge", "Put results of ncsim check --shard together: the reports of one run");
-    merge->add_option("sources", o.sources, "Folders of results, or the files")
-        ->required()
-        ->type_name("DIRS");
-    merge->add_option("--json", o.json, "All there is to say, JSON")->type_name("FILE");
-    merge->add_option("--sarif", o.sarif, "Findings for code hosting, SARIF 2.1.0")
-        ->type_name("FILE");
-    merge->add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
-        ->type_name("FILE");
-    merge->add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
-    merge->add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
-    merge->add_flag("--notes", o.notes, "In the summary why rules were not asked");
-    merge->add_flag("--quiet,-q", o.quiet, "No summary");
-    return merge;
 }
 
 std::string told_to(const CLI::App& command) {

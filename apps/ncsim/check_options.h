@@ -6,6 +6,7 @@
 #include "ncsim/verify/selection.h"
 
 #include "program_options.h"
+#include "report_options.h"
 #include "shard_number.h"
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 namespace ncsim::app {
 
 /// `program`, `save_job` and `model` are not used: there may be many programs.
-struct CheckOptions : ProgramOptions, SimulationOptions {
+struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
     std::string list;          ///< More programs, a path a line.
     std::string shard;         ///< "3/200", "auto"; empty: all of them.
@@ -29,25 +30,12 @@ struct CheckOptions : ProgramOptions, SimulationOptions {
     std::string design;        ///< STL or GLB.
     double design_tolerance = 0.1;  ///< mm
     verify::Selection selection;
-    std::string json, sarif, junit, csv, html;  ///< Files to write; empty: not asked for.
-    bool github = false;                        ///< Annotations for GitHub Actions instead of text.
+    std::string csv, html;  ///< Files to write; empty: not asked for.
     bool dog_leg = false;
     bool cut_free = false;  ///< Look for pieces that are cut free.
     bool air_cuts = false;  ///< Look for feed moves that remove nothing.
     unsigned jobs = 0;      ///< Programs at a time; 0: as many as the machine has cores.
-    bool exit_zero = false;
     bool warnings_as_errors = false;
-    bool notes = false;  ///< Show notes, too.
-    bool quiet = false;  ///< Only findings.
-};
-
-/// `ncsim merge`.
-struct MergeOptions {
-    std::vector<std::string> sources;  ///< Folders and files of results of shards.
-    std::string json, sarif, junit;    ///< Files to write; empty: not asked for.
-    bool github = false;
-    bool exit_zero = false;
-    bool notes = false, quiet = false;  ///< Of the summary; the shards had their own.
 };
 
 struct RulesOptions {
@@ -61,7 +49,6 @@ std::vector<std::string> inputs_of(const CheckOptions& options);
 
 /// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
 CLI::App* add_check(CLI::App& app, CheckOptions& options);
-CLI::App* add_merge(CLI::App& app, MergeOptions& options);
 CLI::App* add_rules(CLI::App& app, RulesOptions& options);
 
 /// What was told `command` that decides its verdicts: neither where results go nor how the work is

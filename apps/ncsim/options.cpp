@@ -89,6 +89,19 @@ std::string mistyped(const CLI::App& app, const std::vector<std::string>& words)
     return {};
 }
 
+// An empty name of a file is a variable of a script that nobody set: what was meant to be read
+// would not be.
+void refuse_empty_names(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string type = option->get_type_name();
+        if (!type.starts_with("FILE") && !type.starts_with("DIR")) continue;
+        for (const std::string& value : option->results()) {
+            if (value.empty())
+                throw Refusal{fmt::format("{}: the name is empty", option->get_name())};
+        }
+    }
+}
+
 }  // namespace
 
 Command parse_options(const std::vector<std::string>& arguments) {
@@ -130,6 +143,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
     try {
         // CLI11 takes them last first.
         app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        refuse_empty_names(*chosen());
         if (chosen() == run) {
             complete(run_options);
             return run_options;

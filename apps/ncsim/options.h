@@ -6,6 +6,7 @@
 
 #include "check_options.h"
 #include "diff.h"
+#include "merge.h"
 #include "parse_command.h"
 #include "run_options.h"
 #include "tools_command.h"

@@ -26,13 +26,21 @@ ResultCache::ResultCache(std::string folder, std::string common,
                          std::function<void(const std::string&)> complain)
     : folder_(std::move(folder)), common_(std::move(common)), complain_(std::move(complain)) {}
 
+std::string named_anywhere(const std::string& path) {
+    std::error_code ignored;
+    const bool is_absolute = fs::path(path).is_absolute();
+    return is_absolute ? fs::current_path(ignored).string() + '\n' + path : path;
+}
+
 std::string ResultCache::path_of(const std::string& program) const {
-    const std::string key = setup::digest_of(common_ + '\n' + program);
+    const std::string key =
+        setup::digest_of(fmt::format("{} {}{}", common_.size(), common_, named_anywhere(program)));
     return (fs::path(folder_) / key.substr(0, 2) / key.substr(2)).string();
 }
 
 // Three lines: the files that were read, the entry, the digest of both.
-std::optional<report::Entry> ResultCache::find(const std::string& program) const {
+std::optional<report::Entry> ResultCache::find(const std::string& program,
+                                               setup::InputSet& inputs) const {
     std::ifstream in(path_of(program), std::ios::binary);
     std::string files, entry, digest;
     if (!std::getline(in, files) || !std::getline(in, entry) || !std::getline(in, digest) ||
@@ -41,8 +49,9 @@ std::optional<report::Entry> ResultCache::find(const std::string& program) const
     }
     const auto read = report::file_digests_from(files);
     if (!read) return std::nullopt;
-    const bool is_same = std::ranges::all_of(
-        *read, [](const auto& file) { return setup::digest_of_file(file.first) == file.second; });
+    const bool is_same = std::ranges::all_of(*read, [&](const auto& file) {
+        return setup::digest_of_file(file.first, inputs) == file.second;
+    });
     return is_same ? report::entry_from(entry) : std::nullopt;
 }
 

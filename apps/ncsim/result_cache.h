@@ -15,6 +15,9 @@
 
 namespace ncsim::app {
 
+/// A name of a file as reports make it relative: an absolute one means what it does from here.
+std::string named_anywhere(const std::string& path);
+
 class ResultCache {
 public:
     /// `common`: all that decides a verdict but the program and what it reads: version, options,
@@ -22,8 +25,9 @@ public:
     ResultCache(std::string folder, std::string common,
                 std::function<void(const std::string&)> complain);
 
-    /// What is known of a program: nothing if it, or what was read with it, is not as it was.
-    std::optional<report::Entry> find(const std::string& program) const;
+    /// What is known of a program: nothing if it, or what was read with it, is not as it was. That
+    /// is read through `inputs`.
+    std::optional<report::Entry> find(const std::string& program, setup::InputSet& inputs) const;
     /// Keeps it, unless it is no verdict or not all that it depends on is known.
     void keep(const std::string& program, const report::Entry& entry,
               const setup::RecordedInput& read);

@@ -164,16 +164,37 @@ TEST(Options, NameTheModelThatDoesNotVerifyAndThoseThatDo) {
               std::string::npos);
 }
 
+// "$MACHINE" where nobody set it.
+TEST(Options, RefuseEmptyNamesOfFiles) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"check", "a.nc", "--machine", ""},
+                                               {"check", "a.nc", "--holders", ""},
+                                               {"check", "a.nc", "--cache", ""},
+                                               {"check", "a.nc", "--json", ""},
+                                               {"check", ""},
+                                               {"run", "a.nc", "--machine", ""},
+                                               {"run", "a.nc", "--job", ""},
+                                               {"run", "a.nc", "--png", ""},
+                                               {"merge", ""}}) {
+        const Command command = parse_options(words);
+        const auto* farewell = std::get_if<Farewell>(&command);
+        ASSERT_TRUE(farewell) << words.back();
+        EXPECT_EQ(farewell->exit_code, kEnvironment);
+        EXPECT_NE(farewell->text.find("the name is empty"), std::string::npos) << farewell->text;
+    }
+    const Command command = parse_options({"check", "a.nc", "--machine="});
+    EXPECT_TRUE(std::holds_alternative<Farewell>(command));
+}
+
 TEST(Options, AreGuessedWhereSomebodyMistypes) {
     const auto said = [](std::vector<std::string> words) {
         const Command command = parse_options(words);
         const auto* farewell = std::get_if<Farewell>(&command);
         return farewell ? farewell->text : "accepted";
     };
-    EXPECT_EQ(
-        said({"rnu", "a.nc"}),
-        "ncsim: there is no command 'rnu'; did you mean run? (run, parse, tools, check, "
-        "merge, diff, rules)\nTry: ncsim --help\n");
+    EXPECT_EQ(said({"rnu", "a.nc"}),
+              "ncsim: there is no command 'rnu'; did you mean run? (run, parse, tools, check, "
+              "merge, diff, rules)\nTry: ncsim --help\n");
     EXPECT_EQ(said({"run", "a.nc", "--pgn", "a.png"}),
               "ncsim: there is no option --pgn; did you mean --png?\nTry: ncsim run --help\n");
     EXPECT_EQ(said({"check", "a.nc", "--machin=m.toml"}),

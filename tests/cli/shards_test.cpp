@@ -109,7 +109,12 @@ TEST(Shards, AreRefusedWhereOneIsMissingForeignOrCutOff) {
     EXPECT_EQ(cut.exit_code, 2);
     EXPECT_TRUE(contains(cut.err, "it is cut off")) << cut.err;
     // What is not whole is done again; what is, is not touched.
-    folder.write(name, "");
+    for (const std::size_t size : {std::size_t{0}, whole.size() / 2, whole.size() - 1}) {
+        folder.write(name, whole.substr(0, size));
+        shard("1/3");
+        EXPECT_EQ(folder.read(name), whole) << size;
+    }
+    folder.write(name, whole + "more\n");
     shard("1/3");
     EXPECT_EQ(folder.read(name), whole);
 
@@ -242,6 +247,39 @@ TEST(Cache, KnowsWhichFilesWereRead) {
     EXPECT_TRUE(contains(folder.run(on_mill).out, "spindle-limit"));
     folder.write("mill.toml", "[spindle]\nmax = 5000\n");
     EXPECT_FALSE(contains(folder.run(on_mill).out, "[spindle-limit]"));
+}
+
+// Reports name files as they are seen from here.
+TEST(Cache, KnowsFromWhereItIsAsked) {
+    Folder folder;
+    folder.write("part.nc", kSlot);
+    std::filesystem::create_directories(folder.path() / "below");
+    const std::string part = (folder.path() / "part.nc").string();
+    const std::string cache = (folder.path() / "cache").string();
+    const auto asked = [&](const std::string& where, const std::string& more) {
+        EXPECT_EQ(folder
+                      .shell("cd " + where + " && \"$0\" check " + part + more +
+                             " --json \"$OLDPWD\"/out.json -q")
+                      .exit_code,
+                  0);
+        return folder.read("out.json");
+    };
+    for (const char* where : {"below", "."})
+        EXPECT_EQ(asked(where, " --cache " + cache), asked(where, "")) << where;
+    EXPECT_NE(asked("below", ""), asked(".", ""));
+}
+
+TEST(Cache, LetsNoOutputOverwriteWhatWasRead) {
+    Folder folder;
+    folder.write("main.ngc", replaced(kSlot, "G1 X30. F500.", "o<cut> call"));
+    const std::string cut = "o<cut> sub\nG1 X30. F500.\no<cut> endsub\nM2\n";
+    folder.write("cut.ngc", cut);
+    for (int i = 0; i < 2; ++i) {
+        folder.run({"check", "main.ngc", "--cache", "cache"});
+        const Ran ran = folder.run({"check", "main.ngc", "--cache", "cache", "--json", "cut.ngc"});
+        EXPECT_EQ(ran.exit_code, 2) << ran.out;
+        EXPECT_EQ(folder.read("cut.ngc"), cut);
+    }
 }
 
 TEST(Cache, ThatCannotBeWrittenIsToldOnceAndLosesNothing) {

@@ -63,6 +63,11 @@ std::string end_of(std::uint64_t programs) {
     return fmt::format("end {}", programs);
 }
 
+// Is this line the last one, with its end, and of so many programs?
+bool is_end(std::ifstream& in, const std::string& line, std::uint64_t programs) {
+    return line == end_of(programs) && !in.eof() && in.peek() == std::ifstream::traits_type::eof();
+}
+
 }  // namespace
 
 std::string shard_file_name(std::uint32_t shard, std::uint32_t of) {
@@ -84,12 +89,18 @@ void write_shard(std::ostream& out, const ShardHead& head, std::span<const Place
     out << end_of(entries.size()) << '\n';
 }
 
-bool has_head(const std::string& file, const ShardHead& head) {
+bool is_whole(const std::string& file, const ShardHead& head) {
     std::ifstream in(file, std::ios::binary);
     std::string line;
     if (!std::getline(in, line)) return false;
     const std::optional<Head> found = head_from(line);
-    return found && found->version == kVersion && found->head == head;
+    if (!found || found->version != kVersion || found->head != head) return false;
+    std::uint64_t programs = 0;
+    while (std::getline(in, line)) {
+        if (!index_of(line)) return is_end(in, line, programs);
+        ++programs;
+    }
+    return false;
 }
 
 std::vector<std::size_t> dealt(std::span<const std::uint64_t> sizes, std::uint32_t shard,
@@ -155,7 +166,7 @@ void Shards::take(std::uint32_t number) {
          offset = static_cast<std::uint64_t>(in.tellg())) {
         const std::optional<std::uint64_t> index = index_of(line);
         if (!index) {
-            if (line != end_of(programs) || in.peek() != std::ifstream::traits_type::eof()) break;
+            if (!is_end(in, line, programs)) break;
             return;
         }
         if (in.eof() || *index >= places_.size()) break;

@@ -29,11 +29,11 @@ void RecordedInput::look_through(const std::string& folder) {
     inputs_.look_through(folder);
 }
 
-std::optional<std::string> digest_of_file(const std::string& path) {
+std::optional<std::string> digest_of_file(const std::string& path, InputSet& inputs) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
     try {
-        return digest_of(InputSet().read(path));
+        return digest_of(inputs.read(path));
     } catch (const std::runtime_error&) {
         return std::nullopt;
     }

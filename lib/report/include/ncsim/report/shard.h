@@ -38,7 +38,7 @@ std::string shard_file_name(std::uint32_t shard, std::uint32_t of);
 void write_shard(std::ostream& out, const ShardHead& head, std::span<const Placed> entries);
 
 /// Is the file the whole result of this shard of this list?
-bool has_head(const std::string& file, const ShardHead& head);
+bool is_whole(const std::string& file, const ShardHead& head);
 
 /// Which of `sizes.size()` programs shard `shard` of `of` takes, ascending: the largest first to
 /// whom has the least so far, so that all have about as much, and all of them know it without

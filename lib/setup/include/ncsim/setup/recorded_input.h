@@ -34,7 +34,7 @@ private:
     bool knows_all_ = true;
 };
 
-/// What a file is now, as RecordedInput would keep it.
-std::optional<std::string> digest_of_file(const std::string& path);
+/// What a file is now, as RecordedInput would keep it, read through `inputs`.
+std::optional<std::string> digest_of_file(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::setup
