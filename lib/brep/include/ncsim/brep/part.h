@@ -67,14 +67,6 @@ struct Part {
 /// face.
 Part faceted(const cda::Boundary& boundary, const std::vector<std::vector<cda::Origin>>& origins);
 
-/// Shells that enclose material, each with the voids that lie in it, as numbers of shells of the
-/// boundary.
-struct Nesting {
-    std::uint32_t outside = 0;
-    std::vector<std::uint32_t> voids;
-};
-std::vector<Nesting> nesting_of(const cda::Boundary& boundary);
-
 /// Is the apex of its cone inside of the face?
 bool has_tip(const Part& part, const Face& face);
 

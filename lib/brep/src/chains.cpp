@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "chains.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "contact.h"
+#include "spline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+constexpr double kPoint = 1e-7;
+constexpr int kTip = -1;            // no number of edges
+constexpr double kApexReach = 0.3;  // mm
+
+// A use of a chain in a loop.
+struct ChainUse {
+    std::uint32_t chain;
+    bool is_forward;
+};
+
+// Newton's method does not find an apex, where a cone has no normal.
+bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
+    for (const Form* form : forms) {
+        const auto* cone = std::get_if<Cone>(form);
+        if (!cone || norm(p - cone->apex) > kApexReach) continue;
+        const bool all = std::ranges::all_of(
+            forms, [&](const Form* f) { return std::abs(distance(*f, cone->apex)) < kFlat; });
+        if (!all) continue;
+        p = cone->apex;
+        return true;
+    }
+    return false;
+}
+
+// The angle by which points go round an axis, degrees, signed.
+double turned(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis) {
+    double sum = 0.0;
+    const Vec3 x = across(axis), y = cross(axis, x);
+    std::optional<double> last;
+    for (const Vec3& p : points) {
+        const double angle = trig::angle_of(dot(p - centre, x), dot(p - centre, y));
+        if (last) {
+            const double step = angle - *last;
+            sum += step - 360.0 * std::floor(step / 360.0 + 0.5);
+        }
+        last = angle;
+    }
+    return sum;
+}
+
+}  // namespace
+
+void Chains::trace() {
+    chains_.clear();
+    vertices_.clear();
+    vertex_of_.clear();
+    std::unordered_map<std::uint32_t, int> degree;
+    std::vector<std::uint32_t> boundary;
+    for (std::uint32_t h = 0; h < mesh_.edges().size(); ++h) {
+        if (!groups_.is_boundary(h)) continue;
+        boundary.push_back(h);
+        ++degree[mesh_.edges()[h].from];
+    }
+    for (const std::uint32_t h : boundary) {
+        const std::uint32_t v = mesh_.edges()[h].from;
+        if (degree[v] == 2 && (is_tip(h) || is_beside_facet(h))) degree[v] = kTip;
+        if (degree[v] == 2) continue;
+        const std::uint32_t number = vertex_at(v);
+        vertices_[number].groups.push_back(groups_.group_at(h));
+        vertices_[number].groups.push_back(groups_.group_beyond(h));
+    }
+    chain_of_.assign(mesh_.edges().size(), kNone);
+    const auto follow = [&](std::uint32_t first, bool is_closed) {
+        Chain chain;
+        chain.left = groups_.group_at(first);
+        chain.right = groups_.group_beyond(first);
+        chain.is_closed = is_closed;
+        const auto number = static_cast<std::uint32_t>(chains_.size());
+        std::uint32_t h = first;
+        for (;;) {
+            chain.edges.push_back(h);
+            chain_of_[h] = number;
+            chain_of_[mesh_.edges()[h].twin] = number;
+            if (degree[mesh_.to(h)] != 2) break;
+            h = groups_.next_boundary(h);
+            if (h == first) break;
+        }
+        chain.from = vertex_at(mesh_.edges()[first].from);
+        chain.to = vertex_at(mesh_.to(chain.edges.back()));
+        for (const std::uint32_t v : {chain.from, chain.to}) {
+            if (!is_closed) continue;
+            vertices_[v].groups = {chain.left, chain.right};
+        }
+        chains_.push_back(std::move(chain));
+    };
+    for (const std::uint32_t h : boundary) {
+        if (chain_of_[h] == kNone && degree[mesh_.edges()[h].from] != 2) follow(h, false);
+    }
+    for (const std::uint32_t h : boundary) {
+        if (chain_of_[h] == kNone) follow(h, true);
+    }
+    for (Vertex& v : vertices_) {
+        std::sort(v.groups.begin(), v.groups.end());
+        v.groups.erase(std::unique(v.groups.begin(), v.groups.end()), v.groups.end());
+    }
+}
+
+bool Chains::is_beside_facet(std::uint32_t h) const {
+    return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.group_beyond(h));
+}
+
+// Where a surface passes through the apex of a cone, their edge has a corner.
+bool Chains::is_tip(std::uint32_t h) const {
+    const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
+    for (const auto& [g, n] : {std::pair(one, other), std::pair(other, one)}) {
+        const auto* cone = std::get_if<Cone>(&groups_.form_of(g));
+        if (!cone) continue;
+        const double error = groups_.error_of(g);
+        if (norm(mesh_.point(mesh_.edges()[h].from) - cone->apex) < 4.0 * error &&
+            std::abs(distance(groups_.form_of(n), cone->apex)) < kFlat)
+            return true;
+    }
+    return false;
+}
+
+std::uint32_t Chains::vertex_at(std::uint32_t v) {
+    const auto [at, is_new] =
+        vertex_of_.try_emplace(v, static_cast<std::uint32_t>(vertices_.size()));
+    if (is_new) vertices_.push_back({mesh_.point(v), {}, 0.0});
+    return at->second;
+}
+
+// How far a corner of the polygon may be from the true one.
+double Chains::reach(const std::vector<std::uint32_t>& around) const {
+    double radius = kLargeRadius, error = 0.0;
+    for (const std::uint32_t g : around) {
+        radius = std::max(radius, radius_of(groups_.form_of(g)));
+        error = std::max(error, groups_.error_of(g));
+    }
+    return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
+}
+
+void Chains::solve_vertices() {
+    for (Vertex& v : vertices_) {
+        const Vec3 start = v.at;
+        if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); })) {
+            if (!solve_beside_facets(v)) failures_.push_back(v.groups);
+            continue;
+        }
+        std::vector<std::uint32_t> numbers;
+        bool all_flat = true;
+        for (const std::uint32_t g : v.groups) {
+            numbers.push_back(groups_[g].surface);
+            all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
+        }
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+        std::vector<const Form*> forms;
+        for (const std::uint32_t n : numbers)
+            forms.push_back(&mesh_.surface(n).form);
+        const std::size_t count = forms.size();
+        std::vector<Form> touching;
+        touching.reserve(count * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t j = i + 1; j < count; ++j) {
+                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
+            }
+        }
+        for (const Form& t : touching)
+            forms.push_back(&t);
+        if (!at_apex(forms, v.at)) brep::solve(forms, v.at);
+        v.miss = farthest(numbers, v.at);
+        const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
+        if (!is_lost) continue;
+        // Planes that were made to meet within less than anybody sees.
+        v.at = start;
+        v.miss = farthest(numbers, v.at);
+        if (!all_flat || v.miss > kFlat) failures_.push_back(v.groups);
+    }
+}
+
+// A corner of facets stays where it is, or goes to where the faces beside them meet: within
+// their error it is a corner of all.
+bool Chains::solve_beside_facets(Vertex& v) const {
+    std::vector<const Form*> forms;
+    double error = 0.0;
+    bool is_flat = true;
+    for (const std::uint32_t g : v.groups) {
+        error = std::max(error, groups_.error_of(g));
+        is_flat = is_flat && !groups_[g].is_analytic;
+        if (!groups_.is_facet(g)) forms.push_back(&groups_.form_of(g));
+    }
+    if (is_flat) return true;
+    const auto off = [&](Vec3 p) {
+        double most = 0.0;
+        for (const std::uint32_t g : v.groups)
+            most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
+        return most;
+    };
+    if (forms.size() > 1) {
+        std::vector<Form> touching;
+        for (std::size_t i = 0; i < forms.size(); ++i) {
+            for (std::size_t j = i + 1; j < forms.size(); ++j) {
+                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
+            }
+        }
+        for (const Form& t : touching)
+            forms.push_back(&t);
+        Vec3 p = v.at;
+        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= kBesideFacets * error &&
+            off(p) <= kBesideFacets * error) {
+            v.at = p;
+            return true;
+        }
+    }
+    return off(v.at) <= kBesideFacets * error;
+}
+
+double Chains::farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const {
+    double most = 0.0;
+    for (const std::uint32_t n : surfaces)
+        most = std::max(most, std::abs(distance(mesh_.surface(n).form, p)));
+    return most;
+}
+
+std::vector<Vec3> Chains::points_of(const Chain& chain) const {
+    std::vector<Vec3> points;
+    for (const std::uint32_t h : chain.edges)
+        points.push_back(mesh_.point(mesh_.edges()[h].from));
+    points.push_back(mesh_.point(mesh_.to(chain.edges.back())));
+    return points;
+}
+
+void Chains::solve() {
+    solve_vertices();
+    if (!failures_.empty()) return;
+    for (Chain& chain : chains_)
+        solve_chain(chain);
+}
+
+void Chains::solve_chain(Chain& chain) {
+    const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const bool is_loop = chain.from == chain.to;
+    std::vector<Vec3> points = points_of(chain);
+    if (!is_loop && norm(to.at - from.at) <= kPoint) {
+        // A circle that ends where it begins, or nothing?
+        Vec3 middle = points[points.size() / 2];
+        if (norm(middle - from.at) < reach({chain.left, chain.right})) {
+            chain.has_vanished = true;
+            return;
+        }
+    }
+    if (groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) {
+        if (is_loop) return fail(chain);
+        chain.curve = Line{};
+        return;
+    }
+    std::optional<Curve> curve = meet(a, b, from.at, to.at);
+    const bool is_straight = curve && std::holds_alternative<Line>(*curve);
+    if (is_straight) {
+        // A line that comes back is none; nor is one the other way.
+        const bool is_back = dot(to.at - from.at, points.back() - points.front()) < 0.0;
+        if (is_loop || (is_back && norm(to.at - from.at) > kPoint)) return fail(chain);
+        chain.curve = Line{};
+        return;
+    }
+    if (!curve) {
+        points.front() = from.at;
+        points.back() = to.at;
+        auto spline = spline_between(a, b, points);
+        if (!spline) return fail(chain);
+        chain.curve = std::move(*spline);
+        return;
+    }
+    auto* circle = std::get_if<Circle>(&*curve);
+    auto* ellipse = std::get_if<Ellipse>(&*curve);
+    const Vec3 centre = circle ? circle->centre : ellipse->centre;
+    Vec3& axis = circle ? circle->axis : ellipse->axis;
+    const double rough = turned(points, centre, axis);
+    if (is_loop && std::abs(rough) < 180.0) return fail(chain);
+    if (rough < 0.0) axis = -axis;
+    if (chain.is_closed) {
+        // Anywhere: where CAD begins to unroll.
+        const Vec3 x = across(axis);
+        from.at =
+            circle ? centre + circle->radius * x : centre + ellipse->major_radius * ellipse->major;
+        from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
+    }
+    if (!is_loop) {
+        const double sweep = Track(*curve, from.at, to.at).sweep_degrees();
+        // All but a whole turn: it goes back by the rest.
+        if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
+            std::abs(sweep - std::abs(rough)) > 180.0)
+            return fail(chain);
+    }
+    chain.curve = std::move(*curve);
+}
+
+std::vector<std::vector<Loop>> Chains::loops() const {
+    const auto first_of = [&](ChainUse use) {
+        const Chain& c = chains_[use.chain];
+        return use.is_forward ? c.edges.front() : mesh_.edges()[c.edges.back()].twin;
+    };
+    const auto last_of = [&](ChainUse use) {
+        const Chain& c = chains_[use.chain];
+        return use.is_forward ? c.edges.back() : mesh_.edges()[c.edges.front()].twin;
+    };
+    std::vector<std::vector<Loop>> all(groups_.size());
+    std::vector<bool> seen(2 * chains_.size(), false);
+    for (std::uint32_t i = 0; i < 2 * chains_.size(); ++i) {
+        if (seen[i]) continue;
+        ChainUse use{i / 2, i % 2 == 0};
+        const std::uint32_t g = groups_.group_at(first_of(use));
+        Loop loop;
+        for (;;) {
+            seen[2 * use.chain + (use.is_forward ? 0 : 1)] = true;
+            if (!chains_[use.chain].has_vanished) loop.push_back({use.chain, use.is_forward});
+            const std::uint32_t next = groups_.next_boundary(last_of(use));
+            use = {chain_of_[next], chains_[chain_of_[next]].edges.front() == next};
+            if (seen[2 * use.chain + (use.is_forward ? 0 : 1)]) break;
+        }
+        if (!loop.empty()) all[g].push_back(std::move(loop));
+    }
+    return all;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The third step: where the boundaries of groups meet is a vertex, what runs between two vertices a
+// chain of edges. Vertices are solved on all surfaces around them, then the curves between them.
+#pragma once
+
+#include "ncsim/brep/curve.h"
+#include "ncsim/brep/part.h"
+
+#include "groups.h"
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace ncsim::brep {
+
+struct Chain {
+    std::vector<std::uint32_t> edges;  ///< Half-edges, with the group on the left.
+    std::uint32_t left = 0, right = 0;
+    bool is_closed = false;                  ///< Without a vertex.
+    std::uint32_t from = kNone, to = kNone;  ///< Vertices.
+    bool has_vanished = false;
+    Curve curve;
+};
+
+struct Vertex {
+    Vec3 at;
+    std::vector<std::uint32_t> groups;
+    double miss = 0.0;
+};
+
+/// In errors of theirs: how far edges of facets may be off the faces beside them.
+inline constexpr double kBesideFacets = 1.6;
+
+class Chains {
+public:
+    /// What cannot be solved is added to `failures`. All of them must outlive it.
+    Chains(const FacetMesh& mesh, const Groups& groups, Failures& failures)
+        : mesh_(mesh), groups_(groups), failures_(failures) {}
+
+    /// Of the groups as they are.
+    void trace();
+    void solve();
+
+    const std::vector<Chain>& all() const { return chains_; }
+    const std::vector<Vertex>& vertices() const { return vertices_; }
+    /// For each group the loops around it, of uses of chains; those that have vanished left out.
+    std::vector<std::vector<Loop>> loops() const;
+
+private:
+    std::uint32_t vertex_at(std::uint32_t v);
+    bool is_beside_facet(std::uint32_t h) const;
+    bool is_tip(std::uint32_t h) const;
+    double reach(const std::vector<std::uint32_t>& around) const;
+    void solve_vertices();
+    bool solve_beside_facets(Vertex& v) const;
+    double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
+    std::vector<Vec3> points_of(const Chain& chain) const;
+    void solve_chain(Chain& chain);
+    void fail(const Chain& chain) { failures_.push_back({chain.left, chain.right}); }
+
+    const FacetMesh& mesh_;
+    const Groups& groups_;
+    Failures& failures_;
+    std::vector<Vertex> vertices_;
+    std::unordered_map<std::uint32_t, std::uint32_t> vertex_of_;  // by corner of the boundary
+    std::vector<Chain> chains_;
+    std::vector<std::uint32_t> chain_of_;  // of each half-edge
+};
+
+}  // namespace ncsim::brep

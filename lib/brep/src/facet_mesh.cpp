@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "facet_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+// A facet and the surface it approximates turn away from each other by less, as a chord (0.45 rad).
+constexpr double kMostTurn = 0.45;
+// Corners of hulls that meet may lie farther out than those of the tool.
+constexpr double kSlack = 1.5;
+
+double area_of(const cda::Boundary& boundary, const cda::BoundaryFace& face, Vec3& centroid) {
+    const Vec3 apex = boundary.vertices[face.loops[0][0]];
+    double sum = 0.0;
+    Vec3 moment;
+    for (const auto& loop : face.loops) {
+        const Vec3 a = boundary.vertices[loop[0]] - apex;
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            const Vec3 b = boundary.vertices[loop[i]] - apex;
+            const Vec3 c = boundary.vertices[loop[i + 1]] - apex;
+            const double part = 0.5 * dot(cross(b - a, c - a), face.normal);
+            sum += part;
+            moment = moment + (part / 3.0) * (a + b + c);
+        }
+    }
+    centroid = sum > 0.0 ? apex + (1.0 / sum) * moment : apex;
+    return sum;
+}
+
+}  // namespace
+
+FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+                     std::span<const std::uint32_t> faces)
+    : source_(facets) {
+    for (const std::uint32_t f : faces)
+        facets_.push_back(labelled(f, sources));
+    link();
+}
+
+// How far a facet turns away from the surface: in its middle, or, where that is off the surface
+// (of a ring: the bottom of a round groove), on average over its corners.
+double FacetMesh::turn_from(const Facet& facet, const Surface& surface, double most) const {
+    const auto at = [&](Vec3 p) { return norm(facet.normal - outward(surface, p)); };
+    if (std::abs(distance(surface.form, facet.centroid)) <= most) return at(facet.centroid);
+    double sum = 0.0, corners = 0.0;
+    for (const auto& loop : source_.boundary.faces[facet.face].loops) {
+        for (const std::uint32_t v : loop) {
+            sum += at(source_.boundary.vertices[v]);
+            corners += 1.0;
+        }
+    }
+    return sum / corners;
+}
+
+bool FacetMesh::fits(const Facet& facet, const Surface& surface, double most, double most_turn,
+                     double* score) const {
+    const double turn = turn_from(facet, surface, most);
+    if (turn > most_turn) return false;
+    double farthest = 0.0;
+    const auto* cone = std::get_if<Cone>(&surface.form);
+    for (const auto& loop : source_.boundary.faces[facet.face].loops) {
+        for (const std::uint32_t v : loop) {
+            const Vec3 p = source_.boundary.vertices[v];
+            farthest = std::max(farthest, std::abs(distance(surface.form, p)));
+            if (farthest > most) return false;
+            if (cone && dot(p - cone->apex, cone->axis) < -most) return false;
+        }
+    }
+    if (score) *score = turn + 0.1 * farthest / most;
+    return true;
+}
+
+Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources) {
+    const cda::BoundaryFace& face = source_.boundary.faces[f];
+    Facet facet;
+    facet.face = f;
+    facet.normal = face.normal;
+    facet.area = area_of(source_.boundary, face, facet.centroid);
+    facet.own = surfaces_.add_alone({Plane{facet.centroid, face.normal}, false});
+    facet.label = facet.own;
+    facet.may_be_true = true;
+    double best = std::numeric_limits<double>::infinity();
+    const Candidate* chosen = nullptr;
+    for (const cda::Origin origin : source_.origins[f]) {
+        const auto source = sources.find(origin);
+        if (source == sources.end()) continue;
+        if (!source->second.candidates.empty()) facet.may_be_true = false;
+        facet.error_mm = std::max(facet.error_mm, source->second.error_mm);
+        for (const Candidate& candidate : source->second.candidates) {
+            // A surface that the tool went along is preferred to one where it only stood.
+            constexpr double kAtRest = 0.05;
+            double score = 0.0;
+            if (!fits(facet, candidate.surface, kSlack * source->second.error_mm, kMostTurn,
+                      &score))
+                continue;
+            if (candidate.is_at_rest) score += kAtRest;
+            if (score < best - 1e-9) {
+                best = score;
+                chosen = &candidate;
+            }
+        }
+    }
+    if (chosen) facet.label = surfaces_.add(chosen->surface);
+    return facet;
+}
+
+void FacetMesh::link() {
+    std::unordered_map<std::uint64_t, std::uint32_t> by_ends;
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) {
+        for (const auto& loop : source_.boundary.faces[facets_[i].face].loops) {
+            const auto first = static_cast<std::uint32_t>(edges_.size());
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const auto at = static_cast<std::uint32_t>(edges_.size());
+                edges_.push_back({loop[k], i, k + 1 < loop.size() ? at + 1 : first, kNone});
+                const std::uint32_t to = loop[(k + 1) % loop.size()];
+                if (!by_ends.emplace(std::uint64_t{loop[k]} << 32 | to, at).second) broken_ = true;
+            }
+        }
+    }
+    for (std::uint32_t h = 0; h < edges_.size(); ++h) {
+        const auto twin = by_ends.find(std::uint64_t{to(h)} << 32 | edges_[h].from);
+        if (twin == by_ends.end()) {
+            broken_ = true;
+            return;
+        }
+        edges_[h].twin = twin->second;
+    }
+}
+
+}  // namespace ncsim::brep

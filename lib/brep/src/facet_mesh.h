@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The first step: each facet of a shell with the surface of its own motion that it turns away from
+// least, and how facets hang together.
+#pragma once
+
+#include "ncsim/brep/recognise.h"
+#include "ncsim/brep/surface.h"
+
+#include "surface_set.h"
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace ncsim::brep {
+
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+/// Where planes of a simplified boundary meet, mm.
+inline constexpr double kFlat = 1e-4;
+
+struct Facet {
+    std::uint32_t face = 0;  ///< In the boundary.
+    Vec3 centroid, normal;
+    double area = 0.0;
+    double error_mm = 0.0;  ///< Of what it approximates.
+    std::uint32_t own = 0;  ///< Its own plane.
+    std::uint32_t label = 0;
+    bool may_be_true = false;  ///< Its own plane is no approximation.
+};
+
+struct HalfEdge {
+    std::uint32_t from = 0, facet = 0, next = 0, twin = kNone;
+};
+
+class FacetMesh {
+public:
+    /// Of the shell with these faces. All of them must outlive it.
+    FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+              std::span<const std::uint32_t> faces);
+
+    /// Faces do not meet two at an edge: nothing can be made of it.
+    bool is_broken() const { return broken_; }
+
+    std::size_t size() const { return facets_.size(); }
+    const Facet& operator[](std::uint32_t i) const { return facets_[i]; }
+    void label(std::uint32_t i, std::uint32_t surface) { facets_[i].label = surface; }
+    const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
+    /// Who cut a facet.
+    const std::vector<cda::Origin>& origins(std::uint32_t i) const {
+        return source_.origins[facets_[i].face];
+    }
+
+    const std::vector<HalfEdge>& edges() const { return edges_; }
+    std::uint32_t to(std::uint32_t h) const { return edges_[edges_[h].next].from; }
+    Vec3 point(std::uint32_t v) const { return source_.boundary.vertices[v]; }
+    double length(std::uint32_t h) const { return norm(point(to(h)) - point(edges_[h].from)); }
+
+    /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)? `score`: how
+    /// badly.
+    bool fits(const Facet& facet, const Surface& surface, double most, double most_turn,
+              double* score = nullptr) const;
+
+private:
+    double turn_from(const Facet& facet, const Surface& surface, double most) const;
+    Facet labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources);
+    void link();
+
+    const Facets& source_;
+    SurfaceSet surfaces_;
+    std::vector<Facet> facets_;
+    std::vector<HalfEdge> edges_;
+    bool broken_ = false;
+};
+
+}  // namespace ncsim::brep

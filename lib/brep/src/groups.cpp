@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "groups.h"
+
+#include "ncsim/cda/disjoint_sets.h"
+
+#include "contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+// Of what joins a neighbour, as a chord.
+constexpr double kMostTurnOfNeighbours = 0.6;
+
+}  // namespace
+
+void Groups::gather() {
+    cda::DisjointSets sets(mesh_.size());
+    for (const HalfEdge& h : mesh_.edges()) {
+        const std::uint32_t other = mesh_.edges()[h.twin].facet;
+        if (mesh_[h.facet].label == mesh_[other].label) sets.unite(h.facet, other);
+    }
+    groups_.clear();
+    group_of_.assign(mesh_.size(), kNone);
+    for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
+        const std::uint32_t root = sets.find(i);
+        if (group_of_[root] == kNone) {
+            group_of_[root] = static_cast<std::uint32_t>(groups_.size());
+            groups_.push_back({mesh_[i].label, {}, 0.0, mesh_[i].label != mesh_[i].own});
+        }
+        group_of_[i] = group_of_[root];
+        Group& g = groups_[group_of_[i]];
+        g.facets.push_back(i);
+        g.area += mesh_[i].area;
+    }
+    neighbours_.assign(groups_.size(), {});
+    for (std::uint32_t h = 0; h < mesh_.edges().size(); ++h) {
+        const std::uint32_t g = group_at(h), n = group_beyond(h);
+        if (g != n) neighbours_[g][n] += mesh_.length(h);
+    }
+}
+
+bool Groups::unify() {
+    bool any = false;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        for (const auto& [n, shared] : neighbours_[g]) {
+            const bool is_smaller = std::pair(groups_[g].area, g) < std::pair(groups_[n].area, n);
+            if (!is_smaller || groups_[g].surface == groups_[n].surface) continue;
+            if (!is_same(surface_of(g), surface_of(n), kTouchMm)) continue;
+            relabel(g, groups_[n].surface);
+            any = true;
+            break;
+        }
+    }
+    if (any) return true;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        const Group& group = groups_[g];
+        if (group.is_analytic || mesh_[group.facets.front()].may_be_true) continue;
+        if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) any = absorb(g, 1.5) || any;
+    }
+    return any;
+}
+
+bool Groups::give_up_rings() {
+    bool any = false;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        if (!groups_[g].is_analytic || !std::holds_alternative<Torus>(form_of(g))) continue;
+        const bool is_beside = std::ranges::any_of(
+            neighbours_[g], [&](const auto& beside) { return is_facet(beside.first); });
+        if (!is_beside) continue;
+        give_up(g);
+        any = true;
+    }
+    return any;
+}
+
+void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
+    for (const std::uint32_t i : groups_[g].facets)
+        mesh_.label(i, surface);
+}
+
+// Into the neighbour with the longest common boundary on whose surface it lies. Neighbours
+// that change in the same round do not count.
+bool Groups::absorb(std::uint32_t g, double errors) {
+    std::uint32_t best = kNone;
+    double longest = 0.0;
+    for (const auto& [n, shared] : neighbours_[g]) {
+        if (shared <= longest || !groups_[n].is_analytic ||
+            mesh_[groups_[n].facets.front()].label != groups_[n].surface)
+            continue;
+        const auto lies = [&](std::uint32_t i) {
+            const Facet& facet = mesh_[i];
+            const double most = errors * std::max(facet.error_mm, error_of(n));
+            return mesh_.fits(facet, surface_of(n), most, kMostTurnOfNeighbours);
+        };
+        if (!std::ranges::all_of(groups_[g].facets, lies)) continue;
+        longest = shared;
+        best = n;
+    }
+    if (best == kNone) return false;
+    relabel(g, groups_[best].surface);
+    return true;
+}
+
+bool Groups::relabel(const Failures& failures) {
+    bool any = false;
+    std::set<std::uint32_t> done;
+    for (const auto& around : failures) {
+        // The smallest that can be changed.
+        std::vector<std::uint32_t> order = around;
+        std::erase_if(order, [&](std::uint32_t g) { return !groups_[g].is_analytic; });
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair(groups_[a].area, a) < std::pair(groups_[b].area, b);
+        });
+        order.erase(std::unique(order.begin(), order.end()), order.end());
+        if (order.empty()) continue;
+        if (std::ranges::any_of(order, [&](std::uint32_t g) { return done.contains(g); })) {
+            any = true;
+            continue;
+        }
+        const bool absorbed = std::ranges::any_of(order, [&](std::uint32_t g) {
+            if (!may_be_absorbed(g) || !absorb(g, 3.0)) return false;
+            done.insert(g);
+            return true;
+        });
+        any = true;
+        if (absorbed) continue;
+        const std::uint32_t g = order.front();
+        done.insert(g);
+        give_up(g);
+    }
+    return any;
+}
+
+// Not what is as large as a face that somebody wanted.
+bool Groups::may_be_absorbed(std::uint32_t g) const {
+    const double width = std::sqrt(8.0 * kLargeRadius * error_of(g));
+    return 2.0 * groups_[g].area < width * perimeter(g);
+}
+
+void Groups::give_up(std::uint32_t g) {
+    for (const std::uint32_t i : groups_[g].facets)
+        mesh_.label(i, mesh_[i].own);
+}
+
+double Groups::perimeter(std::uint32_t g) const {
+    double sum = 0.0;
+    for (const auto& [n, shared] : neighbours_[g])
+        sum += shared;
+    return sum;
+}
+
+std::uint32_t Groups::next_boundary(std::uint32_t h) const {
+    std::uint32_t n = mesh_.edges()[h].next;
+    while (!is_boundary(n))
+        n = mesh_.edges()[mesh_.edges()[n].twin].next;
+    return n;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The second step and the fourth: neighbours with the same surface are a face. What has no width on
+// the true surfaces joins a neighbour; where nothing fits, labels come off the smallest group.
+#pragma once
+
+#include "facet_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace ncsim::brep {
+
+/// What went wrong: for each time the groups around it.
+using Failures = std::vector<std::vector<std::uint32_t>>;
+
+struct Group {
+    std::uint32_t surface = 0;
+    std::vector<std::uint32_t> facets;
+    double area = 0.0;
+    bool is_analytic = false;  ///< Its surface was recognised.
+};
+
+class Groups {
+public:
+    explicit Groups(FacetMesh& mesh) : mesh_(mesh) {}
+
+    /// From the labels, anew.
+    void gather();
+    /// Neighbours whose surfaces differ by what programs round are one; so are a facet that stands
+    /// for nothing and a neighbour within its error. True: labels have changed.
+    bool unify();
+    /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
+    /// lose the face: rings have no facets beside them. True: labels have changed.
+    bool give_up_rings();
+    /// What went wrong joins a neighbour, or goes back to facets. True: labels have changed.
+    bool relabel(const Failures& failures);
+
+    std::uint32_t size() const { return static_cast<std::uint32_t>(groups_.size()); }
+    const Group& operator[](std::uint32_t g) const { return groups_[g]; }
+    /// How long each of its neighbours meets it, mm.
+    const std::map<std::uint32_t, double>& neighbours(std::uint32_t g) const {
+        return neighbours_[g];
+    }
+    const Surface& surface_of(std::uint32_t g) const { return mesh_.surface(groups_[g].surface); }
+    const Form& form_of(std::uint32_t g) const { return surface_of(g).form; }
+    double error_of(std::uint32_t g) const { return mesh_[groups_[g].facets.front()].error_mm; }
+    /// A facet of a round tool that stands for nothing: its edges stay straight.
+    bool is_facet(std::uint32_t g) const {
+        return !groups_[g].is_analytic && !mesh_[groups_[g].facets.front()].may_be_true;
+    }
+
+    /// Of a half-edge.
+    std::uint32_t group_at(std::uint32_t h) const { return group_of_[mesh_.edges()[h].facet]; }
+    std::uint32_t group_beyond(std::uint32_t h) const { return group_at(mesh_.edges()[h].twin); }
+    bool is_boundary(std::uint32_t h) const { return group_at(h) != group_beyond(h); }
+    /// The next one around its group.
+    std::uint32_t next_boundary(std::uint32_t h) const;
+
+private:
+    void relabel(std::uint32_t g, std::uint32_t surface);
+    void give_up(std::uint32_t g);
+    bool absorb(std::uint32_t g, double errors);
+    bool may_be_absorbed(std::uint32_t g) const;
+    double perimeter(std::uint32_t g) const;
+
+    FacetMesh& mesh_;
+    std::vector<Group> groups_;
+    std::vector<std::uint32_t> group_of_;                      // of each facet
+    std::vector<std::map<std::uint32_t, double>> neighbours_;  // of each group: how long they meet
+};
+
+/// Of the tools that round off what is small, mm.
+inline constexpr double kLargeRadius = 5.0;
+
+}  // namespace ncsim::brep
