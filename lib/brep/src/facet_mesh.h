@@ -4,8 +4,9 @@
 // least, and how facets hang together.
 #pragma once
 
-#include "ncsim/brep/recognise.h"
+#include "ncsim/brep/facets.h"
 #include "ncsim/brep/surface.h"
+#include "ncsim/brep/swept.h"
 
 #include "surface_set.h"
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/sampler.h"
 
+#include "ncsim/toolpath/extent.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/trig/angles.h"
+
+#include "path.h"
 
 #include <algorithm>
 #include <array>
@@ -19,90 +22,6 @@ using gcode::Position;
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
-double lerp(double a, double b, double t) {
-    return a + t * (b - a);
-}
-
-// All axes in step; the ends come out exactly.
-Position between(const Position& a, const Position& b, double t) {
-    if (t <= 0.0) return a;
-    if (t >= 1.0) return b;
-    const auto length = [t](Length p, Length q) {
-        return Length::from_mm(lerp(p.mm(), q.mm(), t));
-    };
-    const auto angle = [t](Angle p, Angle q) {
-        return Angle::from_degrees(lerp(p.degrees(), q.degrees(), t));
-    };
-    return {length(a.x, b.x), length(a.y, b.y), length(a.z, b.z), angle(a.a, b.a), angle(a.b, b.b),
-            angle(a.c, b.c),  length(a.u, b.u), length(a.v, b.v), length(a.w, b.w)};
-}
-
-// --- Arcs ---------------------------------------------------------------------------------
-
-// The two axes of the plane of an arc, as members of Position.
-struct ArcAxes {
-    Length Position::*first;
-    Length Position::*second;
-};
-
-ArcAxes axes_of(gcode::Plane plane) {
-    switch (plane) {
-        case gcode::Plane::XY: return {&Position::x, &Position::y};
-        case gcode::Plane::ZX: return {&Position::z, &Position::x};
-        case gcode::Plane::YZ: return {&Position::y, &Position::z};
-        case gcode::Plane::UV: return {&Position::u, &Position::v};
-        case gcode::Plane::WU: return {&Position::w, &Position::u};
-        case gcode::Plane::VW: return {&Position::v, &Position::w};
-    }
-    return {&Position::x, &Position::y};
-}
-
-// An arc in polar coordinates about its centre: radius and angle run from start to end in step.
-struct Polar {
-    double centre_1 = 0, centre_2 = 0;
-    double start_degrees = 0, sweep_degrees = 0;
-    double start_radius = 0, end_radius = 0;
-};
-
-Polar polar(const gcode::Arc& arc) {
-    const ArcAxes axes = axes_of(arc.plane);
-    Polar p;
-    p.centre_1 = arc.centre_1.mm();
-    p.centre_2 = arc.centre_2.mm();
-    const double x0 = (arc.from.*axes.first).mm() - p.centre_1;
-    const double y0 = (arc.from.*axes.second).mm() - p.centre_2;
-    const double x1 = (arc.to.*axes.first).mm() - p.centre_1;
-    const double y1 = (arc.to.*axes.second).mm() - p.centre_2;
-    p.start_radius = std::sqrt(x0 * x0 + y0 * y0);
-    p.end_radius = std::sqrt(x1 * x1 + y1 * y1);
-    p.start_degrees = trig::angle_of(x0, y0);
-    // Equal ends are a full circle; below this the two angles are equal but for rounding.
-    constexpr double kNoAngle = 1e-10;
-    double sweep = trig::angle_of(x1, y1) - p.start_degrees;
-    if (arc.turns >= 0) {
-        while (sweep <= kNoAngle)
-            sweep += 360.0;
-        sweep += 360.0 * std::max(0, arc.turns - 1);
-    } else {
-        while (sweep >= -kNoAngle)
-            sweep -= 360.0;
-        sweep -= 360.0 * (-arc.turns - 1);
-    }
-    p.sweep_degrees = sweep;
-    return p;
-}
-
-Position on_arc(const gcode::Arc& arc, const Polar& p, double t) {
-    Position at = between(arc.from, arc.to, t);
-    if (t <= 0.0 || t >= 1.0) return at;
-    const ArcAxes axes = axes_of(arc.plane);
-    const double radius = lerp(p.start_radius, p.end_radius, t);
-    const trig::SinCos angle = trig::sin_cos(p.start_degrees + t * p.sweep_degrees);
-    at.*axes.first = Length::from_mm(p.centre_1 + radius * angle.cos);
-    at.*axes.second = Length::from_mm(p.centre_2 + radius * angle.sin);
-    return at;
-}
 
 // --- Steps --------------------------------------------------------------------------------
 
@@ -524,67 +443,6 @@ Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses
 
 // --- Splines ------------------------------------------------------------------------------
 
-// A point of a rational B-spline by de Boor's algorithm in homogeneous coordinates (Piegl and
-// Tiller, The NURBS Book, 2nd ed. 1997, algorithm A4.1).
-class SplineCurve {
-public:
-    explicit SplineCurve(const gcode::Spline& m) : m_(m), degree_(m.order - 1) {}
-
-    bool is_sound() const {
-        const std::size_t n = m_.control_points.size();
-        return degree_ >= 1 && n > static_cast<std::size_t>(degree_) &&
-               m_.knots.size() == n + static_cast<std::size_t>(m_.order) &&
-               std::is_sorted(m_.knots.begin(), m_.knots.end()) && first() < last();
-    }
-    double first() const { return m_.knots[static_cast<std::size_t>(degree_)]; }
-    double last() const { return m_.knots[m_.control_points.size()]; }
-
-    // Parameters at which the curve may have a corner, from the first to the last.
-    std::vector<double> breaks() const {
-        std::vector<double> all;
-        for (const double k : m_.knots) {
-            if (k >= first() && k <= last() && (all.empty() || all.back() < k)) all.push_back(k);
-        }
-        return all;
-    }
-
-    Position at(double u) const {
-        if (u <= first()) return m_.from;
-        if (u >= last()) return m_.to;
-        const auto p = static_cast<std::size_t>(degree_);
-        std::size_t span = p;
-        while (span + 1 < m_.control_points.size() && m_.knots[span + 1] <= u)
-            ++span;
-        struct Homogeneous {
-            double x, y, w;
-        };
-        std::vector<Homogeneous> d;
-        for (std::size_t j = 0; j <= p; ++j) {
-            const auto& c = m_.control_points[span - p + j];
-            d.push_back({c.x.mm() * c.weight, c.y.mm() * c.weight, c.weight});
-        }
-        for (std::size_t r = 1; r <= p; ++r) {
-            for (std::size_t j = p; j >= r; --j) {
-                const double low = m_.knots[span - p + j];
-                const double high = m_.knots[span + 1 + j - r];
-                const double a = high > low ? (u - low) / (high - low) : 0.0;
-                d[j] = {lerp(d[j - 1].x, d[j].x, a), lerp(d[j - 1].y, d[j].y, a),
-                        lerp(d[j - 1].w, d[j].w, a)};
-            }
-        }
-        Position result = between(m_.from, m_.to, (u - first()) / (last() - first()));
-        if (d[p].w != 0.0) {
-            result.x = Length::from_mm(d[p].x / d[p].w);
-            result.y = Length::from_mm(d[p].y / d[p].w);
-        }
-        return result;
-    }
-
-private:
-    const gcode::Spline& m_;
-    int degree_;
-};
-
 double distance_to_chord(Vec3 p, Vec3 a, Vec3 b) {
     const Vec3 ab = b - a;
     const double squared = dot(ab, ab);
@@ -635,62 +493,6 @@ Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExte
 }
 
 }  // namespace
-
-namespace {
-
-// How much farther than at right angles to its axis a coordinate of a spiral is farthest out, in
-// degrees. `radius`: at right angles; `growth`: that of the radius a radian.
-double spiral_lead(double radius, double growth) {
-    // r' cos d = r sin d, thus cot d = radius / growth + d =: x + d, for d up to a quarter turn.
-    // The cotangent is convex: Newton's steps from below stay below.
-    constexpr double kRadian = 180.0 / std::numbers::pi;
-    const double x = radius / std::abs(growth);
-    const double least = x + std::numbers::pi / 2;
-    if (growth == 0.0 || !(least > 0.0)) return 0.0;
-    double d = trig::angle_of(least, 1.0) / kRadian;
-    for (int i = 0; i < 8 && d > 0.0; ++i) {
-        const trig::SinCos at = trig::sin_cos(d * kRadian);
-        d += (at.cos * at.sin - (x + d) * at.sin * at.sin) / (1.0 + at.sin * at.sin);
-    }
-    return std::copysign(d * kRadian, growth);
-}
-
-// Where a coordinate of an arc is farthest out: at right angles to its axis, on a spiral near by.
-void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
-    const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
-    const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
-    const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
-    const double beyond = growth == 0.0 ? 0.0 : 90.0;
-    for (double q = std::ceil((low - beyond) / 90.0) * 90.0; q <= high + beyond; q += 90.0) {
-        // Radii grow or shrink all the way: the first and the last turn are farthest out.
-        if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
-        const double radius = p.start_radius + (q - p.start_degrees) * growth;
-        const double at = q + spiral_lead(radius, growth * 180.0 / std::numbers::pi);
-        if (at < low || at > high) continue;
-        box.add(linear_axes(on_arc(arc, p, (at - p.start_degrees) / p.sweep_degrees)));
-    }
-}
-
-}  // namespace
-
-cda::Box extent_of_path(const gcode::Motion& motion) {
-    cda::Box box;
-    const Position* from = start_of(motion);
-    const Position* to = end_of(motion);
-    if (!from || !to) return box;
-    box.add(linear_axes(*from));
-    box.add(linear_axes(*to));
-    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
-        add_extremes(box, *arc, polar(*arc));
-    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
-        for (const auto& point : spline->control_points) {
-            Position p = *from;
-            p.x = point.x, p.y = point.y;
-            box.add(linear_axes(p));
-        }
-    }
-    return box;
-}
 
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
                const std::optional<cda::Box>& place, const Kinematics* told) {

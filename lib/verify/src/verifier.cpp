@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/verify/verifier.h"
 
+#include "ncsim/toolpath/extent.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_polytope.h"

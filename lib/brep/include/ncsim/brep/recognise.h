@@ -5,9 +5,9 @@
 // nothing of the polygons of the tools is left.
 #pragma once
 
+#include "ncsim/brep/facets.h"
 #include "ncsim/brep/part.h"
 #include "ncsim/brep/swept.h"
-#include "ncsim/cda/boundary.h"
 
 #include <cstddef>
 #include <functional>
@@ -21,12 +21,6 @@ struct Recognised {
     std::size_t facets_kept = 0;           ///< Faces that were not recognised.
     std::vector<cda::Origin> of_facets{};  ///< Who cut them, ascending.
     std::size_t shells_kept = 0;           ///< Shells all of whose faces are facets.
-};
-
-/// A boundary, and for each of its faces who cut it.
-struct Facets {
-    cda::Boundary boundary;
-    std::vector<std::vector<cda::Origin>> origins;
 };
 
 /// The part whose facets are `facets`, made of the surfaces of `sources` (an origin that has none

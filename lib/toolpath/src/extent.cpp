@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/extent.h"
+
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/trig/angles.h"
+
+#include "path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::toolpath {
+
+using gcode::Position;
+
+namespace {
+
+// How much farther than at right angles to its axis a coordinate of a spiral is farthest out, in
+// degrees. `radius`: at right angles; `growth`: that of the radius a radian.
+double spiral_lead(double radius, double growth) {
+    // r' cos d = r sin d, thus cot d = radius / growth + d =: x + d, for d up to a quarter turn.
+    // The cotangent is convex: Newton's steps from below stay below.
+    constexpr double kRadian = 180.0 / std::numbers::pi;
+    const double x = radius / std::abs(growth);
+    const double least = x + std::numbers::pi / 2;
+    if (growth == 0.0 || !(least > 0.0)) return 0.0;
+    double d = trig::angle_of(least, 1.0) / kRadian;
+    for (int i = 0; i < 8 && d > 0.0; ++i) {
+        const trig::SinCos at = trig::sin_cos(d * kRadian);
+        d += (at.cos * at.sin - (x + d) * at.sin * at.sin) / (1.0 + at.sin * at.sin);
+    }
+    return std::copysign(d * kRadian, growth);
+}
+
+// Where a coordinate of an arc is farthest out: at right angles to its axis, on a spiral near by.
+void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
+    const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
+    const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
+    const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
+    const double beyond = growth == 0.0 ? 0.0 : 90.0;
+    for (double q = std::ceil((low - beyond) / 90.0) * 90.0; q <= high + beyond; q += 90.0) {
+        // Radii grow or shrink all the way: the first and the last turn are farthest out.
+        if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
+        const double radius = p.start_radius + (q - p.start_degrees) * growth;
+        const double at = q + spiral_lead(radius, growth * 180.0 / std::numbers::pi);
+        if (at < low || at > high) continue;
+        box.add(linear_axes(on_arc(arc, p, (at - p.start_degrees) / p.sweep_degrees)));
+    }
+}
+
+}  // namespace
+
+cda::Box extent_of_path(const gcode::Motion& motion) {
+    cda::Box box;
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    if (!from || !to) return box;
+    box.add(linear_axes(*from));
+    box.add(linear_axes(*to));
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        add_extremes(box, *arc, polar(*arc));
+    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+        for (const auto& point : spline->control_points) {
+            Position p = *from;
+            p.x = point.x, p.y = point.y;
+            box.add(linear_axes(p));
+        }
+    }
+    return box;
+}
+
+}  // namespace ncsim::toolpath
