@@ -25,17 +25,23 @@ public:
         incoming.reserve(cells.size());
         std::vector<const IncomingCell*> pointers;
         for (const Cell& cell : cells) {
-            kept_.push_back(std::make_unique<Cell>(cell));
-            IncomingCell& here = incoming.emplace_back();
-            here.number = table_.size();
-            here.planes = kept_.back()->planes;
-            for (std::size_t i = 0; i < cell.planes.size(); ++i)
-                here.loose.push_back(static_cast<std::uint16_t>(i));
-            here.enclose(cell.bounds, test::kLattice.unit_mm);
-            table_.add(cell.origin, nullptr);
+            const IncomingCell& here = incoming.emplace_back(receive(cell));
             if (tree_.meets(here)) pointers.push_back(&here);
         }
         tree_.insert(pointers, table_, leaf);
+    }
+
+    /// The next cell in the table, which the block itself need not take in.
+    IncomingCell receive(const Cell& cell) {
+        kept_.push_back(std::make_unique<Cell>(cell));
+        IncomingCell here;
+        here.number = table_.size();
+        here.planes = kept_.back()->planes;
+        for (std::size_t i = 0; i < cell.planes.size(); ++i)
+            here.loose.push_back(static_cast<std::uint16_t>(i));
+        here.enclose(cell.bounds, test::kLattice.unit_mm);
+        table_.add(cell.origin, nullptr);
+        return here;
     }
 
     /// Is there material in the unit cube at `p`?

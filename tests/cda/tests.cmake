@@ -8,6 +8,7 @@ ncsim_add_test(cda
     block_tree_test.cpp
     check_test.cpp
     collision_test.cpp
+    covering_test.cpp
     domination_test.cpp
     evaluation_test.cpp
     filtered_polygon_test.cpp

@@ -5,6 +5,7 @@
 #include "ncsim/cda/polytope.h"
 
 #include "block_tree.h"
+#include "covering.h"
 #include "evaluation.h"
 #include "query_point.h"
 #include "stitch.h"
@@ -33,6 +34,10 @@ constexpr int kHalvings = 6;
 
 // Fewer cells than this are not worth waking a thread for.
 constexpr std::size_t kCellsWorthThreads = 16;
+
+// Looks that a proof may take that there is nothing left. Nearly all that succeed need less, and it
+// is less than taking in what waits.
+constexpr std::size_t kMostLooks = 100000;
 
 // Volumes of single cells below this share of the stock are rounding.
 constexpr double kAccountRounding = 1e-15;
@@ -248,12 +253,17 @@ void TreeCda::close_books() const {
     }
 }
 
-// Lets no cell wait that might change what is asked here.
-void TreeCda::settle_near(const Box& bounds) const {
-    // Bounds are rounded to millimetres.
+// Which cells may have something in common with what has these bounds? These are rounded to
+// millimetres.
+Box TreeCda::near(const Box& bounds) const {
     const double margin = 2.0 * lattice_.unit_mm;
     const Vec3 more{margin, margin, margin};
-    const Box near{bounds.min - more, bounds.max + more};
+    return {bounds.min - more, bounds.max + more};
+}
+
+// Lets no cell wait that might change what is asked here.
+void TreeCda::settle_near(const Box& bounds) const {
+    const Box near = this->near(bounds);
     for (Block& block : blocks_) {
         if (std::ranges::any_of(block.waiting,
                                 [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
@@ -377,8 +387,35 @@ std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
     // What waits can only take away: where there is nothing without it, there is nothing.
     const std::optional<Vec3> found = contact_as_it_is(cell);
     if (!found || !is_waited_for_near(*found)) return found;
+    if (takes_all_of(cell)) {
+        ++counts_.spared;
+        return std::nullopt;
+    }
     settle_near(cell.bounds);
     return contact_as_it_is(cell);
+}
+
+// Do cells, those that wait included, take all that the stock has of this one? May miss it.
+bool TreeCda::takes_all_of(const Cell& cell) const {
+    IncomingCell asked;
+    asked.enclose(cell.bounds, lattice_.unit_mm);
+    HalfBox bounds;
+    for (std::size_t i = 0; i < 3; ++i) {
+        bounds.min[i] = 2 * static_cast<std::int64_t>(std::floor(asked.min[i] / 2)) - 1;
+        bounds.max[i] = 2 * static_cast<std::int64_t>(std::ceil(asked.max[i] / 2)) + 1;
+    }
+    const Box near = this->near(cell.bounds);
+    std::vector<const IncomingCell*> waiting;
+    for (const Block& block : blocks_) {
+        if (!block.tree->meets(asked)) continue;
+        waiting.clear();
+        for (const auto& taken : block.waiting) {
+            if (taken->cell.bounds.overlaps(near)) waiting.push_back(&taken->incoming);
+        }
+        if (!is_covered(*block.tree, {cell.planes, bounds, waiting, *cells_, kMostLooks}))
+            return false;
+    }
+    return true;
 }
 
 std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {

@@ -28,6 +28,7 @@ struct TreeCounts {
     std::uint64_t planes = 0;         ///< Of those, without the ones all of the stock satisfies.
     std::uint64_t nodes = 0;          ///< Alive now.
     std::uint64_t bytes = 0;          ///< Held by the tree now, about.
+    std::uint64_t spared = 0;         ///< Questions of contact that let cells wait on.
     std::uint64_t leaves = 0;         ///< Looked at for the last boundary or volume.
     std::uint64_t facets_tested = 0;  ///< Facets in leaves.
     std::uint64_t facets_alive = 0;   ///< Of those, with something left.
@@ -106,9 +107,11 @@ private:
     void take_in(const Cell& cell);
     void settle_all() const;
     void settle(Block& block) const;
+    Box near(const Box& bounds) const;
     void settle_near(const Box& bounds) const;
     void close_books() const;
     bool is_waited_for_near(Vec3 point) const;
+    bool takes_all_of(const Cell& cell) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
     void for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
