@@ -3,7 +3,7 @@
 // Every code, and every trap in which one control differs from another, as a line each: what stands
 // in the program, what the machine makes of it. Behind "!" stand the codes of what was said about
 // it.
-#include "codes.h"
+#include "control/codes.h"
 
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/print.h"
@@ -344,7 +344,7 @@ TEST(Codes, AreAllInTheTable) {
         EXPECT_TRUE(alike || tested.contains(name)) << name << " is not";
     };
 #define NCSIM_G(name, group, takes_axes, letters, known_to) expect_tested(Code::name);
-#include "codes.def"
+#include "control/codes.def"
 #undef NCSIM_G
 }
 

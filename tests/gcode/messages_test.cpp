@@ -4,7 +4,7 @@
 // first line), of good/ (in its .motions), or by one of those here.
 #include "ncsim/gcode/interpreter.h"
 
-#include "message.h"
+#include "text/message.h"
 
 #include <gtest/gtest.h>
 
@@ -186,7 +186,7 @@ struct Row {
 const std::vector<Row>& rows() {
     static const std::vector<Row> kRows = {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) {#name, Message::name},
-#include "diagnostics.def"
+#include "text/diagnostics.def"
 #undef NCSIM_DIAGNOSTIC
     };
     return kRows;

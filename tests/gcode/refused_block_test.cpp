@@ -4,9 +4,9 @@
 // here, with something behind it that is refused after everything else was acted on.
 #include "ncsim/gcode/parser.h"
 
-#include "codes.h"
-#include "machine.h"
-#include "resolve.h"
+#include "control/codes.h"
+#include "control/machine.h"
+#include "program/resolve.h"
 
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ bool is_refused_without_a_trace(const Rules& rules, const Situation& situation,
 TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItsCodes) {
     const std::vector<Code> codes = {
 #define NCSIM_G(name, group, takes_axes, letters, known_to) Code::name,
-#include "codes.def"
+#include "control/codes.def"
 #undef NCSIM_G
     };
     std::map<Code, int> refused;
@@ -155,7 +155,7 @@ TEST(RefusedBlock, LeavesTheControlAsItWasWhateverItIsComposedOf) {
     };
     const std::vector<Entry> codes = {
 #define NCSIM_G(name, group, takes_axes, letters, known_to) {Code::name, Group::group},
-#include "codes.def"
+#include "control/codes.def"
 #undef NCSIM_G
     };
     std::uint32_t seed = 20261122;

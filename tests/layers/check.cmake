@@ -1,5 +1,5 @@
 # cmake -DSOURCE=… -P check.cmake: reads every #include line under SOURCE and fails where an arrow
-# runs up (layers.cmake tells which there are), where modules of one room include each other in a
+# runs up (layers.cmake tells which there are, between rooms and between floors of one), where modules of one room include each other in a
 # circle, or where a source has no header. A module is a header and the source of the same name.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
@@ -39,6 +39,17 @@ function(read_room room allowed)
           continue()
         endif()
         string(REGEX REPLACE "\\.[a-z]+$" "" to "${to}")
+        if(floors_${room} AND module MATCHES "/" AND to MATCHES "/")
+          string(REGEX REPLACE "/.*" "" floor ${module})
+          string(REGEX REPLACE "/.*" "" floor_below ${to})
+          list(FIND floors_${room} ${floor} height)
+          list(FIND floors_${room} ${floor_below} height_below)
+          if(height EQUAL -1 OR height_below EQUAL -1)
+            list(APPEND faults "layers.cmake: nothing is said of the floor of ${folder}/${file} or of ${to}")
+          elseif(height_below GREATER height)
+            list(APPEND faults "${folder}/${file} includes ${to}: ${floor_below} stands above ${floor}")
+          endif()
+        endif()
         if(NOT to STREQUAL module)
           list(APPEND edges_${module} ${to})
           set(why_${room}_${module}-${to} "${folder}/${file}" PARENT_SCOPE)

@@ -20,6 +20,9 @@ foreach(library trig gcode cda machine toolpath verify brep export report setup 
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 
+# Folders of a room's sources that stand on each other, the lowest first.
+set(floors_gcode text control program)
+
 # Arrows within a room that close a circle and are still there: ROOM/FROM>TO. One that is gone has to
 # be struck off; none may come in.
 set(known_circles)

@@ -2,7 +2,7 @@
 //
 // What we have to say about a program: a severity, a stable code for searching and for
 // tests, a message for people and a place. Each library has its messages in one table of rows
-// (MessageText); those of this one stand in src/diagnostics.def.
+// (MessageText); those of this one stand in src/text/diagnostics.def.
 #pragma once
 
 #include "ncsim/gcode/source.h"

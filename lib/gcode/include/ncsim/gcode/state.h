@@ -19,7 +19,7 @@ namespace ncsim::gcode {
 /// X Y Z A B C U V W: lengths in the units of the moment (or mm, where said), angles in degrees.
 using Axes = std::array<double, 9>;
 
-/// A G code; the names are those of src/codes.def. -1: none, else ten times the number.
+/// A G code; the names are those of src/control/codes.def. -1: none, else ten times the number.
 enum class Code : std::int16_t;
 
 enum Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC, kU, kV, kW };

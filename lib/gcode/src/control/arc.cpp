@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G2 and G3: by centre, by radius, helices, turns, full circles, in every plane.
+#include "ncsim/gcode/print.h"
+#include "ncsim/trig/angles.h"
+
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace ncsim::gcode {
+namespace {
+
+/// How far start and end may differ in their distance from the centre before a control
+/// refuses: LinuxCNC's figures, in the units of the program.
+struct RadiusTolerance {
+    double absolute;
+    static constexpr double kRelative = 0.001;
+    static constexpr double kLargest = 100.0;  // times `absolute`, whatever the radius
+    bool allows(double r1, double r2) const {
+        const double difference = std::abs(r1 - r2);
+        if (difference > kLargest * absolute) return false;
+        return difference <= absolute || difference <= kRelative * std::max(r1, r2);
+    }
+};
+constexpr RadiusTolerance kMetric{0.0283};
+constexpr RadiusTolerance kInch{0.00283};
+
+/// Below this radius there is no circle; half a chord may be longer than R by as much. 0.00127 mm
+/// is half of a tenth of a thousandth of an inch.
+constexpr double kTiny = 0.00127;
+
+constexpr char centre_letter(std::size_t axis) {
+    constexpr char kLetters[] = {'I', 'J', 'K'};
+    return kLetters[axis % 3];  // U V W of the second planes use I J K as well
+}
+
+std::string number(double value) {
+    std::string out;
+    print_number(out, std::round(value * 1e6) / 1e6);
+    return out;
+}
+
+}  // namespace
+
+bool Machine::arc(const Command& command, bool clockwise) {
+    const std::string_view name = clockwise ? "G2" : "G3";
+    const PlaneAxes axes = axes_of(state_.plane);
+    const char c1 = centre_letter(axes.first);
+    const char c2 = centre_letter(axes.second);
+    const char c3 = centre_letter(axes.third);
+    const bool has_centre = command.has(c1) || command.has(c2);
+    if (!command.axis_words && !has_centre && !command.has('R')) {
+        if (!rules_.strict) return true;  // the mode alone
+        return fail(Message::AxesMissing, command.span, {name});
+    }
+    if (command.has(c3) && (command[c3] != 0.0 || rules_.strict)) {
+        if (!tolerate(Message::CentreOutsidePlane, span_of(command, c3), {{&c3, 1}, name}))
+            return false;
+    }
+    if (!has_centre && !command.has('R')) {
+        return fail(Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
+    }
+    if (has_centre && command.has('R') &&
+        !tolerate(Message::ArcTwoForms, span_of(command, 'R'), {name})) {
+        return false;
+    }
+    ProgramArc out;
+    AxisMask mask = 0;
+    if (!find_ends(command, out.end, mask)) return false;
+    bool turns_clockwise = clockwise;
+    const Programmed& t = state_.programmed;
+    if (t.scaled && t.scale[axes.first % 3] * t.scale[axes.second % 3] < 0.0) {
+        turns_clockwise = !turns_clockwise;  // mirrored
+    }
+    const bool by_radius = command.has('R') && !has_centre;
+    if (by_radius ? !arc_by_radius(command, turns_clockwise, out)
+                  : !arc_by_centre(command, turns_clockwise, out)) {
+        return false;
+    }
+    int turns = 1;
+    if (command.has('P')) {
+        const double p = command['P'];
+        if (p < 1.0 || p > 1e6 || std::abs(p - std::round(p)) > 1e-4) {
+            if (!tolerate(Message::ArcTurns, span_of(command, 'P'))) return false;
+        } else {
+            turns = static_cast<int>(std::lround(p));
+        }
+    }
+    out.turns = turns_clockwise ? -turns : turns;
+    const double radius = trig::length_of(state_.position[axes.first] - out.centre_1,
+                                          state_.position[axes.second] - out.centre_2);
+    if (radius * state_.unit_mm() < kTiny) {
+        if (!tolerate(Message::ArcTooSmall, command.span, {name})) return false;
+        return feed_straight(out.end, MoveKind::Feed, mask);
+    }
+    if (outline_) return hear(out.end, &out);
+    if (compensation_.is_on()) return compensation_.arc(state_, out, mask, span_, file_);
+    if (state_.just_left_compensation && !tolerate(Message::CompensationExit, command.span))
+        return false;
+    state_.just_left_compensation = false;
+    path_.arc(state_, out, mask);
+    return true;
+}
+
+bool Machine::arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const double x0 = state_.position[axes.first];
+    const double y0 = state_.position[axes.second];
+    const double dx = arc.end[axes.first] - x0;
+    const double dy = arc.end[axes.second] - y0;
+    const double chord = trig::length_of(dx, dy);
+    double r = command['R'];
+    if (state_.programmed.scaled) r *= std::abs(state_.programmed.scale[axes.first % 3]);
+    if (chord * state_.unit_mm() < 1e-9) {
+        return fail(Message::ArcRadiusNoChord, span_of(command, 'R'));
+    }
+    const double half = chord / 2.0;
+    const double limit = kTiny / state_.unit_mm();
+    double height = 0.0;  // of the centre over the chord
+    if (half > std::abs(r) + limit) {
+        // CAM programs round R; a control that is not strict widens it to a semicircle.
+        const double excess = (half - std::abs(r)) * state_.unit_mm();
+        if (rules_.strict || excess > 0.05) {
+            return fail(Message::ArcRadiusTooSmall, span_of(command, 'R'),
+                        {number(r), number(half)});
+        }
+        warn(Message::ArcRadiusTooSmall, span_of(command, 'R'), {number(r), number(half)});
+    } else if (half / std::abs(r) < 1.0 - 1e-12) {
+        height = std::sqrt((std::abs(r) - half) * (std::abs(r) + half));
+    }
+    // Left of the chord for the shorter way round counter-clockwise.
+    const bool left = clockwise == (r < 0.0);
+    const double side = left ? height / chord : -height / chord;
+    arc.centre_1 = x0 + dx / 2.0 - dy * side;
+    arc.centre_2 = y0 + dy / 2.0 + dx * side;
+    return true;
+}
+
+bool Machine::arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc) {
+    const std::string_view name = clockwise ? "G2" : "G3";
+    const PlaneAxes axes = axes_of(state_.plane);
+    const char c1 = centre_letter(axes.first);
+    const char c2 = centre_letter(axes.second);
+    const double x0 = state_.position[axes.first];
+    const double y0 = state_.position[axes.second];
+    const double x1 = arc.end[axes.first];
+    const double y1 = arc.end[axes.second];
+    const Axes start = programmed_from(state_.position);
+    const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
+
+    const auto centre = [&](bool absolute) {
+        double cx = command.get(c1, absolute ? start[axes.first] : 0.0);
+        double cy = command.get(c2, absolute ? start[axes.second] : 0.0);
+        if (state_.lathe_diameter && axes.first == kX && absolute) cx /= 2.0;
+        if (!absolute) {
+            cx += start[axes.first];
+            cy += start[axes.second];
+        }
+        if (transformed) {
+            Axes c = start;
+            c[axes.first] = cx;
+            c[axes.second] = cy;
+            c = programmed_to(c);
+            cx = c[axes.first];
+            cy = c[axes.second];
+        }
+        arc.centre_1 = cx;
+        arc.centre_2 = cy;
+    };
+    const RadiusTolerance& tolerance = state_.inches ? kInch : kMetric;
+    const auto fits = [&] {
+        return tolerance.allows(trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2),
+                                trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2));
+    };
+    if (state_.absolute_centres && rules_.strict && (!command.has(c1) || !command.has(c2))) {
+        return fail(Message::ArcWithoutCentre, command.span, {name, {&c1, 1}, {&c2, 1}});
+    }
+    centre(state_.absolute_centres);
+    if (fits()) return true;
+    const double r0 = trig::length_of(x0 - arc.centre_1, y0 - arc.centre_2);
+    const double r1 = trig::length_of(x1 - arc.centre_1, y1 - arc.centre_2);
+    if (!rules_.strict) {
+        // Perhaps the centres are meant the other way: old posts write them absolute without G90.1.
+        centre(!state_.absolute_centres);
+        if (fits() && arc.centre_1 != x0) {
+            state_.absolute_centres = !state_.absolute_centres;
+            warn(Message::ArcCentreMode, command.span,
+                 {state_.absolute_centres ? "absolute" : "incremental"});
+            return true;
+        }
+        centre(state_.absolute_centres);
+        // What grbl and most controls let pass ends up as a spiral.
+        const double difference = std::abs(r0 - r1);
+        const double mm = difference * state_.unit_mm();
+        if (mm <= 0.1 || (mm <= 0.5 && difference <= 0.05 * std::max(r0, r1))) {
+            warn(Message::ArcSpiral, command.span, {name, number(r0), number(r1)});
+            return true;
+        }
+    }
+    return fail(Message::ArcRadiusMismatch, command.span, {name, number(r0), number(r1)});
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/codes.h"
+
+#include <array>
+#include <cstddef>
+
+namespace ncsim::gcode {
+namespace {
+
+/// The name as programs write it, with a point for the '_'.
+template <std::size_t Size>
+struct Written {
+    std::array<char, Size> text{};
+    constexpr explicit Written(const char (&name)[Size]) {
+        for (std::size_t i = 0; i < Size; ++i)
+            text[i] = name[i] == '_' ? '.' : name[i];
+    }
+    constexpr operator std::string_view() const { return {text.data(), Size - 1}; }
+};
+
+constexpr std::uint32_t bits_of(std::string_view letters) {
+    std::uint32_t bits = 0;
+    for (const char letter : letters) {
+        if (letter != '+') bits |= 1U << static_cast<unsigned>(letter - 'A');
+    }
+    return bits;
+}
+
+#define NCSIM_G(name, group, takes_axes, letters, known_to) constexpr Written k##name(#name);
+#include "control/codes.def"
+#undef NCSIM_G
+
+constexpr auto kCodes = std::to_array<GCode>({
+#define NCSIM_G(name, group, takes_axes, letters, known_to)                        \
+    {Code::name,       k##name,          Group::group,                             \
+     takes_axes,       bits_of(letters), std::string_view(letters).ends_with('+'), \
+     KnownTo::known_to},
+#include "control/codes.def"
+#undef NCSIM_G
+});
+
+constexpr int kMaxTenths = 2700;  // above G269 none is known
+
+constexpr auto kIndex = [] {
+    std::array<std::uint8_t, kMaxTenths> index{};
+    for (std::size_t i = 0; i < kCodes.size(); ++i) {
+        index[static_cast<std::size_t>(tenths_of(kCodes[i].code))] =
+            static_cast<std::uint8_t>(i + 1);
+    }
+    return index;
+}();
+
+}  // namespace
+
+Code find_g(int tenths) {
+    if (tenths < 0 || tenths >= kMaxTenths || kIndex[static_cast<std::size_t>(tenths)] == 0) {
+        return Code::None;
+    }
+    return static_cast<Code>(tenths);
+}
+
+const GCode& entry_of(Code code) {
+    return kCodes[kIndex[static_cast<std::size_t>(tenths_of(code))] - 1U];
+}
+
+bool is_cycle(Code code) {
+    switch (code) {
+        case Code::G73:
+        case Code::G74:
+        case Code::G76:
+        case Code::G81:
+        case Code::G82:
+        case Code::G83:
+        case Code::G84:
+        case Code::G85:
+        case Code::G86:
+        case Code::G87:
+        case Code::G88:
+        case Code::G89: return true;
+        default: return false;
+    }
+}
+
+MGroup m_group(int number) {
+    switch (number) {
+        case 0:
+        case 1:
+        case 2:
+        case 30:
+        case 60: return MGroup::Stop;
+        case 6:
+        case 61: return MGroup::ToolChange;
+        case 3:
+        case 4:
+        case 5:
+        case 13:
+        case 14:
+        case 19: return MGroup::Spindle;
+        case 7:
+        case 8:
+        case 9: return MGroup::Coolant;
+        case 48:
+        case 49:
+        case 50:
+        case 51:
+        case 52:
+        case 53: return MGroup::Override;
+        case 62:
+        case 63:
+        case 64:
+        case 65:
+        case 66:
+        case 67:
+        case 68: return MGroup::Io;
+        case 97:
+        case 98:
+        case 99: return MGroup::Call;
+        case 70:
+        case 71:
+        case 72:
+        case 73: return MGroup::Other;
+        case 428:
+        case 429:
+        case 430: return MGroup::Kinematics;
+        default: return MGroup::Unknown;
+    }
+}
+
+}  // namespace ncsim::gcode

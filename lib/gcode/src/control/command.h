@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A block with all its values known: what a control has in hand when it starts to act on a line.
+#pragma once
+
+#include "ncsim/gcode/block.h"
+
+#include "control/codes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace ncsim::gcode {
+
+constexpr int kNone = -1;  ///< No M code.
+
+/// Letters A … Z are 0 … 25; '@' is 26, '^' is 27.
+constexpr std::size_t letter_index(char letter) {
+    return letter == '@' ? 26U : letter == '^' ? 27U : static_cast<std::size_t>(letter - 'A');
+}
+
+struct Command {
+    const Block* block = nullptr;
+    SourceSpan span;            ///< The main word: the motion, else the first word.
+    std::uint32_t present = 0;  ///< A bit per letter.
+    std::array<double, 28> value;
+    std::array<Code, kGroups> g;           ///< Of each group.
+    std::array<std::int16_t, kMGroups> m;  ///< Numbers; kNone.
+    double next_tool = -1.0;  ///< The second T of "T1 T2 M6": it waits in the magazine.
+    char corner = 0;          ///< 'R' or 'C' of ",R2", ",C2": the corner at the end of the line.
+    double corner_size = 0.0;
+    SourceSpan corner_span;
+    bool has_angle = false;  ///< ",A30": the line goes in this direction.
+    double angle = 0.0;      ///< Degrees, from the first axis of the plane to the second.
+    SourceSpan angle_span;
+    bool has_m = false;       ///< Any M word, known or not.
+    bool has_others = false;  ///< A G code without effect here, not known, or declared harmless.
+    bool axis_words = false;  ///< Any of X … W, @, ^.
+
+    bool has(char letter) const { return (present >> letter_index(letter) & 1U) != 0; }
+    double operator[](char letter) const { return value[letter_index(letter)]; }
+    double get(char letter, double otherwise) const {
+        return has(letter) ? value[letter_index(letter)] : otherwise;
+    }
+    Code group(Group group) const { return g[static_cast<std::size_t>(group)]; }
+    int group(MGroup group) const { return m[static_cast<std::size_t>(group)]; }
+    /// A code of its block has the axis words for itself.
+    bool axes_are_taken() const {
+        return std::ranges::any_of(
+            g, [](Code code) { return code != Code::None && entry_of(code).takes_axes; });
+    }
+    bool has_any(std::uint32_t letters) const { return (present & letters) != 0; }
+};
+
+template <typename... Letters>
+constexpr std::uint32_t letters(Letters... letter) {
+    return ((1U << letter_index(letter)) | ... | 0U);
+}
+constexpr std::uint32_t kAxisLetters =
+    letters('X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W', '@', '^');
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Canned cycles, expanded into the moves they stand for (RS274/NGC version 3, section 3.5.16).
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+constexpr char kAxisLetters9[] = {'X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'};
+
+}  // namespace
+
+/// Takes over the sticky words, and refuses what a cycle cannot use.
+bool Machine::cycle_words(const Command& command, Code motion) {
+    CycleState& cycle = state_.cycle;
+    const PlaneAxes axes = axes_of(state_.plane);
+    const char depth = kAxisLetters9[axes.third];
+    if (!cycle.running || cycle.code != motion) {
+        const double initial = cycle.running ? cycle.initial : state_.position[axes.third];
+        if (!cycle.running || rules_.strict) cycle = {};
+        cycle.initial = initial;
+        cycle.running = true;
+        cycle.code = motion;
+    }
+    if (command.has('R')) cycle.r = command['R'], cycle.has_r = true;
+    if (command.has(depth)) cycle.z = command[depth], cycle.has_z = true;
+    if (command.has('P')) cycle.p = seconds_of(command, 'P'), cycle.has_p = true;
+    if (command.has('Q')) cycle.q = std::abs(command['Q']);
+
+    const std::string_view name = name_of(motion);
+    if (rules_.strict) {
+        if (command.has_any(letters('A', 'B', 'C'))) {
+            return fail(Message::CycleRotary, command.span, {name});
+        }
+        if (state_.cutter_side != CutterSide::Off) {
+            return fail(Message::ForbiddenWithCompensation, command.span, {name});
+        }
+        if (state_.feed_mode == FeedMode::InverseTime) {
+            return fail(Message::CycleInverseTime, command.span, {name});
+        }
+        if ((motion == Code::G82 || motion == Code::G86 || motion == Code::G88 ||
+             motion == Code::G89) &&
+            !cycle.has_p) {
+            return fail(Message::CycleWordMissing, command.span, {name, "P"});
+        }
+    }
+    if (!cycle.has_z) return fail(Message::CycleWordMissing, command.span, {name, {&depth, 1}});
+    if (!cycle.has_r) {
+        if (!tolerate(Message::CycleWordMissing, command.span, {name, "R"})) return false;
+        cycle.r = state_.incremental ? 0.0 : state_.position[axes.third];
+        cycle.has_r = true;
+    }
+    const bool pecks = motion == Code::G83 || motion == Code::G73;
+    if (pecks && cycle.q <= 0.0 &&
+        !tolerate(Message::CycleWordMissing, command.span, {name, "Q"})) {
+        return false;
+    }
+    return true;
+}
+
+bool Machine::cycle(const Command& command, Code motion) {
+    const std::string_view name = name_of(motion);
+    if (motion == Code::G76 && (rules_.strict || command.has('K'))) {
+        stopped_ = true;
+        return fail(Message::LatheCycle, command.span, {name});
+    }
+    if (!command.axis_words) {
+        // Words without a place to drill only set what the next block uses.
+        if (rules_.strict) return fail(Message::AxesMissing, command.span, {name});
+        if (command.has('R')) state_.cycle.r = command['R'], state_.cycle.has_r = true;
+        if (command.has('Q')) state_.cycle.q = std::abs(command['Q']);
+        return true;
+    }
+    if (!needs_feed(command, name) || !cycle_words(command, motion)) return false;
+
+    double repeats = 1.0;
+    if (command.has('L')) {
+        repeats = command['L'];
+    } else if (rules_.k_repeats && command.has('K')) {
+        repeats = command['K'];
+    }
+    if (repeats < 1.0 && rules_.strict) return fail(Message::CycleRepeats, span_of(command, 'L'));
+    if (repeats < 1.0) return true;  // L0, K0: define only
+    if (repeats > 100'000.0) return fail(Message::CycleRepeats, span_of(command, 'L'));
+
+    Axes hole{};
+    AxisMask mask = 0;
+    if (!hole_place(command, hole, mask)) return false;
+    Axes step{};
+    for (std::size_t i = 0; i < step.size(); ++i) {
+        step[i] = state_.incremental ? hole[i] - state_.position[i] : 0.0;
+    }
+    const std::optional<Drilling> drilling = begin_drilling(command, motion);
+    if (!drilling) return false;
+    for (int i = 0; i < static_cast<int>(repeats); ++i) {
+        if (!hole_at(*drilling, hole, mask)) return false;
+        for (std::size_t a = 0; a < hole.size(); ++a)
+            hole[a] += step[a];
+    }
+    return true;
+}
+
+/// The place of the (first) hole, without the depth word, which means the bottom here.
+bool Machine::hole_place(const Command& command, Axes& hole, AxisMask& mask) {
+    const std::size_t depth_axis = axes_of(state_.plane).third;
+    Command in_plane = command;
+    in_plane.present &= ~(1U << letter_index(kAxisLetters9[depth_axis]));
+    in_plane.axis_words = in_plane.has_any(kAxisLetters);
+    return find_ends(in_plane, hole, mask);
+}
+
+/// The heights, and the move up to R where the tool is below it.
+std::optional<Machine::Drilling> Machine::begin_drilling(const Command& command, Code motion) {
+    const std::size_t depth_axis = axes_of(state_.plane).third;
+    const CycleState& cycle = state_.cycle;
+    const double height = state_.position[depth_axis];
+    double r = cycle.r;
+    double bottom = cycle.z;
+    if (state_.incremental) {
+        r += cycle.initial;
+        bottom += r;
+    }
+    if (bottom > r && !tolerate(Message::CycleUpsideDown, command.span, {name_of(motion)})) {
+        return std::nullopt;
+    }
+    const double clear = state_.retract_to_r ? r : std::max(cycle.initial, r);
+    if (rules_.strict ? cycle.initial < r : height < r) {
+        Axes up = state_.position;
+        up[depth_axis] = r;
+        path_.straight(state_, up, MoveKind::Rapid, 1U << depth_axis);
+    }
+    return Drilling{motion, depth_axis, r, bottom, clear};
+}
+
+/// At the height of now over the hole, down to R, and one hole drilled.
+bool Machine::hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask) {
+    const std::size_t depth_axis = drilling.depth_axis;
+    Axes above = hole;
+    above[depth_axis] = state_.position[depth_axis];
+    path_.straight(state_, above, MoveKind::Rapid, mask);
+    if (above[depth_axis] != drilling.r) {
+        above[depth_axis] = drilling.r;
+        path_.straight(state_, above, MoveKind::Rapid, 1U << depth_axis);
+    }
+    return drill(drilling, above);
+}
+
+/// From above the hole at R down to `bottom` and back to `clear`.
+bool Machine::drill(const Drilling& drilling, const Axes& above) {
+    const auto [motion, depth_axis, r, bottom, clear] = drilling;
+    const AxisMask mask = 1U << depth_axis;
+    const auto to = [&](double height, MoveKind kind) {
+        Axes end = above;
+        end[drilling.depth_axis] = height;
+        path_.straight(state_, end, kind, mask);
+    };
+    const CycleState& cycle = state_.cycle;
+    const SpindleTurning turning = state_.spindle;
+    const double seconds = cycle.p;
+
+    if (motion == Code::G73 || motion == Code::G83) {
+        const double clearance = options_.peck_clearance.value_or(0.254 / state_.unit_mm());
+        const double highest = options_.peck_clearance ? bottom + 1e12 : r;
+        constexpr double kMostPecks = 100'000.0;
+        const double q = cycle.q > 0.0 ? cycle.q : r - bottom;
+        if (q > 0.0 && (r - bottom) / q > kMostPecks) {
+            return fail(Message::CycleRepeats, SourceSpan{});
+        }
+        // Counted, not subtracted again and again: a last peck of rounding errors is no peck.
+        for (int i = 1; q > 0.0 && r - i * q > bottom + 1e-9; ++i) {
+            const double depth = r - i * q;
+            to(depth, MoveKind::Feed);
+            if (motion == Code::G83) {
+                to(r, MoveKind::Rapid);
+                to(std::min(depth + clearance, highest), MoveKind::Rapid);
+            } else {
+                to(std::min(depth + clearance, highest), MoveKind::Rapid);
+            }
+        }
+        to(bottom, MoveKind::Feed);
+        if (cycle.p > 0.0 && !rules_.strict) path_.dwell(state_, seconds);
+        to(clear, MoveKind::Rapid);
+        return true;
+    }
+    to(bottom, MoveKind::Feed);
+    switch (motion) {
+        case Code::G81: to(clear, MoveKind::Rapid); break;
+        case Code::G82:
+            path_.dwell(state_, seconds);
+            to(clear, MoveKind::Rapid);
+            break;
+        case Code::G74:
+        case Code::G84:
+            state_.spindle =
+                motion == Code::G84 ? SpindleTurning::Counterclockwise : SpindleTurning::Clockwise;
+            path_.dwell(state_, seconds);
+            to(clear, MoveKind::Feed);
+            state_.spindle = turning;
+            break;
+        case Code::G85:
+            to(r, MoveKind::Feed);
+            if (clear != r) to(clear, MoveKind::Rapid);
+            break;
+        case Code::G76:
+        case Code::G86:
+        case Code::G87:
+        case Code::G88:
+            // The spindle stops (G76: orients and steps aside by Q), and the tool goes out.
+            if (cycle.has_p) path_.dwell(state_, seconds);
+            state_.spindle = SpindleTurning::Stopped;
+            to(clear, MoveKind::Rapid);
+            state_.spindle = turning;
+            break;
+        case Code::G89:
+            path_.dwell(state_, seconds);
+            to(clear, MoveKind::Feed);
+            break;
+        default: break;
+    }
+    return true;
+}
+
+}  // namespace ncsim::gcode

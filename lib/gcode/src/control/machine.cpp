@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The order of execution, and the modes.
+#include "control/machine.h"
+
+#include "ncsim/gcode/print.h"
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+Axes to_axes(const Position& p) {
+    return {p.x.mm(),      p.y.mm(), p.z.mm(), p.a.degrees(), p.b.degrees(),
+            p.c.degrees(), p.u.mm(), p.v.mm(), p.w.mm()};
+}
+
+constexpr KnownAxes kNothing{false, false, false};
+
+}  // namespace
+
+Machine::Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log,
+                 Path& path, Parameters& parameters)
+    : options_(options),
+      rules_(rules),
+      log_(log),
+      path_(path),
+      parameters_(parameters),
+      compensation_(control_.compensation, path, log) {
+    Store& store = control_.store.change();
+    store.tools = options.tools;
+    for (std::size_t i = 0; i < store.work_offsets.size(); ++i) {
+        store.work_offsets[i].origin = to_axes(options.work_offsets[i]);
+        // LinuxCNC has its offsets in a file: they are known to it.
+        const bool known = options.work_offsets_told[i] || rules.strict;
+        store.work_offsets[i].frame.fill(known ? 0 : static_cast<int>(i) + 1);
+    }
+    for (const auto& [number, origin] : options.extended_offsets)
+        store.extended[number].origin = to_axes(origin);
+    for (std::size_t i = 0; i < store.homes.size(); ++i)
+        store.homes[i] = to_axes(options.homes[i]);
+    state_.inches = options.default_units == DefaultUnits::Inches;
+    state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
+    select_system(1);
+    parameters_.view.state = &state_;
+    parameters_.view.store = &control_.store;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!options.start[i]) continue;
+        state_.position[i] = options.start[i]->mm() / state_.unit_mm();
+        tell_place(i);
+    }
+}
+
+bool Machine::is_known(std::size_t axis) const {
+    return axis == kX   ? state_.known.x
+           : axis == kY ? state_.known.y
+           : axis == kZ ? state_.known.z
+                        : true;
+}
+
+/// From here on it is known where the axis stands.
+void Machine::tell_place(std::size_t axis) {
+    if (axis == kX) state_.known.x = true;
+    if (axis == kY) state_.known.y = true;
+    if (axis == kZ) state_.known.z = true;
+}
+
+void Machine::set_origin(SourceSpan span, std::uint32_t file) {
+    span_ = span;
+    file_ = file;
+    path_.set_origin(span, file);
+}
+
+/// A move of the programmed path, with or without compensation.
+bool Machine::feed_straight(const Axes& end, MoveKind kind, AxisMask mask) {
+    if (outline_) {
+        outline_->is_foreign |= kind != MoveKind::Feed;
+        return hear(end, nullptr);
+    }
+    if (compensation_.is_on()) return compensation_.straight(state_, end, kind, mask, span_, file_);
+    path_.straight(state_, end, kind, mask);
+    state_.just_left_compensation = false;
+    return true;
+}
+
+bool Machine::execute(const Command& command) {
+    if (control_.corner && !goes_on_from_corner(command)) settle_corner();
+    let_out(command);
+    const ControlState before = control_;
+    const std::uint64_t motions = path_.count();
+    curve_fails_ = false;
+    if (act(command)) return true;
+    if (outline_) outline_->is_foreign = true;
+    if (path_.count() == motions) control_ = before;  // what has moved stays where it is
+    if (curve_fails_) control_.curve = {};
+    return false;
+}
+
+/// A move that is held back by cutter compensation is made before anything that has no part in it.
+void Machine::let_out(const Command& command) {
+    if (!compensation_.is_on()) return;
+    const Code one_shot = command.group(Group::OneShot);
+    if (command.group(Group::Units) != Code::None ||
+        (one_shot != Code::None && one_shot != Code::G4) ||
+        command.group(Group::WorkOffset) != Code::None ||
+        command.group(Group::Plane) != Code::None ||
+        command.group(Group::ToolLength) != Code::None ||
+        command.group(Group::CutterSide) == Code::G40 ||
+        command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
+        command.group(MGroup::Stop) == 2 || command.group(MGroup::Stop) == 30) {
+        compensation_.flush(state_);
+        path_.set_origin(span_, file_);
+    }
+}
+
+bool Machine::act(const Command& command) {
+    if (const Code code = command.group(Group::Unsupported); code != Code::None) {
+        stopped_ = true;
+        const bool lathe = code >= Code::G70 && code < Code::G73;
+        return fail(lathe ? Message::LatheCycle : Message::TiltedPlane, command.span,
+                    {name_of(code)});
+    }
+    if (const Code code = command.group(Group::NotSimulated); code != Code::None)
+        return fail(Message::NotSimulated, span_of_g(command, code), {name_of(code)});
+    motion_was_named_ = command.group(Group::Motion) != Code::None;
+    if (!check(command)) return false;
+    if (command.corner != 0 && !ends_in_corner(command)) {
+        return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
+    }
+    if (command.has_angle && !ends_in_corner(command))
+        return fail(Message::CornerWord, command.angle_span, {",A"});
+    // On most controls G20 F10 is 10 inches per minute; RS274/NGC reads F before G20.
+    const Code units = command.group(Group::Units);
+    const auto switch_units = [&] {
+        if (units != Code::None) set_units(units == Code::G20 || units == Code::G70);
+    };
+    if (!rules_.strict) switch_units();
+    if (!set_feed(command)) return false;
+    set_speeds_and_tools(command);
+    if (needs_kinematics(command)) {
+        stopped_ = true;
+        return fail(Message::KinematicsUntold, command.span,
+                    {std::string("M").append(std::to_string(state_.kinematics))});
+    }
+    if (command.group(Group::OneShot) == Code::G4 && !dwell(command)) return false;
+    switch (command.group(Group::Plane)) {
+        case Code::G17: state_.plane = Plane::XY; break;
+        case Code::G18: state_.plane = Plane::ZX; break;
+        case Code::G19: state_.plane = Plane::YZ; break;
+        case Code::G17_1: state_.plane = Plane::UV; break;
+        case Code::G18_1: state_.plane = Plane::WU; break;
+        case Code::G19_1: state_.plane = Plane::VW; break;
+        default: break;
+    }
+    if (rules_.strict) switch_units();
+    // G41 beside G150 is for the pocket alone.
+    const bool for_pocket = command.group(Group::Pocket) == Code::G150;
+    if ((!for_pocket && !set_cutter_side(command)) || !set_tool_length(command) ||
+        !set_work_offset(command)) {
+        return false;
+    }
+    set_modes(command);
+    if (!set_programmed(command) || !check_tip_control(command) || !one_shot(command)) return false;
+    if (!move(command, command.group(Group::Motion))) return false;
+    if (command.group(MGroup::Stop) != kNone) stop(command);
+    return true;
+}
+
+// --- Faults ---
+
+SourceSpan Machine::span_of(const Command& command, char letter) const {
+    const Word* word = find_word(*command.block, letter);
+    return word ? word->span : command.span;
+}
+
+SourceSpan Machine::span_of_g(const Command& command, Code code) const {
+    for (const Word& word : command.block->words) {
+        if (word.letter == 'G' && word.literal &&
+            std::lround(word.number * 10) == tenths_of(code)) {
+            return word.span;
+        }
+    }
+    return command.span;
+}
+
+bool Machine::fail(const MessageText& message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments) {
+    log_.add(Severity::Error, message, span, arguments);
+    return false;
+}
+
+void Machine::warn(const MessageText& message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments) {
+    log_.add(message, span, arguments);
+}
+
+bool Machine::tolerate(const MessageText& message, SourceSpan span,
+                       std::initializer_list<std::string_view> arguments) {
+    if (rules_.strict) return fail(message, span, arguments);
+    log_.add(Severity::Warning, message, span, arguments);
+    return true;
+}
+
+/// What RS274/NGC refuses before it does anything.
+bool Machine::check(const Command& command) {
+    const Code motion = command.group(Group::Motion);
+    const Code one_shot = command.group(Group::OneShot);
+    const bool takes_axes = one_shot != Code::None && entry_of(one_shot).takes_axes;
+    if (takes_axes && motion != Code::None && motion != Code::G80 && rules_.strict) {
+        return fail(Message::TwoCodesUseAxes, span_of_g(command, one_shot), {name_of(one_shot)});
+    }
+    return check_corner_words(command) && check_unused_words(command);
+}
+
+/// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
+bool Machine::check_corner_words(const Command& command) {
+    if (!rules_.corner_words || !is_line(command)) return true;
+    if (command.has('R') && command['R'] != 0.0)
+        return fail(Message::CornerWithoutComma, span_of(command, 'R'), {"R", "R", ""});
+    if (!command.has('C') || !rules_.c_may_be_corner) return true;
+    return fail(Message::CornerWithoutComma, span_of(command, 'C'),
+                {"C", "C", ", or begin with C0. if it is an axis"});
+}
+
+/// Words that no code of the block uses: RS274/NGC refuses them, others pass over them, and where
+/// they pass over them they may hide a code that got lost.
+bool Machine::check_unused_words(const Command& command) {
+    constexpr std::string_view kParameters = "DEHIJKLPQR";
+    if (!command.has_any(letters('D', 'E', 'H', 'I', 'J', 'K', 'L', 'P', 'Q', 'R'))) return true;
+    Code motion = command.group(Group::Motion);
+    if (motion == Code::None && (command.axis_words || is_modal_arc(command)))
+        motion = state_.motion;
+    // Other controls: registers stand where they like, codes without effect here have words of
+    // their own, and cycles more of them.
+    const bool lax = !rules_.strict;
+    const bool user_m = command.has_m;  // M66 P, M61 Q, M68 E and the user's own
+    std::uint32_t used = user_m ? letters('E', 'L', 'P', 'Q', 'R') : 0;
+    bool others = user_m || command.has_others || control_.curve.by_knots ||
+                  command.group(MGroup::ToolChange) != kNone ||
+                  command.group(Group::HolePattern) != Code::None;
+    const auto use = [&](Code code) {
+        if (code == Code::None) return;
+        used |= entry_of(code).letters;
+        others |= entry_of(code).has_other_letters;
+    };
+    use(motion);
+    std::ranges::for_each(command.g, use);
+    if (lax) used |= letters('D', 'E', 'H');
+    if (lax && others) return true;
+    for (const char& letter : kParameters) {
+        if (!command.has(letter) || (used >> letter_index(letter) & 1U) != 0) continue;
+        if (!tolerate(Message::WordUnused, span_of(command, letter), {{&letter, 1}})) return false;
+    }
+    return true;
+}
+
+// --- Modes ---
+
+bool Machine::set_feed(const Command& command) {
+    const Code mode = command.group(Group::Feed);
+    if (mode != Code::None) {
+        const FeedMode before = state_.feed_mode;
+        state_.feed_mode = mode == Code::G93   ? FeedMode::InverseTime
+                           : mode == Code::G94 ? FeedMode::PerMinute
+                                               : FeedMode::PerRevolution;
+        // A feed of another kind is no feed.
+        if (before != state_.feed_mode || rules_.strict) state_.feed = 0.0;
+    }
+    if (command.has('F')) {
+        if (command['F'] < 0.0) return fail(Message::NegativeValue, span_of(command, 'F'), {"F"});
+        state_.feed = command['F'];
+    }
+    return true;
+}
+
+void Machine::set_speeds_and_tools(const Command& command) {
+    if (const Code mode = command.group(Group::SpindleSpeed); mode != Code::None) {
+        state_.constant_surface_speed = mode == Code::G96;
+    }
+    if (command.has('S')) state_.spindle_rpm = std::abs(command['S']);
+    if (command.has('T')) {
+        state_.selected_tool = static_cast<int>(std::clamp(command['T'], -1.0, 1e9));
+    }
+    const int change = command.group(MGroup::ToolChange);
+    if (change == 6 && state_.selected_tool >= 0) {
+        state_.tool = state_.selected_tool;
+        if (command.next_tool >= 0.0) {
+            state_.selected_tool = static_cast<int>(std::min(command.next_tool, 1e9));
+        }
+        state_.spindle = SpindleTurning::Stopped;
+        state_.tool_length = gauge_length();
+        path_.tool_change(state_);
+    } else if (change == 61 && command.has('Q')) {
+        state_.tool = static_cast<int>(std::clamp(command['Q'], 0.0, 1e9));
+        state_.tool_length = gauge_length();
+        path_.tool_change(state_);
+    }
+    if (command.group(MGroup::Spindle) != kNone) state_.spindle_in_doubt = false;
+    switch (command.group(MGroup::Spindle)) {
+        case 3:
+        case 13: state_.spindle = SpindleTurning::Clockwise; break;  // M13: and coolant
+        case 4:
+        case 14: state_.spindle = SpindleTurning::Counterclockwise; break;
+        case 5:
+        case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
+        default: break;
+    }
+    if (const int code = command.group(MGroup::Kinematics); code != kNone) {
+        const auto told = options_.tip_control.m_codes.find(code);
+        const bool is_told = told != options_.tip_control.m_codes.end();
+        state_.kinematics = is_told ? 0 : code;
+        state_.tip_by_length = false;
+        if (is_told) choose(told->second);
+    }
+}
+
+/// Does any rotary axis stand elsewhere than at 0?
+bool Machine::is_turned() const {
+    const Axes at = machine_position();
+    return at[kA] != 0.0 || at[kB] != 0.0 || at[kC] != 0.0;
+}
+
+/// From here on X, Y and Z are something else. Nothing moves: where all rotary axes are at 0 the
+/// tip is where the linear axes are, and else only the machine knows.
+void Machine::choose(Coordinates coordinates) {
+    if (coordinates == state_.coordinates) return;
+    state_.coordinates = coordinates;
+    if (is_turned()) set_knowledge(state_, Knowledge{{false, false, false}, kNothing, kNothing});
+}
+
+/// What under tip control, with the tool tilted, would not go where it is taken to.
+bool Machine::check_tip_control(const Command& command) {
+    if (state_.coordinates != Coordinates::Tip || !command.axis_words || command.axes_are_taken())
+        return true;
+    bool turns = is_turned();
+    for (const char letter : {'A', 'B', 'C'})
+        turns |= command.has(letter) && command[letter] != 0.0;
+    if (!turns) return true;
+    const Code motion = command.group(Group::Motion);
+    const Code now = motion == Code::None ? state_.motion : motion;
+    std::string_view what;
+    if (is_cycle(now)) {
+        what = name_of(now);
+    } else if (command.group(Group::Pocket) != Code::None) {
+        what = name_of(command.group(Group::Pocket));
+    } else if (command.group(Group::HolePattern) != Code::None) {
+        what = name_of(command.group(Group::HolePattern));
+    } else if (state_.cutter_side != CutterSide::Off) {
+        what = state_.cutter_side == CutterSide::Left ? "G41" : "G42";
+    } else if (state_.programmed.rotated || state_.programmed.scaled) {
+        what = state_.programmed.rotated ? "G68" : "G51";
+    } else if (state_.programmed.polar) {
+        what = "G16";
+    }
+    return what.empty() || fail(Message::TipControlForbids, command.span, {what});
+}
+
+/// After M428 and its kin, what a rotary axis does to the tip is told by the configuration of the
+/// machine alone. Where none has turned, nothing depends on it.
+bool Machine::needs_kinematics(const Command& command) {
+    if (state_.kinematics == 0) return false;
+    return command.has_any(letters('A', 'B', 'C')) || is_turned();
+}
+
+void Machine::set_units(bool inches) {
+    if (!state_.first_length_seen) state_.units_stated = true;
+    if (inches == state_.inches) return;
+    const double factor = inches ? 1.0 / 25.4 : 25.4;
+    const auto scale = [&](Axes& axes) {
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            if (!is_rotary(i)) axes[i] *= factor;
+        }
+    };
+    scale(state_.position);
+    scale(state_.work_offset);
+    scale(state_.offset_92);
+    scale(state_.tool_offset);
+    scale(state_.zero_92);
+    Store& store = control_.store.change();
+    scale(store.probed);
+    scale(store.via);
+    state_.cutter_radius *= factor;
+    if (state_.feed_mode != FeedMode::InverseTime) state_.feed *= factor;
+    Programmed& programmed = state_.programmed;
+    programmed.centre_1 *= factor;
+    programmed.centre_2 *= factor;
+    for (double& c : programmed.scale_centre)
+        c *= factor;
+    state_.inches = inches;
+}
+
+void Machine::set_modes(const Command& command) {
+    if (const Code g = command.group(Group::Distance); g != Code::None)
+        state_.incremental = g == Code::G91;
+    if (const Code g = command.group(Group::Centre); g != Code::None)
+        state_.absolute_centres = g == Code::G90_1;
+    if (const Code g = command.group(Group::Retract); g != Code::None)
+        state_.retract_to_r = g == Code::G99;
+    if (const Code g = command.group(Group::Diameter); g != Code::None)
+        state_.lathe_diameter = g == Code::G7;
+}
+
+/// Fanuc's kin: P counts milliseconds unless it has a point.
+double Machine::seconds_of(const Command& command, char letter) const {
+    const double value = command[letter];
+    if (!rules_.dwell_milliseconds || letter != 'P') return value;
+    const Word* word = find_word(*command.block, letter);
+    const bool has_point =
+        word && command.block->text.substr(word->span.column - 1, word->span.length).find('.') !=
+                    std::string_view::npos;
+    return has_point ? value : value / 1000.0;
+}
+
+bool Machine::dwell(const Command& command) {
+    double seconds = 0.0;
+    char letter = 'P';
+    if (!command.has('P')) {
+        letter = command.has('X') ? 'X' : command.has('U') ? 'U' : command.has('F') ? 'F' : 'S';
+        if (rules_.strict || !command.has(letter)) {
+            return tolerate(Message::DwellWithoutTime, span_of_g(command, Code::G4));
+        }
+    }
+    seconds = seconds_of(command, letter);
+    if (seconds < 0.0)
+        return fail(Message::NegativeValue, span_of(command, letter), {{&letter, 1}});
+    compensation_.dwell(state_, seconds, span_, file_);
+    return true;
+}
+
+bool Machine::one_shot(const Command& command) {
+    const Code code = command.group(Group::OneShot);
+    switch (code) {
+        case Code::None:
+        case Code::G4:
+        case Code::G53: return true;
+        case Code::G10: return set_data(command);
+        case Code::G28: return home(command, false);
+        case Code::G29: return return_from_home(command);
+        case Code::G30: return home(command, true);
+        case Code::G28_1: return store_home(false), true;
+        case Code::G28_2: return seek_home(command);
+        case Code::G30_1: return store_home(true), true;
+        default: return offset_92(command, code);
+    }
+}
+
+void Machine::stop(const Command& command) {
+    const int code = command.group(MGroup::Stop);
+    if (code == 2 || code == 30) return finish();
+    // M0, M1, M60. LinuxCNC and grbl leave the spindle alone; others stop it, Haas and most Fanuc
+    // machines among them.
+    if (rules_.strict || rules_.dialect == Dialect::Grbl) return;
+    const bool stops_it = rules_.dialect == Dialect::Fanuc || rules_.dialect == Dialect::Haas;
+    if (stops_it && code != 1) {
+        state_.spindle = SpindleTurning::Stopped;
+    } else {
+        state_.spindle_in_doubt = state_.spindle != SpindleTurning::Stopped;  // M1: if it is on
+    }
+}
+
+void Machine::finish() {
+    ended_ = true;
+    compensation_.end(state_);
+    select_system(1);
+    state_.plane = Plane::XY;
+    state_.incremental = false;
+    state_.feed_mode = FeedMode::PerMinute;
+    state_.feed = 0.0;
+    state_.cutter_side = CutterSide::Off;
+    state_.spindle = SpindleTurning::Stopped;
+    state_.spindle_in_doubt = false;
+    state_.motion = Code::G1;
+    state_.programmed = {};
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Acts on one command after the other: the modes, offsets and moves of a control, in the order of
+// execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
+//
+// One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
+// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp,
+// hole_pattern.cpp, pocket.cpp, area_pocket.cpp, spline.cpp, probe.cpp.
+#pragma once
+
+#include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/interpretation.h"
+#include "ncsim/gcode/state.h"
+
+#include "control/area.h"
+#include "control/command.h"
+#include "control/compensation.h"
+#include "control/control_state.h"
+#include "control/parameters.h"
+#include "control/path.h"
+#include "control/rules.h"
+#include "text/message.h"
+
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::gcode {
+
+/// A move of an outline in X and Y of the program; an arc, if it turns.
+struct OutlineMove {
+    PlanePoint from, to, centre;
+    int turns = 0;  ///< Above 0 counter-clockwise.
+};
+
+class Machine {
+public:
+    Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log, Path& path,
+            Parameters& parameters);
+
+    /// Acts on `command`, or returns false after reporting an error: then control() is as it was,
+    /// but for the curve that the command should have ended, and unless it had moved something.
+    bool execute(const Command& command);
+
+    // The outline of a G150: between these two, moves are listened to and not made.
+    bool begin_outline(const Command& command);
+    void end_outline();
+    /// What may stand in an outline: lines and arcs.
+    static bool belongs_to_outline(const Command& command);
+
+    bool ended() const { return ended_; }  ///< M2 or M30.
+    /// Met a code after which nothing could be simulated rightly; it was reported.
+    bool stopped() const { return stopped_; }
+    const ControlState& control() const { return control_; }
+    const MachineState& state() const { return state_; }
+    MachineState& state() { return state_; }
+
+    /// Lets out what waits for the next move (a corner, cutter compensation).
+    void flush() {
+        if (control_.corner) settle_corner();
+        compensation_.flush(state_);
+    }
+    /// Where the following motions come from.
+    void set_origin(SourceSpan span, std::uint32_t file);
+
+    /// The end of the program: modes go back to what a control starts a program with.
+    void finish();
+
+    // Which unit the first length was in, for the assumption sheet.
+    bool units_stated() const { return state_.units_stated; }
+    bool first_length_seen() const { return state_.first_length_seen; }
+    bool first_length_in_inches() const { return state_.first_length_in_inches; }
+    /// G43 or one of its kin came.
+    bool uses_length_offsets() const { return uses_length_offsets_; }
+
+private:
+    void let_out(const Command& command);
+    bool act(const Command& command);
+    bool check(const Command& command);
+    bool check_corner_words(const Command& command);
+    bool check_unused_words(const Command& command);
+
+    // Each returns false after reporting an error.
+    bool set_feed(const Command& command);
+    void set_speeds_and_tools(const Command& command);
+    void set_units(bool inches);
+    void set_modes(const Command& command);
+    bool set_cutter_side(const Command& command);
+    bool set_tool_length(const Command& command);
+    std::optional<double> gauge_length() const;
+    bool set_work_offset(const Command& command);
+    bool set_programmed(const Command& command);
+    bool one_shot(const Command& command);
+    bool dwell(const Command& command);
+    bool move(const Command& command, Code motion);
+    void stop(const Command& command);
+
+    bool home(const Command& command, bool second);
+    bool seek_home(const Command& command);
+    bool return_from_home(const Command& command);
+    void store_home(bool second);
+    bool offset_92(const Command& command, Code code);
+    bool set_data(const Command& command);  // G10
+    bool set_work_data(const Command& command, int index, bool from_position);
+    static std::optional<int> extended_number(const Command& command);
+    WorkOffset& offset_of(int system);
+    static int system_of(Code code);
+    bool set_tool_data(const Command& command, int index);
+    ToolTableEntry* register_of(int index);
+    bool is_register(const Command& command, int l) const;
+    bool set_register(const Command& command, int index, int l);
+    bool is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const;
+    std::optional<double> told_length(int tool) const;
+    void select_system(int system);
+    void recompute_position(const Axes& machine);
+
+    bool straight(const Command& command, MoveKind kind);
+    bool threading(const Command& command, Code motion);
+    bool arc(const Command& command, bool clockwise);
+    bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
+    bool arc_by_centre(const Command& command, bool clockwise, ProgramArc& arc);
+    bool spline(const Command& command, Code motion);
+    bool nurbs(const Command& command, Code motion);
+    bool nurbs_with_knots(const Command& command);
+    void finish_curve(std::vector<double> knots);
+    bool probe(const Command& command, Code motion);
+    bool cycle(const Command& command, Code motion);
+    bool cycle_words(const Command& command, Code motion);
+    /// What is the same for all holes of a block.
+    struct Drilling {
+        Code motion = Code::None;
+        std::size_t depth_axis = kZ;
+        double r = 0.0, bottom = 0.0, clear = 0.0;
+    };
+    std::optional<Drilling> begin_drilling(const Command& command, Code motion);
+    bool hole_place(const Command& command, Axes& hole, AxisMask& mask);
+    bool hole_at(const Drilling& drilling, const Axes& hole, AxisMask mask);
+    bool drill(const Drilling& drilling, const Axes& above);
+    bool hole_pattern(const Command& command, Code code, bool words_taken);
+    static std::string_view corner_name(char letter) {
+        return letter == 'R' ? ",R" : letter == 'C' ? ",C" : ",A";
+    }
+    bool is_line(const Command& command) const;
+    bool ends_in_corner(const Command& command) const;
+    bool goes_on_from_corner(const Command& command) const;
+    bool stays_in_plane(const Axes& from, const Axes& to) const;
+    bool hold_corner(const Command& command, const Axes& end, AxisMask mask);
+    bool cut_corner(const Axes& next);
+    bool end_by_angle(const Command& command, Axes& end, AxisMask& mask);
+    bool hold_angle(const Command& command, const Axes& end, AxisMask mask);
+    bool find_corner(const Command& command, const Axes& next);
+    bool make_held_line(const Axes& end, const Axes* second, const ProgramArc* arc);
+    void settle_corner();
+    bool pocket(const Command& command, Code code, bool words_taken);
+    void mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
+                      AxisMask mask);
+    bool hear(const Axes& end, const ProgramArc* arc);
+    bool area_pocket(const Command& command, Code side, bool words_taken);
+    bool mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
+                     const Area& area, bool along_y, double level, double clear);
+    double radius_of_register(const Command& command, SourceSpan span);
+
+    /// Where the axis words point to, in program coordinates, and which axes they name.
+    bool find_ends(const Command& command, Axes& end, AxisMask& mask);
+    bool polar_ends(const Command& command, Axes& end, AxisMask& mask);
+    Axes programmed_from(const Axes& position) const;
+    Axes programmed_to(const Axes& programmed) const;
+    Axes machine_position() const;
+    Axes from_machine(const Axes& machine) const;
+    bool needs_feed(const Command& command, std::string_view what);
+    bool feed_straight(const Axes& end, MoveKind kind, AxisMask mask);
+    bool is_modal_arc(const Command& command) const;
+    bool is_speed_mode(const Command& command, Code motion) const;
+    double seconds_of(const Command& command, char letter) const;
+    bool needs_kinematics(const Command& command);
+    bool is_turned() const;
+    void choose(Coordinates coordinates);
+    bool check_tip_control(const Command& command);
+    bool is_known(std::size_t axis) const;
+    void tell_place(std::size_t axis);
+
+    SourceSpan span_of(const Command& command, char letter) const;
+    SourceSpan span_of_g(const Command& command, Code code) const;
+    bool fail(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    void warn(const MessageText& message, SourceSpan span,
+              std::initializer_list<std::string_view> arguments = {});
+    /// A warning where other controls accept it; an error under strict rules.
+    bool tolerate(const MessageText& message, SourceSpan span,
+                  std::initializer_list<std::string_view> arguments = {});
+
+    const InterpreterOptions& options_;
+    const Rules& rules_;
+    DiagnosticLog& log_;
+    Path& path_;
+    Parameters& parameters_;
+
+    ControlState control_;
+    MachineState& state_ = control_.machine;
+    Compensation compensation_;
+    struct Outline {
+        ControlState before;
+        std::vector<OutlineMove> moves;
+        bool is_foreign = false;  ///< Something moved otherwise than in X and Y.
+    };
+    std::optional<Outline> outline_;  ///< While one is listened to.
+    std::vector<OutlineMove> heard_;
+    bool heard_well_ = false;
+    SourceSpan span_;
+    std::uint32_t file_ = 0;
+    static constexpr int kExtended = 9;
+    bool curve_fails_ = false;  ///< If the block is refused, the curve it is part of goes with it.
+    bool motion_was_named_ = false;
+    bool uses_length_offsets_ = false;
+    bool ended_ = false;
+    bool stopped_ = false;
+};
+
+}  // namespace ncsim::gcode

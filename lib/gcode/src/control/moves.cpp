@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a block moves: from its words to ends, and which motion leads there.
+#include "ncsim/trig/angles.h"
+
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+
+bool Machine::move(const Command& command, Code motion) {
+    const Code one_shot = command.group(Group::OneShot);
+    const bool words_taken = command.axes_are_taken() || (one_shot == Code::G4 && !rules_.strict);
+    if (is_speed_mode(command, motion)) return true;
+    if (const Code code = command.group(Group::HolePattern); code != Code::None) {
+        return hole_pattern(command, code, words_taken);
+    }
+    if (const Code code = command.group(Group::Pocket); code != Code::None) {
+        if (code == Code::G150)
+            return area_pocket(command, command.group(Group::CutterSide), words_taken);
+        return pocket(command, code, words_taken);
+    }
+    if (motion != Code::None) {
+        state_.motion = motion;
+        if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
+        if (!is_cycle(motion)) state_.cycle = {};
+        if (motion == Code::G80) {
+            if (!command.axis_words || words_taken) return true;
+            if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
+            // Others go on as before the cycle: "G80 Z50."
+            warn(Message::AxesAfterG80, command.span, {name_of(state_.last_straight)});
+            motion = state_.last_straight;
+        } else if (words_taken) {
+            return true;  // "G0 G28 Z0": the words belong to G28
+        }
+    } else {
+        const bool knot = control_.curve.by_knots && command.has('K');  // of G6.2
+        if ((!command.axis_words && !is_modal_arc(command) && !knot) || words_taken) return true;
+        motion = state_.motion;
+        if (motion == Code::None || motion == Code::G80) {
+            if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
+            const bool start = motion == Code::None;
+            motion = start ? Code::G0 : state_.last_straight;
+            if (start) state_.motion = Code::G0;
+            warn(start ? Message::AxesBeforeMotion : Message::AxesAfterG80, command.span,
+                 {name_of(motion)});
+        }
+    }
+    if (!state_.first_length_seen && command.axis_words) {
+        state_.first_length_seen = true;
+        state_.first_length_in_inches = state_.inches;
+    }
+    state_.previous_was_spline = state_.previous_was_spline && motion == Code::G5;
+    if (one_shot == Code::G53 && motion != Code::G0 && motion != Code::G1) {
+        if (rules_.strict) return fail(Message::G53Motion, span_of_g(command, Code::G53));
+        warn(Message::G53Motion, span_of_g(command, Code::G53));
+        motion = Code::G0;
+    }
+    if (control_.curve.by_knots && motion != Code::G6_2) {
+        curve_fails_ = true;
+        return fail(Message::SplineKnots, command.span);
+    }
+    switch (motion) {
+        case Code::G0: return straight(command, MoveKind::Rapid);
+        case Code::G1: return needs_feed(command, "G1") && straight(command, MoveKind::Feed);
+        case Code::G2: return needs_feed(command, "G2") && arc(command, true);
+        case Code::G3: return needs_feed(command, "G3") && arc(command, false);
+        case Code::G5:
+        case Code::G5_1: return spline(command, motion);
+        case Code::G5_2:
+        case Code::G5_3: return nurbs(command, motion);
+        case Code::G6_2: return nurbs_with_knots(command);
+        case Code::G31:
+        case Code::G38_2:
+        case Code::G38_3:
+        case Code::G38_4:
+        case Code::G38_5: return probe(command, motion);
+        case Code::G33:
+        case Code::G33_1: return threading(command, motion);
+        default: return cycle(command, motion);
+    }
+}
+
+/// G5 P10000, G5.1 Q1: modes of Fanuc's kin for fast machining, and no curves; the motion before
+/// them goes on.
+bool Machine::is_speed_mode(const Command& command, Code motion) const {
+    if (rules_.strict || command.has_any(letters('I', 'J'))) return false;
+    return (motion == Code::G5 && !command.axis_words) ||
+           (motion == Code::G5_1 && (command.has('Q') || !command.axis_words));
+}
+
+/// "I-7.5 J0" alone is a full circle while G2 or G3 is on.
+bool Machine::is_modal_arc(const Command& command) const {
+    return (state_.motion == Code::G2 || state_.motion == Code::G3) &&
+           command.has_any(letters('I', 'J', 'K')) && command.group(Group::OneShot) == Code::None;
+}
+
+bool Machine::needs_feed(const Command& command, std::string_view what) {
+    if (state_.feed_mode == FeedMode::InverseTime) {
+        if (command.has('F')) return true;
+        return fail(Message::InverseTimeFeed, command.span, {what});
+    }
+    if (state_.feed > 0.0) return true;
+    return tolerate(Message::FeedMissing, command.span, {what});
+}
+
+bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
+    mask = 0;
+    const bool machine = command.group(Group::OneShot) == Code::G53;
+    if (machine && state_.incremental && !tolerate(Message::G53Incremental, command.span)) {
+        return false;
+    }
+    constexpr std::string_view kLetters = "XYZABCUVW";
+    constexpr std::uint32_t kPolarLetters = letters('@', '^');
+    const bool polar = state_.programmed.polar || command.has_any(kPolarLetters);
+    const bool transformed = state_.programmed.rotated || state_.programmed.scaled;
+    const bool incremental = state_.incremental && !machine;
+    Axes at = machine ? machine_position() : state_.position;
+    if (transformed && !machine) at = programmed_from(at);
+    end = at;
+    for (std::size_t i = 0; i < kLetters.size(); ++i) {
+        if (!command.has(kLetters[i])) continue;
+        mask |= 1U << i;
+        double value = command[kLetters[i]];
+        if (i == kX && state_.lathe_diameter) value /= 2.0;
+        end[i] = incremental ? at[i] + value : value;
+    }
+    if (polar && !machine && !polar_ends(command, end, mask)) return false;
+    if (machine) {
+        end = from_machine(end);
+    } else if (transformed) {
+        end = programmed_to(end);
+    }
+    return true;
+}
+
+/// G16: the first axis word of the plane is a radius, the second an angle. "@" and "^" of
+/// RS274/NGC are the same without a mode, about the origin.
+bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const Axes at = programmed_from(state_.position);
+    const double x = at[axes.first];
+    const double y = at[axes.second];
+    double radius = trig::length_of(x, y);
+    double angle = trig::angle_of(x, y);
+    const bool by_letters = command.has('@') || command.has('^');
+    const auto take = [&](bool has, double value, double& what) {
+        if (has) what = state_.incremental ? what + value : value;
+    };
+    if (by_letters) {
+        take(command.has('@'), command['@'], radius);
+        take(command.has('^'), command['^'], angle);
+    } else {
+        if ((mask & (1U << axes.first | 1U << axes.second)) == 0) return true;
+        constexpr std::string_view kLetters = "XYZABCUVW";
+        take((mask & 1U << axes.first) != 0, command[kLetters[axes.first]], radius);
+        take((mask & 1U << axes.second) != 0, command[kLetters[axes.second]], angle);
+    }
+    const trig::SinCos direction = trig::sin_cos(angle);
+    end[axes.first] = radius * direction.cos;
+    end[axes.second] = radius * direction.sin;
+    mask |= 1U << axes.first | 1U << axes.second;
+    return true;
+}
+
+bool Machine::straight(const Command& command, MoveKind kind) {
+    Axes end{};
+    AxisMask mask = 0;
+    if (!command.axis_words) {
+        // "G1" or "G1 F100" alone: the mode was set above.
+        if (rules_.strict) path_.straight(state_, state_.position, kind, 0);
+        return true;
+    }
+    if (!find_ends(command, end, mask)) return false;
+    const bool machine = command.group(Group::OneShot) == Code::G53;
+    if (command.has_angle) {
+        const PlaneAxes axes = axes_of(state_.plane);
+        const bool named = (mask & (1U << axes.first | 1U << axes.second)) != 0;
+        if (!named && !control_.corner) return hold_angle(command, end, mask);
+        const bool meets = control_.corner && control_.corner->angle;  // where the line before ends
+        if (!meets && !end_by_angle(command, end, mask)) return false;
+    }
+    if (control_.corner) {
+        // Without the line before, this one begins where the tool stands.
+        const bool meets = !control_.corner->angle || find_corner(command, end);
+        if (meets && !cut_corner(end)) return false;
+        if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
+    }
+    if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
+    if (!machine) return feed_straight(end, kind, mask);
+    path_.set_machine_coordinates(true);
+    path_.straight(state_, end, kind, mask);
+    path_.set_machine_coordinates(false);
+    return true;
+}
+
+/// G33 follows the spindle; G33.1 taps and comes back.
+bool Machine::threading(const Command& command, Code motion) {
+    if (!command.has('K') && !tolerate(Message::PitchMissing, command.span, {name_of(motion)})) {
+        return false;
+    }
+    Axes end{};
+    AxisMask mask = 0;
+    const Axes start = state_.position;
+    if (!find_ends(command, end, mask)) return false;
+    if (mask == 0) return fail(Message::AxesMissing, command.span, {name_of(motion)});
+    const double feed = state_.feed;
+    const FeedMode mode = state_.feed_mode;
+    state_.feed = command.get('K', 0.0);
+    state_.feed_mode = FeedMode::PerRevolution;
+    path_.straight(state_, end, MoveKind::Feed, mask);
+    if (motion == Code::G33_1) path_.straight(state_, start, MoveKind::Feed, mask);
+    state_.feed = feed;
+    state_.feed_mode = mode;
+    return true;
+}
+
+bool Machine::probe(const Command& command, Code motion) {
+    if (!command.axis_words) {
+        return fail(Message::AxesMissing, command.span, {name_of(motion)});
+    }
+    if (!needs_feed(command, name_of(motion))) return false;
+    Axes end{};
+    AxisMask mask = 0;
+    if (!find_ends(command, end, mask)) return false;
+    warn(Message::ProbeAssumed, command.span, {name_of(motion)});
+    path_.straight(state_, end, MoveKind::Probe, mask);
+    control_.store.change().probed = state_.position;
+    return true;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,540 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Coordinate systems: G54 … G59.3, G92 and G52, G10, G43, G41's radius, G68, G51, G16.
+#include "ncsim/trig/angles.h"
+
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+constexpr std::string_view kAxisNames = "XYZABCUVW";
+
+void rotate(double& x, double& y, double degrees) {
+    if (degrees == 0.0) return;
+    const trig::SinCos r = trig::sin_cos(degrees);
+    const double turned = x * r.cos - y * r.sin;
+    y = x * r.sin + y * r.cos;
+    x = turned;
+}
+
+/// mm to the active units, rotary axes left alone.
+Axes from_mm(const Axes& mm, double unit) {
+    Axes out = mm;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        if (!is_rotary(i)) out[i] /= unit;
+    }
+    return out;
+}
+double mm_of(double value, std::size_t axis, double unit) {
+    return is_rotary(axis) ? value : value * unit;
+}
+
+}  // namespace
+
+Axes Machine::machine_position() const {
+    Axes m{};
+    for (std::size_t i = 0; i < m.size(); ++i)
+        m[i] = state_.position[i] + state_.offset_92[i];
+    rotate(m[kX], m[kY], state_.rotation);
+    for (std::size_t i = 0; i < m.size(); ++i)
+        m[i] += state_.work_offset[i] + state_.tool_offset[i];
+    return m;
+}
+
+Axes Machine::from_machine(const Axes& machine) const {
+    Axes p = machine;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] -= state_.work_offset[i] + state_.tool_offset[i];
+    rotate(p[kX], p[kY], -state_.rotation);
+    for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] -= state_.offset_92[i];
+    return p;
+}
+
+/// Offsets changed and the machine did not move: the same place has other numbers.
+void Machine::recompute_position(const Axes& machine) {
+    state_.position = from_machine(machine);
+}
+
+/// 1 … 9 are G54 … G59.3, and kExtended + n is G54.1 Pn.
+WorkOffset& Machine::offset_of(int system) {
+    Store& store = control_.store.change();
+    if (system <= kExtended) return store.work_offsets[static_cast<std::size_t>(system - 1)];
+    const auto [entry, is_new] = store.extended.try_emplace(system - kExtended);
+    if (is_new) {
+        entry->second = store.work_offsets.front();
+        entry->second.frame.fill(system);
+    }
+    return entry->second;
+}
+
+void Machine::select_system(int system) {
+    const Axes machine = machine_position();
+    const WorkOffset& offset = offset_of(system);
+    state_.system = system;
+    state_.work_offset = from_mm(offset.origin, state_.unit_mm());
+    state_.rotation = offset.rotation;
+    state_.frame = offset.frame;
+    recompute_position(machine);
+}
+
+/// The P of G54.1 Pn and its kin.
+std::optional<int> Machine::extended_number(const Command& command) {
+    constexpr double kMost = 300.0;
+    const double p = command.get('P', 0.0);
+    if (!(p >= 1.0 && p <= kMost) || p != std::floor(p)) return std::nullopt;
+    return static_cast<int>(p);
+}
+
+/// The number of the system that a code chooses without a P; 1, if it has none.
+int Machine::system_of(Code code) {
+    constexpr std::array kNamed = {Code::G54, Code::G55,   Code::G56,   Code::G57,  Code::G58,
+                                   Code::G59, Code::G59_1, Code::G59_2, Code::G59_3};
+    const auto* const named = std::ranges::find(kNamed, code);
+    if (named != kNamed.end()) return static_cast<int>(named - kNamed.begin()) + 1;
+    // Of Haas: G110 is G154 P1.
+    if (code >= Code::G110 && code <= Code::G129) {
+        return kExtended + (tenths_of(code) - tenths_of(Code::G110)) / 10 + 1;
+    }
+    return 1;
+}
+
+bool Machine::set_work_offset(const Command& command) {
+    const Code code = command.group(Group::WorkOffset);
+    if (code == Code::None) return true;
+    int system = system_of(code);
+    if (code == Code::G54_1 || code == Code::G154 ||
+        (code == Code::G54 && command.has('P') && !rules_.strict)) {
+        const std::optional<int> number = extended_number(command);
+        if (!number)
+            return fail(Message::ExtendedNumber, span_of_g(command, code), {name_of(code)});
+        system = kExtended + *number;
+    }
+    if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
+        return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G54 … G59.3"});
+    }
+    select_system(system);
+    return true;
+}
+
+bool Machine::offset_92(const Command& command, Code code) {
+    const double unit = state_.unit_mm();
+    if (state_.cutter_side != CutterSide::Off && rules_.strict) {
+        return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G92"});
+    }
+    const Axes machine = machine_position();
+    Axes offset = state_.offset_92;
+    switch (code) {
+        case Code::G92:
+        case Code::G92_4:  // Smoothieware, Carvera: "here is A0", said of the machine itself
+        case Code::G28_3:  // TinyG, g2core: the same
+        case Code::G52:
+            if (!command.axis_words) {
+                // Fanuc: "G92 S2000" limits the spindle.
+                if (rules_.strict) return fail(Message::AxesMissing, command.span, {"G92"});
+                return true;
+            }
+            for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+                if (!command.has(kAxisNames[i])) continue;
+                const double value = command[kAxisNames[i]];
+                offset[i] =
+                    code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
+                // Where nobody knew the axis to stand, this tells it, and where the zero is.
+                if (code == Code::G52 || i > kZ || is_known(i)) continue;
+                state_.zero_92[i] = offset[i];
+                tell_place(i);
+            }
+            for (std::size_t i = 0; i < offset.size(); ++i)
+                control_.store.change().stored_92[i] = mm_of(offset[i], i, unit);
+            state_.offset_92_active = true;
+            break;
+        case Code::G92_1: control_.store.change().stored_92 = {}; [[fallthrough]];
+        case Code::G92_2:
+            offset = {};
+            state_.zero_92 = {};
+            state_.offset_92_active = false;
+            break;
+        case Code::G92_3:
+            offset = from_mm(control_.store->stored_92, unit);
+            state_.offset_92_active = true;
+            break;
+        default: return true;
+    }
+    state_.offset_92 = offset;
+    recompute_position(machine);
+    return true;
+}
+
+// --- G10 ---
+
+bool Machine::set_data(const Command& command) {
+    const SourceSpan span = span_of_g(command, Code::G10);
+    if (!command.has('L')) return fail(Message::G10Form, span);
+    const int l = static_cast<int>(std::lround(std::clamp(command['L'], -1e6, 1e6)));
+    const int p = static_cast<int>(std::lround(std::clamp(command.get('P', -1.0), -1e6, 1e6)));
+    switch (l) {
+        case 2:
+        case 20:
+            if (l == 20 && rules_.macro_b) {
+                // Fanuc and Haas: the origin of G54.1 Pn, not the place of now.
+                const std::optional<int> number = extended_number(command);
+                if (!number) return fail(Message::ExtendedNumber, span, {"G10 L20"});
+                return set_work_data(command, kExtended + *number, false);
+            }
+            if (p < 0 || p > 9) {
+                if (rules_.strict || p < 0) return fail(Message::G10System, span_of(command, 'P'));
+                return tolerate(Message::G10System, span_of(command, 'P'));
+            }
+            return set_work_data(command, p == 0 ? state_.system : p, l == 20);
+        case 1:
+        case 10:
+        case 11:
+            if (p < 0) return fail(Message::G10Form, span);
+            if (is_register(command, l)) return set_register(command, p, l);
+            return set_tool_data(command, p);
+        case 12:
+        case 13:
+            if (p < 0 || !is_register(command, l)) return fail(Message::G10Form, span);
+            return set_register(command, p, l);
+        default: return fail(Message::G10Form, span);
+    }
+}
+
+bool Machine::set_work_data(const Command& command, int index, bool from_position) {
+    WorkOffset& offset = offset_of(index);
+    const double unit = state_.unit_mm();
+    const Axes machine = machine_position();
+    if (command.has('R') && !from_position) offset.rotation = command['R'];
+    // L20: the place of now shall have these coordinates.
+    double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
+    double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
+    rotate(x, y, -offset.rotation);
+    double wanted_x = x;
+    double wanted_y = y;
+    for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        const double value = command[kAxisNames[i]];
+        if (!from_position) {
+            const double before = state_.incremental && !rules_.strict ? offset.origin[i] : 0.0;
+            offset.origin[i] = before + mm_of(value, i, unit);
+            if (i <= kZ && (!state_.incremental || rules_.strict)) offset.frame[i] = 0;
+        } else if (i == kX) {
+            wanted_x = value + state_.offset_92[kX];
+        } else if (i == kY) {
+            wanted_y = value + state_.offset_92[kY];
+        } else {
+            offset.origin[i] =
+                mm_of(machine[i] - state_.tool_offset[i] - state_.offset_92[i] - value, i, unit);
+        }
+    }
+    if (from_position && command.has_any(letters('X', 'Y'))) {
+        rotate(wanted_x, wanted_y, offset.rotation);
+        offset.origin[kX] = unit * (machine[kX] - state_.tool_offset[kX] - wanted_x);
+        offset.origin[kY] = unit * (machine[kY] - state_.tool_offset[kY] - wanted_y);
+    }
+    for (std::size_t i = kX; from_position && i <= kZ; ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        if (is_known(i)) {
+            offset.frame[i] = state_.frame[i];
+        } else {
+            offset.frame[i] = index;  // wherever that is
+            if (index == state_.system) tell_place(i);
+        }
+    }
+    if (index == state_.system) {
+        state_.work_offset = from_mm(offset.origin, unit);
+        state_.rotation = offset.rotation;
+        state_.frame = offset.frame;
+        recompute_position(machine);
+    }
+    return true;
+}
+
+ToolTableEntry* Machine::register_of(int index) {
+    std::vector<ToolTableEntry>& tools = control_.store.change().tools;
+    auto entry = std::ranges::find(tools, index, &ToolTableEntry::number);
+    if (entry == tools.end()) {
+        if (tools.size() > 10'000) return nullptr;
+        tools.push_back({.number = index, .offset = {}, .length_told = false, .diameter = {}});
+        entry = tools.end() - 1;
+    }
+    return &*entry;
+}
+
+/// Fanuc and Haas: "G10 L10 P1 R120." sets one register, and names no axis.
+bool Machine::is_register(const Command& command, int l) const {
+    if (rules_.strict || !command.has('R') || command.has_any(letters('X', 'Y', 'Z'))) return false;
+    return l != 1 || rules_.dialect == Dialect::Haas;  // L1: wear there, a table elsewhere
+}
+
+/// L10: length, L11 and Haas's L1: its wear, L12: radius, L13: its wear. A control adds wear to
+/// what it belongs to. In G91 the value is added.
+bool Machine::set_register(const Command& command, int index, int l) {
+    ToolTableEntry* entry = register_of(index);
+    if (!entry) return fail(Message::G10Form, command.span);
+    const bool of_length = l <= 11;
+    const bool is_wear = l == 1 || l == 11 || l == 13;
+    const std::array<char, 4> name{'L', static_cast<char>('0' + l / 10),
+                                   static_cast<char>('0' + l % 10), '\0'};
+    double value = command['R'] * state_.unit_mm();
+    if (!of_length && rules_.dialect == Dialect::Haas && is_diameter(*entry, value, is_wear)) {
+        log_.add(Message::G10Diameter, span_of(command, 'R'), {std::string_view(name.data(), 3)});
+        value /= 2.0;
+    }
+    Wear& wear = control_.store.change().wear[index];
+    double& worn = of_length ? wear.length_mm : wear.radius_mm;
+    const double sum =
+        of_length ? entry->offset[2].mm() : entry->diameter.value_or(Length()).mm() / 2.0;
+    double whole = sum - worn;  // without the wear
+    double& told = is_wear ? worn : whole;
+    told = state_.incremental ? told + value : value;
+    if (of_length) {
+        entry->offset[2] = Length::from_mm(whole + worn);
+        entry->length_told = true;
+        if (index == state_.tool) state_.tool_length = gauge_length();
+    } else {
+        entry->diameter = Length::from_mm(2.0 * (whole + worn));
+    }
+    return true;
+}
+
+/// Haas controls can be set to either (setting 40), as a rule to diameters: what is nearer to the
+/// tool, where it is told.
+bool Machine::is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const {
+    const auto& told = options_.tools;
+    const auto tool = std::ranges::find(told, entry.number, &ToolTableEntry::number);
+    if (is_wear || tool == told.end() || !tool->diameter) return true;
+    const double diameter = tool->diameter->mm();
+    return std::abs(mm - diameter) <= std::abs(mm - diameter / 2.0);
+}
+
+bool Machine::set_tool_data(const Command& command, int index) {
+    ToolTableEntry* entry = register_of(index);
+    if (!entry) return fail(Message::G10Form, command.span);
+    const long l = std::lround(command['L']);
+    const double unit = state_.unit_mm();
+    const Axes machine = machine_position();
+    Axes zero = state_.work_offset;
+    if (l == 11 && control_.store->work_offsets[8].origin != Axes{})
+        zero = from_mm(control_.store->work_offsets[8].origin, unit);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!command.has(kAxisNames[i])) continue;
+        const double value = command[kAxisNames[i]];
+        // L10 and L11: with this offset the place of now has these coordinates.
+        const double offset =
+            l == 1 ? value : machine[i] - zero[i] - value - (l == 10 ? state_.offset_92[i] : 0.0);
+        entry->offset[i] = Length::from_mm(unit * offset);
+    }
+    entry->length_told |= command.has('Z');
+    if (command.has('R')) entry->diameter = Length::from_mm(2.0 * unit * command['R']);
+    if (index == state_.tool) state_.tool_length = gauge_length();
+    return true;
+}
+
+// --- Tools ---
+
+/// mm; nothing where nobody told it.
+std::optional<double> Machine::told_length(int tool) const {
+    const auto entry = std::ranges::find(control_.store->tools, tool, &ToolTableEntry::number);
+    if (entry == control_.store->tools.end() || !entry->length_told) return std::nullopt;
+    return entry->offset[2].mm();
+}
+
+/// Of the tool in the spindle itself: what was told before the program began, whatever that writes
+/// into the register.
+std::optional<double> Machine::gauge_length() const {
+    const auto& told = options_.tools;
+    const auto entry = std::ranges::find(told, state_.tool, &ToolTableEntry::number);
+    if (entry != told.end() && entry->length_told) return entry->offset[2].mm();
+    return told_length(state_.tool);
+}
+
+bool Machine::set_tool_length(const Command& command) {
+    const Code code = command.group(Group::ToolLength);
+    if (code == Code::None) return true;
+    if (code == Code::G43_4) {
+        if (is_turned() && !options_.tip_control.frame_at_zero) {
+            stopped_ = true;
+            return fail(Message::TipFrameUntold, span_of_g(command, code));
+        }
+        state_.tip_by_length = true;
+        choose(Coordinates::Tip);
+    } else if (state_.tip_by_length) {
+        state_.tip_by_length = false;
+        choose(Coordinates::Axes);
+    }
+    const double unit = state_.unit_mm();
+    uses_length_offsets_ |= code != Code::G49;
+    state_.length_register = code == Code::G49 ? kNoLength : kStatedLength;
+    state_.length_told = code == Code::G43_1;
+    Axes offset{};
+    if (code == Code::G43_1) {
+        for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
+            if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
+        }
+    } else if (code != Code::G49) {
+        const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
+        if (code == Code::G43_2) {
+            offset = state_.tool_offset;
+        } else {
+            state_.length_register = code == Code::G44 && h != 0 ? kNegatedLength : h;
+            state_.length_told = told_length(h).has_value();
+        }
+        const auto entry = std::ranges::find(control_.store->tools, h, &ToolTableEntry::number);
+        if (entry != control_.store->tools.end()) {
+            const double sign = code == Code::G44 ? -1.0 : 1.0;
+            for (std::size_t i = 0; i < 3; ++i)
+                offset[i] += sign * entry->offset[i].mm() / unit;
+        }
+    }
+    if (offset == state_.tool_offset) return true;
+    const Axes machine = machine_position();
+    state_.tool_offset = offset;
+    recompute_position(machine);
+    ++state_.length_changes;
+    return true;
+}
+
+/// Of D, else of the tool in the spindle, in active units; 0, with a warning, where it is not told.
+double Machine::radius_of_register(const Command& command, SourceSpan span) {
+    const int d = static_cast<int>(std::clamp(command.get('D', state_.tool), 0.0, 1e9));
+    const auto entry = std::ranges::find(control_.store->tools, d, &ToolTableEntry::number);
+    if (entry != control_.store->tools.end() && entry->diameter) {
+        return entry->diameter->mm() / 2.0 / state_.unit_mm();
+    }
+    if (!rules_.strict && d != 0) {
+        warn(Message::CompensationRadiusUnknown, span,
+             {std::string("D").append(std::to_string(d))});
+    }
+    return 0.0;
+}
+
+bool Machine::set_cutter_side(const Command& command) {
+    const Code code = command.group(Group::CutterSide);
+    if (code == Code::None) return true;
+    if (code == Code::G40) {
+        if (compensation_.is_on()) {
+            compensation_.end(state_);
+            path_.set_origin(span_, file_);
+            state_.just_left_compensation = true;
+        }
+        state_.cutter_side = CutterSide::Off;
+        return true;
+    }
+    const SourceSpan span = span_of_g(command, code);
+    if (state_.cutter_side != CutterSide::Off && !tolerate(Message::CompensationTwice, span)) {
+        return false;
+    }
+    if (state_.plane != Plane::XY && state_.plane != Plane::ZX) {
+        return fail(Message::CompensationPlane, span);
+    }
+    const bool stated =
+        code == Code::G41_1 || code == Code::G42_1;  // G41.1 D3.5: the diameter itself
+    double radius = 0.0;
+    if (stated) {
+        radius = command.get('D', 0.0) / 2.0;
+    } else {
+        radius = radius_of_register(command, span);
+    }
+    const bool is_41 = code == Code::G41 || code == Code::G41_1;
+    const bool left = is_41 == (radius >= 0.0);  // a negative radius is the other side
+    if (compensation_.is_on()) compensation_.end(state_);
+    state_.cutter_side = left ? CutterSide::Left : CutterSide::Right;
+    state_.cutter_radius = std::abs(radius);
+    if (radius != 0.0) compensation_.begin(state_.cutter_side, std::abs(radius));
+    return true;
+}
+
+// --- G68, G51, G16 ---
+
+Axes Machine::programmed_to(const Axes& programmed) const {
+    const Programmed& t = state_.programmed;
+    Axes p = programmed;
+    if (t.scaled) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = t.scale_centre[i] + t.scale[i] * (p[i] - t.scale_centre[i]);
+        }
+    }
+    if (t.rotated) {
+        const PlaneAxes axes = axes_of(t.plane);
+        double x = p[axes.first] - t.centre_1;
+        double y = p[axes.second] - t.centre_2;
+        rotate(x, y, t.angle);
+        p[axes.first] = t.centre_1 + x;
+        p[axes.second] = t.centre_2 + y;
+    }
+    return p;
+}
+
+Axes Machine::programmed_from(const Axes& position) const {
+    const Programmed& t = state_.programmed;
+    Axes p = position;
+    if (t.rotated) {
+        const PlaneAxes axes = axes_of(t.plane);
+        double x = p[axes.first] - t.centre_1;
+        double y = p[axes.second] - t.centre_2;
+        rotate(x, y, -t.angle);
+        p[axes.first] = t.centre_1 + x;
+        p[axes.second] = t.centre_2 + y;
+    }
+    if (t.scaled) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            p[i] = t.scale_centre[i] + (p[i] - t.scale_centre[i]) / t.scale[i];
+        }
+    }
+    return p;
+}
+
+bool Machine::set_programmed(const Command& command) {
+    Programmed& t = state_.programmed;
+    if (const Code code = command.group(Group::Polar); code != Code::None)
+        t.polar = code == Code::G16;
+    const Code rotation = command.group(Group::Rotation);
+    if (rotation == Code::G69) t.rotated = false;
+    if (rotation == Code::G68) {
+        if (!command.has('R'))
+            return fail(Message::RotationWithoutAngle, span_of_g(command, Code::G68));
+        const Axes at = programmed_from(state_.position);
+        t.plane = state_.plane;
+        const PlaneAxes axes = axes_of(t.plane);
+        t.centre_1 = command.get(kAxisNames[axes.first], at[axes.first]);
+        t.centre_2 = command.get(kAxisNames[axes.second], at[axes.second]);
+        t.angle = state_.incremental && t.rotated ? t.angle + command['R'] : command['R'];
+        t.rotated = true;
+    }
+    const Code scaling = command.group(Group::Scaling);
+    if (scaling == Code::G50) t.scaled = false;
+    if (scaling == Code::G51) {
+        const Axes at = programmed_from(state_.position);
+        double all = command.get('P', 1.0);
+        if (all >= 100.0 && all == std::floor(all)) all /= 1000.0;  // P2000 is 2.0 on Fanuc
+        const char factors[] = {'I', 'J', 'K'};
+        for (std::size_t i = 0; i < 3; ++i) {
+            double factor = command.get(factors[i], all);
+            if (std::abs(factor) >= 100.0) factor /= 1000.0;
+            if (factor == 0.0) return fail(Message::ScaleZero, span_of_g(command, Code::G51));
+            t.scale[i] = factor;
+            t.scale_centre[i] = command.get(kAxisNames[i], at[i]);
+        }
+        t.scaled = true;
+    }
+    if (const Code mirror = command.group(Group::Mirror); mirror != Code::None) {
+        const bool on = mirror == Code::G51_1;
+        if (!t.scaled) t.scale = {1.0, 1.0, 1.0};
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!on && (command.has(kAxisNames[i]) || !command.axis_words))
+                t.scale[i] = std::abs(t.scale[i]);
+            if (!on || !command.has(kAxisNames[i])) continue;
+            t.scale[i] = -std::abs(t.scale[i]);
+            t.scale_centre[i] = command[kAxisNames[i]];
+        }
+        t.scaled = t.scale != std::array<double, 3>{1.0, 1.0, 1.0};
+    }
+    return true;
+}
+
+}  // namespace ncsim::gcode

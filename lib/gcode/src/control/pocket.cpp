@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G12 and G13 of Haas: a circular pocket, clockwise and counter-clockwise, with the compensation of
+// the cutter in it. They hold for their block alone.
+#include "control/machine.h"
+
+#include <cmath>
+#include <string>
+
+namespace ncsim::gcode {
+namespace {
+
+/// More circles than this no pocket has: a word is wrong.
+constexpr double kMostCircles = 100'000.0;
+
+/// Below this radius there is no circle, mm.
+constexpr double kTiny = 0.00127;
+
+}  // namespace
+
+/// From the centre (X Y of the block, else where the tool stands) to the depth; on a half circle
+/// out to the first circle, around it, on half circles out to the next ones, around each, and on a
+/// half circle back to the centre; L times. The manual gives the circles; which way the tool takes
+/// from one to the next, it only draws, and all ways lie within the circle that comes next.
+bool Machine::pocket(const Command& command, Code code, bool words_taken) {
+    const SourceSpan span = span_of_g(command, code);
+    const std::string_view name = name_of(code);
+    const auto needs = [&](std::string_view what) {
+        return fail(Message::PocketWord, span, {name, what});
+    };
+    if (compensation_.is_on() || state_.cutter_side != CutterSide::Off) {
+        return fail(Message::ForbiddenWithCompensation, span, {name});
+    }
+    const Code motion = command.group(Group::Motion);
+    const bool plain =
+        motion == Code::None || motion == Code::G0 || motion == Code::G1 || motion == Code::G80;
+    if (words_taken || !plain || command.group(Group::OneShot) != Code::None) {
+        return needs("a block of its own");
+    }
+    if (state_.feed_mode == FeedMode::InverseTime) {
+        return fail(Message::CycleInverseTime, span, {name});
+    }
+    if (state_.cycle.running && motion == Code::None)
+        return needs("the drilling cycle ended (G80)");
+    if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
+    if (state_.programmed.scaled) return needs("scaling and mirroring off (G50)");
+    if (!command.has('I')) return needs("the radius of the first circle (I)");
+    const double first = command['I'];
+    const double last = command.get('K', first);
+    const double step = command.get('Q', 0.0);
+    const double passes = command.get('L', 1.0);
+    if (first <= 0.0) return needs("a radius (I) above 0");
+    if (last < first) return needs("a finished radius (K) that is not below the first (I)");
+    if (command.has('Q') && !command.has('K')) return needs("a finished radius (K) beside Q");
+    if (last > first && step <= 0.0) return needs("an increment of the radius (Q) above 0");
+    if (passes < 1.0 || passes != std::round(passes)) {
+        return needs("a number of passes (L), whole, 1 or more");
+    }
+    const double circles = last > first ? (last - first) / step + 1.0 : 1.0;
+    if (circles * passes > kMostCircles)
+        return needs("fewer circles: Q is too small or L too large");
+    if (!needs_feed(command, name)) return false;
+
+    const double cutter = std::abs(radius_of_register(command, span));
+    const double tiny = kTiny / state_.unit_mm();
+    if (first - cutter < tiny) return fail(Message::CompensationArc, span);
+    std::vector<double> radii;
+    // Counted, not added again and again: a last step of rounding errors is no circle.
+    for (int i = 0; first + i * step < last - tiny; ++i)
+        radii.push_back(first + i * step - cutter);
+    radii.push_back(last - cutter);
+
+    Axes end{};
+    AxisMask mask = 0;
+    if (!find_ends(command, end, mask)) return false;
+    if (motion != Code::None) state_.motion = motion, state_.cycle = {};
+    if (motion == Code::G0 || motion == Code::G1) state_.last_straight = motion;
+    if (!state_.first_length_seen) {
+        state_.first_length_seen = true;
+        state_.first_length_in_inches = state_.inches;
+    }
+    constexpr AxisMask kDepth = 1U << kZ;
+    const double down = end[kZ] - state_.position[kZ];
+    Axes centre = end;
+    centre[kZ] = state_.position[kZ];
+    if ((mask & ~kDepth) != 0) path_.straight(state_, centre, MoveKind::Rapid, mask & ~kDepth);
+    // Of an axis whose place is not known, the circles tell no place either.
+    AxisMask plane = 0;
+    for (const std::size_t axis : {kX, kY}) {
+        if (is_known(axis)) plane |= 1U << axis;
+    }
+    for (int pass = 0; pass < static_cast<int>(passes); ++pass) {
+        if ((mask & kDepth) != 0) {
+            centre[kZ] = state_.incremental ? state_.position[kZ] + down : end[kZ];
+            path_.straight(state_, centre, MoveKind::Feed, kDepth);
+        }
+        mill_circles(centre, radii, code == Code::G12, plane);
+    }
+    return true;
+}
+
+/// In the plane of `centre`, where the tool stands before and after it. Half circles lead from the
+/// centre to one side, and between circles to the other side, always the way round.
+void Machine::mill_circles(const Axes& centre, const std::vector<double>& radii, bool clockwise,
+                           AxisMask mask) {
+    const int turns = clockwise ? -1 : 1;
+    const Axes origin = programmed_from(centre);
+    const auto beside = [&](double x) {
+        Axes p = origin;
+        p[kX] += x;
+        p = programmed_to(p);
+        p[kZ] = centre[kZ];
+        return p;
+    };
+    const auto around = [&](const Axes& end, double about) {
+        const Axes c = beside(about);
+        path_.arc(state_, {end, c[kX], c[kY], turns}, mask);
+    };
+    double at = 0.0;
+    for (const double radius : radii) {
+        const double next = at > 0.0 ? -radius : radius;
+        const Axes side = beside(next);
+        around(side, (at + next) / 2.0);
+        around(side, 0.0);
+        at = next;
+    }
+    around(centre, at / 2.0);
+}
+
+}  // namespace ncsim::gcode

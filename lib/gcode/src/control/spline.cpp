@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G5, G5.1 (Bézier curves), G5.2/G5.3 and G6.2 (NURBS) in the XY plane; the curves of Piegl,
+// Tiller, "The NURBS Book", 1997.
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace ncsim::gcode {
+namespace {
+
+/// More than a control holds.
+constexpr std::size_t kMostPoints = 100'000;
+
+Spline::ControlPoint point(double x, double y, double weight = 1.0) {
+    // In program coordinates, as Path::spline wants them.
+    return {Length::from_mm(x), Length::from_mm(y), weight};
+}
+
+/// A knot vector with which the curve begins and ends in its outer points.
+std::vector<double> clamped_knots(std::size_t points, int order) {
+    const auto k = static_cast<std::size_t>(order);
+    std::vector<double> knots;
+    for (std::size_t i = 0; i < points + k; ++i) {
+        const std::size_t inner = i < k ? 0 : std::min(i - k + 1, points - k + 1);
+        knots.push_back(static_cast<double>(inner));
+    }
+    return knots;
+}
+
+// An axis that the command names beside those that `name` moves, as a word of one letter.
+std::optional<std::string_view> other_axis(const Command& command, std::string_view followed) {
+    static constexpr std::string_view kAxes = "XYZABCUVW@^";
+    for (std::size_t i = 0; i < kAxes.size(); ++i) {
+        if (command.has(kAxes[i]) && followed.find(kAxes[i]) == std::string_view::npos)
+            return kAxes.substr(i, 1);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool Machine::spline(const Command& command, Code motion) {
+    const std::string_view name = motion == Code::G5 ? "G5" : "G5.1";
+    if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {name});
+    if (const auto axis = other_axis(command, "XYZUVW@^")) {
+        return fail(Message::SplineAxes, command.span, {name, "linear axes", *axis});
+    }
+    if (!needs_feed(command, name)) return false;
+    Axes end{};
+    AxisMask mask = 0;
+    if (!find_ends(command, end, mask)) return false;
+    const double x0 = state_.position[kX];
+    const double y0 = state_.position[kY];
+    Spline out;
+    if (motion == Code::G5_1) {
+        if (!command.has('I') && !command.has('J')) {
+            return fail(Message::SplineWords, command.span, {name, "I or J"});
+        }
+        out.order = 3;
+        out.control_points = {point(x0, y0),
+                              point(x0 + command.get('I', 0.0), y0 + command.get('J', 0.0)),
+                              point(end[kX], end[kY])};
+        state_.previous_was_spline = false;
+    } else {
+        if (!command.has('P') || !command.has('Q')) {
+            return fail(Message::SplineWords, command.span, {name, "P and Q"});
+        }
+        double i = command.get('I', 0.0);
+        double j = command.get('J', 0.0);
+        if (!command.has('I') && !command.has('J')) {
+            if (!state_.previous_was_spline)
+                return fail(Message::SplineWords, command.span, {name, "I and J"});
+            i = -state_.last_pq[0];  // goes on smoothly
+            j = -state_.last_pq[1];
+        }
+        state_.last_pq = {command['P'], command['Q']};
+        out.control_points = {point(x0, y0), point(x0 + i, y0 + j),
+                              point(end[kX] + state_.last_pq[0], end[kY] + state_.last_pq[1]),
+                              point(end[kX], end[kY])};
+        state_.previous_was_spline = true;
+    }
+    out.knots = clamped_knots(out.control_points.size(), out.order);
+    path_.spline(state_, out, end, mask);
+    return true;
+}
+
+/// G5.2 opens a curve and gives its first points, further blocks give points, G5.3 closes it.
+bool Machine::nurbs(const Command& command, Code motion) {
+    Curve& curve = control_.curve;
+    if (motion == Code::G5_2) {
+        if (!curve.by_points) {
+            curve = {};
+            curve.order = static_cast<int>(std::clamp(command.get('L', 3.0), 2.0, 20.0));
+            curve.points.push_back(
+                point(state_.position[kX], state_.position[kY], command.get('P', 1.0)));
+            curve.by_points = true;
+        }
+        if (const auto axis = other_axis(command, "XY")) {
+            return fail(Message::SplineAxes, command.span, {"G5.2", "X and Y", *axis});
+        }
+        if (!command.has_any(letters('X', 'Y'))) return true;
+        if (curve.points.size() >= kMostPoints) {
+            return fail(Message::SplineTooLong, command.span);
+        }
+        const Spline::ControlPoint& last = curve.points.back();
+        double x = command.get('X', state_.incremental ? 0.0 : last.x.mm());
+        double y = command.get('Y', state_.incremental ? 0.0 : last.y.mm());
+        if (state_.incremental) x += last.x.mm(), y += last.y.mm();
+        curve.points.push_back(point(x, y, command.get('P', 1.0)));
+        return true;
+    }
+    if (!curve.by_points) return fail(Message::SplineNotOpen, command.span);
+    curve_fails_ = true;  // unless it comes to its end
+    const std::size_t points = curve.points.size();
+    if (points < static_cast<std::size_t>(curve.order)) {
+        return fail(Message::SplineTooFewPoints, command.span);
+    }
+    if (!needs_feed(command, "G5.3")) return false;
+    finish_curve(clamped_knots(points, curve.order));
+    return true;
+}
+
+/// Moves along the points of the curve, and forgets it.
+void Machine::finish_curve(std::vector<double> knots) {
+    const Curve curve = std::exchange(control_.curve, {});
+    Spline spline;
+    spline.order = curve.order;
+    spline.control_points.assign(curve.points.begin(), curve.points.end());
+    spline.knots = std::move(knots);
+    Axes end = state_.position;
+    end[kX] = curve.points.back().x.mm();
+    end[kY] = curve.points.back().y.mm();
+    path_.spline(state_, spline, end, 1U << kX | 1U << kY);
+}
+
+/// G6.2 X Y R K P: control points with weight and knot, the order in the first block; blocks with a
+/// knot alone end the curve. It begins in its first point.
+bool Machine::nurbs_with_knots(const Command& command) {
+    Curve& curve = control_.curve;
+    if (state_.plane != Plane::XY) return fail(Message::SplinePlane, command.span, {"G6.2"});
+    if (const auto axis = other_axis(command, "XY")) {
+        return fail(Message::SplineAxes, command.span, {"G6.2", "X and Y", *axis});
+    }
+    if (!needs_feed(command, "G6.2")) return false;
+    if (!curve.by_knots) {
+        curve = {};
+        if (!command.has('P')) return fail(Message::SplineWords, command.span, {"G6.2", "P"});
+        curve.order = static_cast<int>(std::clamp(command['P'], 2.0, 20.0));
+        curve.by_knots = true;
+    }
+    if (!command.has('K')) return fail(Message::SplineWords, command.span, {"G6.2", "K"});
+    if (curve.points.size() >= kMostPoints) {
+        return fail(Message::SplineTooLong, command.span);
+    }
+    const bool falls = !curve.knots.empty() && command['K'] < curve.knots.back();
+    curve.knots.push_back(command['K']);
+    if (command.has_any(letters('X', 'Y'))) {
+        Axes end{};
+        AxisMask mask = 0;
+        if (!find_ends(command, end, mask)) return false;
+        curve.points.push_back(point(end[kX], end[kY], command.get('R', 1.0)));
+    }
+    const std::size_t points = curve.points.size();
+    const auto order = static_cast<std::size_t>(curve.order);
+    if (!falls && curve.knots.size() < points + order) return true;
+    if (falls || points < order || !(curve.knots[points] > curve.knots[order - 1])) {
+        curve_fails_ = true;
+        return fail(falls ? Message::SplineKnots : Message::SplineTooFewPoints, command.span);
+    }
+    // The curve starts where its first knots put it; a machine moves there first.
+    Axes start = state_.position;
+    start[kX] = curve.points.front().x.mm();
+    start[kY] = curve.points.front().y.mm();
+    if (start != state_.position) {
+        path_.straight(state_, start, MoveKind::Feed, 1U << kX | 1U << kY);
+    }
+    finish_curve({curve.knots.begin(), curve.knots.end()});
+    return true;
+}
+
+}  // namespace ncsim::gcode

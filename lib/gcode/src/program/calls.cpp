@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Subprograms: O-word calls, M98, M97, G65; where they stand and how they return.
+#include "program/runner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+
+void Runner::fault(const MessageText& message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments) {
+    log_.add(Severity::Error, message, span, arguments);
+}
+
+ProgramIndex& Runner::index() {
+    OpenFile& open = file();
+    if (!open.index) open.index = std::make_unique<ProgramIndex>(*open.source);
+    return *open.index;
+}
+
+bool Runner::jump(std::size_t file_number, BlockReader::Place place) {
+    if (file_number == current_ && place.line < file().reader.place().line) {
+        repeated_ = std::max<std::uint64_t>(repeated_, 1);  // from here on blocks are counted
+    }
+    current_ = file_number;
+    file().reader.seek(place);
+    log_.set_file(current_ == 0 ? std::string() : file().source->name);
+    return true;
+}
+
+std::optional<std::string> Runner::label_of(std::string_view label, SourceSpan span) {
+    const bool plain =
+        label.starts_with('<') || label.find_first_not_of("0123456789") == std::string_view::npos;
+    if (plain) return plain_label(label);
+    const std::optional<double> number = resolver_.value_of(label, span, false);
+    if (!number) return std::nullopt;
+    if (!(std::abs(*number) < 1e9)) return std::nullopt;
+    return std::to_string(std::lround(*number));
+}
+
+std::optional<bool> Runner::condition(std::string_view text, SourceSpan span) {
+    const std::optional<double> value = resolver_.value_of(text, span, !rules_.strict);
+    if (!value) return std::nullopt;
+    return !std::isnan(*value) && *value != 0.0;
+}
+
+std::optional<std::size_t> Runner::open_file(const std::string& name) {
+    if (!options_.read_file) return std::nullopt;
+    std::optional<SourceFile> source = options_.read_file(name);
+    if (!source) return std::nullopt;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (files_[i].source->name == source->name) return i;
+    }
+    constexpr std::size_t kMostFiles = 1000;
+    if (files_.size() >= kMostFiles) return std::nullopt;
+    auto owned = std::make_unique<SourceFile>(std::move(*source));
+    const SourceFile* kept = owned.get();
+    files_.push_back(
+        {kept, std::move(owned), BlockReader(*kept, {.strict = rules_.strict}), nullptr});
+    most_blocks_ += line_count(*kept);
+    result_.files.push_back(kept->name);
+    return files_.size() - 1;
+}
+
+/// In the file under way, in the others that are open, in a file of its own.
+std::optional<Runner::Target> Runner::find_target(ControlWord word, const std::string& label,
+                                                  bool in_files) {
+    const std::size_t here = current_;
+    const auto look_in = [&](std::size_t n) -> std::optional<Target> {
+        current_ = n;
+        const std::optional<std::size_t> found = index().find(word, label);
+        current_ = here;
+        if (!found) return std::nullopt;
+        return Target{n, *found};
+    };
+    if (const auto found = look_in(here)) return found;
+    for (std::size_t n = 0; n < files_.size(); ++n) {
+        if (n == here) continue;
+        if (const auto found = look_in(n)) return found;
+    }
+    if (!in_files) return std::nullopt;
+    const std::optional<std::size_t> opened =
+        open_file(word == ControlWord::ProgramNumber ? tagged("O", label) : label);
+    if (!opened) return std::nullopt;
+    if (const auto found = look_in(*opened)) return found;
+    if (word == ControlWord::ProgramNumber) {
+        return Target{*opened, static_cast<std::size_t>(-1)};  // a file without its O number
+    }
+    return std::nullopt;
+}
+
+void Runner::enter(Frame frame, const Target& target) {
+    if (frames_.size() >= options_.limits.call_depth) {
+        fault(Message::CallDepth, block_.line_span());
+        ended_ = true;
+        return;
+    }
+    const BlockReader::Place start = [&] {
+        const OpenFile& open = files_[target.file];
+        if (open.index && target.marker < open.index->markers().size()) {
+            return (*open.index)[target.marker].after;
+        }
+        return BlockReader(*open.source).place();
+    }();
+    frame.file = current_;
+    frame.back = file().reader.place();
+    frame.own_file = target.file;
+    frame.start = start;
+    frame.repeats = repeats_.size();
+    frames_.push_back(std::move(frame));
+    parameters_.view.call_level = static_cast<int>(frames_.size());
+    repeated_ = std::max<std::uint64_t>(repeated_, 1);
+    jump(target.file, start);
+}
+
+/// Back to the caller, or once more through the subprogram.
+void Runner::leave_frame() {
+    Frame& frame = frames_.back();
+    repeats_.resize(std::min(repeats_.size(), frame.repeats));
+    if (frame.remaining > 0) {
+        --frame.remaining;
+        if (++repeated_ > most_blocks_) {
+            fault(Message::StepLimit, block_.line_span());
+            ended_ = true;
+        }
+        jump(frame.own_file, frame.start);
+        return;
+    }
+    if (frame.has_locals) parameters_.restore_locals(std::move(frame.locals), frame.local_count);
+    const std::size_t back_file = frame.file;
+    const BlockReader::Place back = frame.back;
+    frames_.pop_back();
+    parameters_.view.call_level = static_cast<int>(frames_.size());
+    jump(back_file, back);
+}
+
+bool Runner::call_code(int m) {
+    switch (m) {
+        case 97: call_lines(); break;
+        case 98: call_subprogram(); break;
+        default: return_from_subprogram(); break;
+    }
+    return true;
+}
+
+void Runner::call_subprogram() {
+    const Word* p = find_word(block_, 'P');
+    const SourceSpan span = command_.span;
+    if (!p || !command_.has('P') || command_['P'] < 0.0 || command_['P'] > 1e9) {
+        return fault(Message::CallWithoutNumber, span, {"M98"});
+    }
+    auto number = static_cast<std::uint64_t>(std::lround(command_['P']));
+    double runs = command_.get('L', 1.0);
+    std::optional<Target> target =
+        find_target(ControlWord::ProgramNumber, std::to_string(number), true);
+    if (!target && !rules_.strict && !command_.has('L') && number > 9999) {
+        // Old Fanuc form: P68003 is six times O8003.
+        target = find_target(ControlWord::ProgramNumber, std::to_string(number % 10'000), true);
+        if (target) runs = static_cast<double>(number / 10'000), number %= 10'000;
+    }
+    const std::string label = std::to_string(number);
+    if (!target) {
+        const std::optional<Target> sub = find_target(ControlWord::Sub, label, false);
+        if (!sub || rules_.strict) {
+            return fault(sub ? Message::CallForms : Message::ProgramNotFound, p->span,
+                         {tagged("O", label)});
+        }
+        target = sub;
+    }
+    if (runs < 1.0) return;
+    Frame frame;
+    frame.kind = CallKind::Subprogram;
+    frame.label = label;
+    frame.remaining = static_cast<std::uint64_t>(std::min(runs, 1e9)) - 1;
+    enter(std::move(frame), *target);
+}
+
+/// Haas M97 P100: the lines from N100 to M99 of the same program.
+void Runner::call_lines() {
+    if (!command_.has('P') || command_['P'] < 0.0 || command_['P'] > 4e9) {
+        return fault(Message::CallWithoutNumber, command_.span, {"M97"});
+    }
+    const auto number = static_cast<std::uint32_t>(command_['P']);
+    const std::optional<BlockReader::Place> place = index().find_number(number, 0);
+    if (!place)
+        return fault(Message::LineNotFound, command_.span, {tagged("N", std::to_string(number))});
+    const double runs = command_.get('L', 1.0);
+    if (runs < 1.0) return;
+    Frame frame;
+    frame.kind = CallKind::Lines;
+    frame.label = std::to_string(number);
+    frame.remaining = static_cast<std::uint64_t>(std::min(runs, 1e9)) - 1;
+    enter(std::move(frame), {current_, static_cast<std::size_t>(-1)});
+    if (frames_.empty() || ended_) return;
+    frames_.back().start = *place;
+    jump(current_, *place);
+}
+
+/// G150 P100: the machine listens to the outline from N100 of this program, or in O100, to M99. It
+/// is nowhere run. False after a fault.
+bool Runner::hear_outline() {
+    constexpr int kMostBlocks = 1000;
+    const double p = command_['P'];
+    if (!(p >= 0.0 && p <= 4e9) || p != std::floor(p)) {
+        fault(Message::CallWithoutNumber, command_.span, {"G150"});
+        return false;
+    }
+    std::size_t where = current_;
+    std::optional<BlockReader::Place> place = index().find_number(static_cast<std::uint32_t>(p), 0);
+    const std::string label = std::to_string(std::lround(p));
+    if (!place) {
+        const auto target = find_target(ControlWord::ProgramNumber, label, true);
+        if (!target) {
+            fault(Message::ProgramNotFound, command_.span, {tagged("O", label)});
+            return false;
+        }
+        const OpenFile& open = files_[where = target->file];
+        const bool marked = open.index && target->marker < open.index->markers().size();
+        place = marked ? (*open.index)[target->marker].after : BlockReader(*open.source).place();
+    }
+    if (!machine_.begin_outline(command_)) return false;
+    log_.set_file(where == 0 ? std::string() : files_[where].source->name);
+    BlockReader reader(*files_[where].source, {.strict = rules_.strict});
+    reader.seek(*place);
+    Block block;
+    Command command;
+    bool good = false;
+    for (int i = 0; i < kMostBlocks && reader.next(block, log_); ++i) {
+        const bool plain = block.kind == BlockKind::Words && block.assignments.empty() &&
+                           (block.control.word == ControlWord::None ||
+                            (i == 0 && block.control.word == ControlWord::ProgramNumber));
+        if (!plain && block.kind == BlockKind::Words) {
+            fault(Message::PocketWord, block.line_span(), {"the outline of G150", "plain blocks"});
+            break;
+        }
+        if (block.words.empty()) continue;
+        if (!resolver_.resolve(block, command)) break;
+        good = command.group(MGroup::Call) == 99;
+        if (good) break;
+        if (!Machine::belongs_to_outline(command)) {
+            fault(Message::PocketWord, command.span,
+                  {"the outline of G150", "lines and arcs (G1, G2, G3) alone"});
+            break;
+        }
+        machine_.set_origin(command.span, static_cast<std::uint32_t>(where));
+        machine_.execute(command);
+    }
+    machine_.end_outline();
+    log_.set_file(current_ == 0 ? std::string() : file().source->name);
+    machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
+    if (!good) fault(Message::PocketWord, command_.span, {"G150", "an outline that ends in M99"});
+    return good;
+}
+
+void Runner::return_from_subprogram() {
+    if (frames_.empty()) {
+        // In the main program M99 starts it over; once is enough to see what it does.
+        if (!rules_.strict) log_.add(Message::MainRepeats, command_.span);
+        machine_.finish();
+        end_program();
+        return;
+    }
+    const Frame& frame = frames_.back();
+    if (frame.kind == CallKind::OWord && rules_.strict) {
+        return fault(Message::CallForms, command_.span, {tagged("O", frame.label)});
+    }
+    const bool has_target = command_.has('P') && !rules_.strict;
+    const double number = has_target ? command_['P'] : 0.0;
+    if (!has_target) return leave_frame();
+    frames_.back().remaining = 0;
+    leave_frame();
+    if (number < 0.0 || number > 4e9) return;
+    const std::optional<BlockReader::Place> place =
+        index().find_number(static_cast<std::uint32_t>(number), 0);
+    if (place) {
+        jump(current_, *place);
+    } else {
+        fault(Message::LineNotFound, command_.span,
+              {tagged("N", std::to_string(std::lround(number)))});
+    }
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/gcode/interpreter.h"
+
+#include "control/rules.h"
+#include "program/runner.h"
+#include "text/message.h"
+
+namespace ncsim::gcode {
+namespace {
+
+std::string reasons(const std::vector<Evidence>& evidence) {
+    std::string out;
+    for (const Evidence& e : evidence) {
+        if (!out.empty()) out += ", ";
+        out += e.text;
+        if (e.line > 0) out.append(" (line ").append(std::to_string(e.line)).append(")");
+    }
+    return out;
+}
+
+SourceSpan place(const std::vector<Evidence>& evidence) {
+    return {evidence.empty() ? 0 : evidence.front().line, 1, 0};
+}
+
+/// What to do with a program that is not read.
+std::string_view what_to_do(Kind kind) {
+    switch (kind) {
+        case Kind::Heidenhain:
+        case Kind::HeidenhainIso:
+        case Kind::Siemens:
+        case Kind::Okuma:
+        case Kind::Isg:
+            return "post it for a control with G-code, such as LinuxCNC's or Fanuc's, or, if it is "
+                   "that already, name the control (--dialect)";
+        default: return "only milling is simulated; if it mills, name its control (--dialect)";
+    }
+}
+
+/// Programs that would be misread from beginning to end are not run at all, unless somebody says
+/// what they are; those that move a tool like a milling machine does are run with a warning.
+bool refuse(const DialectFindings& findings, bool strict, DiagnosticLog& log) {
+    const SourceSpan span = place(findings.kind_evidence);
+    const std::string why = reasons(findings.kind_evidence);
+    const auto warn = [&] {
+        log.add(Message::ForeignKind, span, {name_of(findings.kind), why});
+        return false;
+    };
+    switch (findings.kind) {
+        case Kind::Milling: return false;
+        case Kind::NotAProgram: log.add(Message::NoProgram, span, {why}); return true;
+        case Kind::Laser:
+        case Kind::Plasma: return warn();
+        case Kind::Printer:
+        case Kind::Lathe:
+            if (strict) return warn();
+            break;
+        default: break;
+    }
+    if (findings.stated) return warn();
+    log.add(Message::ForeignProgram, span,
+            {name_of(findings.kind), why, what_to_do(findings.kind)});
+    return true;
+}
+
+}  // namespace
+
+Interpretation interpret(const SourceFile& program, const InterpreterOptions& options,
+                         const MotionSink& sink) {
+    Interpretation result;
+    DiagnosticLog log;
+    result.files.push_back(program.name);
+    result.dialect = detect_dialect(program);
+    if (options.dialect != Dialect::Auto) {
+        result.dialect.dialect = options.dialect;
+        result.dialect.stated = true;
+    }
+    if (options.strict) result.dialect.dialect = Dialect::Rs274;
+    if (refuse(result.dialect, options.strict, log)) {
+        result.refused = true;
+        result.diagnostics = log.take();
+        return result;
+    }
+    const std::vector<Evidence>& evidence = result.dialect.evidence;
+    if (!options.strict && !result.dialect.stated && !evidence.empty()) {
+        log.add(Message::DialectConcluded, place(evidence),
+                {name_of(result.dialect.dialect), reasons(evidence)});
+    }
+    Rules rules = Rules::of(result.dialect.dialect, options.strict);
+    rules.c_may_be_corner = result.dialect.c_may_be_corner;
+    Runner runner(program, options, rules, sink, log, result);
+    runner.run();
+    result.diagnostics = log.take();
+    return result;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The O-words of RS274/NGC as LinuxCNC runs them: branches, loops, subroutines.
+#include "program/runner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ncsim::gcode {
+
+void Runner::o_word() {
+    const Control& control = block_.control;
+    switch (control.word) {
+        case ControlWord::ProgramNumber: {
+            if (frames_.empty()) {
+                in_main_title_ = true;
+                return;
+            }
+            // Running into the next program: the one under way lacked its M99.
+            Frame& frame = frames_.back();
+            if (frame.kind == CallKind::Subprogram && !rules_.strict) {
+                leave_frame();
+            } else if (rules_.strict) {
+                fault(Message::CallForms, control.span, {tagged("O", control.label)});
+            }
+            return;
+        }
+        case ControlWord::Call: return o_call();
+        default: break;
+    }
+    const std::optional<std::size_t> here = index().at_line(block_.line);
+    if (!here) return;
+    const std::size_t i = *here;
+    const ProgramIndex& marks = index();
+    const std::string& label = marks[i].label;
+    switch (control.word) {
+        case ControlWord::Sub: {
+            if (rules_.strict && (in_main_title_ || !frames_.empty())) {
+                fault(Message::SubNested, control.span, {tagged("O", label)});
+                ended_ = true;
+                return;
+            }
+            // A subroutine is passed by; it runs when it is called.
+            const auto end = marks.next(i, label, ControlWord::EndSub);
+            if (rules_.strict) {
+                std::size_t inner = i;
+                while (++inner < (end ? *end : marks.markers().size())) {
+                    if (marks[inner].word == ControlWord::Sub) {
+                        fault(Message::SubNested, {marks[inner].line, 1, 1},
+                              {tagged("O", marks[inner].label)});
+                        ended_ = true;
+                        return;
+                    }
+                }
+            }
+            if (!end) {
+                // The rest of the file belongs to it.
+                log_.add(rules_.strict ? Severity::Error : Severity::Warning,
+                         Message::SubEndMissing, control.span, {label});
+                ended_ = true;
+                return;
+            }
+            jump(current_, marks[*end].after);
+            return;
+        }
+        case ControlWord::EndSub:
+        case ControlWord::Return: {
+            if (frames_.empty()) return;
+            Frame& frame = frames_.back();
+            if (rules_.strict && frame.kind != CallKind::OWord) {
+                return fault(Message::CallForms, control.span, {tagged("O", label)});
+            }
+            parameters_.view.has_return_value = false;
+            parameters_.view.return_value = 0.0;
+            if (!control.expression.empty()) {
+                const std::optional<double> value =
+                    resolver_.value_of(control.expression, control.span, false);
+                if (value) {
+                    parameters_.view.return_value = std::isnan(*value) ? 0.0 : *value;
+                    parameters_.view.has_return_value = true;
+                }
+            }
+            leave_frame();
+            return;
+        }
+        case ControlWord::OIf:
+        case ControlWord::OElseIf:
+        case ControlWord::OElse: return o_branch(i);
+        case ControlWord::OWhile:
+        case ControlWord::OEndWhile:
+        case ControlWord::ORepeat:
+        case ControlWord::OEndRepeat: return o_loop(i);
+        case ControlWord::OBreak:
+        case ControlWord::OContinue: return o_leave(i);
+        default: return;
+    }
+}
+
+void Runner::o_branch(std::size_t i) {
+    const ProgramIndex& marks = index();
+    const Marker& here = marks[i];
+    const bool jumped_to = else_if_line_ == here.line;
+    else_if_line_ = 0;
+    if (here.word != ControlWord::OIf && !jumped_to) {
+        // The branch before was run: on to the end.
+        const auto end = marks.next(i, here.label, ControlWord::OEndIf);
+        if (!end) return fault(Message::BlockEndMissing, block_.control.span, {"endif"});
+        jump(current_, marks[*end].after);
+        return;
+    }
+    if (here.word == ControlWord::OElse) return;
+    const std::optional<bool> holds = condition(block_.control.expression, block_.control.span);
+    if (holds.value_or(false)) return;
+    const auto next =
+        marks.next(i, here.label, ControlWord::OElseIf, ControlWord::OElse, ControlWord::OEndIf);
+    if (!next) {
+        fault(Message::BlockEndMissing, block_.control.span, {"endif"});
+        ended_ = true;
+        return;
+    }
+    if (marks[*next].word == ControlWord::OElseIf) {
+        else_if_line_ = marks[*next].line;
+        jump(current_, marks[*next].at);
+    } else {
+        jump(current_, marks[*next].after);
+    }
+}
+
+void Runner::o_loop(std::size_t i) {
+    const ProgramIndex& marks = index();
+    const Marker& here = marks[i];
+    const SourceSpan span = block_.control.span;
+    const auto stop = [&](std::string_view what) {
+        fault(Message::BlockEndMissing, span, {what});
+        ended_ = true;
+    };
+    switch (here.word) {
+        case ControlWord::OWhile: {
+            const std::optional<bool> holds = condition(block_.control.expression, span);
+            const auto opening = marks.previous(i, here.label, ControlWord::ODo,
+                                                ControlWord::OWhile, ControlWord::OEndWhile);
+            if (opening && marks[*opening].word == ControlWord::ODo) {
+                // do … while: back to the beginning as long as it holds
+                if (holds.value_or(false)) jump(current_, marks[*opening].after);
+                return;
+            }
+            if (holds.value_or(false)) return;
+            const auto end = marks.next(i, here.label, ControlWord::OEndWhile);
+            if (!end) return stop("endwhile");
+            jump(current_, marks[*end].after);
+            return;
+        }
+        case ControlWord::OEndWhile: {
+            const auto begin = marks.previous(i, here.label, ControlWord::OWhile);
+            if (!begin) return stop("while");
+            jump(current_, marks[*begin].at);
+            return;
+        }
+        case ControlWord::ORepeat: {
+            const std::optional<double> times =
+                resolver_.value_of(block_.control.expression, span, !rules_.strict);
+            const double whole = times && !std::isnan(*times) ? std::round(*times) : 0.0;
+            if (whole < 1.0) {
+                const auto end = marks.next(i, here.label, ControlWord::OEndRepeat);
+                if (!end) return stop("endrepeat");
+                jump(current_, marks[*end].after);
+                return;
+            }
+            constexpr std::size_t kMostNested = 10'000;
+            if (repeats_.size() >= kMostNested) return stop("endrepeat");
+            repeats_.push_back(
+                {here.label, current_, static_cast<std::uint64_t>(std::min(whole, 1e15)) - 1});
+            return;
+        }
+        default: {
+            const auto begin = marks.previous(i, here.label, ControlWord::ORepeat);
+            if (!begin || repeats_.empty() || repeats_.back().label != here.label) return;
+            if (repeats_.back().remaining == 0) {
+                repeats_.pop_back();
+                return;
+            }
+            --repeats_.back().remaining;
+            jump(current_, marks[*begin].after);
+            return;
+        }
+    }
+}
+
+void Runner::o_leave(std::size_t i) {
+    const ProgramIndex& marks = index();
+    const Marker& here = marks[i];
+    const bool breaks = here.word == ControlWord::OBreak;
+    const auto begin =
+        marks.previous(i, here.label, ControlWord::OWhile, ControlWord::ODo, ControlWord::ORepeat);
+    if (!begin) return fault(Message::BlockEndMissing, block_.control.span, {"while"});
+    const ControlWord kind = marks[*begin].word;
+    const ControlWord closing = kind == ControlWord::ODo       ? ControlWord::OWhile
+                                : kind == ControlWord::ORepeat ? ControlWord::OEndRepeat
+                                                               : ControlWord::OEndWhile;
+    const auto end = marks.next(i, here.label, closing);
+    if (!end) {
+        fault(Message::BlockEndMissing, block_.control.span, {"endwhile"});
+        ended_ = true;
+        return;
+    }
+    if (kind == ControlWord::ORepeat && breaks && !repeats_.empty() &&
+        repeats_.back().label == here.label) {
+        repeats_.pop_back();
+    }
+    if (breaks) {
+        jump(current_, marks[*end].after);
+    } else {
+        jump(current_, kind == ControlWord::OWhile ? marks[*begin].at : marks[*end].at);
+    }
+}
+
+void Runner::o_call() {
+    const Control control = block_.control;
+    const std::optional<std::string> label = label_of(control.label, control.span);
+    if (!label) return;
+    std::array<double, 30> arguments{};
+    std::size_t count = 0;
+    std::string_view rest = control.expression;
+    while (!rest.empty()) {
+        ExpressionFault found;
+        const std::optional<double> value =
+            evaluate_first(rest, parameters_, rules_.arithmetic, found);
+        if (!value) {
+            log_.add(Severity::Error, found.message, control.span, {found.argument});
+            return;
+        }
+        if (count >= arguments.size()) return fault(Message::CallArguments, control.span);
+        arguments[count++] = std::isnan(*value) ? 0.0 : *value;
+    }
+    const std::optional<Target> target = find_target(ControlWord::Sub, *label, true);
+    if (!target) {
+        const bool other_form = find_target(ControlWord::ProgramNumber, *label, false).has_value();
+        fault(other_form ? Message::CallForms : Message::SubNotFound, control.span,
+              {tagged("O", *label)});
+        // What follows was written for after the call; without it, it would cut at random.
+        if (rules_.strict) ended_ = true;
+        return;
+    }
+    Frame frame;
+    frame.kind = CallKind::OWord;
+    frame.label = *label;
+    frame.has_locals = true;
+    frame.local_count = 30;
+    frame.locals = parameters_.take_locals(frame.local_count);
+    for (std::size_t i = 0; i < count; ++i) {
+        parameters_.set_numbered(static_cast<double>(i + 1), arguments[i]);
+    }
+    enter(std::move(frame), *target);
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/resolve.h"
+
+#include "ncsim/gcode/print.h"
+
+#include "text/number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+/// Larger than any machine, and small enough that sums and squares stay numbers.
+constexpr double kLargest = 1e12;
+
+}  // namespace
+
+Resolver::Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
+                   const InterpreterOptions& options)
+    : rules_(rules), parameters_(parameters), log_(log), tip_control_(options.tip_control) {
+    for (const std::string& word : options.allow) {
+        if (word.empty()) continue;
+        const char letter =
+            word[0] >= 'a' && word[0] <= 'z' ? static_cast<char>(word[0] - 32) : word[0];
+        const PlainNumber number = read_plain_number(word.data() + 1, word.data() + word.size());
+        allow_.emplace_back(letter, number.end ? number.value : kVacant);  // "E": with any number
+    }
+}
+
+bool Resolver::is_allowed(char letter, double value) const {
+    return std::ranges::any_of(allow_, [&](const auto& entry) {
+        return entry.first == letter &&
+               (std::isnan(entry.second) || std::abs(entry.second - value) < 1e-6);
+    });
+}
+
+std::string Resolver::text_of(const Word& word, double value) const {
+    std::string out(word.comma ? "," : "");
+    out += word.letter;
+    if (word.letter == 'G' || word.letter == 'M') {
+        print_number(out, std::round(value * 1e4) / 1e4);
+    }
+    return out;
+}
+
+bool Resolver::tolerate(const MessageText& message, SourceSpan span,
+                        std::initializer_list<std::string_view> arguments) {
+    log_.add(rules_.strict ? Severity::Error : Severity::Warning, message, span, arguments);
+    return !rules_.strict;
+}
+
+std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span, bool open) {
+    ExpressionFault fault;
+    const std::optional<double> value = evaluate(text, parameters_, rules_.arithmetic, fault, open);
+    if (!value) log_.add(Severity::Error, fault.message, span, {fault.argument});
+    return value;
+}
+
+std::optional<double> Resolver::value_of(const Word& word) {
+    if (word.literal) return word.number;
+    return value_of(word.text, word.span, !rules_.strict);
+}
+
+namespace {
+
+/// G70, G71 and G72 are holes on a circle, an arc and a line where they have a radius, an angle or
+/// a number of holes.
+bool is_hole_pattern(const Block& block) {
+    return find_word(block, 'I') || find_word(block, 'J') || find_word(block, 'L');
+}
+
+/// Nothing else than holes can be meant.
+bool is_whole_hole_pattern(const Block& block, Code code) {
+    return find_word(block, 'I') && find_word(block, 'J') && find_word(block, 'L') &&
+           (code != Code::G71 || find_word(block, 'K'));
+}
+
+}  // namespace
+
+bool Resolver::take_g(const Block& block, const Word& word, double value, Command& command) {
+    const double tenths = std::round(value * 10.0);
+    Code code = Code::None;
+    if (std::abs(value * 10.0 - tenths) < 1e-3 && tenths >= 0.0 && tenths < 1e5) {
+        code = find_g(static_cast<int>(tenths));
+    }
+    const auto put = [&](Group group) {
+        command.g[static_cast<std::size_t>(group)] = code;
+        return true;
+    };
+    const bool haas = rules_.dialect == Dialect::Haas;
+    // G70 and G71 are units on some controls, cycles of a lathe on RS274/NGC, and holes in a row on
+    // Haas.
+    if (code == Code::G70 || code == Code::G71 || code == Code::G72) {
+        if (rules_.strict) return put(Group::Unsupported);
+        if (rules_.hole_patterns &&
+            (haas ? is_hole_pattern(block) : is_whole_hole_pattern(block, code))) {
+            const Code other = command.group(Group::HolePattern);
+            if (other == Code::None || other == code) return put(Group::HolePattern);
+            log_.add(Severity::Error, Message::GroupTwice, word.span,
+                     {name_of(other), text_of(word, value)});
+            return false;
+        }
+        if (is_hole_pattern(block) || (code != Code::G72 && !rules_.g70_is_units)) {
+            return put(Group::NotSimulated);
+        }
+    }
+    const KnownTo known_to = code == Code::None ? KnownTo::All : entry_of(code).known_to;
+    if ((rules_.strict && known_to != KnownTo::All) || (!haas && known_to == KnownTo::Haas)) {
+        code = Code::None;
+    }
+    if (code == Code::G12 || code == Code::G13) {
+        const bool told = haas || (find_word(block, 'I') && find_word(block, 'D'));
+        if (!rules_.circular_pockets || !told) return put(Group::NotSimulated);
+    }
+    // The outline of G150 stands where P says.
+    if (code == Code::G150 && haas && find_word(block, 'P')) return put(Group::Pocket);
+    if (code == Code::None) {
+        command.has_others = true;
+        if (is_allowed('G', value)) return true;
+        const std::string text = text_of(word, value);
+        log_.add(Message::UnknownG, word.span, {text, text});
+        unknown_g_ = true;
+        return true;  // the rest of the block may have faults of its own
+    }
+    Group group = entry_of(code).group;
+    if (code == Code::G43_4 && tip_control_.by_length_word) group = Group::ToolLength;
+    if (group == Group::Ignored) {
+        command.has_others = true;  // it may have words of its own
+        return true;
+    }
+    const Code other = command.group(group);
+    if (group == Group::Motion && other != Code::None &&
+        (other == Code::G80 || code == Code::G80)) {
+        return other == Code::G80 ? put(group) : true;  // "G0 G80": ends the cycle and moves
+    }
+    if (other != Code::None && (other != code || rules_.strict)) {
+        // G53 goes with G0 and G1 of the motion group, and with nothing of its own.
+        if (!tolerate(Message::GroupTwice, word.span, {name_of(other), text_of(word, value)})) {
+            return false;
+        }
+    }
+    if (group == Group::Motion) command.span = word.span;
+    return put(group);
+}
+
+bool Resolver::take_m(const Word& word, double value, Command& command) {
+    const double whole = std::round(value);
+    const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
+    const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
+    const bool is_told = tip_control_.m_codes.contains(number);
+    const MGroup group = is_told    ? MGroup::Kinematics
+                         : is_whole ? m_group(number)
+                                    : MGroup::Unknown;
+    const bool foreign =
+        rules_.strict && !is_told && (number == 13 || number == 14 || group == MGroup::Kinematics);
+    if (group == MGroup::Unknown || foreign) {
+        // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
+        if (is_allowed('M', value)) return true;
+        return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
+    }
+    std::int16_t& slot = command.m[static_cast<std::size_t>(group)];
+    if (slot != kNone && slot != number) {
+        if (group == MGroup::Coolant && slot != 9 && number != 9) return true;  // M7 and M8
+        std::string other = "M";
+        print_number(other, slot);
+        if (!tolerate(Message::GroupTwice, word.span, {other, text_of(word, value)})) return false;
+    }
+    slot = number;
+    return true;
+}
+
+bool Resolver::resolve(const Block& block, Command& command) {
+    command.block = &block;
+    command.span = block.words.empty() ? block.line_span() : block.words.front().span;
+    command.present = 0;
+    command.g.fill(Code::None);
+    command.m.fill(kNone);
+    command.next_tool = -1.0;
+    command.corner = 0;
+    command.has_angle = false;
+    command.has_m = false;
+    command.has_others = false;
+    unknown_g_ = false;
+    for (const Word& word : block.words) {
+        double value = word.number;
+        if (!word.literal) {
+            const std::optional<double> computed = value_of(word);
+            if (!computed) return false;
+            if (std::isnan(*computed)) continue;  // vacant: as if the word were not there
+            value = *computed;
+        }
+        if (std::abs(value) > kLargest) {
+            log_.add(Message::ValueTooLarge, word.span, {text_of(word, 0.0)});
+            return false;
+        }
+        if (word.letter == 'G') {
+            if (!take_g(block, word, value, command)) return false;
+            continue;
+        }
+        if (word.letter == 'M') {
+            command.has_m = true;
+            if (!take_m(word, value, command)) return false;
+            continue;
+        }
+        const bool is_corner = word.comma && (word.letter == 'R' || word.letter == 'C');
+        if (is_corner && rules_.corner_words && command.corner == 0) {
+            command.corner = word.letter;
+            command.corner_size = value;
+            command.corner_span = word.span;
+            continue;
+        }
+        if (word.comma && word.letter == 'A' && rules_.corner_words && !command.has_angle) {
+            command.has_angle = true;
+            command.angle = value;
+            command.angle_span = word.span;
+            continue;
+        }
+        if (word.comma) {
+            log_.add(Message::CornerWord, word.span, {text_of(word, value)});
+            return false;
+        }
+        if (word.letter == 'O' || word.letter == 'N') {
+            if (is_allowed(word.letter, value)) continue;
+            if (!tolerate(Message::UnknownWord, word.span, {text_of(word, value)})) return false;
+            continue;
+        }
+        const std::size_t i = letter_index(word.letter);
+        if ((command.present >> i & 1U) != 0) {
+            if (word.letter == 'T' && !rules_.strict && value >= 0.0) {
+                log_.add(Message::NextTool, word.span, {"T"});
+                command.next_tool = value;
+                continue;
+            }
+            if (!tolerate(Message::WordTwice, word.span, {text_of(word, value)})) return false;
+        }
+        command.present |= 1U << i;
+        command.value[i] = value;
+    }
+    command.axis_words = command.has_any(kAxisLetters) || command.has_angle;
+    if (command.has('E') && !rules_.strict && !is_allowed('E', command['E'])) {
+        const Word* word = find_word(block, 'E');
+        log_.add(Message::UnknownWord, word ? word->span : command.span, {"E"});
+    }
+    return !unknown_g_;
+}
+
+}  // namespace ncsim::gcode

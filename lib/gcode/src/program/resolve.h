@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From what is written to what is meant: values are computed, codes sorted into their groups,
+// words that nobody knows reported.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+
+#include "control/command.h"
+#include "control/rules.h"
+#include "text/expression.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::gcode {
+
+class Resolver {
+public:
+    Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
+             const InterpreterOptions& options);
+
+    /// Fills `command` from `block`. False after reporting an error.
+    bool resolve(const Block& block, Command& command);
+
+    /// The value of one word; nullopt after reporting an error. Vacant values come as kVacant.
+    std::optional<double> value_of(const Word& word);
+    /// The value of an expression of a block, of which `span` is the place.
+    std::optional<double> value_of(std::string_view text, SourceSpan span, bool open);
+
+private:
+    bool take_g(const Block& block, const Word& word, double value, Command& command);
+    bool take_m(const Word& word, double value, Command& command);
+    bool is_allowed(char letter, double value) const;
+    std::string text_of(const Word& word, double value) const;
+    bool tolerate(const MessageText& message, SourceSpan span,
+                  std::initializer_list<std::string_view> arguments);
+
+    const Rules& rules_;
+    const ParameterSource& parameters_;
+    DiagnosticLog& log_;
+    const TipControl& tip_control_;
+    std::vector<std::pair<char, double>> allow_;
+    bool unknown_g_ = false;
+};
+
+}  // namespace ncsim::gcode

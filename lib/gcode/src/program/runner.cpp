@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program/runner.h"
+
+#include "text/number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+
+Runner::Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
+               const MotionSink& sink, DiagnosticLog& log, Interpretation& result)
+    : options_(options),
+      rules_(rules),
+      log_(log),
+      result_(result),
+      path_(options, sink, log, result),
+      machine_(options, rules, log, path_, parameters_),
+      resolver_(rules, parameters_, log, options) {
+    parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
+    most_blocks_ = options.limits.repeated_blocks + line_count(program);
+    files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});
+}
+
+std::uint64_t Runner::line_count(const SourceFile& file) {
+    return static_cast<std::uint64_t>(std::ranges::count(file.text, '\n')) + 1;
+}
+
+void Runner::run() {
+    while (!ended_ && step()) {
+    }
+    machine_.flush();
+    path_.finish();
+    result_.uses_length_offsets = machine_.uses_length_offsets();
+    result_.stopped = ended_ && !result_.ended;
+    if (!result_.ended && !ended_) {
+        log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,
+                 {block_.line, 1, 0});
+    }
+    result_.units_stated = machine_.units_stated();
+    result_.uses_inches =
+        machine_.first_length_seen() ? machine_.first_length_in_inches() : machine_.state().inches;
+}
+
+void Runner::end_program() {
+    result_.ended = true;
+    ended_ = true;
+}
+
+bool Runner::step() {
+    if (!file().reader.next(block_, log_)) {
+        if (frames_.empty()) return false;
+        // A subprogram file that ends without M99 or endsub returns.
+        if (rules_.strict && frames_.back().kind == CallKind::OWord) {
+            fault(Message::SubEndMissing, {block_.line, 1, 0}, {frames_.back().label});
+        }
+        leave_frame();
+        return true;
+    }
+    ++result_.lines;
+    // What exceeds the lines there are was read before, by a loop or a call.
+    if (!frames_.empty() || repeated_ > 0) {
+        file().reader.keep_lines();
+        if (++repeated_ > most_blocks_) {
+            fault(Message::StepLimit, block_.line_span());
+            ended_ = true;
+            return false;
+        }
+    }
+    parameters_.view.line = block_.line;
+    if (block_.kind != BlockKind::Words) {
+        if (block_.kind == BlockKind::Percent) return percent();
+        return true;
+    }
+    if (block_.block_delete && options_.block_delete) return true;
+    if (block_.control.word != ControlWord::None) {
+        something_read_ = true;
+        if (block_.control.word < ControlWord::If) {
+            o_word();
+            if (block_.control.word != ControlWord::ProgramNumber) return !ended_;
+        } else if (!macro_word()) {
+            return !ended_;
+        }
+    }
+    if (block_.words.empty() && block_.assignments.empty()) {
+        if (!block_.comments.empty() && !rules_.strict) tool_change_in_comment();
+        return true;
+    }
+    something_read_ = true;
+    if (!block_.words.empty()) act_on_words();
+    if (!block_.assignments.empty()) assign(block_);
+    return true;
+}
+
+void Runner::act_on_words() {
+    if (!rules_.strict) {
+        const Word* g = find_word(block_, 'G');
+        if (g && g->literal && (g->number == 65.0 || g->number == 66.0 || g->number == 67.0)) {
+            return macro_call(static_cast<int>(g->number));
+        }
+    }
+    if (!resolver_.resolve(block_, command_)) return;
+    if (options_.least_increments) {
+        scale_increments();
+    } else if (rules_.macro_b) {
+        look_for_points();
+    }
+    machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
+    const std::uint64_t motions = path_.count();
+    const int call = command_.group(MGroup::Call);
+    if (call != kNone) {
+        // P, L, Q belong to the call; what else the block says is done first.
+        Command rest = command_;
+        rest.present &= ~letters('P', 'L', 'Q');
+        rest.m[static_cast<std::size_t>(MGroup::Call)] = kNone;
+        rest.axis_words = rest.has_any(kAxisLetters);
+        if (block_.words.size() > 1) machine_.execute(rest);
+        call_code(call);
+        return;
+    }
+    if (command_.group(Group::Pocket) == Code::G150 && !hear_outline()) return;
+    machine_.execute(command_);
+    if (machine_.stopped()) {
+        result_.refused = true;
+        ended_ = true;
+        return;
+    }
+    if (machine_.ended()) return end_program();
+    if (!modal_call_.empty() && path_.count() > motions) macro_call(0);
+}
+
+namespace {
+
+constexpr std::string_view kLengthLetters = "XYZUVWIJKRQABC";
+
+bool has_point(const Block& block, const Word& word) {
+    const std::string_view text = block.text.substr(word.span.column - 1, word.span.length);
+    return !word.literal || text.find('.') != std::string_view::npos;
+}
+
+}  // namespace
+
+/// Numbers without a point are thousandths of a millimetre or a degree, ten-thousandths of an inch.
+void Runner::scale_increments() {
+    const Code units = command_.group(Group::Units);
+    const bool inches =
+        units == Code::None ? machine_.state().inches : units == Code::G20 || units == Code::G70;
+    const bool pattern =
+        command_.group(Group::HolePattern) != Code::None;  // J and K are angles there
+    const bool dwells = command_.group(Group::OneShot) == Code::G4;
+    for (const Word& word : block_.words) {
+        const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
+        if (!counts || dwells || has_point(block_, word)) continue;
+        if (word.comma) {
+            // Each stands once: two are an error.
+            if (word.letter == 'A') {
+                command_.angle *= 1e-3;
+            } else {
+                command_.corner_size *= inches ? 1e-4 : 1e-3;
+            }
+            continue;
+        }
+        const bool is_angle = (word.letter >= 'A' && word.letter <= 'C') ||
+                              (pattern && (word.letter == 'J' || word.letter == 'K'));
+        command_.value[letter_index(word.letter)] *= inches && !is_angle ? 1e-4 : 1e-3;
+    }
+}
+
+/// A metre without a point is more likely a millimetre in thousandths.
+void Runner::look_for_points() {
+    constexpr double kSuspicious = 1000.0;
+    for (const char letter : {'X', 'Y', 'Z'}) {
+        if (!command_.has(letter) || std::abs(command_[letter]) < kSuspicious) continue;
+        const Word* word = find_word(block_, letter);
+        if (!word || has_point(block_, *word)) continue;
+        const std::string_view text = block_.text.substr(word->span.column - 1, word->span.length);
+        if (!hinted_at_points_) log_.add(Message::NoPoint, word->span, {text});
+        hinted_at_points_ = true;
+    }
+}
+
+/// '%' as the first line opens a program, the next one closes it. Elsewhere it means nothing.
+bool Runner::percent() {
+    if (current_ != 0) return true;
+    if (!something_read_ && !percent_opened_) {
+        percent_opened_ = true;
+        return true;
+    }
+    if (!percent_opened_) return true;
+    if (!rules_.strict) {
+        // "% spindle on": a remark. And what closes a program has nothing to close before its first
+        // block.
+        const std::string_view text = block_.text;
+        const bool bare = text.find_first_not_of(" \t%") == std::string_view::npos;
+        if (!bare || !something_read_) return true;
+    }
+    machine_.flush();
+    end_program();
+    return true;
+}
+
+/// Assignments of a block take effect together, after its words and their own right sides are read.
+bool Runner::assign(const Block& block) {
+    struct Pending {
+        const Assignment* assignment;
+        double value;
+        double number;
+    };
+    std::vector<Pending> pending;
+    for (const Assignment& assignment : block.assignments) {
+        const std::optional<double> value =
+            resolver_.value_of(assignment.value, assignment.span, !rules_.strict);
+        if (!value) return false;
+        double number = 0.0;
+        if (!assignment.target.starts_with('<')) {
+            const std::optional<double> n =
+                resolver_.value_of(assignment.target, assignment.span, false);
+            if (!n) return false;
+            number = *n;
+        }
+        pending.push_back({&assignment, *value, number});
+    }
+    for (const Pending& p : pending) {
+        std::string_view target = p.assignment->target;
+        if (target.starts_with('<')) {
+            target = target.substr(1, target.size() - 2);
+            if (!parameters_.set_named(target, p.value)) {
+                log_.add(Message::ParameterReadOnly, p.assignment->span, {p.assignment->target});
+            }
+        } else if (!parameters_.set_numbered(p.number, p.value)) {
+            log_.add(Parameters::is_read_only(p.number) ? Message::ParameterReadOnly
+                                                        : Message::ParameterRange,
+                     p.assignment->span, {target});
+        }
+    }
+    return true;
+}
+
+/// FreeCAD's post for grbl writes the tool change as a comment, "( M6 T3 )", and means it.
+void Runner::tool_change_in_comment() {
+    for (const Comment& comment : block_.comments) {
+        if (comment.text.size() > 20 ||
+            comment.text.find_first_of("Mm") == std::string_view::npos) {
+            continue;
+        }
+        const SourceFile inside{{}, std::string(comment.text)};
+        BlockReader reader(inside);
+        Block block;
+        if (!reader.next(block) || block.words.size() != 2) continue;
+        const Word* change = find_word(block, 'M');
+        const Word* tool = find_word(block, 'T');
+        if (!change || !tool || change->number != 6.0 || !tool->literal) continue;
+        log_.add(Message::ToolChangeInComment, comment.span);
+        if (!resolver_.resolve(block, command_)) continue;
+        command_.span = comment.span;
+        machine_.set_origin(comment.span, static_cast<std::uint32_t>(current_));
+        machine_.execute(command_);
+    }
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs a program: reads blocks, follows its loops and calls, hands commands to the machine.
+//
+// runner.cpp has the course of one block, o_words.cpp the control words of RS274/NGC, macro_b.cpp
+// those of Fanuc Macro B, calls.cpp what both share: subprograms, files, frames.
+#pragma once
+
+#include "ncsim/gcode/interpretation.h"
+#include "ncsim/gcode/parser.h"
+
+#include "control/machine.h"
+#include "program/program_index.h"
+#include "program/resolve.h"
+
+#include <deque>
+#include <memory>
+
+namespace ncsim::gcode {
+
+class Runner {
+public:
+    Runner(const SourceFile& program, const InterpreterOptions& options, const Rules& rules,
+           const MotionSink& sink, DiagnosticLog& log, Interpretation& result);
+
+    void run();
+
+private:
+    struct OpenFile {
+        const SourceFile* source = nullptr;
+        std::unique_ptr<SourceFile> owned;  // of files beside the program
+        BlockReader reader;
+        std::unique_ptr<ProgramIndex> index;
+    };
+    enum class CallKind : std::uint8_t { OWord, Subprogram, Lines, Macro };
+    struct Frame {
+        CallKind kind = CallKind::OWord;
+        std::string label;
+        std::size_t file = 0;  // to go back to
+        BlockReader::Place back;
+        std::size_t own_file = 0;     // where the subprogram stands
+        BlockReader::Place start;     // to run it again
+        std::uint64_t remaining = 0;  // runs after this one
+        bool has_locals = false;
+        std::size_t local_count = 0;
+        Parameters::Locals locals;
+        std::size_t repeats = 0;  // depth of repeats_ at the call
+    };
+    struct Repeat {
+        std::string label;
+        std::size_t file = 0;
+        std::uint64_t remaining = 0;
+    };
+    struct Target {
+        std::size_t file = 0;
+        std::size_t marker = 0;
+    };
+
+    static std::uint64_t line_count(const SourceFile& file);
+
+    // One block
+    bool step();
+    bool percent();
+    bool assign(const Block& block);
+    void tool_change_in_comment();
+    void act_on_words();
+    void scale_increments();
+    void look_for_points();
+    void end_program();
+
+    // Control words. Each may seek, call or return.
+    void o_word();
+    void o_branch(std::size_t i);
+    void o_loop(std::size_t i);
+    void o_leave(std::size_t i);
+    void o_call();
+    bool macro_word();  // false: the rest of the block is not for us
+    void go_to(std::string_view label);
+    void macro_call(int g);
+
+    // Calls
+    bool call_code(int m);
+    void call_subprogram();
+    void call_lines();
+    bool hear_outline();
+    void return_from_subprogram();
+    void enter(Frame frame, const Target& target);
+    void leave_frame();
+    std::optional<Target> find_target(ControlWord word, const std::string& label, bool in_files);
+    std::optional<std::size_t> open_file(const std::string& name);
+
+    OpenFile& file() { return files_[current_]; }
+    ProgramIndex& index();
+    std::optional<std::string> label_of(std::string_view label, SourceSpan span);
+    std::optional<bool> condition(std::string_view text, SourceSpan span);
+    bool jump(std::size_t file_number, BlockReader::Place place);
+    void fault(const MessageText& message, SourceSpan span,
+               std::initializer_list<std::string_view> arguments = {});
+
+    const InterpreterOptions& options_;
+    const Rules& rules_;
+    DiagnosticLog& log_;
+    Interpretation& result_;
+    Parameters parameters_;
+    Path path_;
+    Machine machine_;
+    Resolver resolver_;
+    std::deque<OpenFile> files_;
+    std::size_t current_ = 0;
+    std::vector<Frame> frames_;
+    std::vector<Repeat> repeats_;
+    Block block_;
+    Command command_;
+    std::uint64_t repeated_ = 0;  // blocks since the first jump or call
+    std::uint64_t most_blocks_ =
+        0;  // what `repeated_` may reach: the limit and the lines there are
+    std::uint32_t else_if_line_ = 0;  // an elseif that was jumped to, not run into
+    std::string modal_call_;          // G66: the block to run after each move
+    bool in_main_title_ = false;      // after "O1" of the main program
+    bool percent_opened_ = false;
+    bool something_read_ = false;
+    bool hinted_at_points_ = false;
+    bool ended_ = false;
+};
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,648 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/gcode/dialect.h"
+
+#include "text/line_end.h"
+#include "text/number.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace ncsim::gcode {
+
+std::string_view name_of(Dialect dialect) {
+    switch (dialect) {
+        case Dialect::Auto: return "auto";
+        case Dialect::Rs274: return "rs274";
+        case Dialect::Fanuc: return "fanuc";
+        case Dialect::Haas: return "haas";
+        case Dialect::Grbl: return "grbl";
+        case Dialect::Mach3: return "mach3";
+    }
+    return "";
+}
+
+std::string_view name_of(Kind kind) {
+    switch (kind) {
+        case Kind::Milling: return "milling";
+        case Kind::Heidenhain: return "Heidenhain controls";
+        case Kind::HeidenhainIso: return "Heidenhain controls (DIN/ISO)";
+        case Kind::Siemens: return "Siemens controls";
+        case Kind::Okuma: return "Okuma controls";
+        case Kind::Isg: return "ISG and TwinCAT controls";
+        case Kind::Lathe: return "a lathe";
+        case Kind::Laser: return "a laser";
+        case Kind::Plasma: return "a plasma torch";
+        case Kind::Printer: return "a 3-D printer";
+        case Kind::NotAProgram: return "no NC program";
+    }
+    return "";
+}
+
+namespace {
+
+constexpr std::size_t kEveryLine = 128'000;  // bytes; posts put their signs at the beginning
+
+/// The characters of a text as bits: a text can only contain what has no bit of its own.
+using Letters = std::uint64_t;
+constexpr Letters bit_of(char c) {
+    return Letters{1} << (static_cast<unsigned char>(c) & 63U);
+}
+constexpr Letters letters_of(std::string_view text) {
+    Letters letters = 0;
+    for (const char c : text)
+        letters |= bit_of(c);
+    return letters;
+}
+
+/// A text that speaks for a conclusion, in upper case, and how much. In code, words start at a
+/// letter that follows no letter; `in_comments` looks at remarks instead.
+struct Sign {
+    std::string_view text;
+    int weight;
+    bool in_comments;
+    std::string_view because;
+    Letters letters = letters_of(text);
+};
+
+struct DialectSigns {
+    Dialect dialect;
+    std::array<Sign, 8> signs{};
+};
+constexpr std::array<DialectSigns, 5> kDialects = {{
+    {Dialect::Rs274,
+     {{{"LINUXCNC", 4, true, "a comment names LinuxCNC"},
+       {"#<", 3, false, "named parameters"},
+       {" SUB", 3, false, "O-word subroutines"},
+       {" ENDIF", 3, false, "O-word branches"},
+       {" ENDWHILE", 3, false, "O-word loops"},
+       {"G64P", 1, false, "G64 with a tolerance"},
+       {"G64 P", 1, false, "G64 with a tolerance"},
+       {"G38.", 1, false, "G38 probing"}}}},
+    {Dialect::Fanuc,
+     {{{"FANUC", 4, true, "a comment names Fanuc"},
+       {"GOTO", 3, false, "GOTO of Macro B"},
+       {"WHILE[", 3, false, "WHILE of Macro B"},
+       {"IF[", 3, false, "IF of Macro B"},
+       {"G65", 2, false, "G65 macro calls"},
+       {"G91G28", 1, false, "G91 G28"},
+       {"G91 G28", 1, false, "G91 G28"},
+       {"G05.1", 2, false, "G05.1"}}}},
+    {Dialect::Haas,
+     {{{"HAAS", 5, true, "a comment names Haas"},
+       {"G187", 4, false, "G187"},
+       {"G154", 4, false, "G154 work offsets"},
+       {"M97", 4, false, "M97 calls"},
+       {"G103", 4, false, "G103"},
+       {"G47", 3, false, "G47 engraving"},
+       {"G150", 3, false, "G150 pockets"},
+       {"M130", 2, false, "M130"}}}},
+    {Dialect::Grbl,
+     {{{"GRBL", 4, true, "a comment names grbl"},
+       {"$H", 4, false, "the console command $H"},
+       {"$X", 4, false, "the console command $X"},
+       {"$J", 4, false, "the console command $J"},
+       {"$G", 4, false, "the console command $G"},
+       {"$1", 3, false, "a grbl setting"},
+       {"MPCNC", 2, true, "a comment names MPCNC"},
+       {"SHAPEOKO", 3, true, "a comment names a grbl machine"}}}},
+    {Dialect::Mach3,
+     {{{"MACH3", 5, true, "a comment names Mach3"},
+       {"MACH4", 5, true, "a comment names Mach4"},
+       {"MACH2", 5, true, "a comment names Mach2"},
+       {"VECTRIC", 1, true, "a comment names Vectric"}}}},
+}};
+
+struct KindSigns {
+    Kind kind;
+    int enough;
+    std::array<Sign, 18> signs{};
+};
+constexpr std::array<KindSigns, 8> kKinds = {{
+    {Kind::Heidenhain,
+     4,
+     {{{"BEGIN PGM", 4, false, "BEGIN PGM"},
+       {"END PGM", 4, false, "END PGM"},
+       {"TOOL CALL", 4, false, "TOOL CALL"},
+       {"TOOL DEF", 4, false, "TOOL DEF"},
+       {"CYCL DEF", 4, false, "CYCL DEF"},
+       {"BLK FORM", 4, false, "BLK FORM"},
+       {"FMAX", 3, false, "FMAX"},
+       {"F MAX", 3, false, "F MAX"},
+       {"DR+", 3, false, "turning directions (DR+, DR-)"},
+       {"DR-", 3, false, "turning directions (DR+, DR-)"},
+       {"APPR ", 3, false, "APPR"},
+       {" R0 F", 2, false, "R0 F"},
+       {"LBL ", 2, false, "LBL"},
+       {"CALL LBL", 4, false, "CALL LBL"},
+       {"FN 0", 2, false, "FN 0"}}}},
+    // The letters of DIN/ISO with other meanings: centres of their own (I J), labels (G98 L).
+    {Kind::HeidenhainIso,
+     4,
+     {{{"G71 *", 4, false, "G71 *"},
+       {"G70 *", 4, false, "G70 *"},
+       {"G71*", 4, false, "G71 *"},
+       {"G70*", 4, false, "G70 *"},
+       {"N99999999", 4, false, "N99999999"},
+       {"N9999 %", 4, false, "N9999 %"},
+       {"G98 L", 2, false, "labels (G98 L)"},
+       {"G99 T", 2, false, "tools defined by G99 T"}}}},
+    {Kind::Siemens,
+     4,
+     {{{"WORKPIECE", 4, false, "WORKPIECE"},
+       {"DEF REAL", 4, false, "DEF REAL"},
+       {"MSG", 3, false, "MSG"},
+       {";$PATH=", 4, true, ";$PATH="},
+       {"_MPF", 4, false, "a name ending in _MPF"},
+       {"SUPA", 2, false, "SUPA"},
+       {"MCALL", 4, false, "MCALL"},
+       {"EXTCALL", 4, false, "EXTCALL"},
+       {"GOTOF", 4, false, "GOTOF"},
+       {"GOTOB", 4, false, "GOTOB"},
+       {"T=\"", 4, false, "tools by name (T=\"…\")"},
+       {"TRAORI", 4, false, "TRAORI"},
+       {"ATRANS", 4, false, "ATRANS"},
+       {"AROT", 4, false, "AROT"}}}},
+    {Kind::Okuma,
+     4,
+     {{{".MIN%", 4, false, ".MIN%"},
+       {"CALL O", 4, false, "CALL O"},
+       {"MODIN", 4, false, "MODIN"},
+       {"MODOUT", 4, false, "MODOUT"},
+       {"G15 H", 3, false, "work coordinates by G15 H"},
+       {"G15H", 3, false, "work coordinates by G15 H"},
+       {"G16 H", 3, false, "work coordinates by G16 H"},
+       {"G56 H", 3, false, "tool lengths by G56 H"},
+       {"G56H", 3, false, "tool lengths by G56 H"},
+       {"NOEX", 3, false, "NOEX"},
+       {"VC1", 2, false, "common variables (VC1)"},
+       {"VZOF", 4, false, "VZOF"},
+       {"RTS", 2, false, "RTS"},
+       {"FMILH", 4, false, "FMILH"},
+       {"G116 T", 2, false, "G116 T"}}}},
+    {Kind::Isg,
+     4,
+     {{{"#SLOPE", 4, false, "#SLOPE"},
+       {"#HSC", 4, false, "#HSC"},
+       {"#SCALE", 4, false, "#SCALE"},
+       {"#CONTOUR MODE", 4, false, "#CONTOUR MODE"},
+       {"#TRAFO", 4, false, "#TRAFO"},
+       {"#CS ", 4, false, "#CS"},
+       {"#RTCP", 4, false, "#RTCP"},
+       {"#SET ", 4, false, "#SET"},
+       {"#MSG", 4, false, "#MSG"}}}},
+    {Kind::Printer,
+     5,
+     {{{"M104", 3, false, "M104 heats an extruder"},
+       {"M109", 3, false, "M109 waits for an extruder"},
+       {"M140", 3, false, "M140 heats a bed"},
+       {"M190", 3, false, "M190 waits for a bed"},
+       {"G92 E", 3, false, "G92 E"},
+       {"M82", 1, false, "M82"},
+       {"M83", 1, false, "M83"},
+       {"LAYER:", 2, true, "layers in comments"},
+       {"FILAMENT", 3, true, "filament in comments"},
+       {"SLIC3R", 4, true, "a slicer's name"}}}},
+    {Kind::Laser,
+     4,
+     {{{"LIGHTBURN", 5, true, "a comment names LightBurn"},
+       {"LASERGRBL", 5, true, "a comment names LaserGRBL"},
+       {"LASER", 3, true, "a comment speaks of a laser"},
+       {"LASER ON", 2, true, "laser on"},
+       {"LASER POWER", 2, true, "laser power"},
+       {"T2LASER", 5, true, "T2Laser"}}}},
+    {Kind::Plasma,
+     4,
+     {{{"PLASMA", 4, true, "a comment speaks of plasma"},
+       {"TORCH ON", 3, true, "torch on"},
+       {"TORCH", 2, true, "a comment speaks of a torch"},
+       {"PIERCE", 2, true, "a comment speaks of piercing"},
+       {"SHEETCAM", 2, true, "SheetCam"}}}},
+}};
+
+// Where these two stand in kKinds.
+constexpr std::size_t kHeidenhain = 0;
+constexpr std::size_t kSiemens = 2;
+static_assert(kKinds[kHeidenhain].kind == Kind::Heidenhain);
+static_assert(kKinds[kSiemens].kind == Kind::Siemens);
+
+constexpr bool is_letter(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+constexpr bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Whether `what` stands in `text` and is not a piece of a longer word or number.
+bool contains(std::string_view text, std::string_view what) {
+    for (std::size_t at = text.find(what); at != std::string_view::npos;
+         at = text.find(what, at + 1)) {
+        const char before = at == 0 ? ' ' : text[at - 1];
+        const bool starts =
+            !is_letter(what[0]) || (!is_letter(before) && before != '<' && before != '_');
+        const std::size_t end = at + what.size();
+        const bool ends = end == text.size() || !is_digit(what.back()) ||
+                          (!is_digit(text[end]) && text[end] != '.');
+        if (starts && ends) return true;
+    }
+    return false;
+}
+
+/// One line in upper case, taken apart into code and remarks.
+struct SplitLine {
+    std::string code, remarks;
+    Letters code_letters = 0, remark_letters = 0;
+
+    void split(std::string_view line) {
+        code.clear();
+        remarks.clear();
+        code_letters = remark_letters = 0;
+        int depth = 0;
+        for (const char raw : line.substr(0, 400)) {
+            const char c = raw >= 'a' && raw <= 'z' ? static_cast<char>(raw - 32) : raw;
+            if (c == '(') ++depth;
+            if (c == ';') depth = 1000;
+            (depth > 0 ? remarks : code) += c;
+            (depth > 0 ? remark_letters : code_letters) |= bit_of(c);
+            if (c == ')' && depth > 0 && depth < 1000) --depth;
+        }
+    }
+};
+
+/// "N10 G1 X1.5 Y-2 F100": words that look alike on all controls, of these letters. What it says of
+/// the axes is added to `letters_seen`.
+bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
+    constexpr Letters kNumbers = letters_of("0123456789.+- \t\r");
+    Letters letters = 0;
+    bool has_digit = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        char c = line[i];
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+        if (is_letter(c)) {
+            if ((bit_of(c) & plain) != 0) {
+                letters |= bit_of(c);
+                continue;
+            }
+            if (c != 'G') return false;
+            // G0 … G3, also with a zero before them
+            ++i;
+            if (i + 1 < line.size() && line[i] == '0' && is_digit(line[i + 1])) ++i;
+            if (i == line.size() || line[i] < '0' || line[i] > '3') return false;
+            if (i + 1 < line.size() && (is_digit(line[i + 1]) || line[i + 1] == '.')) return false;
+        } else if (static_cast<unsigned char>(c) >= 64 || (bit_of(c) & kNumbers) == 0) {
+            return false;
+        } else if (is_digit(c)) {
+            has_digit = true;
+        }
+    }
+    letters_seen |= letters;
+    return letters != 0 && has_digit;
+}
+
+class Detective {
+public:
+    /// `every` line, or only those that are not plain?
+    void look_at(std::string_view line, std::uint32_t number, bool every) {
+        constexpr Letters kPlain = letters_of("NXYZF");
+        constexpr Letters kPlainArcs = kPlain | letters_of("ABCIJKRS");
+        Letters seen = 0;
+        if (is_plain(line, every ? kPlain : kPlainArcs, seen)) {
+            has_words_ = true;
+            has_y_ = has_y_ || (seen & bit_of('Y')) != 0;
+            has_xz_ = has_xz_ || (seen & letters_of("XZ")) != 0;
+            if ((seen & bit_of('C')) != 0) split_.split(line);
+            look_at_axes(seen, number);
+            return;
+        }
+        split_.split(line);
+        for (std::size_t i = 0; i < kDialects.size(); ++i)
+            weigh(kDialects[i].signs, dialects_[i], number);
+        for (std::size_t i = 0; i < kKinds.size(); ++i)
+            weigh(kKinds[i].signs, kinds_[i], number);
+        look_for_turning(number);
+        look_for_header(number);
+        look_for_heidenhain(number);
+        look_for_values_behind_equals(number);
+        look_for_named_cycles(number);
+        look_for_power(number);
+        const std::string& code = split_.code;
+        Letters words = 0;
+        for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+            const std::size_t value = code.find_first_not_of(' ', i + 1);
+            if (!is_letter(code[i]) || value == std::string::npos) continue;
+            if (i > 0 && code[i - 1] == ',') continue;
+            const char first = code[value];
+            const bool signed_or_point = first == '-' || first == '+' || first == '.';
+            const bool digit_follows = value + 1 < code.size() && is_digit(code[value + 1]);
+            if (is_digit(first) || first == '#' || first == '[' || first == '<' ||
+                (signed_or_point && digit_follows)) {
+                words |= bit_of(code[i]);
+            }
+        }
+        has_words_ = has_words_ || words != 0;
+        look_at_axes(words, number);
+    }
+
+    void conclude(DialectFindings& findings) const {
+        findings.c_may_be_corner = c_like_corners_ && !c_is_axis_;
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < dialects_.size(); ++i) {
+            if (dialects_[i].weight > dialects_[best].weight) best = i;
+        }
+        if (dialects_[best].weight >= 2) {
+            findings.dialect = kDialects[best].dialect;
+            findings.evidence = dialects_[best].evidence;
+        }
+        for (std::size_t i = 0; i < kKinds.size(); ++i) {
+            // What prints pushes material: heaters alone have other machines, too.
+            if (kKinds[i].kind == Kind::Printer && !extrudes_) continue;
+            if (kinds_[i].weight >= kKinds[i].enough && findings.kind == Kind::Milling) {
+                findings.kind = kKinds[i].kind;
+                findings.kind_evidence = kinds_[i].evidence;
+            }
+        }
+        if (findings.kind == Kind::Milling && turning_.weight >= (changes_tools_ ? 5 : 4) &&
+            !has_y_ && !turns_a_or_b_ && has_xz_) {
+            findings.kind = Kind::Lathe;
+            findings.kind_evidence = turning_.evidence;
+        }
+        if (findings.kind == Kind::Milling && power_.weight >= 4 && !has_z_ && !changes_tools_) {
+            findings.kind = Kind::Laser;
+            findings.kind_evidence = power_.evidence;
+        }
+        if (!has_words_) {
+            findings.kind = Kind::NotAProgram;
+            findings.kind_evidence = {{"no word of a letter and a number in it", 0}};
+        }
+    }
+
+private:
+    struct Case {
+        int weight = 0;
+        std::vector<Evidence> evidence;
+        std::uint64_t seen = 0;
+    };
+
+    static void add(Case& which, std::size_t sign, int weight, std::string_view because,
+                    std::uint32_t line) {
+        if ((which.seen >> sign & 1U) != 0) return;  // each sign speaks once
+        which.seen |= std::uint64_t{1} << sign;
+        which.weight += weight;
+        which.evidence.push_back({std::string(because), line});
+    }
+
+    template <typename Signs>
+    void weigh(const Signs& signs, Case& which, std::uint32_t line) const {
+        for (std::size_t i = 0; i < signs.size(); ++i) {
+            const Sign& sign = signs[i];
+            const Letters there = sign.in_comments ? split_.remark_letters : split_.code_letters;
+            if (sign.text.empty() || (sign.letters & ~there) != 0) continue;
+            if ((which.seen >> i & 1U) != 0) continue;
+            if (contains(sign.in_comments ? split_.remarks : split_.code, sign.text)) {
+                add(which, i, sign.weight, sign.because, line);
+            }
+        }
+    }
+
+    /// Lathe programs: no Y at all, tools as T0101, constant surface speed, cycles from P to Q.
+    void look_for_turning(std::uint32_t line) {
+        const std::string& code = split_.code;
+        for (std::size_t i = 0; i + 1 < code.size(); ++i) {
+            if (!is_letter(code[i]) || (i > 0 && is_letter(code[i - 1]))) continue;
+            const bool number = is_digit(code[i + 1]) || code[i + 1] == '-' || code[i + 1] == '.' ||
+                                code[i + 1] == '#' || code[i + 1] == '[' || code[i + 1] == ' ';
+            if (code[i] == 'Y' && number) has_y_ = true;
+            if ((code[i] == 'X' || code[i] == 'Z') && number) has_xz_ = true;
+            if (code[i] == 'T') {
+                std::size_t digits = 0;
+                while (i + 1 + digits < code.size() && is_digit(code[i + 1 + digits]))
+                    ++digits;
+                if (digits == 4 && code.substr(i + 1, 2) == code.substr(i + 3, 2)) {
+                    add(turning_, 0, 4, "tools like T0101", line);
+                }
+            }
+        }
+        if (contains(code, "G96")) add(turning_, 1, 4, "constant surface speed (G96)", line);
+        if (contains(code, "G50") && contains(code, "S")) add(turning_, 6, 4, "G50 S", line);
+        if (contains(code, "G28") && (contains(code, "U0") || contains(code, "U0.")))
+            add(turning_, 8, 4, "home along U and W", line);
+        for (const std::string_view cycle : {"G70", "G71", "G72", "G73", "G76"}) {
+            if (contains(code, cycle) && code.find('P') != std::string::npos &&
+                code.find('Q') != std::string::npos) {
+                add(turning_, 2, 5, "turning cycles from P to Q", line);
+            }
+        }
+        const bool is_arc = contains(code, "G2") || contains(code, "G02") || contains(code, "G3") ||
+                            contains(code, "G03");
+        if (contains(code, "G18") || contains(code, "G19")) has_plane_ = true;
+        if (is_arc && !has_plane_ && code.find('K') != std::string::npos &&
+            code.find('Z') != std::string::npos && code.find('X') != std::string::npos &&
+            code.find('J') == std::string::npos) {
+            add(turning_, 7, 5, "arcs in X and Z without G18", line);
+        }
+        if (contains(split_.remarks, "LATHE"))
+            add(turning_, 3, 3, "a comment speaks of a lathe", line);
+        if (contains(split_.remarks, "TURNING"))
+            add(turning_, 4, 2, "a comment speaks of turning", line);
+        if (contains(code, "G7")) add(turning_, 5, 3, "diameters (G7)", line);
+    }
+
+    /// "12 L X+10 FMAX", "CC X+0 Y+0": lines that begin with a letter that has no number.
+    void look_for_heidenhain(std::uint32_t line) {
+        const std::string& code = split_.code;
+        std::size_t at = code.find_first_not_of("0123456789 \t");
+        if (at == std::string::npos || (code[at] != 'L' && code[at] != 'C')) return;
+        const std::string::size_type end = code.find_first_of(" \t", at);
+        if (end == std::string::npos) return;
+        const std::string_view name = std::string_view(code).substr(at, end - at);
+        if (name != "L" && name != "C" && name != "CC") return;
+        at = code.find_first_not_of(" \t", end);
+        if (at != std::string::npos && code[at] == 'I') ++at;  // IX+5: a step
+        if (at == std::string::npos || (code[at] != 'X' && code[at] != 'Y' && code[at] != 'Z'))
+            return;
+        ++at;
+        if (at < code.size() && (code[at] == '+' || code[at] == '-')) ++at;
+        if (at >= code.size() || (code[at] != 'Q' && code[at] != '.' && !is_digit(code[at])))
+            return;  // "C X-axis to the left" is prose
+        add(kinds_[kHeidenhain], 40, 4, "lines like L X+10 and CC X+10", line);
+    }
+
+    /// "G1 X=AC(20)", "CR=5", "R1=10": on Siemens values of more than a number, and of names, stand
+    /// behind "=". Elsewhere only parameters (#1=, #<a>=) and settings ($1=) are written so.
+    void look_for_values_behind_equals(std::uint32_t line) {
+        const std::string& code = split_.code;
+        if (code.find('=') == std::string::npos || code.find('$') != std::string::npos) return;
+        for (const std::string_view text : {"DPRNT", "POPEN", "M117", "M118"}) {
+            if (code.find(text) != std::string::npos) return;
+        }
+        const std::size_t g = code.find('G');
+        const bool has_g = g != std::string::npos && g + 1 < code.size() && is_digit(code[g + 1]);
+        for (std::size_t p = code.find('='); p != std::string::npos; p = code.find('=', p + 1)) {
+            const std::string_view before = name_before(code, p);
+            if (before.empty()) continue;
+            const bool numbered = is_digit(before.back());
+            if (numbered && (before[0] == 'R' || before[0] == 'S') && is_digit(before[1])) {
+                add(kinds_[kSiemens], 40, 4, "values of parameters (R1=…)", line);
+            } else if (before == "CR" || before == "RND" || before == "CHF" || before == "CHR" ||
+                       before == "ANG") {
+                add(kinds_[kSiemens], 41, 4, std::string(before) + "=", line);
+            } else if (before.size() == 1 && has_g &&
+                       std::string_view("XYZABCIJKF").find(before[0]) != std::string_view::npos) {
+                add(kinds_[kSiemens], 42, 4, "values behind = (X=…)", line);
+            }
+        }
+    }
+
+    /// "CYCLE83(5,0,1,-20)", "POCKET3(…)", "HOLES2(…)", "MSG("…")".
+    void look_for_named_cycles(std::uint32_t line) {
+        const std::string& code = split_.code;
+        const std::size_t last = code.find_last_not_of(" \r");
+        const std::size_t text = split_.remarks.find_first_not_of("( ");
+        if (last != std::string::npos && last >= 2 && code.compare(last - 2, 3, "MSG") == 0 &&
+            text != std::string::npos && split_.remarks[text] == '"') {
+            add(kinds_[kSiemens], 44, 4, "messages as MSG(\"…\")", line);
+        }
+        for (const std::string_view name : {"CYCLE", "POCKET", "HOLES", "SLOT"}) {
+            const std::size_t at = code.find(name);
+            if (at == std::string::npos) continue;
+            const std::size_t end = code.find_first_not_of("0123456789", at + name.size());
+            const bool starts = at == 0 || code[at - 1] == ' ' || is_digit(code[at - 1]);
+            const bool ends = end == std::string::npos || code[end] == ' ' || code[end] == '\r';
+            if (starts && ends && at + name.size() < code.size() &&
+                is_digit(code[at + name.size()])) {
+                add(kinds_[kSiemens], 43, 4, code.substr(at, std::min(end, code.size()) - at),
+                    line);
+            }
+        }
+    }
+
+    /// The letters, and the digits behind them, that end right before `p`; empty where a parameter
+    /// (#1, #<a>) does.
+    static std::string_view name_before(std::string_view code, std::size_t p) {
+        std::size_t end = p;
+        while (end > 0 && code[end - 1] == ' ')
+            --end;
+        std::size_t at = end;
+        while (at > 0 && is_digit(code[at - 1]))
+            --at;
+        const std::size_t digits = at;
+        while (at > 0 && is_letter(code[at - 1]))
+            --at;
+        if (at == digits) return {};
+        if (at > 0 && std::string_view("#<>_./]").find(code[at - 1]) != std::string_view::npos)
+            return {};
+        return code.substr(at, end - at);
+    }
+
+    /// Lasers have no Z: they are turned on and off, and their power goes with the moves.
+    void look_for_power(std::uint32_t line) {
+        const std::string& code = split_.code;
+        for (const std::string_view on : {"M3", "M4", "M03", "M04"}) {
+            if (contains(code, on) && (contains(code, "S0") || contains(code, "S 0")))
+                add(power_, 0, 2, "a spindle on at S0", line);
+        }
+        if (contains(code, "M106") || contains(code, "M107"))
+            add(power_, 1, 2, "power by M106 and M107", line);
+    }
+
+    /// Which axes move, and what else stands beside them.
+    void look_at_axes(Letters words, std::uint32_t line) {
+        constexpr Letters kXY = letters_of("XY");
+        has_z_ = has_z_ || (words & bit_of('Z')) != 0;
+        turns_a_or_b_ = turns_a_or_b_ || (words & letters_of("AB")) != 0;
+        extrudes_ = extrudes_ || (words & bit_of('E')) != 0;
+        if ((words & bit_of('S')) != 0 && (words & kXY) != 0)
+            add(power_, 2, 2, "S beside moves, and no Z", line);
+        if ((words & bit_of('C')) != 0) look_at_c(words);
+        if ((words & letters_of("MT")) == 0) return;
+        changes_tools_ =
+            changes_tools_ || contains(split_.code, "M6") || contains(split_.code, "M06");
+    }
+
+    static double number_at(const std::string& code, std::size_t at) {
+        const PlainNumber number = read_plain_number(code.data() + at, code.data() + code.size());
+        return number.end ? number.value : 0.0;
+    }
+
+    /// Is this C an axis, or could it be the size of a chamfer?
+    void look_at_c(Letters words) {
+        constexpr double kLargestChamfer = 20.0;
+        const std::string& code = split_.code;
+        const std::size_t c = code.find('C');
+        const double size = c == std::string::npos ? 0.0 : number_at(code, c + 1);
+        const bool line =
+            (words & letters_of("ABZIJKRUVWHLPQTMO")) == 0 && (words & letters_of("XY")) != 0;
+        bool other_code = false;  // than G1, and what stands beside it
+        for (std::size_t g = code.find('G'); g != std::string::npos; g = code.find('G', g + 1)) {
+            const double number = number_at(code, g + 1);
+            other_code = other_code || (number != 1.0 && number != 17.0 && number != 40.0 &&
+                                        number != 90.0 && number != 94.0);
+        }
+        if (line && !other_code && size > 0.0 && size <= kLargestChamfer) {
+            c_like_corners_ = true;
+        } else {
+            c_is_axis_ = true;
+        }
+    }
+
+    /// "%", then "O1234": how Fanuc programs begin.
+    void look_for_header(std::uint32_t line) {
+        const std::string& code = split_.code;
+        if (line > 5 || code.size() < 5 || (code[0] != 'O' && code[0] != ':')) return;
+        for (std::size_t i = 1; i < 5; ++i) {
+            if (!is_digit(code[i])) return;
+        }
+        if (code.find("SUB") != std::string::npos) return;
+        const std::size_t end = std::min(code.find_first_not_of("0123456789", 1), code.size());
+        const std::string number = code.substr(0, std::min<std::size_t>(end, 12));
+        add(dialects_[1], 60, 2, "the program number " + number, line);
+    }
+
+    SplitLine split_;
+    std::array<Case, kDialects.size()> dialects_;
+    std::array<Case, kKinds.size()> kinds_;
+    Case turning_, power_;
+    bool has_y_ = false;
+    bool has_xz_ = false;
+    bool has_z_ = false;
+    bool turns_a_or_b_ = false;
+    bool changes_tools_ = false;
+    bool extrudes_ = false;
+    bool c_like_corners_ = false;
+    bool c_is_axis_ = false;
+    bool has_words_ = false;
+    bool has_plane_ = false;
+};
+
+/// NUL and other control bytes do not come in programs.
+bool looks_binary(std::string_view text) {
+    const std::string_view head = text.substr(0, 4096);
+    const auto odd = std::ranges::count_if(head, [](char c) {
+        return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f' &&
+               c != '\x1a' && c != '\x1b';
+    });
+    return odd > 16 && static_cast<std::size_t>(odd) * 20 > head.size();
+}
+
+}  // namespace
+
+DialectFindings detect_dialect(const SourceFile& program) {
+    DialectFindings findings;
+    std::string_view rest = after_byte_order_mark(program.text);
+    if (looks_binary(rest)) {
+        findings.kind = Kind::NotAProgram;
+        findings.kind_evidence = {{"its bytes are no text", 1}};
+        return findings;
+    }
+    Detective detective;
+    const std::size_t whole = rest.size();
+    for (std::uint32_t line = 1; !rest.empty(); ++line) {
+        const LineEnd end = find_line_end(rest);
+        detective.look_at(rest.substr(0, end.length), line, whole - rest.size() < kEveryLine);
+        rest.remove_prefix(end.next);
+    }
+    detective.conclude(findings);
+    return findings;
+}
+
+}  // namespace ncsim::gcode
