@@ -55,8 +55,6 @@ public:
     static constexpr std::size_t kMostKept = 2000;
 
 private:
-    friend class LineParser;
-
     std::string_view take_line();
     bool next(Block& block, DiagnosticLog* log);
 

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Words, assignments and checksums.
+#include "text/characters.h"
+#include "text/line_parser.h"
+#include "text/message.h"
+#include "text/number.h"
+
+namespace ncsim::gcode {
+
+bool LineParser::read_words() {
+    if (at_ < text_.size() && (text_[at_] == 'o' || text_[at_] == ':') && !read_o_word())
+        return false;
+    while (at_ < text_.size()) {
+        const std::size_t start = at_;
+        const char c = text_[at_];
+        if (c == '#') {
+            if (!read_assignment()) return false;
+        } else if (c == '*') {
+            if (!read_checksum()) return false;
+        } else if (c == ',' && at_ + 1 < text_.size() && is_letter(text_[at_ + 1])) {
+            ++at_;
+            if (!read_word(start, true)) return false;
+        } else if (c == '/' && !options_.strict) {
+            block_.block_delete = true;  // Fanuc: in mid-line, for what follows.
+            ++at_;
+        } else if (is_letter(c) || c == '@' || c == '^') {
+            if (reads_macro_word()) {
+                if (!good_) return false;
+                continue;
+            }
+            if (c == 'n') {
+                report(Message::NumberNotFirst, span(start, start + 1));
+                return false;
+            }
+            if (!read_word(start, false)) return false;
+        } else if (is_digit(c) || c == '.' || c == '-' || c == '+') {
+            report(Message::LoneNumber, span(start, start + 1));
+            return false;
+        } else {
+            report(Message::LetterExpected, span(start, start + 1), {text_.substr(start, 1)});
+            return false;
+        }
+    }
+    return true;
+}
+
+bool LineParser::read_word(std::size_t start, bool comma) {
+    const char letter = upper(text_[at_]);
+    const std::size_t value = ++at_;
+    const PlainNumber number = read_plain_number(text_.data() + at_, text_.data() + text_.size());
+    if (number.end) {
+        at_ = static_cast<std::size_t>(number.end - text_.data());
+        block_.words.push_back({letter, comma, true, number.value, span(start, at_), {}});
+        return true;
+    }
+    if (!skip_value()) {
+        if (!reported_) {
+            report(Message::NumberExpected, span(start, start + 1), {std::string_view(&letter, 1)});
+        }
+        return false;
+    }
+    // "X#1-#2": some controls calculate without brackets, too.
+    const bool goes_on = at_ + 1 < text_.size() &&
+                         std::string_view("+-*/").find(text_[at_]) != std::string_view::npos &&
+                         starts_value(text_[at_ + 1]);
+    if (goes_on && !options_.strict && !skip_operations()) return false;
+    block_.words.push_back(
+        {letter, comma, false, 0.0, span(start, at_), text_.substr(value, at_ - value)});
+    return true;
+}
+
+bool LineParser::read_assignment() {
+    const std::size_t start = at_++;
+    const std::size_t target = at_;
+    if (at_ < text_.size() && text_[at_] == '<') {
+        if (!skip_name()) return false;
+    } else if (!skip_value()) {
+        if (!reported_) report(Message::NumberExpected, span(start, start + 1), {"#"});
+        return false;
+    }
+    const std::string_view name = text_.substr(target, at_ - target);
+    const bool is_number = name.find_first_not_of("0123456789") == std::string_view::npos;
+    if (at_ == text_.size() && start == 0 && is_number && !options_.strict) {
+        report(Message::ParameterShown, span(start, at_), {name});
+        return true;
+    }
+    if (at_ >= text_.size() || text_[at_] != '=') {
+        report(Message::AssignmentExpected, span(start, at_));
+        return false;
+    }
+    const std::size_t value = ++at_;
+    if (!skip_value() || (!options_.strict && !skip_operations())) {
+        if (!reported_) report(Message::NumberExpected, span(start, at_), {"="});
+        return false;
+    }
+    block_.assignments.push_back({name, text_.substr(value, at_ - value), span(start, at_)});
+    return true;
+}
+
+bool LineParser::read_checksum() {
+    const std::size_t start = at_++;
+    while (at_ < text_.size() && is_digit(text_[at_]))
+        ++at_;
+    return tolerate(Message::Checksum, span(start, at_));
+}
+
+}  // namespace ncsim::gcode
