@@ -6,24 +6,21 @@
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/rules.h"
 #include "ncsim/report/shard.h"
-#include "ncsim/report/version.h"
 #include "ncsim/setup/digest.h"
-#include "ncsim/setup/machine_file.h"
-#include "ncsim/setup/mesh_file.h"
-#include "ncsim/setup/recorded_input.h"
 
+#include "check_settings.h"
 #include "checking.h"
 #include "console.h"
 #include "output.h"
 #include "program_list.h"
 #include "reports.h"
-#include "result_cache.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
-#include <optional>
+#include <numeric>
 #include <ostream>
 #include <stdexcept>
 #include <system_error>
@@ -34,15 +31,6 @@ namespace ncsim::app {
 
 namespace {
 
-// All that decides verdicts beside the programs.
-std::string common_key(const CheckOptions& options, const setup::RecordedInput& read) {
-    std::string key = fmt::format("ncsim {}\n{}", report::kVersion, options.told);
-    if (!options.csv.empty()) key += "csv\n";
-    for (const auto& [file, digest] : read.files())
-        key += named_anywhere(file) + '\n' + digest.value_or("") + '\n';
-    return key;
-}
-
 std::string digest_of_list(const std::vector<std::string>& programs) {
     std::string all;
     for (const std::string& program : programs)
@@ -52,11 +40,11 @@ std::string digest_of_list(const std::vector<std::string>& programs) {
 
 // One shard of them: its result goes to a file, and its exit code tells of the machine alone.
 int check_shard(const CheckOptions& options, const std::vector<std::string>& programs,
-                const std::string& common, Checking& checking, OutputSet& outputs) {
+                const std::string& key, Checking& checking, OutputSet& outputs) {
     const ShardNumber& number = options.number;
     report::ShardHead head;
     head.list = digest_of_list(programs);
-    head.options = setup::digest_of(common);
+    head.options = setup::digest_of(key);
     head.shard = number.shard;
     head.of = number.of;
     head.programs = programs.size();
@@ -79,12 +67,9 @@ int check_shard(const CheckOptions& options, const std::vector<std::string>& pro
         return kClean;
     }
     outputs.reserve(path);
-    std::vector<std::string> mine;
-    for (const std::size_t i : share)
-        mine.push_back(programs[i]);
     std::vector<report::Placed> placed;
-    checking.run(mine, [&](std::size_t i, report::Entry entry) {
-        placed.push_back({share[i], std::move(entry)});
+    checking.run(share, [&](std::size_t i, report::Entry entry) {
+        placed.push_back({i, std::move(entry)});
     });
     outputs.write(path, [&](std::ostream& out) { report::write_shard(out, head, placed); });
     outputs.commit();
@@ -107,40 +92,16 @@ int run(CheckOptions options) {
         if (std::ranges::find(options.programs, program) == options.programs.end())
             inputs.expect(program);
     }
-    setup::RecordedInput read(inputs);
-    simulation::Questions questions;
-    if (!options.machine.empty())
-        questions.machine = setup::read_machine_file(options.machine, read);
-    std::optional<simulation::Design> design;
-    if (!options.design.empty()) {
-        design = simulation::Design{setup::name_of_input(options.design),
-                                    setup::read_mesh_file(options.design, read),
-                                    options.design_tolerance};
-        questions.design = &*design;
-    }
-    questions.selection = options.selection;
-    questions.dog_leg = options.dog_leg;
-    questions.cut_free = options.cut_free;
-    questions.air_cuts = options.air_cuts;
-    questions.ledger = !options.csv.empty();
-    questions.look = !options.html.empty();
-    questions.warnings_as_errors = options.warnings_as_errors;
-    // With a single program, all that the command line tells is meant for it.
-    questions.tools_are_meant = programs.size() == 1;
-
-    std::string common = common_key(options, read);
-    if (questions.tools_are_meant) common += "one\n";
-    std::optional<ResultCache> cache;
-    if (!options.cache.empty()) {
-        cache.emplace(options.cache, common,
-                      [](const std::string& what) { say("ncsim: " + what + '\n'); });
-    }
-    Checking checking(options, questions, inputs, cache ? &*cache : nullptr);
-    if (!options.shard.empty()) return check_shard(options, programs, common, checking, outputs);
+    SettingsOfPrograms settings(options, programs, inputs);
+    Checking checking(options, programs, settings, inputs);
+    if (!options.shard.empty())
+        return check_shard(options, programs, settings.key(), checking, outputs);
 
     const Reports reports(options, outputs, programs.size() > 1);
+    std::vector<std::size_t> every(programs.size());
+    std::iota(every.begin(), every.end(), std::size_t{0});
     std::vector<report::Entry> entries;
-    checking.run(programs, [&](std::size_t, report::Entry entry) {
+    checking.run(every, [&](std::size_t, report::Entry entry) {
         reports.tell(entry);
         entries.push_back(std::move(entry));
     });

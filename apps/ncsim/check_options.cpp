@@ -84,6 +84,20 @@ CLI::Option* add_list(CLI::App& command, const char* name, const char* type, con
         ->take_all();
 }
 
+// Without dashes.
+std::string long_name(const CLI::Option& option) {
+    return option.get_lnames().empty() ? option.get_name() : option.get_lnames().front();
+}
+
+// Others say where results go, how the work is shared, or how much of it there may be.
+bool decides_verdicts(const std::string& name) {
+    static const std::set<std::string, std::less<>> kOthers{
+        "programs", "list",     "shard",     "shards",     "out",       "redo", "cache",
+        "jobs",     "json",     "sarif",     "junit",      "csv",       "html", "github",
+        "threads",  "max-time", "exit-zero", "max-memory", "no-project"};
+    return !kOthers.contains(name);
+}
+
 }  // namespace
 
 CLI::App* add_check(CLI::App& app, CheckOptions& o) {
@@ -93,6 +107,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
         ->type_name("FILES");
     check->add_option("--list", o.list, "More of them, a path a line; - is the standard input")
         ->type_name("FILE");
+    check->add_flag("--no-project", o.no_project,
+                    "Pass over ncsim.toml, which tells options for the programs below its folder");
     add_language_options(*check, o);
     add_setup_options(*check, o);
     add_simulation_options(*check, o);
@@ -202,21 +218,38 @@ void complete(CheckOptions& o) {
 }
 
 std::string told_to(const CLI::App& command) {
-    static const std::set<std::string, std::less<>> kElsewhere{
-        "programs", "--list",   "--shard",   "--shards",    "--out",      "--redo",
-        "--cache",  "--jobs",   "--json",    "--sarif",     "--junit",    "--csv",
-        "--html",   "--github", "--threads", "--exit-zero", "--max-time", "--max-memory"};
     std::string told;
     for (const CLI::Option* option : command.get_options()) {
-        const std::string name =
-            option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front();
-        if (option->count() == 0 || kElsewhere.contains(name)) continue;
-        told += name;
+        const std::string name = long_name(*option);
+        if (option->count() == 0 || !decides_verdicts(name)) continue;
+        told += "--" + name;
         for (const std::string& value : option->results())
             told += '\0' + value;
         told += '\n';
     }
     return told;
+}
+
+std::set<std::string> given_to(const CLI::App& command) {
+    std::set<std::string> given;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() > 0) given.insert(long_name(*option));
+    }
+    return given;
+}
+
+std::optional<OptionKind> kind_of_check_option(const std::string& name) {
+    static const std::set<std::string, std::less<>> kOfOneRun{"help", "no-project", "notes",
+                                                              "quiet", "save-job"};
+    CLI::App app;
+    CheckOptions ignored;
+    const CLI::Option* option = add_check(app, ignored)->get_option_no_throw("--" + name);
+    const bool is_limit = name == "max-time" || name == "max-memory";
+    if (!option || kOfOneRun.contains(name) || (!decides_verdicts(name) && !is_limit))
+        return std::nullopt;
+    const std::string type = option->get_type_name();
+    return OptionKind{option->get_expected_max() == 0,
+                      type.starts_with("FILE") || type.starts_with("DIR")};
 }
 
 CLI::App* add_rules(CLI::App& app, RulesOptions& options) {

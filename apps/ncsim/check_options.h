@@ -10,7 +10,10 @@
 #include "shard_number.h"
 
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::app {
@@ -18,17 +21,20 @@ namespace ncsim::app {
 /// `program`, `save_job` and `model` are not used: there may be many programs.
 struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
-    std::string list;          ///< More programs, a path a line.
-    std::string shard;         ///< "3/200", "auto"; empty: all of them.
-    std::uint32_t shards = 0;  ///< How many there are, where "auto" cannot know.
-    ShardNumber number;        ///< What these two say.
-    std::string out;           ///< Folder for the results of a shard.
-    bool redo = false;         ///< Though the result of the shard is there.
-    std::string cache;         ///< Folder of verdicts that are known already; empty: none.
-    std::string told;          ///< What of the command line decides verdicts, in one way to say it.
-    std::string machine;       ///< A machine.toml.
-    std::string design;        ///< STL or GLB.
-    double design_tolerance = 0.1;  ///< mm
+    std::string list;                ///< More programs, a path a line.
+    std::string shard;               ///< "3/200", "auto"; empty: all of them.
+    std::uint32_t shards = 0;        ///< How many there are, where "auto" cannot know.
+    ShardNumber number;              ///< What these two say.
+    std::string out;                 ///< Folder for the results of a shard.
+    bool redo = false;               ///< Though the result of the shard is there.
+    std::string cache;               ///< Folder of verdicts that are known already; empty: none.
+    bool no_project = false;         ///< Pass over ncsim.toml.
+    std::vector<std::string> words;  ///< Of the command line, the name of the command first.
+    std::set<std::string> given;     ///< Options that stand there, without dashes.
+    std::string told;                ///< What of them decides verdicts, in one way to say it.
+    std::string machine;             ///< A machine.toml.
+    std::string design;              ///< STL or GLB.
+    double design_tolerance = 0.1;   ///< mm
     verify::Selection selection;
     std::string csv, html;  ///< Files to write; empty: not asked for.
     bool dog_leg = false;
@@ -51,9 +57,18 @@ std::vector<std::string> inputs_of(const CheckOptions& options);
 CLI::App* add_check(CLI::App& app, CheckOptions& options);
 CLI::App* add_rules(CLI::App& app, RulesOptions& options);
 
+/// What an option takes that decides verdicts and may stand in an ncsim.toml.
+struct OptionKind {
+    bool is_flag = false;
+    bool is_file = false;  ///< Or a folder.
+};
+/// By its long name without dashes; nothing if there is none.
+std::optional<OptionKind> kind_of_check_option(const std::string& name);
+
 /// What was told `command` that decides its verdicts: neither where results go nor how the work is
-/// shared.
+/// shared. And the options that stand on the command line, without dashes.
 std::string told_to(const CLI::App& command);
+std::set<std::string> given_to(const CLI::App& command);
 
 /// What can be judged only when all options were read; throws Refusal.
 void complete(CheckOptions& options);

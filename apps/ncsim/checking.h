@@ -4,12 +4,11 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/report/make_entry.h"
+#include "ncsim/report/entry.h"
 #include "ncsim/setup/input.h"
-#include "ncsim/simulation/check.h"
 
 #include "check_options.h"
-#include "result_cache.h"
+#include "check_settings.h"
 
 #include <cstddef>
 #include <functional>
@@ -21,28 +20,26 @@ namespace ncsim::app {
 
 class Checking {
 public:
-    /// All of them must outlive it. `cache` may be null.
-    Checking(const CheckOptions& options, const simulation::Questions& questions,
-             setup::InputSet& inputs, ResultCache* cache);
+    /// All of them must outlive it.
+    Checking(const CheckOptions& options, const std::vector<std::string>& programs,
+             SettingsOfPrograms& settings, setup::InputSet& inputs)
+        : options_(options), programs_(programs), settings_(settings), inputs_(inputs) {}
 
-    /// Calls done(i, entry) in the order of the programs.
-    void run(const std::vector<std::string>& programs,
+    /// Calls done(i, entry) for each i of `which`, in that order.
+    void run(const std::vector<std::size_t>& which,
              const std::function<void(std::size_t, report::Entry)>& done);
 
     /// The program of a page, of which there is but one.
     const report::Checked& looked_at() const { return looked_at_; }
 
 private:
-    report::Entry entry_for(const std::string& program, unsigned threads,
-                            const std::stop_token& stop);
-    report::Entry verified(const std::string& program, unsigned threads,
-                           const std::stop_token& stop);
+    report::Entry entry_for(std::size_t program, unsigned threads, const std::stop_token& stop);
+    report::Entry verified(std::size_t program, unsigned threads, const std::stop_token& stop);
 
     const CheckOptions& options_;
-    const simulation::Questions& questions_;
+    const std::vector<std::string>& programs_;
+    SettingsOfPrograms& settings_;
     setup::InputSet& inputs_;
-    ResultCache* cache_;
-    report::EntryOptions entry_options_;
     report::Checked looked_at_;
 };
 

@@ -154,6 +154,8 @@ Command parse_options(const std::vector<std::string>& arguments) {
         }
         if (chosen() == check) {
             complete(check_options);
+            check_options.words = words;
+            check_options.given = given_to(*check);
             check_options.told = told_to(*check);
             return check_options;
         }

@@ -17,6 +17,7 @@ if(TARGET ncsim)
       options_test.cpp
       output_test.cpp
       parse_test.cpp
+      project_test.cpp
       rotary_test.cpp
       run_program.cpp
       run_test.cpp

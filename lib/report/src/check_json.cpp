@@ -106,6 +106,7 @@ Json to_json(const Checked& checked) {
     json["verdict"] = checked.word;
     json["simulated"] = checked.simulated;
     if (!checked.not_simulated.empty()) json["not_simulated"] = checked.not_simulated;
+    if (!checked.settings.empty()) json["settings"] = relative_path(checked.settings);
     if (!checked.stock.empty()) json["stock"] = checked.stock;
     if (!checked.time.empty()) json["time"] = checked.time;
     json["moves"] = checked.moves;

@@ -87,6 +87,10 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
     }
 }
 
+void put_settings(std::string& text, const std::string& file) {
+    if (!file.empty()) append(text, "  settings {}\n", file);
+}
+
 std::string name_of_verdict(const Checked& checked) {
     std::string name(checked.word);
     std::ranges::replace(name, '-', ' ');
@@ -186,6 +190,7 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     if (options.quiet || options.many) return text;
     append(text, "{}: {}: {}\n", path, name_of_verdict(checked), counts_of(checked));
     put_remedies(text, remedies_of(checked));
+    put_settings(text, shown_path(checked.settings));
     if (!checked.stock.empty()) append(text, "  stock    {}\n", one_line(checked.stock));
     if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
     if (checked.design) append(text, "  design   {}\n", one_line(text_of(*checked.design)));
@@ -229,10 +234,14 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
     std::uint64_t programs = 0;
     std::map<std::string, std::uint64_t> words;
     std::map<std::string, std::string> listed;
+    Lines settings;
     Lines skipped;
     Lines to_tell;
     all([&](const Entry& entry) {
         ++programs;
+        std::string told;
+        put_settings(told, shown_path(entry.settings));
+        settings.add(told);
         skipped.add(entry.skipped);
         to_tell.add(entry.to_tell);
         if (++words[entry.word] > kMostListed || entry.word == "clean") return;
@@ -241,6 +250,7 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
         listed[entry.word] += '\n';
     });
     if (!options.many) return skipped.text();
+    text += settings.text(programs);
     put_remedies(text, to_tell.text(programs));
     if (options.notes) {
         text += skipped.text(programs);

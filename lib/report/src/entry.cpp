@@ -13,6 +13,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("path", entry.path);
     take("word", entry.word);
     take("text", entry.text);
+    take("settings", entry.settings);
     take("counts", entry.counts);
     take("to_tell", entry.to_tell);
     take("skipped", entry.skipped);

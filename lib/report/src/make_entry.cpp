@@ -15,6 +15,7 @@ Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     entry.word = checked.word;
     entry.code = code;
     entry.text = text_of(checked, {options.notes, options.quiet, options.many});
+    entry.settings = checked.settings;
     entry.counts = counts_of(checked);
     entry.to_tell = remedies_of(checked);
     entry.skipped = skipped_of(checked);

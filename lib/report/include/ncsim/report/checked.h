@@ -37,6 +37,7 @@ struct Checked {
     std::vector<std::string> lines;
     bool simulated = false;
     std::string not_simulated;  ///< Why not.
+    std::string settings;       ///< The ncsim.toml that told some options; empty: none.
     std::string stock;          ///< What it was verified against, in words.
     std::string time;           ///< How long it takes, in words; empty: it does not move.
     std::uint64_t moves = 0;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What holds for which programs of a check: the command line for all of them, and for each the
+// ncsim.toml above it.
+#pragma once
+
+#include "ncsim/report/make_entry.h"
+#include "ncsim/setup/input.h"
+#include "ncsim/setup/project_file.h"
+#include "ncsim/simulation/check.h"
+
+#include "check_options.h"
+#include "result_cache.h"
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ncsim::app {
+
+struct CheckSettings {
+    CheckOptions options;
+    std::string project;  ///< The ncsim.toml that told some of them; empty: none.
+    simulation::Questions questions;
+    std::optional<simulation::Design> design;
+    report::EntryOptions entries;
+    std::string key;                   ///< All that decides verdicts beside the programs.
+    std::optional<ResultCache> cache;  ///< If there is one.
+};
+
+/// Reads what they name: machines, designs, projects. Programs of the same settings share them.
+class SettingsOfPrograms {
+public:
+    /// Throws std::runtime_error, with file, line and column where a project is wrong.
+    SettingsOfPrograms(const CheckOptions& told, const std::vector<std::string>& programs,
+                       setup::InputSet& inputs);
+
+    CheckSettings& of(std::size_t program) { return settings_[number_of_[program]]; }
+    /// All that decides verdicts beside the programs.
+    std::string key() const;
+
+private:
+    const setup::ProjectFile* project_of(const std::string& program);
+    void fill(CheckSettings& made, const setup::ProjectFile* project,
+              const std::vector<setup::ProjectSetting>& settings) const;
+
+    const CheckOptions& told_;
+    setup::InputSet& inputs_;
+    bool many_;
+    std::map<std::string, std::optional<std::string>> project_above_;  // of a folder
+    std::map<std::string, setup::ProjectFile> projects_;
+    std::deque<CheckSettings> settings_;
+    std::vector<std::size_t> number_of_;
+};
+
+}  // namespace ncsim::app

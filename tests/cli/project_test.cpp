@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim.toml: options told once for a folder of programs.
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::cli_test {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+// Its rapid moves go through a vice that no one told.
+constexpr const char* kVice =
+    "[[fixture]]\nname = \"vice\"\nbox = [[-29, -30, 0], [-24, 30, 20]]\n";
+
+// A repository: programs in two folders, a machine for one of them.
+struct Repository : Folder {
+    explicit Repository(const std::string& project) {
+        for (const char* name : {"plain/deep", "clamped", "machines"})
+            std::filesystem::create_directories(path() / name);
+        write("plain/deep/a.nc", kSlot);
+        write("clamped/b.nc", kSlot);
+        write("machines/vice.toml", kVice);
+        write("ncsim.toml", "version = 1\n" + project);
+    }
+};
+
+TEST(Project, TellsProgramsBelowItTheirMachine) {
+    const Repository folder(
+        "[[program]]\nfiles = [\"clamped/**\"]\nmachine = \"machines/vice.toml\"\n");
+    const Ran all = folder.run({"check", "."});
+    EXPECT_EQ(all.exit_code, 1) << all.err;
+    EXPECT_TRUE(contains(all.out, "./clamped/b.nc:6:1: error: ")) << all.out;
+    EXPECT_FALSE(contains(all.out, "a.nc:")) << all.out;
+    EXPECT_TRUE(contains(all.out, "  settings ncsim.toml\n")) << all.out;
+    // The same from below, from elsewhere and by its whole name.
+    const Ran below = folder.shell("cd clamped && \"$0\" check b.nc");
+    EXPECT_EQ(below.exit_code, 1) << below.err;
+    EXPECT_TRUE(contains(below.out, "  settings ../ncsim.toml\n")) << below.out;
+    EXPECT_EQ(folder.shell("cd plain/deep && \"$0\" check ../../clamped/b.nc").exit_code, 1);
+    EXPECT_EQ(folder.shell("cd / && \"$0\" check \"$OLDPWD/clamped/b.nc\"").exit_code, 1);
+    EXPECT_EQ(folder.shell("cd clamped && \"$0\" check - < b.nc").exit_code, 1);
+    EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 0);
+    // Unless somebody says otherwise.
+    EXPECT_EQ(folder.run({"check", "clamped", "--no-project"}).exit_code, 0);
+}
+
+TEST(Project, GivesWayToTheCommandLine) {
+    const Repository folder("ignore = [\"collision\"]\nmachine = \"machines/vice.toml\"\n");
+    EXPECT_EQ(folder.run({"check", "clamped"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"check", "clamped", "--ignore", "air-cut"}).exit_code, 1);
+    EXPECT_EQ(folder.run({"check", "--ignore", "air-cut", "--", "clamped/b.nc"}).exit_code, 1);
+}
+
+TEST(Project, IsLookedForUpToTheRepository) {
+    const Repository folder("machine = \"machines/vice.toml\"\n");
+    std::filesystem::create_directories(folder.path() / "clamped/.git");
+    EXPECT_EQ(folder.run({"check", "clamped"}).exit_code, 0);
+    // The nearest one holds, alone.
+    std::filesystem::remove(folder.path() / "clamped/.git");
+    EXPECT_EQ(folder.run({"check", "clamped"}).exit_code, 1);
+    folder.write("clamped/ncsim.toml", "version = 1\n");
+    EXPECT_EQ(folder.run({"check", "clamped"}).exit_code, 0);
+}
+
+TEST(Project, TellsWhereItIsWrong) {
+    const std::vector<std::pair<std::string, std::string>> kWrong{
+        {"jobs = 3", "ncsim.toml:2:8: 'jobs': no option of ncsim check that decides verdicts"},
+        {"json = \"x\"", "ncsim.toml:2:8: 'json': no option of"},
+        {"save-job = \"x\"", "ncsim.toml:2:12: 'save-job': no option of"},
+        {"acept = \"x\"", "ncsim.toml:2:9: 'acept': no option of"},
+        {"accept = \"nope\"", "ncsim.toml:2:10: --accept 'nope': no reason for doubt"},
+        {"strict = 1", "ncsim.toml:2:10: 'strict': expected true or false"},
+        {"stock = true", "ncsim.toml:2:9: 'stock': expected a value"},
+        {"stock = \"1x\"", "ncsim.toml:2:9: --stock '1x': expected"},
+        {"tolerance = 99", "ncsim.toml:2:13: --tolerance: expected 0.0001 to 10 mm"},
+        {"tool = [1.5, [2]]", "ncsim.toml:2:14: 'tool': expected a text, a number, true, false"},
+        {"[[program]]\nmachine = \"m\"", "ncsim.toml:2:1: expected files"},
+        {"program = 3", "ncsim.toml:2:11: write [[program]]"},
+        {"strict = ", "ncsim.toml:2:"},
+        {"machine = \"none.toml\"", "cannot read 'none.toml'"},
+        {"accept = \"all\\u001b]0;x\"", "ncsim.toml:2:10: --accept"}};
+    for (const auto& [text, message] : kWrong) {
+        const Repository folder(text + "\n");
+        const Ran ran = folder.run({"check", "plain"});
+        EXPECT_EQ(ran.exit_code, 2) << text;
+        EXPECT_TRUE(ran.err.starts_with("ncsim: " + message)) << text << '\n' << ran.err;
+        EXPECT_EQ(ran.out, "") << text;
+    }
+    const Folder folder;
+    folder.write("a.nc", kSlot);
+    folder.write("ncsim.toml", "strict = true\n");
+    EXPECT_TRUE(folder.run({"check", "a.nc"})
+                    .err.starts_with("ncsim: ncsim.toml:1:1: expected version = 1"));
+}
+
+TEST(Project, IsNotWrittenOver) {
+    const Repository folder("machine = \"machines/vice.toml\"\n");
+    for (const char* name : {"ncsim.toml", "machines/vice.toml"}) {
+        const std::string before = folder.read(name);
+        EXPECT_EQ(folder.run({"check", "plain", "--json", name}).exit_code, 2) << name;
+        EXPECT_EQ(folder.read(name), before);
+    }
+}
+
+TEST(Project, IsPartOfWhatACacheAndAShardKnow) {
+    const Repository folder("");
+    const std::vector<std::string> cached{"check", "clamped", "--cache", "c"};
+    EXPECT_EQ(folder.run(cached).exit_code, 0);
+    folder.write("ncsim.toml", "version = 1\nmachine = \"machines/vice.toml\"\n");
+    EXPECT_EQ(folder.run(cached).exit_code, 1);
+    EXPECT_EQ(folder.run({"check", ".", "--shard", "0/2", "--out", "o"}).exit_code, 0);
+    folder.write("ncsim.toml", "version = 1\n");
+    EXPECT_EQ(folder.run({"check", ".", "--shard", "1/2", "--out", "o"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"merge", "o"}).exit_code, 2);
+    folder.write("ncsim.toml", "version = 1\nmachine = \"machines/vice.toml\"\n");
+    EXPECT_EQ(folder.run({"check", ".", "--shard", "1/2", "--out", "o"}).exit_code, 0);
+    const Ran merged = folder.run({"merge", "o"});
+    EXPECT_EQ(merged.exit_code, 1) << merged.err;
+    EXPECT_EQ(merged.out, folder.run({"check", "."}).out);
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
