@@ -5,9 +5,9 @@ file(WRITE ${OUTPUT} "// Generated from ${INPUT}.
 #include <string_view>
 namespace ncsim::report {
 namespace {
-const char kBytes[] = {${bytes} 0};
+const char ${NAME}Bytes[] = {${bytes} 0};
 }
 extern const std::string_view ${NAME};
-const std::string_view ${NAME}(kBytes, sizeof kBytes - 1);
+const std::string_view ${NAME}(${NAME}Bytes, sizeof ${NAME}Bytes - 1);
 }  // namespace ncsim::report
 ")

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block_tree.h"
 
+#include "none.h"
+
 #include <algorithm>
 #include <span>
 #include <utility>
 
 namespace ncsim::cda {
 
-namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-}  // namespace
+namespace {}  // namespace
 
 void CellTable::add(Origin origin, const std::shared_ptr<const FacetNormals>& normals) {
     std::uint32_t family = kNoFamily;

@@ -7,6 +7,7 @@
 #include "evaluation.h"
 
 #include "domination.h"
+#include "none.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,8 +17,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // Of the line directions n_s × n_a and n_s × n_b, known to be parallel: do they agree?
 bool same_side(const Plane& s, const Plane& a, const Plane& b) {

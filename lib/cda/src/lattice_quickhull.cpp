@@ -8,6 +8,8 @@
 
 #include "ncsim/cda/predicates.h"
 
+#include "none.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +19,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-constexpr std::uint32_t kNone = ~0U;
 
 struct Triangle {
     std::array<std::uint32_t, 3> corners{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outlines.h"
 
+#include "none.h"
 #include "wide.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // Within a few units in the last place.
 double nearly(Int128 v) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/polytope.h"
 
+#include "none.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +13,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // A whole number not below (up) or not above the coordinate numerator / w, whose nearest double is
 // `approx`: the coordinate itself where it is whole.

@@ -22,6 +22,7 @@
 #include "groups.h"
 #include "loops.h"
 #include "naming.h"
+#include "none.h"
 #include "numbering.h"
 
 #include <algorithm>
@@ -35,8 +36,6 @@
 namespace ncsim::cda {
 
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // (a × b) · n for directions of 50 bits and normals of 24.
 int turn_sign(const Direction& a, const Direction& b, const Plane& n) {

@@ -5,6 +5,8 @@
 // a face cross or corners coincide, edges are first cut where they meet (Chains).
 #include "ncsim/cda/mesh.h"
 
+#include "none.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,7 +30,6 @@ namespace ncsim::cda {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 struct Corner {
     std::uint32_t vertex = kNone;
     std::uint32_t next = kNone;  // of a face whose corners stand once: the one after it

@@ -16,8 +16,6 @@ namespace ncsim::exporter {
 
 namespace {
 
-constexpr std::size_t kFlushSize = std::size_t{1} << 20;
-
 template <typename Unsigned>
 void append(std::string& bytes, Unsigned number) {
     for (std::size_t i = 0; i < sizeof number; ++i) {

@@ -31,7 +31,6 @@ namespace {
 using cda::Vec3;
 using Entity = std::uint64_t;  // the number after #
 
-constexpr std::size_t kFlushSize = std::size_t{1} << 20;
 // Points nearer than this are one point to the reader, in mm. Above the rounding of coordinates,
 // below the lattice on which parts are cut.
 constexpr const char* kUncertainty = "1.E-06";

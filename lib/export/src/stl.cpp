@@ -5,6 +5,7 @@
 #include "ncsim/export/stl.h"
 
 #include "float_mesh.h"
+#include "text.h"
 
 #include <array>
 #include <bit>
@@ -23,7 +24,6 @@ namespace {
 // Must not begin with "solid": by that word readers tell the text form of STL.
 constexpr std::string_view kHeader = "binary STL by ncsim, unit: millimetre";
 constexpr std::size_t kHeaderSize = 80;
-constexpr std::size_t kFlushSize = std::size_t{1} << 20;
 
 void append(std::string& bytes, std::uint32_t number) {
     for (int shift = 0; shift < 32; shift += 8) {

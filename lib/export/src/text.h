@@ -3,10 +3,14 @@
 // Text as the formats want it: UTF-8 that no reader refuses, numbers with every digit.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace ncsim::exporter {
+
+/// Who writes much hands on what there is when it has become as much, in bytes.
+inline constexpr std::size_t kFlushSize = std::size_t{1} << 20;
 
 /// `text` with U+FFFD in place of bytes that are not UTF-8 and of control characters: file names
 /// may hold anything, the formats may not.

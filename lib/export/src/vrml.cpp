@@ -26,8 +26,6 @@ namespace {
 
 using FaceIndex = std::uint32_t;
 
-constexpr std::size_t kFlushSize = std::size_t{1} << 20;
-
 class Writer {
 public:
     Writer(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance)

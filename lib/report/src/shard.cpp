@@ -50,7 +50,7 @@ std::optional<Head> head_from(const std::string& line) {
 }
 
 // "17 {…}": the place in the list, and the entry.
-std::optional<std::uint64_t> index_of(const std::string& line) {
+std::optional<std::uint64_t> index_in(const std::string& line) {
     std::uint64_t index = 0;
     std::size_t at = 0;
     for (; at < line.size() && line[at] >= '0' && line[at] <= '9' && at < 18; ++at)
@@ -97,7 +97,7 @@ bool is_whole(const std::string& file, const ShardHead& head) {
     if (!found || found->version != kVersion || found->head != head) return false;
     std::uint64_t programs = 0;
     while (std::getline(in, line)) {
-        if (!index_of(line)) return is_end(in, line, programs);
+        if (!index_in(line)) return is_end(in, line, programs);
         ++programs;
     }
     return false;
@@ -164,7 +164,7 @@ void Shards::take(std::uint32_t number) {
     std::uint64_t programs = 0;
     for (auto offset = static_cast<std::uint64_t>(in.tellg()); std::getline(in, line);
          offset = static_cast<std::uint64_t>(in.tellg())) {
-        const std::optional<std::uint64_t> index = index_of(line);
+        const std::optional<std::uint64_t> index = index_in(line);
         if (!index) {
             if (!is_end(in, line, programs)) break;
             return;

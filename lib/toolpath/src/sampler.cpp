@@ -21,7 +21,7 @@ using gcode::Position;
 
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+using trig::kRadiansPerDegree;
 
 // --- Steps --------------------------------------------------------------------------------
 

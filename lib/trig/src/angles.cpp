@@ -8,8 +8,6 @@ namespace ncsim::trig {
 
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
 // Taylor series for |x| <= pi/4; the first term left out is below 2^-54.
 double sine_near_zero(double x) {
     const double q = x * x;

@@ -14,7 +14,7 @@ namespace ncsim::gcode {
 namespace {
 
 /// Lengths that differ by less are one, in units of the program: rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kCornerRounding = 1e-9;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ bool Machine::goes_on_from_corner(const Command& command) const {
 bool Machine::stays_in_plane(const Axes& from, const Axes& to) const {
     const PlaneAxes axes = axes_of(state_.plane);
     for (std::size_t i = 0; i < from.size(); ++i) {
-        if (i != axes.first && i != axes.second && std::abs(from[i] - to[i]) > kRounding)
+        if (i != axes.first && i != axes.second && std::abs(from[i] - to[i]) > kCornerRounding)
             return false;
     }
     return true;
@@ -93,26 +93,27 @@ bool Machine::cut_corner(const Axes& next) {
     const double y2 = next[axes.second] - held.end[axes.second];
     const double length_1 = trig::length_of(x1, y1);
     const double length_2 = trig::length_of(x2, y2);
-    if (std::min(length_1, length_2) <= kRounding) return refuse("two lines that have a length");
+    if (std::min(length_1, length_2) <= kCornerRounding)
+        return refuse("two lines that have a length");
     const double dot = (x1 * x2 + y1 * y2) / (length_1 * length_2);
     const double cross = (x1 * y2 - y1 * x2) / (length_1 * length_2);
-    if (std::abs(cross) <= kRounding) {
+    if (std::abs(cross) <= kCornerRounding) {
         if (dot < 0.0) return refuse("a next line that does not turn back");
         return make_held_line(held.end, nullptr, nullptr);  // straight on: no corner
     }
     // How much of each line the corner takes away.
     const double cut = held.letter == 'R' ? held.size * std::abs(cross) / (1.0 + dot) : held.size;
-    if (cut > std::min(length_1, length_2) + kRounding) {
+    if (cut > std::min(length_1, length_2) + kCornerRounding) {
         return refuse("lines that are long enough for it");
     }
     Axes first = held.end;
     first[axes.first] -= cut * (x1 / length_1);
     first[axes.second] -= cut * (y1 / length_1);
-    if (length_1 - cut <= kRounding) first = from;  // nothing of the line is left
+    if (length_1 - cut <= kCornerRounding) first = from;  // nothing of the line is left
     Axes second = held.end;
     second[axes.first] += cut * (x2 / length_2);
     second[axes.second] += cut * (y2 / length_2);
-    if (length_2 - cut <= kRounding) second = next;
+    if (length_2 - cut <= kCornerRounding) second = next;
     if (held.letter == 'C') return make_held_line(first, &second, nullptr);
     const double side = cross > 0.0 ? held.size : -held.size;  // left of the line: to the left
     const ProgramArc arc{second, first[axes.first] - side * (y1 / length_1),
@@ -175,7 +176,7 @@ bool Machine::end_by_angle(const Command& command, Axes& end, AxisMask& mask) {
     }
     if (!tells_first && !tells_second) return refuse("one coordinate of its end");
     const double along = tells_first ? d.cos : d.sin;
-    if (std::abs(along) <= kRounding) return refuse("a direction that reaches its end");
+    if (std::abs(along) <= kCornerRounding) return refuse("a direction that reaches its end");
     if (tells_first) {
         to[axes.second] = from[axes.second] + x * (d.sin / d.cos);
         if (is_known(axes.second)) mask |= 1U << axes.second;
@@ -232,7 +233,7 @@ bool Machine::find_corner(const Command& command, const Axes& next) {
     const trig::SinCos a = trig::sin_cos(*held.angle);
     const trig::SinCos b = trig::sin_cos(command.angle);
     const double cross = a.cos * b.sin - a.sin * b.cos;
-    if (std::abs(cross) <= kRounding) return refuse("a next line that it meets");
+    if (std::abs(cross) <= kCornerRounding) return refuse("a next line that it meets");
     const double x = to[axes.first] - from[axes.first];
     const double y = to[axes.second] - from[axes.second];
     const double length = (x * b.sin - y * b.cos) / cross;

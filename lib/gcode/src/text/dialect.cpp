@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/gcode/dialect.h"
 
+#include "text/characters.h"
 #include "text/line_end.h"
 #include "text/number.h"
 
@@ -226,11 +227,8 @@ constexpr std::size_t kSiemens = 2;
 static_assert(kKinds[kHeidenhain].kind == Kind::Heidenhain);
 static_assert(kKinds[kSiemens].kind == Kind::Siemens);
 
-constexpr bool is_letter(char c) {
+constexpr bool is_capital(char c) {
     return c >= 'A' && c <= 'Z';
-}
-constexpr bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// Whether `what` stands in `text` and is not a piece of a longer word or number.
@@ -239,7 +237,7 @@ bool contains(std::string_view text, std::string_view what) {
          at = text.find(what, at + 1)) {
         const char before = at == 0 ? ' ' : text[at - 1];
         const bool starts =
-            !is_letter(what[0]) || (!is_letter(before) && before != '<' && before != '_');
+            !is_capital(what[0]) || (!is_capital(before) && before != '<' && before != '_');
         const std::size_t end = at + what.size();
         const bool ends = end == text.size() || !is_digit(what.back()) ||
                           (!is_digit(text[end]) && text[end] != '.');
@@ -278,7 +276,7 @@ bool is_plain(std::string_view line, Letters plain, Letters& letters_seen) {
     for (std::size_t i = 0; i < line.size(); ++i) {
         char c = line[i];
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-        if (is_letter(c)) {
+        if (is_capital(c)) {
             if ((bit_of(c) & plain) != 0) {
                 letters |= bit_of(c);
                 continue;
@@ -329,7 +327,7 @@ public:
         Letters words = 0;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
             const std::size_t value = code.find_first_not_of(' ', i + 1);
-            if (!is_letter(code[i]) || value == std::string::npos) continue;
+            if (!is_capital(code[i]) || value == std::string::npos) continue;
             if (i > 0 && code[i - 1] == ',') continue;
             const char first = code[value];
             const bool signed_or_point = first == '-' || first == '+' || first == '.';
@@ -408,7 +406,7 @@ private:
     void look_for_turning(std::uint32_t line) {
         const std::string& code = split_.code;
         for (std::size_t i = 0; i + 1 < code.size(); ++i) {
-            if (!is_letter(code[i]) || (i > 0 && is_letter(code[i - 1]))) continue;
+            if (!is_capital(code[i]) || (i > 0 && is_capital(code[i - 1]))) continue;
             const bool number = is_digit(code[i + 1]) || code[i + 1] == '-' || code[i + 1] == '.' ||
                                 code[i + 1] == '#' || code[i + 1] == '[' || code[i + 1] == ' ';
             if (code[i] == 'Y' && number) has_y_ = true;
@@ -526,7 +524,7 @@ private:
         while (at > 0 && is_digit(code[at - 1]))
             --at;
         const std::size_t digits = at;
-        while (at > 0 && is_letter(code[at - 1]))
+        while (at > 0 && is_capital(code[at - 1]))
             --at;
         if (at == digits) return {};
         if (at > 0 && std::string_view("#<>_./]").find(code[at - 1]) != std::string_view::npos)

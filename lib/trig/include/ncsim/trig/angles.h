@@ -5,7 +5,11 @@
 // + - × ÷ √ and the exact remainder are used. Nobody else calls the library's: tests/trig.
 #pragma once
 
+#include <numbers>
+
 namespace ncsim::trig {
+
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 struct SinCos {
     double sin = 0.0;
