@@ -96,6 +96,78 @@ TEST(Machine, AxesOfAChainThatIsToldMakeTheSameHole) {
     EXPECT_NEAR(axes, tip, 0.002 * tip);
 }
 
+// The same hole by a tilted plane: a cycle along its Z.
+TEST(Machine, ACycleInATiltedPlaneIsTheHoleAlongTheTool) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,60.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z60\n";
+    // Euler angles: about Z, then about the X that turned along.
+    const std::string plane = head +
+                              "G68.2 X0 Y0 Z0 I75 J30 K10\nG53.1\nG0 X0 Y0 Z30\n"
+                              "G98 G81 Z-12 R6 F300\nG80\nG69\nG0 A0 C0\nM30\n";
+    const double tip = removed(folder, hole(-30, 75 + 180, "M428", kBack), {"--machine", "m.toml"});
+    const double drilled = removed(folder, plane, {"--machine", "m.toml"});
+    EXPECT_NEAR(drilled, tip, 1e-3 * tip);
+    folder.write("a.nc", plane);
+    const Ran ran = folder.run(with({"run", "a.nc"}, {}));
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.err.find("G68.2 needs to know how the machine turns"), std::string::npos);
+    folder.write("m.toml", "preset = \"4axis-a\"\npivot = { A = [0, 0, 0] }\n");
+    const Ran cannot = folder.run(with({"run", "a.nc"}, {"--machine", "m.toml"}));
+    EXPECT_EQ(cannot.exit_code, 1);
+    EXPECT_NE(cannot.err.find("no turn of its rotary axes leads there"), std::string::npos);
+}
+
+// An arc in it is the circle that it is without it, elsewhere.
+TEST(Machine, AGrooveRoundAboutInATiltedPlane) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,60.,30.,30.,30.)\n"
+        "(FROM/0.,0.,90.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z90\n";
+    const std::string groove = "G0 X15 Y0 Z35\nG1 Z25 F300\nG3 X15 Y0 I-15 F900\nG0 Z60\n";
+    const double upright =
+        removed(folder, head + "G0 X0 Y0 Z60\n" + groove + "M30\n", {"--machine", "m.toml"});
+    const double side =
+        removed(folder, head + "G68.2 J90\nG53.1\nG0 X0 Y0 Z60\n" + groove + "G69\nM30\n",
+                {"--machine", "m.toml"});
+    EXPECT_NEAR(side, upright, 1e-4 * upright);
+    const double aslant = removed(folder,
+                                  head +
+                                      "G68.2 J40 I20\nG53.1\nG0 X0 Y0 Z70\nG0 X15 Y0\nG1 Z25 "
+                                      "F300\nG3 X15 Y0 I-15 F900\nG0 Z70\nG69\nM30\n",
+                                  {"--machine", "m.toml"});
+    EXPECT_GT(aslant, upright);
+}
+
+// What is milled after a quarter turn of the table is, byte by byte, what is programmed there.
+TEST(Machine, AQuarterTurnOfTheTableMovesNothing) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=1. - bull nose end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG0 X0 Y0 Z50\n";
+    const auto bytes = [&](const std::string& body) {
+        folder.write("a.nc", head + body + "M30\n");
+        const Ran ran =
+            folder.run(with({"run", "a.nc"}, {"--machine", "m.toml", "--save-stock", "p.ncstock"}));
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("p.ncstock");
+    };
+    // The table turns the part by +90: what is at X of the machine then is at -Y of the part.
+    const std::string turned =
+        bytes("G0 C90\nG0 X-40 Y5\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 J0\nG0 Z50\nG0 C0\n");
+    const std::string there = bytes("G0 X5 Y40\nZ-3\nG1 Y-40 F900\nG2 X25 Y-20 I0 J20\nG0 Z50\n");
+    EXPECT_EQ(turned, there);
+    // Of both words for it.
+    const std::string in_plane = bytes(
+        "G68.2 K-90\nG53.1\nG0 X-40 Y5 Z50\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 J0\nG0 "
+        "Z50\nG69\n");
+    EXPECT_EQ(in_plane, there);
+}
+
 json verdict(const Folder& folder, const std::vector<std::string>& more) {
     std::vector<std::string> all{"--json", "v.json"};
     all.insert(all.end(), more.begin(), more.end());
@@ -161,11 +233,13 @@ TEST(Machine, TheLengthOfAToolThatAHeadTurnsHasToBeTold) {
     EXPECT_FALSE(has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess"));
 }
 
-// Places of the tip are not those of the axes: the travels say nothing, and it is said.
+// Places of the tip are not those of the axes, which are looked at where they are known.
 TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
     Folder folder;
     folder.write("a.nc", hole(-30, 75, "M428", kBack));
-    folder.write("m.toml", std::string(kTrt) + "[travel]\nx = [-1, 1]\n");
+    folder.write("m.toml",
+                 "preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = \"tip\", M429 = "
+                 "\"axes\" } }\n[travel]\nx = [-1, 1]\n[offsets]\nG54 = [0, 0, 0]\n");
     const json v = verdict(folder, {"--machine", "m.toml"});
     EXPECT_TRUE(has(reasons(v), "told-not-used"));
     const auto is_judged = [](const json& verdict) {
@@ -174,6 +248,15 @@ TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
         });
     };
     EXPECT_FALSE(is_judged(v));
+    // The tip is never beside X0 by more than 17 mm, nor is X of the machine; its Y is by 20, 40 mm
+    // above the axis of A.
+    for (const auto& [travel, beyond] :
+         {std::pair{"y = [-21, 21]", false}, {"y = [-19, 19]", true}, {"a = [-29, 29]", false}}) {
+        folder.write("m.toml", std::string(kTrt) + "[travel]\n" + travel + "\n");
+        const json known = verdict(folder, {"--machine", "m.toml"});
+        EXPECT_EQ(is_judged(known), beyond) << travel;
+        EXPECT_FALSE(has(reasons(known), "told-not-used"));
+    }
     // Nor do they count for the length of the way where G54 is not told: it is 16 mm without them.
     folder.write("a.nc", hole(-30, 75, "M428", kBack + "G0 X-16\n"));
     for (const auto& [travel, beyond] : {std::pair{"17", false}, {"15", true}}) {
@@ -220,7 +303,11 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
         {ends + linear + cradle("turns_about = [0, 0, 0]\n"), "it has no length"},
         {ends + linear + cradle(""), "axis A needs turns_about"},
         {ends + linear + cradle(about + "moves_along = [1, 0, 0]\n"), "and nothing else"},
-        {ends + linear + cradle(about + "travel = [-10, 10]\n"), "'travel' is not known"},
+        {ends + linear + cradle(about + "travel = [10, -10]\n"), "the first end must be below"},
+        {ends + linear + cradle(about + "mass = 3\n"), "'mass' is not known"},
+        {"[travel]\na = [0, 10]\n", "needs to know how the machine turns"},
+        {"preset = \"4axis-a\"\n[travel]\nb = [0, 10]\n", "there is no axis B"},
+        {"preset = \"4axis-a\"\ncontrol = { orient = \"up\" }\n", "expected \"shortest\""},
         {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\naxis = \"A\"\n" + about,
          "axis A is told twice"},
         {ends + linear + cradle(about) + "[[link]]\nname = \"x\"\n", "a name of its own"},

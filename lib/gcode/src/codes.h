@@ -29,6 +29,8 @@ enum class Group : std::uint8_t {
     Scaling,
     Mirror,
     Polar,
+    TiltedPlane,  ///< G68.2 and its kin: a frame.
+    Orient,       ///< G53.1 and its kin: the tool is turned upright to it.
     Macro,
     Pocket,        ///< G12, G13 of Haas.
     HolePattern,   ///< G70, G71, G72 of Haas: where the cycle drills.
@@ -36,7 +38,7 @@ enum class Group : std::uint8_t {
     NotSimulated,  ///< Known, and not simulated: a cut would be missing.
     Ignored,       ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 24;
+constexpr std::size_t kGroups = 26;
 
 /// Ten times the number in the name of a code: 382 of "G38_2".
 constexpr int tenths_in(std::string_view name) {

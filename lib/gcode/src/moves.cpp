@@ -37,7 +37,9 @@ bool Machine::move(const Command& command, Code motion) {
         }
     } else {
         const bool knot = control_.curve.by_knots && command.has('K');  // of G6.2
-        if ((!command.axis_words && !is_modal_arc(command) && !knot) || words_taken) return true;
+        const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
+        if ((!command.axis_words && !by_vector && !is_modal_arc(command) && !knot) || words_taken)
+            return true;
         motion = state_.motion;
         if (motion == Code::None || motion == Code::G80) {
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
@@ -166,14 +168,25 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
 }
 
 bool Machine::straight(const Command& command, MoveKind kind) {
+    if (command.group(Group::OneShot) != Code::G53 || !hides_joints())
+        return straight_as_told(command, kind);
+    const Suspended before = as_joints();
+    const bool done = straight_as_told(command, kind);
+    resume(before);
+    return done;
+}
+
+bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     Axes end{};
     AxisMask mask = 0;
-    if (!command.axis_words) {
+    const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
+    if (!command.axis_words && !by_vector) {
         // "G1" or "G1 F100" alone: the mode was set above.
         if (rules_.strict) path_.straight(state_, state_.position, kind, 0);
         return true;
     }
     if (!find_ends(command, end, mask)) return false;
+    if (by_vector && !turn_to_vector(command, end, mask)) return false;
     const bool machine = command.group(Group::OneShot) == Code::G53;
     if (command.has_angle) {
         const PlaneAxes axes = axes_of(state_.plane);
@@ -189,6 +202,14 @@ bool Machine::straight(const Command& command, MoveKind kind) {
         if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
+    constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
+    const bool by_joints =
+        state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotary) != 0;
+    if (by_joints && !machine) {
+        if (compensation_.is_on())
+            return fail(Message::ForbiddenWithCompensation, command.span, {"a rotary axis"});
+        return straight_of_joints(end, kind, mask);
+    }
     if (!machine) return feed_straight(end, kind, mask);
     path_.set_machine_coordinates(true);
     path_.straight(state_, end, kind, mask);

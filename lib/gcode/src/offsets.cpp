@@ -36,9 +36,9 @@ double mm_of(double value, std::size_t axis, double unit) {
 }  // namespace
 
 Axes Machine::machine_position() const {
-    Axes m{};
+    Axes m = out_of_plane(state_, state_.position);
     for (std::size_t i = 0; i < m.size(); ++i)
-        m[i] = state_.position[i] + state_.offset_92[i];
+        m[i] += state_.offset_92[i];
     rotate(m[kX], m[kY], state_.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state_.work_offset[i] + state_.tool_offset[i];
@@ -52,6 +52,8 @@ Axes Machine::from_machine(const Axes& machine) const {
     rotate(p[kX], p[kY], -state_.rotation);
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.offset_92[i];
+    if (!state_.plane_frame) return p;
+    std::ranges::copy(state_.plane_frame->inward({p[kX], p[kY], p[kZ]}), p.begin());
     return p;
 }
 
@@ -356,12 +358,17 @@ std::optional<double> Machine::gauge_length() const {
 bool Machine::set_tool_length(const Command& command) {
     const Code code = command.group(Group::ToolLength);
     if (code == Code::None) return true;
-    if (code == Code::G43_4) {
+    state_.by_vector = false;
+    if (code == Code::G43_5 && !options_.joints) {
+        return stop_with(Message::TurningUntold, span_of_g(command, code), {name_of(code)});
+    }
+    if (code == Code::G43_4 || code == Code::G43_5) {
         if (is_turned() && !options_.tip_control.frame_at_zero) {
             stopped_ = true;
             return fail(Message::TipFrameUntold, span_of_g(command, code));
         }
         state_.tip_by_length = true;
+        state_.by_vector = code == Code::G43_5;
         choose(Coordinates::Tip);
     } else if (state_.tip_by_length) {
         state_.tip_by_length = false;

@@ -124,7 +124,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         return true;  // the rest of the block may have faults of its own
     }
     Group group = entry_of(code).group;
-    if (code == Code::G43_4 && tip_control_.by_length_word) group = Group::ToolLength;
+    if ((code == Code::G43_4 || code == Code::G43_5) && tip_control_.by_length_word)
+        group = Group::ToolLength;
     if (group == Group::Ignored) {
         command.has_others = true;  // it may have words of its own
         return true;

@@ -92,7 +92,32 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
             {{"m_codes", m_codes},
              {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
              {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
-             {"tip_turns", choose("joints", "vector", [] {})}});
+             {"tip_turns", choose("joints", "vector", [] {})},
+             {"orient", [this](const toml::node& n, const std::string& k) {
+                  const std::string word = r_.text(n, k);
+                  if (word == "positive") {
+                      prefer_ = machine::Prefer::StandUp;
+                  } else if (word == "negative") {
+                      prefer_ = machine::Prefer::StandDown;
+                  } else if (word != "shortest") {
+                      r_.fail(n,
+                              fmt::format(
+                                  "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
+                  }
+              }}});
+}
+
+machine::Travel KinematicsReader::travel(const toml::node& node, const std::string& key) const {
+    const toml::array& ends = r_.list(node, key, 2);
+    const machine::Travel travel{r_.number(ends[0], key), r_.number(ends[1], key)};
+    if (travel.min >= travel.max)
+        r_.fail(node, fmt::format("'{}': the first end must be below the second", key));
+    return travel;
+}
+
+void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
+    travels_node_ = &node;
+    travels_[letter] = travel(node, key);
 }
 
 void KinematicsReader::take_link(const toml::node& node, const std::string& key) {
@@ -101,6 +126,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     std::optional<char> letter;
     std::optional<Vec3> along, about, through;
     std::optional<bool> turns_part;
+    std::optional<machine::Travel> range;
     const auto direction = [this](std::optional<Vec3>& into) {
         return [this, &into](const toml::node& n, const std::string& k) {
             into = r_.vector(n, k);
@@ -119,6 +145,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
              {"moves_along", direction(along)},
              {"turns_about", direction(about)},
              {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
+             {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
              {"positive", [&](const toml::node& n, const std::string& k) {
                   const std::string which = r_.text(n, k);
                   if (which != "part" && which != "tool")
@@ -145,13 +172,14 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
             turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
         link.joint = machine::joint_of(*letter, rotary, *told, through.value_or(Vec3{}), positive);
         link.is_placed = through.has_value();
+        if (range) travels_[*letter] = *range;
         // Positions have X, Y and Z along the axes of the program.
         Vec3 own;
         if (!rotary) own[*letter - 'X'] = 1.0;
         if (!rotary && norm(link.joint->direction - own) > 1e-9)
             r_.fail(node,
                     fmt::format("axis {}: only {} along itself is simulated", *letter, *letter));
-    } else if (along || about || through || turns_part) {
+    } else if (along || about || through || turns_part || range) {
         r_.fail(node, "a link that moves needs its axis");
     }
     links_.push_back(std::move(link));
@@ -189,7 +217,8 @@ std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& 
 }
 
 ToldKinematics KinematicsReader::of_preset() const {
-    ToldKinematics told{*machine::preset(preset_->name), {}};
+    ToldKinematics told;
+    told.chain = *machine::preset(preset_->name);
     for (const auto& [letter, place] : pivots_) {
         if (!told.chain.find(letter))
             r_.fail(*pivots_node_,
@@ -242,6 +271,17 @@ ToldKinematics KinematicsReader::of_links() const {
     return told;
 }
 
+// What presets and links have in common.
+void KinematicsReader::finish(ToldKinematics& told) const {
+    told.prefer = prefer_;
+    for (const auto& [letter, range] : travels_) {
+        if (!turns(letter)) continue;
+        if (!told.chain.find(letter))
+            r_.fail(*travels_node_, fmt::format("'travel': there is no axis {}", letter));
+        told.travels[letter] = range;
+    }
+}
+
 std::optional<ToldKinematics> KinematicsReader::kinematics() const {
     if (preset_ && !links_.empty())
         r_.fail(*preset_->node, "a machine is told by its preset or by its links, not both");
@@ -251,8 +291,13 @@ std::optional<ToldKinematics> KinematicsReader::kinematics() const {
             if (name) r_.fail(*name->node, fmt::format("there is no link '{}'", name->name));
         }
     }
-    if (preset_) return of_preset();
-    if (!links_.empty()) return of_links();
+    if (preset_ || !links_.empty()) {
+        ToldKinematics told = preset_ ? of_preset() : of_links();
+        finish(told);
+        return told;
+    }
+    if (travels_node_)
+        r_.fail(*travels_node_, "'travel' of a rotary axis needs to know how the machine turns");
     if (control_node_) {
         r_.fail(*control_node_,
                 "'control' needs to know how the machine turns: preset or [[link]]");

@@ -27,10 +27,14 @@ public:
     void take_link(const toml::node& node, const std::string& key);
     void take_part(const toml::node& node, const std::string& key);
     void take_spindle_link(const toml::node& node, const std::string& key);
+    /// Of the axis A, B or C.
+    void take_travel(char letter, const toml::node& node, const std::string& key);
 
     // When all is read, and belongs together.
     std::optional<ToldKinematics> kinematics() const;
     const gcode::TipControl& tip_control() const { return control_; }
+    /// Of X, Y and Z, where links tell it.
+    const machine::Travels& travels() const { return travels_; }
 
 private:
     struct Link {
@@ -47,6 +51,8 @@ private:
     ToldKinematics of_links() const;
     std::vector<const Link*> way_up(const Name& from) const;
     const Link* find(const std::string& name) const;
+    machine::Travel travel(const toml::node& node, const std::string& key) const;
+    void finish(ToldKinematics& told) const;
 
     const TomlReader& r_;
     std::optional<Name> preset_, part_, tool_;
@@ -55,6 +61,9 @@ private:
     std::vector<Link> links_;
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;
+    machine::Travels travels_;
+    const toml::node* travels_node_ = nullptr;  // of A, B or C
+    machine::Prefer prefer_ = machine::Prefer::Shortest;
 };
 
 }  // namespace ncsim::setup

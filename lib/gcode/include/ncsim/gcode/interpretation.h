@@ -5,6 +5,7 @@
 
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/dialect.h"
+#include "ncsim/gcode/joints.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/gcode/state.h"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -90,6 +92,8 @@ struct InterpreterOptions {
     /// machine, too. Without it: G98, under strict rules G99.
     std::optional<bool> starts_with_g99;
     TipControl tip_control;
+    /// How the machine turns; null: nobody told it.
+    std::shared_ptr<const JointSolver> joints;
     FileReader read_file;
     FrameObserver observe_frame;
     Limits limits;
@@ -109,6 +113,8 @@ struct Interpretation {
     /// Its origin and rotation; in machine coordinates only where its frame is 0.
     WorkOffset workpiece;
     bool uses_length_offsets = false;  ///< G43 or one of its kin comes in it.
+    /// Where joints that are not at 0 have the tip was asked for: the program goes on from there.
+    bool asked_for_places = false;
     /// Not a milling program we read, or stopped at a code that would misplace all that follows.
     bool refused = false;
     bool stopped = false;  ///< Stopped before its end, by a limit or a missing part.

@@ -5,9 +5,10 @@
 // Numbers that a program can write are kept as it writes them, in *program coordinates* and in
 // the units that are active, so that they stay exact until they leave as motions:
 //
-//     machine = rotate_z(rotation) * (position + offset_92) + work_offset + tool_offset
+//     machine = rotate_z(rotation) * (plane * position + offset_92) + work_offset + tool_offset
 #pragma once
 
+#include "ncsim/gcode/feature_frame.h"
 #include "ncsim/gcode/motion.h"
 
 #include <array>
@@ -107,7 +108,11 @@ struct MachineState {
     /// The M code that last chose how the machine turns (M428 …), if nobody told it; 0: none.
     int kinematics = 0;
     Coordinates coordinates = Coordinates::Axes;
-    bool tip_by_length = false;  ///< By G43.4.
+    Coordinates chosen = Coordinates::Axes;  ///< What they are as soon as no plane is tilted.
+    bool tip_by_length = false;              ///< By G43.4.
+    bool by_vector = false;                  ///< G43.5: I, J and K tell the direction of the tool.
+    /// Of a tilted plane: what program coordinates are counted in. Active units.
+    std::optional<FeatureFrame> plane_frame;
 
     // Places
     Axes position{};     ///< Of the controlled point, program coordinates.

@@ -7,6 +7,7 @@
 //     x = [-500, 0]
 //     y = [-400, 0]
 //     z = [-450, 0]
+//     a = [-110, 30]                 # degrees, of a machine that turns
 //     [rapid]                        # mm/min
 //     x = 15000
 //     y = 15000
@@ -55,7 +56,9 @@
 //     pivot = { A = [0, 20, 10], C = [0, 0, 0] }   # a point of each rotary axis: the machine
 //                                    # coordinates of the spindle nose when it is there, mm
 //     control = { m_codes = { M428 = "tip", M429 = "axes" }, tip_frame = "table" }
-//                                    # tip_frame: G43.4 is known, too
+//                                    # tip_frame: G43.4 is known, too. orient = "positive": of
+//                                    # two ways to a direction the one with the joint that counts
+//                                    # first at 0 or above; "negative", "shortest" (default)
 //     part = { link = "platter" }
 //     [spindle]
 //     link = "head"
@@ -65,6 +68,7 @@
 //     axis = "A"
 //     turns_about = [1, 0, 0]        # or moves_along
 //     through = [0, 20, 10]
+//     travel = [-110, 30]
 //     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
 #pragma once
 
