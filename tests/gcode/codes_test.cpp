@@ -213,6 +213,8 @@ const std::vector<Case>& codes() {
         {"G68.4", By::Fanuc, "G68.4 I5", " ! error kinematics"},
         {"G268", By::Fanuc, "G268 I5", " ! error kinematics"},
         {"G269", By::Haas, "G269~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G254", By::Haas, "G254", " ! error kinematics"},
+        {"G255", By::Haas, "G255~G1 X1", "feed X1 Y0 Z0 F100"},
         {"G53.1", By::Fanuc, "G53.1", " ! error kinematics"},
         {"G53.3", By::Fanuc, "G53.3 X1", " ! error kinematics"},
         {"G53.6", By::Fanuc, "G53.6", " ! error kinematics"},

@@ -32,7 +32,9 @@ class Stubborn : public JointSolver {
 public:
     bool turns() const override { return true; }
     Stand stand_of(const Axes&, double) const override { return {}; }
-    std::optional<Axes> joints_for(const Triple&, const Axes&, double) const override { return {}; }
+    std::optional<Axes> joints_for(const Triple& tip, const Axes& joints, double) const override {
+        return tip[0] > 50.0 ? std::nullopt : std::optional(joints);
+    }
     Turned turned_to(const Triple&, const Axes&, Way) const override {
         return {std::nullopt, false, "it will not"};
     }
@@ -110,7 +112,10 @@ const std::vector<Case>& cases() {
         {By::Turning, "G68.2 J5~G53.1",
          "2:1: error: G53.1 asks for a direction of the tool that this machine cannot give it: it "
          "will not; the program is stopped here [unreachable-orientation]"},
-        {By::Turning, "G68.2 J5~G0 X0 A5",
+        {By::Turning, "G0 X0 Y0 Z0 A5~G254~G0 A0",
+         "3:1: error: a rotary axis turns under G254, where the zero stays behind; G255 ends it "
+         "[plane-form]"},
+        {By::Turning, "G68.2 J5~G0 X60 A5",
          "2:1: error: the place cannot be reached with the rotary axes where they are "
          "[unreachable-orientation]"},
         // Values

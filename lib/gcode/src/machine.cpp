@@ -106,7 +106,7 @@ void Machine::let_out(const Command& command) {
         command.group(Group::WorkOffset) != Code::None ||
         command.group(Group::Plane) != Code::None ||
         command.group(Group::TiltedPlane) != Code::None ||
-        command.group(Group::Orient) != Code::None ||
+        command.group(Group::Orient) != Code::None || command.group(Group::Carried) != Code::None ||
         command.group(Group::ToolLength) != Code::None ||
         command.group(Group::CutterSide) == Code::G40 ||
         command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
@@ -119,7 +119,7 @@ void Machine::let_out(const Command& command) {
 bool Machine::act(const Command& command) {
     if (const Code code = command.group(Group::Unsupported); code != Code::None) {
         stopped_ = true;
-        const bool of_tip = code == Code::G43_4 || code == Code::G43_5;
+        const bool of_tip = code == Code::G43_4 || code == Code::G43_5 || code == Code::G234;
         if (of_tip) {
             return fail(options_.joints ? Message::TipFrameMissing : Message::TurningUntold,
                         command.span, {name_of(code)});
@@ -168,8 +168,8 @@ bool Machine::act(const Command& command) {
         return false;
     }
     set_modes(command);
-    if (!set_programmed(command) || !set_plane(command) || !orient(command) ||
-        !check_tip_control(command) || !one_shot(command)) {
+    if (!set_programmed(command) || !set_plane(command) || !carry_zero(command) ||
+        !orient(command) || !check_tip_control(command) || !one_shot(command)) {
         return false;
     }
     if (!move(command, command.group(Group::Motion))) return false;
@@ -317,6 +317,13 @@ void Machine::set_speeds_and_tools(const Command& command) {
         case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
         default: break;
     }
+    for (const int code : command.clamps) {
+        for (const RotaryClamp& clamp : options_.clamps) {
+            const auto axis = static_cast<std::size_t>(clamp.letter - 'A');
+            if (clamp.clamp == code) state_.clamped[axis] = true;
+            if (clamp.release == code) state_.clamped[axis] = false;
+        }
+    }
     if (const int code = command.group(MGroup::Kinematics); code != kNone) {
         const auto told = options_.tip_control.m_codes.find(code);
         const bool is_told = told != options_.tip_control.m_codes.end();
@@ -401,6 +408,8 @@ void Machine::set_units(bool inches) {
             frame->origin[i] *= factor;
     };
     scale_origin(state_.plane_frame);
+    for (std::size_t i = 0; state_.carried && i < 3; ++i)
+        (*state_.carried)[i] *= factor;
     scale_origin(store.told_plane);
     state_.inches = inches;
 }
@@ -478,6 +487,7 @@ void Machine::finish() {
     ended_ = true;
     compensation_.end(state_);
     end_plane();
+    carry(std::nullopt);
     select_system(1);
     state_.plane = Plane::XY;
     state_.incremental = false;

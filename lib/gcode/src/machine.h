@@ -203,6 +203,9 @@ private:
     std::optional<Axes> turned_to(const Triple& axis, JointSolver::Way way, Code code,
                                   SourceSpan span);
     bool orient(const Command& command);
+    bool carry_zero(const Command& command);
+    void carry(const std::optional<std::array<double, 3>>& shift);
+    double rotary_way(std::size_t axis, double value, double at) const;
     bool turn_to_vector(const Command& command, Axes& end, AxisMask& mask);
     bool stop_with(const MessageText& message, SourceSpan span,
                    std::initializer_list<std::string_view> arguments);

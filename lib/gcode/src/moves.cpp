@@ -128,6 +128,7 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
         double value = command[kLetters[i]];
         if (i == kX && state_.lathe_diameter) value /= 2.0;
         end[i] = incremental ? at[i] + value : value;
+        if (is_rotary(i) && !incremental) end[i] = at[i] + rotary_way(i, value, at[i]);
     }
     if (polar && !machine && !polar_ends(command, end, mask)) return false;
     if (machine) {
@@ -136,6 +137,29 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
         end = programmed_to(end);
     }
     return true;
+}
+
+/// How far a rotary axis goes from `at` to the place that `value` names.
+double Machine::rotary_way(std::size_t axis, double value, double at) const {
+    constexpr double kTurn = 360.0;
+    // What is left of a way after whole turns: 0 to below 360.
+    const auto rest = [](double way) {
+        const double left = std::fmod(way, kTurn);
+        return left < 0.0 ? left + kTurn : left;
+    };
+    switch (options_.rotary_ways[axis - kA]) {
+        case RotaryWay::Linear: break;
+        case RotaryWay::Shortest: {
+            const double up = rest(value - at);
+            return up > kTurn / 2 ? up - kTurn : up;
+        }
+        case RotaryWay::Sign: {
+            const double up = rest(std::abs(value) - at);
+            return std::signbit(value) && up != 0.0 ? up - kTurn : up;
+        }
+        case RotaryWay::Positive: return rest(value - at);
+    }
+    return value - at;
 }
 
 /// G16: the first axis word of the plane is a radius, the second an angle. "@" and "^" of
@@ -203,6 +227,8 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
     constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
+    if (state_.carried && (mask & kRotary) != 0 && !machine)
+        return fail(Message::CarriedTurns, command.span);
     const bool by_joints =
         state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotary) != 0;
     if (by_joints && !machine) {

@@ -42,6 +42,8 @@ Axes Machine::machine_position() const {
     rotate(m[kX], m[kY], state_.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state_.work_offset[i] + state_.tool_offset[i];
+    for (std::size_t i = 0; state_.carried && i < 3; ++i)
+        m[i] += (*state_.carried)[i];
     return m;
 }
 
@@ -49,6 +51,8 @@ Axes Machine::from_machine(const Axes& machine) const {
     Axes p = machine;
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.work_offset[i] + state_.tool_offset[i];
+    for (std::size_t i = 0; state_.carried && i < 3; ++i)
+        p[i] -= (*state_.carried)[i];
     rotate(p[kX], p[kY], -state_.rotation);
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.offset_92[i];
@@ -362,8 +366,9 @@ bool Machine::set_tool_length(const Command& command) {
     if (code == Code::G43_5 && !options_.joints) {
         return stop_with(Message::TurningUntold, span_of_g(command, code), {name_of(code)});
     }
-    if (code == Code::G43_4 || code == Code::G43_5) {
-        if (is_turned() && !options_.tip_control.frame_at_zero) {
+    if (code == Code::G43_4 || code == Code::G43_5 || code == Code::G234) {
+        // Haas fixes the frame to the table as it stands at 0.
+        if (is_turned() && code != Code::G234 && !options_.tip_control.frame_at_zero) {
             stopped_ = true;
             return fail(Message::TipFrameUntold, span_of_g(command, code));
         }

@@ -91,6 +91,11 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMas
     at.u = Length::from_mm(mm * (p[kU] + g92[kU] + g5x[kU]));
     at.v = Length::from_mm(mm * (p[kV] + g92[kV] + g5x[kV]));
     at.w = Length::from_mm(mm * (p[kW] + g92[kW] + g5x[kW]));
+    if (state.carried) {
+        at.x += Length::from_mm(mm * (*state.carried)[kX]);
+        at.y += Length::from_mm(mm * (*state.carried)[kY]);
+        at.z += Length::from_mm(mm * (*state.carried)[kZ]);
+    }
     double zero_x = state.zero_92[kX];
     double zero_y = state.zero_92[kY];
     rotate(zero_x, zero_y, state.rotation);
@@ -175,6 +180,7 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     const auto any = [](const KnownAxes& axes) { return axes.x || axes.y || axes.z; };
     motion_.start_assumed = any(state.relative) || any(end.relative);
     motion_.machine_coordinates = machine_coordinates_;
+    motion_.turns_clamped = false;
     motion_.spindle_in_doubt = state.spindle_in_doubt;
 }
 
@@ -304,6 +310,8 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
     const bool lengths =
         a.x != b.x || a.y != b.y || a.z != b.z || a.u != b.u || a.v != b.v || a.w != b.w;
     const bool turns = a.a != b.a || a.b != b.b || a.c != b.c;
+    motion_.turns_clamped = (state.clamped[0] && a.a != b.a) || (state.clamped[1] && a.b != b.b) ||
+                            (state.clamped[2] && a.c != b.c);
     // A purely rotary move is fed in degrees, which have no inches.
     if (state.feed_mode != FeedMode::InverseTime && (lengths || !turns)) {
         motion_.feed *= state.unit_mm();

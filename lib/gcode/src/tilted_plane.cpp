@@ -331,6 +331,41 @@ bool Machine::orient(const Command& command) {
     return true;
 }
 
+/// The place stays, and has other numbers.
+void Machine::carry(const std::optional<std::array<double, 3>>& shift) {
+    if (shift == state_.carried) return;
+    const Axes machine = machine_position();
+    state_.carried = shift;
+    recompute_position(machine);
+}
+
+/// G254: the zero of the system goes with the table as its axes stand, X, Y and Z stay those of the
+/// machine. G255 ends it.
+bool Machine::carry_zero(const Command& command) {
+    const Code code = command.group(Group::Carried);
+    if (code == Code::None) return true;
+    carry(std::nullopt);
+    if (code == Code::G255) return true;
+    const SourceSpan span = span_of_g(command, code);
+    if (!options_.joints || !options_.joints->turns())
+        return stop_with(Message::TurningUntold, span, {name_of(code)});
+    if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
+        return stop_with(Message::PlaneForbids, span, {name_of(code)});
+    if (!is_turned()) return true;
+    asked_for_places_ = true;
+    Axes zero = stand();
+    for (std::size_t i = 0; i < 3; ++i)
+        zero[i] = state_.work_offset[i] * state_.unit_mm();
+    const auto there =
+        options_.joints->joints_for({zero[kX], zero[kY], zero[kZ]}, zero, length_mm());
+    if (!there) return stop_with(Message::OutOfReach, span, {"the zero"});
+    std::array<double, 3> shift{};
+    for (std::size_t i = 0; i < 3; ++i)
+        shift[i] = ((*there)[i] - zero[i]) / state_.unit_mm();
+    carry(shift);
+    return true;
+}
+
 /// I, J and K of a straight move under G43.5.
 bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) {
     if (!command.has_any(letters('I', 'J', 'K'))) return true;

@@ -32,14 +32,14 @@ bool turns(char letter) {
 }
 
 // The number of "M428": those of every control are not free.
-std::optional<int> m_code_named(std::string_view name) {
-    constexpr int kFirst = 100, kLast = 9999;
+std::optional<int> m_code_named(std::string_view name, int first) {
+    constexpr int kLast = 9999;
     int number = 0;
     const char* end = name.data() + name.size();
     if (name.size() < 2 || name[0] != 'M') return std::nullopt;
     const auto read = std::from_chars(name.data() + 1, end, number);
     const bool is_one =
-        read.ec == std::errc() && read.ptr == end && number >= kFirst && number <= kLast;
+        read.ec == std::errc() && read.ptr == end && number >= first && number <= kLast;
     return is_one ? std::optional(number) : std::nullopt;
 }
 
@@ -79,7 +79,8 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
     };
     const TomlReader::Take m_codes = [this](const toml::node& n, const std::string& k) {
         for (const auto& [name, value] : r_.table(n, k)) {
-            const auto number = m_code_named(name.str());
+            constexpr int kFree = 100;
+            const auto number = m_code_named(name.str(), kFree);
             const std::string whole = fmt::format("{}.{}", k, name.str());
             if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
             const std::string mode = r_.text(value, whole);
@@ -115,6 +116,45 @@ machine::Travel KinematicsReader::travel(const toml::node& node, const std::stri
     return travel;
 }
 
+gcode::RotaryWay KinematicsReader::way(const toml::node& node, const std::string& key) const {
+    using gcode::RotaryWay;
+    const std::string word = r_.text(node, key);
+    for (const auto& [name, known] : {std::pair{"linear", RotaryWay::Linear},
+                                      {"shortest", RotaryWay::Shortest},
+                                      {"sign", RotaryWay::Sign},
+                                      {"positive", RotaryWay::Positive}}) {
+        if (word == name) return known;
+    }
+    r_.fail(node,
+            fmt::format("'{}': expected \"linear\", \"shortest\", \"sign\" or \"positive\"", key));
+}
+
+void KinematicsReader::take_ways(const toml::node& node, const std::string& key) {
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        ways_[static_cast<std::size_t>(*letter - 'A')] = way(value, whole);
+    }
+}
+
+void KinematicsReader::take_clamps(const toml::node& node, const std::string& key) {
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        const toml::array& codes = r_.list(value, whole, 2);
+        constexpr int kFirst = 10;  // those below are of every control
+        const auto clamp = m_code_named(r_.text(codes[0], whole), kFirst);
+        const auto release = m_code_named(r_.text(codes[1], whole), kFirst);
+        if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30)
+            r_.fail(value, fmt::format("'{}': expected two M codes, [\"M10\", \"M11\"]", whole));
+        clamps_.push_back({*letter, *clamp, *release});
+    }
+}
+
 void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
     travels_node_ = &node;
     travels_[letter] = travel(node, key);
@@ -127,6 +167,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     std::optional<Vec3> along, about, through;
     std::optional<bool> turns_part;
     std::optional<machine::Travel> range;
+    std::optional<gcode::RotaryWay> told_way;
     const auto direction = [this](std::optional<Vec3>& into) {
         return [this, &into](const toml::node& n, const std::string& k) {
             into = r_.vector(n, k);
@@ -146,6 +187,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
              {"turns_about", direction(about)},
              {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
              {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
+             {"way", [&](const auto& n, const auto& k) { told_way = way(n, k); }},
              {"positive", [&](const toml::node& n, const std::string& k) {
                   const std::string which = r_.text(n, k);
                   if (which != "part" && which != "tool")
@@ -173,13 +215,16 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
         link.joint = machine::joint_of(*letter, rotary, *told, through.value_or(Vec3{}), positive);
         link.is_placed = through.has_value();
         if (range) travels_[*letter] = *range;
+        if (told_way && !rotary)
+            r_.fail(node, fmt::format("axis {} moves straight: no way", *letter));
+        if (told_way) ways_[static_cast<std::size_t>(*letter - 'A')] = *told_way;
         // Positions have X, Y and Z along the axes of the program.
         Vec3 own;
         if (!rotary) own[*letter - 'X'] = 1.0;
         if (!rotary && norm(link.joint->direction - own) > 1e-9)
             r_.fail(node,
                     fmt::format("axis {}: only {} along itself is simulated", *letter, *letter));
-    } else if (along || about || through || turns_part || range) {
+    } else if (along || about || through || turns_part || range || told_way) {
         r_.fail(node, "a link that moves needs its axis");
     }
     links_.push_back(std::move(link));

@@ -28,11 +28,15 @@ public:
     void take_part(const toml::node& node, const std::string& key);
     void take_spindle_link(const toml::node& node, const std::string& key);
     /// Of the axis A, B or C.
+    void take_ways(const toml::node& node, const std::string& key);
+    void take_clamps(const toml::node& node, const std::string& key);
     void take_travel(char letter, const toml::node& node, const std::string& key);
 
     // When all is read, and belongs together.
     std::optional<ToldKinematics> kinematics() const;
     const gcode::TipControl& tip_control() const { return control_; }
+    const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
+    const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
     /// Of X, Y and Z, where links tell it.
     const machine::Travels& travels() const { return travels_; }
 
@@ -51,6 +55,7 @@ private:
     ToldKinematics of_links() const;
     std::vector<const Link*> way_up(const Name& from) const;
     const Link* find(const std::string& name) const;
+    gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
     machine::Travel travel(const toml::node& node, const std::string& key) const;
     void finish(ToldKinematics& told) const;
 
@@ -61,6 +66,8 @@ private:
     std::vector<Link> links_;
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;
+    std::array<gcode::RotaryWay, 3> ways_{};  // of A, B and C
+    std::vector<gcode::RotaryClamp> clamps_;
     machine::Travels travels_;
     const toml::node* travels_node_ = nullptr;  // of A, B or C
     machine::Prefer prefer_ = machine::Prefer::Shortest;

@@ -137,6 +137,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
            {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
             {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
             {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
+            {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
+            {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
             {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
             {"link",
              [&](const toml::node& n, const std::string& k) {
@@ -206,6 +208,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
              }}});
     file.kinematics = kinematics.kinematics();
     file.tip_control = kinematics.tip_control();
+    file.rotary_ways = kinematics.ways();
+    file.clamps = kinematics.clamps();
     for (std::size_t i = 0; i < 3; ++i) {
         const auto told = kinematics.travels().find("XYZ"[i]);
         if (told != kinematics.travels().end() && !m.travel[i])

@@ -66,6 +66,8 @@ void judge_fixture_contact(const Setup&, const Move&, FindingLog&);
 void judge_fixture_clearance(const Setup&, const Move&, FindingLog&);
 void judge_over_travel(const Setup&, const Move&, FindingLog&);
 void judge_rotary_over_travel(const Setup&, const Move&, FindingLog&);
+void judge_clamps(const Setup&, const Move&, FindingLog&);
+void judge_singular_pose(const Setup&, const Move&, FindingLog&);
 void judge_start_unknown(const Setup&, const Move&, FindingLog&);
 void judge_path_accuracy(const Setup&, const Move&, FindingLog&);
 void judge_below_stock(const Setup&, const Move&, FindingLog&);

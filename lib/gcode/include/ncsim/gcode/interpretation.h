@@ -59,6 +59,21 @@ struct TipControl {
     bool operator==(const TipControl&) const = default;
 };
 
+/// What an absolute value of a rotary axis says. Increments are always the way itself.
+enum class RotaryWay : std::uint8_t {
+    Linear,    ///< A place on a line that goes on: 350 to 10 is -340 (LinuxCNC, Heidenhain).
+    Shortest,  ///< A place on the circle, the shortest way: +20 (Fanuc, roll-over; M126).
+    Sign,      ///< Its size is the place, its sign the way (LinuxCNC's WRAPPED_ROTARY).
+    Positive,  ///< A place on the circle, always up.
+};
+
+/// M codes that hold a rotary axis, and let it go.
+struct RotaryClamp {
+    char letter = 'B';
+    int clamp = 10, release = 11;
+    bool operator==(const RotaryClamp&) const = default;
+};
+
 struct InterpreterOptions {
     /// For programs that say neither G20 nor G21.
     DefaultUnits default_units = DefaultUnits::Millimetres;
@@ -94,6 +109,8 @@ struct InterpreterOptions {
     TipControl tip_control;
     /// How the machine turns; null: nobody told it.
     std::shared_ptr<const JointSolver> joints;
+    std::array<RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
+    std::vector<RotaryClamp> clamps;
     FileReader read_file;
     FrameObserver observe_frame;
     Limits limits;

@@ -132,6 +132,8 @@ struct Motion {
     bool machine_coordinates = false;
     /// Programmed in a coordinate system of which nobody told how far it is from W; taken to be W.
     bool offset_unknown = false;
+    /// A rotary axis turns that an M code holds.
+    bool turns_clamped = false;
     /// M0 came since the spindle was started: on many machines it stands still.
     bool spindle_in_doubt = false;
 };

@@ -6,6 +6,7 @@
 // the units that are active, so that they stay exact until they leave as motions:
 //
 //     machine = rotate_z(rotation) * (plane * position + offset_92) + work_offset + tool_offset
+//               + carried
 #pragma once
 
 #include "ncsim/gcode/feature_frame.h"
@@ -113,6 +114,9 @@ struct MachineState {
     bool by_vector = false;                  ///< G43.5: I, J and K tell the direction of the tool.
     /// Of a tilted plane: what program coordinates are counted in. Active units.
     std::optional<FeatureFrame> plane_frame;
+    std::array<bool, 3> clamped{};  ///< A, B and C.
+    /// G254: how far the zero of the system went with the table. Machine coordinates, active units.
+    std::optional<std::array<double, 3>> carried;
 
     // Places
     Axes position{};     ///< Of the controlled point, program coordinates.

@@ -59,6 +59,10 @@
 //                                    # tip_frame: G43.4 is known, too. orient = "positive": of
 //                                    # two ways to a direction the one with the joint that counts
 //                                    # first at 0 or above; "negative", "shortest" (default)
+//     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), which is
+//                                    # the default, "shortest" (+20, roll-over), "positive", "sign"
+//                                    # (the size is the place, the sign the way)
+//     clamps = { B = ["M10", "M11"] }   # M10 holds B, M11 lets it go
 //     part = { link = "platter" }
 //     [spindle]
 //     link = "head"
@@ -78,9 +82,11 @@
 #include "ncsim/verify/machine.h"
 #include "ncsim/verify/setup.h"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ncsim::setup {
 
@@ -91,6 +97,8 @@ struct MachineFile {
     std::optional<cda::Vec3> start;    ///< Machine coordinates.
     std::optional<ToldKinematics> kinematics;
     gcode::TipControl tip_control;
+    std::array<gcode::RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
+    std::vector<gcode::RotaryClamp> clamps;
     /// Limits by tool number; the shape is not told here.
     std::map<int, verify::ToolFacts> tools;
 };
