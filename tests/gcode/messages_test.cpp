@@ -107,11 +107,13 @@ const std::vector<Case>& cases() {
         {By::Turning, "G0 X0 Y0 Z0~G53.1",
          "2:1: error: G53.1 needs a tilted plane, and none is told (G68.2); the program is stopped "
          "here [plane-form]"},
-        {By::Turning, "G68.2 J5~G52 X1",
-         "2:1: error: G52 is not simulated in a tilted plane; it ends with G69 [plane-form]"},
+        {By::Turning, "G68.2 J5~G92.1",
+         "2:1: error: G92.1 is not simulated in a tilted plane; it ends with G69 [plane-form]"},
         {By::Turning, "G68.2 J5~G53.1",
          "2:1: error: G53.1 asks for a direction of the tool that this machine cannot give it: it "
          "will not; the program is stopped here [unreachable-orientation]"},
+        {By::Fanuc, "G17 F100 G0 X0 Y0 Z0 C0~G7.1 C25~G2 Z-5 C10 R9",
+         "3:1: error: G2 on a cylinder (G7.1) needs a plane with the cylinder's axis [plane-form]"},
         {By::Turning, "G0 X0 Y0 Z0 A5~G254~G0 A0",
          "3:1: error: a rotary axis turns under G254, where the zero stays behind; G255 ends it "
          "[plane-form]"},

@@ -236,6 +236,11 @@ TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
     EXPECT_TRUE(std::ranges::any_of(aside.moves, [](const Motion& m) {
         return std::abs(end_of(m)->z.mm() - 5.0) < 1e-9 && end_of(m)->x.mm() > 20.0;
     }));
+    // A shift in it, and one from before.
+    expect_at(run(tilted + "G52 X3 Y4\nG0 X0 Y0 Z0\n").end(), 4, 2, 7);
+    expect_at(run("G52 X100 Z7\n" + tilted + "G0 X0 Y0 Z0\n").end(), 101, 2, 10);
+    expect_at(run(tilted + "G52 X3\nG53 G0 Z60\nG0 X0 Y0 Z0\nG69\nG52 X0\n").end(), 4, 2, 3);
+    expect_at(run("G52 X100\n" + tilted + "G52 X3\nG69\nG0 A0\nG0 X0 Y0 Z0\n").end(), 100, 0, 0);
     // A rotation in it, and inches.
     expect_at(run(tilted + "G68 X0 Y0 R90\nG0 X3 Y0 Z0\n").end(), 1, 2, 6);
     expect_at(run(tilted + "G20\nG0 X1 Y0 Z0\n").end(), 26.4, 2, 3);
@@ -287,7 +292,7 @@ TEST(TiltedPlane, WhatCannotBeIsAnErrorByName) {
     EXPECT_TRUE(run("G68.2 J20 R5\n").says("plane-form"));
     const std::string line = "G68.2 P2 Q1 X1\nG68.2 P2 Q2 X2\nG68.2 P2 Q3 X3\n";
     EXPECT_TRUE(run(line).says("plane-form"));
-    for (const char* block : {"G55", "G92 X0", "G52 X1", "G10 L2 P1 X5", "G5 X1 Y1 I0 J1 P1 Q1"})
+    for (const char* block : {"G55", "G92.1", "G10 L2 P1 X5", "G5 X1 Y1 I0 J1 P1 Q1"})
         EXPECT_TRUE(run(std::string("G68.2 J90\nG53.1\n") + block + "\n").says("plane-form"))
             << block;
     EXPECT_FALSE(run("G68.2 J90\nG53.1\nG54\nG0 X1\n").fails());
@@ -300,8 +305,164 @@ TEST(TiltedPlane, EndsWithTheProgram) {
     EXPECT_TRUE(made.result.ended);
 }
 
-// --- Tip control
-// ----------------------------------------------------------------------------------
+// --- Offsets that turn with the table ---
+
+TEST(CarriedZero, GoesWithTheTableAndItsAxesDoNot) {
+    // Of Haas: after A90 the zero is 10 mm in front of the axis: at Y10 Z-10 of the machine.
+    const Made made =
+        run("G0 Z40\nG0 A90\nG254\nG0 X1 Y0 Z5\nG1 Z-2\nG53 G0 Z60\nG255\nG0 X1 Y0 Z5\n",
+            Dialect::Haas);
+    EXPECT_FALSE(made.fails());
+    ASSERT_EQ(made.moves.size(), 7U);
+    EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
+    expect_at(made.end(3), 1, 10, -5);
+    expect_at(made.end(2), 1, 10, -12);
+    expect_at(made.end(1), 1, 10, 60);
+    expect_at(made.end(0), 1, 0, 5);
+    EXPECT_TRUE(run("G0 A90\nG254\nG0 A0\n", Dialect::Haas).says("plane-form"));
+    EXPECT_TRUE(run("G0 A90\nG254\n", Dialect::Haas, false).says("kinematics"));
+    EXPECT_FALSE(run("G254\nG1 X5\nG255\n", Dialect::Haas).fails());
+}
+
+TEST(TipControl, OfHaasIsFixedToTheTableAtZero) {
+    const Made made = run("G0 X1 Y0 Z40 A90\nG234 H1\nG1 Z-3\nG49\nG1 X2\n", Dialect::Haas);
+    EXPECT_FALSE(made.fails());
+    EXPECT_EQ(made.moves[2].coordinates, Coordinates::Tip);
+    expect_at(*start_of(made.moves[2]), 1, -50, -10);
+    EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
+}
+
+// --- Face and cylinder ---
+
+TEST(Face, XAndCTellPlacesAcrossTheAxis) {
+    for (const char* words : {"G12.1", "G112"}) {
+        const std::string end = words[2] == '2' ? "G13.1" : "G113";
+        const Made made =
+            run("G0 X20 Z-1\n" + std::string(words) +
+                    "\nG1 X20 C10\nG3 X10 C20 I-10 J0\nG1 X-20 C0\n" + end + "\nG0 X30\n",
+                Dialect::Fanuc, false);
+        EXPECT_FALSE(made.fails()) << words;
+        ASSERT_EQ(made.moves.size(), 6U);
+        EXPECT_EQ(made.moves[2].coordinates, Coordinates::Tip);
+        expect_at(made.end(3), 20, 10, -1);
+        expect_at(std::get<Arc>(made.moves[3].what).to, 10, 20, -1);
+        expect_at(made.end(1), -20, 0, -1);
+        // Then X is the distance again, and C is where it got to.
+        EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);
+        expect_at(*start_of(made.moves[5]), 20, 0, -1);
+        EXPECT_NEAR(start_of(made.moves[5])->c.degrees(), 180, 1e-9);
+        expect_at(made.end(), 30, 0, -1);
+    }
+}
+
+TEST(Face, LiesWhereCStands) {
+    const Made made = run("G0 X20 C90\nG12.1\nG1 X15 C5\nG13.1\n", Dialect::Fanuc, false);
+    // With C at 90 the tool is at Y20 of the part, which is X of the face.
+    expect_at(made.end(), -5, 15, 0);
+    EXPECT_TRUE(run("G0 A5\nG12.1\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G12.1\nG1 X5 A5\n", Dialect::Fanuc, false).says("plane-form"));
+}
+
+TEST(Face, OfLinuxCncTheWordChoosesTheKinematics) {
+    InterpreterOptions options;
+    options.dialect = Dialect::Rs274;
+    options.tip_control.kinematics = {Coordinates::Tip, Coordinates::Axes};
+    std::vector<Coordinates> seen;
+    const auto take = [&](const Motion& motion) { seen.push_back(motion.coordinates); };
+    const std::string program =
+        "G21 G90 G0 X0 Y0 Z0\nG12.1 P0\nG0 X1\nG12.1 P1\nX2\nG12.1\nX3\nG13.1\nX4\n";
+    interpret({"t.nc", program}, options, take);
+    using enum Coordinates;
+    EXPECT_EQ(seen, (std::vector<Coordinates>{Axes, Tip, Axes, Tip, Axes}));
+    EXPECT_TRUE(run("G12.1 P1\nG0 X1\n", Dialect::Rs274).says("kinematics"));
+}
+
+TEST(Cylinder, HasArcsOfItsCircumference) {
+    const double degree = 25.0 * 3.14159265358979323846 / 180.0;
+    const Made made =
+        run("G0 X30 C0\nG19 G7.1 C25\nG1 X24 F100\nG1 Z-10 F100\nC10\n"
+            "G2 Z-15 C" +
+                std::to_string(10 + 5 / degree) + " R5\nG7.1 C0\nG0 X30\n",
+            Dialect::Fanuc, false);
+    EXPECT_FALSE(made.fails());
+    // 100 mm/min on the surface, in degrees.
+    EXPECT_NEAR(made.moves[4].feed, 100 / degree, 1e-9);
+    // A quarter of a circle of 5 mm, in the plane of C (for Y) and Z.
+    std::size_t chords = 0;
+    for (const Motion& m : made.moves) {
+        const Position& p = *end_of(m);
+        if (p.z.mm() > -10.0 - 1e-9 || p.z.mm() < -15.0 + 1e-9) continue;
+        ++chords;
+        const double u = (p.c.degrees() - 10) * degree, v = p.z.mm() + 10;
+        EXPECT_NEAR(std::hypot(u, v + 5), 5.0, 1e-5);
+        EXPECT_GT(u, 0.0);
+    }
+    EXPECT_GT(chords, 20U);
+    EXPECT_TRUE(run("G7.1 X25\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G19 G7.1 C25\nG2 Z-5 C10 J5\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G17 G7.1 C25\nG2 Z-5 C10 R9\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G107 C25\n", Dialect::Haas, false).result.stopped);
+}
+
+TEST(WorkOffset, ThePOfG64IsNotItsOwn) {
+    EXPECT_FALSE(run("G54 G90 G64 P0.01\nG0 X1\n").fails());
+}
+
+// --- Ways of rotary axes ---
+
+// Where C goes, one value after the other.
+std::vector<double> places(RotaryWay way, const std::vector<std::string>& words) {
+    InterpreterOptions options;
+    options.rotary_ways[2] = way;
+    options.dialect = Dialect::Fanuc;
+    std::string program = "G21 G90 G0 X0 C0\n";
+    for (const std::string& word : words)
+        program += word + "\n";
+    std::vector<double> all;
+    interpret({"t.nc", program}, options, [&](const Motion& motion) {
+        if (const Position* end = end_of(motion)) all.push_back(end->c.degrees());
+    });
+    all.erase(all.begin());
+    return all;
+}
+
+TEST(RotaryWay, OfFanucsRollOver) {
+    // Moves of -150, -30, -80, +380 and -840.
+    EXPECT_EQ(places(RotaryWay::Shortest, {"C-150", "C540", "C-620", "G91 C380", "C-840"}),
+              (std::vector<double>{-150, -180, -260, 120, -720}));
+    EXPECT_EQ(places(RotaryWay::Linear, {"C-150", "C540", "C-620", "G91 C380", "C-840"}),
+              (std::vector<double>{-150, 540, -620, -240, -1080}));
+}
+
+TEST(RotaryWay, OfHeidenhainsM126) {
+    EXPECT_EQ(places(RotaryWay::Shortest, {"G91 C350", "G90 C10", "C340"}),
+              (std::vector<double>{350, 370, 340}));
+    EXPECT_EQ(places(RotaryWay::Linear, {"C350", "C10", "C340"}),
+              (std::vector<double>{350, 10, 340}));
+}
+
+TEST(RotaryWay, OfASignAndAlwaysUp) {
+    EXPECT_EQ(places(RotaryWay::Sign, {"C90", "C-45", "C-0", "C0", "C10", "C-10", "C-20"}),
+              (std::vector<double>{90, 45, 0, 0, 10, 10, -340}));
+    EXPECT_EQ(places(RotaryWay::Positive, {"C90", "C45", "C45", "C-10"}),
+              (std::vector<double>{90, 405, 405, 710}));
+}
+
+TEST(RotaryClamp, IsToldWhereAnAxisTurnsThatIsHeld) {
+    InterpreterOptions options;
+    options.clamps = {{'B', 10, 11}, {'C', 70, 71}};
+    std::vector<bool> clamped;
+    const auto result = interpret(
+        {"t.nc", "G21 G90 G0 X0 Y0 Z0\nG0 B10\nM10\nG0 X1\nG0 B20\nC5\nM11 M70\nB0\nC0\n"}, options,
+        [&](const Motion& motion) {
+            if (start_of(motion)) clamped.push_back(motion.turns_clamped);
+        });
+    EXPECT_EQ(clamped, (std::vector<bool>{false, false, false, true, false, false, true}));
+    EXPECT_FALSE(std::ranges::any_of(result.diagnostics,
+                                     [](const Diagnostic& d) { return d.code == "unknown-m"; }));
+}
+
+// --- Tip control ---
 
 TEST(TipControl, OnAMachineThatIsToldTheTipIsKnownAfterASwitch) {
     const Made made = run("G0 X1 Y0 Z40 A90\nM428\nG1 Z-3\nM429\nG1 X2\nG53 G0 Z0\n");

@@ -30,6 +30,8 @@ enum class Group : std::uint8_t {
     Mirror,
     Polar,
     Carried,      ///< G254, G255.
+    Face,         ///< G12.1, G13.1 and Haas's G112, G113.
+    Cylinder,     ///< G7.1, G107.
     TiltedPlane,  ///< G68.2 and its kin: a frame.
     Orient,       ///< G53.1 and its kin: the tool is turned upright to it.
     Macro,
@@ -39,7 +41,7 @@ enum class Group : std::uint8_t {
     NotSimulated,  ///< Known, and not simulated: a cut would be missing.
     Ignored,       ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 27;
+constexpr std::size_t kGroups = 29;
 
 /// Ten times the number in the name of a code: 382 of "G38_2".
 constexpr int tenths_in(std::string_view name) {

@@ -106,7 +106,8 @@ void Machine::let_out(const Command& command) {
         command.group(Group::WorkOffset) != Code::None ||
         command.group(Group::Plane) != Code::None ||
         command.group(Group::TiltedPlane) != Code::None ||
-        command.group(Group::Orient) != Code::None || command.group(Group::Carried) != Code::None ||
+        command.group(Group::Face) != Code::None || command.group(Group::Orient) != Code::None ||
+        command.group(Group::Carried) != Code::None ||
         command.group(Group::ToolLength) != Code::None ||
         command.group(Group::CutterSide) == Code::G40 ||
         command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
@@ -168,8 +169,9 @@ bool Machine::act(const Command& command) {
         return false;
     }
     set_modes(command);
-    if (!set_programmed(command) || !set_plane(command) || !carry_zero(command) ||
-        !orient(command) || !check_tip_control(command) || !one_shot(command)) {
+    if (!set_programmed(command) || !set_plane(command) || !carry_zero(command) || !face(command) ||
+        !cylinder(command) || !orient(command) || !check_tip_control(command) ||
+        !one_shot(command)) {
         return false;
     }
     if (!move(command, command.group(Group::Motion))) return false;
@@ -225,7 +227,7 @@ bool Machine::check(const Command& command) {
 
 /// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
 bool Machine::check_corner_words(const Command& command) {
-    if (!rules_.corner_words || !is_line(command)) return true;
+    if (!rules_.corner_words || !is_line(command) || state_.face) return true;
     if (command.has('R') && command['R'] != 0.0)
         return fail(Message::CornerWithoutComma, span_of(command, 'R'), {"R", "R", ""});
     if (!command.has('C') || !rules_.c_may_be_corner) return true;
@@ -408,6 +410,9 @@ void Machine::set_units(bool inches) {
             frame->origin[i] *= factor;
     };
     scale_origin(state_.plane_frame);
+    if (state_.cylinder) state_.cylinder->radius *= factor;
+    for (double& v : state_.outer_92)
+        v *= factor;
     for (std::size_t i = 0; state_.carried && i < 3; ++i)
         (*state_.carried)[i] *= factor;
     scale_origin(store.told_plane);
@@ -486,8 +491,10 @@ void Machine::stop(const Command& command) {
 void Machine::finish() {
     ended_ = true;
     compensation_.end(state_);
+    end_face();
     end_plane();
     carry(std::nullopt);
+    state_.cylinder.reset();
     select_system(1);
     state_.plane = Plane::XY;
     state_.incremental = false;

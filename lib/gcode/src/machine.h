@@ -4,8 +4,9 @@
 // execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
 //
 // One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
-// (coordinate systems), tilted_plane.cpp (tip control, planes), home.cpp (G28, G30, G53), arc.cpp,
-// corner.cpp, cycle.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp, spline.cpp, probe.cpp.
+// (coordinate systems), tilted_plane.cpp (tip control, planes), face_and_cylinder.cpp, home.cpp
+// (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp,
+// spline.cpp, probe.cpp.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -190,6 +191,7 @@ private:
     struct Suspended {
         std::optional<FeatureFrame> frame;
         Coordinates coordinates = Coordinates::Axes;
+        Axes offset_92{};
     };
     Suspended as_joints();
     void resume(const Suspended& before);
@@ -203,6 +205,13 @@ private:
     std::optional<Axes> turned_to(const Triple& axis, JointSolver::Way way, Code code,
                                   SourceSpan span);
     bool orient(const Command& command);
+    bool face(const Command& command);
+    void end_face();
+    bool choose_kinematics(const Command& command, bool by_number, SourceSpan span);
+    bool cylinder(const Command& command);
+    double feed_on_cylinder(const Axes& end) const;
+    bool straight_on_cylinder(const Axes& end, MoveKind kind, AxisMask mask);
+    bool arc_on_cylinder(const Command& command, bool clockwise);
     bool carry_zero(const Command& command);
     void carry(const std::optional<std::array<double, 3>>& shift);
     double rotary_way(std::size_t axis, double value, double at) const;

@@ -124,8 +124,13 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     end = at;
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
         if (!command.has(kLetters[i])) continue;
-        mask |= 1U << i;
         double value = command[kLetters[i]];
+        if (state_.face && i == kC && !machine) {  // a length, across X
+            mask |= 1U << kY;
+            end[kY] = incremental ? at[kY] + value : value;
+            continue;
+        }
+        mask |= 1U << i;
         if (i == kX && state_.lathe_diameter) value /= 2.0;
         end[i] = incremental ? at[i] + value : value;
         if (is_rotary(i) && !incremental) end[i] = at[i] + rotary_way(i, value, at[i]);
@@ -229,6 +234,13 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
     if (state_.carried && (mask & kRotary) != 0 && !machine)
         return fail(Message::CarriedTurns, command.span);
+    if (state_.face && (mask & kRotary) != 0 && !machine)
+        return fail(Message::PlaneForbids, command.span, {"a rotary axis"});
+    if (state_.cylinder && !machine && (mask & 1U << state_.cylinder->axis) != 0) {
+        if (compensation_.is_on())
+            return fail(Message::ForbiddenWithCompensation, command.span, {"a cylinder (G7.1)"});
+        return straight_on_cylinder(end, kind, mask);
+    }
     const bool by_joints =
         state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotary) != 0;
     if (by_joints && !machine) {

@@ -37,8 +37,6 @@ double mm_of(double value, std::size_t axis, double unit) {
 
 Axes Machine::machine_position() const {
     Axes m = out_of_plane(state_, state_.position);
-    for (std::size_t i = 0; i < m.size(); ++i)
-        m[i] += state_.offset_92[i];
     rotate(m[kX], m[kY], state_.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state_.work_offset[i] + state_.tool_offset[i];
@@ -54,10 +52,14 @@ Axes Machine::from_machine(const Axes& machine) const {
     for (std::size_t i = 0; state_.carried && i < 3; ++i)
         p[i] -= (*state_.carried)[i];
     rotate(p[kX], p[kY], -state_.rotation);
+    if (state_.plane_frame) {
+        const auto& outer = state_.outer_92;
+        std::ranges::copy(
+            state_.plane_frame->inward({p[kX] - outer[kX], p[kY] - outer[kY], p[kZ] - outer[kZ]}),
+            p.begin());
+    }
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.offset_92[i];
-    if (!state_.plane_frame) return p;
-    std::ranges::copy(state_.plane_frame->inward({p[kX], p[kY], p[kZ]}), p.begin());
     return p;
 }
 
@@ -114,7 +116,8 @@ bool Machine::set_work_offset(const Command& command) {
     if (code == Code::None) return true;
     int system = system_of(code);
     if (code == Code::G54_1 || code == Code::G154 ||
-        (code == Code::G54 && command.has('P') && !rules_.strict)) {
+        (code == Code::G54 && command.has('P') && !rules_.strict &&
+         command.group(Group::PathMode) == Code::None)) {
         const std::optional<int> number = extended_number(command);
         if (!number)
             return fail(Message::ExtendedNumber, span_of_g(command, code), {name_of(code)});
@@ -150,7 +153,7 @@ bool Machine::offset_92(const Command& command, Code code) {
                 offset[i] =
                     code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
                 // Where nobody knew the axis to stand, this tells it, and where the zero is.
-                if (code == Code::G52 || i > kZ || is_known(i)) continue;
+                if (code == Code::G52 || i > kZ || is_known(i) || state_.plane_frame) continue;
                 state_.zero_92[i] = offset[i];
                 tell_place(i);
             }

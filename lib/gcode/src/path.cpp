@@ -66,31 +66,34 @@ std::string name_of_system(int system) {
 }  // namespace
 
 Axes out_of_plane(const MachineState& state, const Axes& p) {
-    if (!state.plane_frame) return p;
     Axes out = p;
-    std::ranges::copy(state.plane_frame->outward({p[kX], p[kY], p[kZ]}), out.begin());
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] += state.offset_92[i];
+    if (!state.plane_frame) return out;
+    const Triple outward = state.plane_frame->outward({out[kX], out[kY], out[kZ]});
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = outward[i] + state.outer_92[i];
     return out;
 }
 
 Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMask in_machine) {
     const Axes p = out_of_plane(state, at_plane);
     const double mm = state.unit_mm();
-    double x = p[kX] + state.offset_92[kX];
-    double y = p[kY] + state.offset_92[kY];
+    double x = p[kX];
+    double y = p[kY];
     rotate(x, y, state.rotation);
     const auto& g5x = state.work_offset;
-    const auto& g92 = state.offset_92;
     Place out;
     Position& at = out.machine;
     at.x = Length::from_mm(mm * (x + g5x[kX]));
     at.y = Length::from_mm(mm * (y + g5x[kY]));
-    at.z = Length::from_mm(mm * (p[kZ] + g92[kZ] + g5x[kZ]));
-    at.a = Angle::from_degrees(p[kA] + g92[kA] + g5x[kA]);
-    at.b = Angle::from_degrees(p[kB] + g92[kB] + g5x[kB]);
-    at.c = Angle::from_degrees(p[kC] + g92[kC] + g5x[kC]);
-    at.u = Length::from_mm(mm * (p[kU] + g92[kU] + g5x[kU]));
-    at.v = Length::from_mm(mm * (p[kV] + g92[kV] + g5x[kV]));
-    at.w = Length::from_mm(mm * (p[kW] + g92[kW] + g5x[kW]));
+    at.z = Length::from_mm(mm * (p[kZ] + g5x[kZ]));
+    at.a = Angle::from_degrees(p[kA] + g5x[kA]);
+    at.b = Angle::from_degrees(p[kB] + g5x[kB]);
+    at.c = Angle::from_degrees(p[kC] + g5x[kC]);
+    at.u = Length::from_mm(mm * (p[kU] + g5x[kU]));
+    at.v = Length::from_mm(mm * (p[kV] + g5x[kV]));
+    at.w = Length::from_mm(mm * (p[kW] + g5x[kW]));
     if (state.carried) {
         at.x += Length::from_mm(mm * (*state.carried)[kX]);
         at.y += Length::from_mm(mm * (*state.carried)[kY]);

@@ -53,7 +53,7 @@ struct Knowledge {
 Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine);
 void set_knowledge(MachineState& state, const Knowledge& knows);
 
-/// Program coordinates of a tilted plane in those that it lies in.
+/// Program coordinates with G92 and G52, and out of a tilted plane.
 Axes out_of_plane(const MachineState& state, const Axes& p);
 
 class Path {

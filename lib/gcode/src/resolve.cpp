@@ -129,6 +129,8 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         return true;  // the rest of the block may have faults of its own
     }
     Group group = entry_of(code).group;
+    // Haas has G107 map a linear axis onto a rotary one.
+    if (code == Code::G107 && haas) group = Group::Unsupported;
     if ((code == Code::G43_4 || code == Code::G43_5) && tip_control_.by_length_word)
         group = Group::ToolLength;
     if (code == Code::G234 && knows_joints_) group = Group::ToolLength;

@@ -28,8 +28,7 @@ PlaneDialect dialect_of(Code code, const Rules& rules) {
 
 }  // namespace
 
-// --- Places of joints and of the tip
-// --------------------------------------------------------------
+// --- Places of joints and of the tip ---
 
 /// Where the machine stands as JointSolver counts it.
 Axes Machine::stand() const {
@@ -99,6 +98,12 @@ void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
     const auto is_turned_plane = [](const auto& f) { return f && f->is_turned(); };
     const bool mixes = is_turned_plane(frame) || is_turned_plane(state_.plane_frame);
     const Axes machine = machine_position();
+    // G92 and G52 from before shift the plane as a whole; those in it end with it.
+    if (frame && !state_.plane_frame)
+        std::copy_n(state_.offset_92.begin(), 3, state_.outer_92.begin());
+    const std::array<double, 3> shift = frame ? std::array<double, 3>{} : state_.outer_92;
+    std::ranges::copy(shift, state_.offset_92.begin());
+    if (!frame) state_.outer_92 = {};
     state_.plane_frame = frame;
     recompute_position(machine);
     state_.cycle = {};
@@ -107,7 +112,7 @@ void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
 
 /// Until resume(), X, Y and Z are places of the joints.
 Machine::Suspended Machine::as_joints() {
-    const Suspended before{state_.plane_frame, state_.coordinates};
+    const Suspended before{state_.plane_frame, state_.coordinates, state_.offset_92};
     set_plane_frame(std::nullopt);
     take_coordinates(Coordinates::Axes);
     return before;
@@ -116,6 +121,9 @@ Machine::Suspended Machine::as_joints() {
 void Machine::resume(const Suspended& before) {
     take_coordinates(before.coordinates);
     set_plane_frame(before.frame);
+    const Axes machine = machine_position();
+    state_.offset_92 = before.offset_92;
+    recompute_position(machine);
 }
 
 /// Is a place of the machine another one than that of the tip?
@@ -128,7 +136,6 @@ bool Machine::hides_joints() const {
 bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
     const Axes start = state_.position;
     const bool tells_lengths = (mask & ~kRotary) != 0;
-    Suspended before{state_.plane_frame, state_.coordinates};
     Axes target;
     if (tells_lengths) {
         state_.position = end;
@@ -143,7 +150,7 @@ bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) 
     Axes turned{};
     for (std::size_t i = kA; i <= kC; ++i)
         turned[i] = end[i];
-    before = as_joints();
+    const Suspended before = as_joints();
     Axes goal = state_.position;
     if (tells_lengths) goal = from_machine(from_stand(target));
     for (std::size_t i = kA; i <= kC; ++i)
@@ -153,8 +160,7 @@ bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) 
     return true;
 }
 
-// --- Planes
-// -----------------------------------------------------------------------------------------
+// --- Planes ---
 
 bool Machine::stop_with(const MessageText& message, SourceSpan span,
                         std::initializer_list<std::string_view> arguments) {
@@ -170,9 +176,8 @@ bool Machine::check_plane(const Command& command) {
     if (const Code code = command.group(Group::WorkOffset);
         code != Code::None && (system_of(code) != state_.system || command.has('P'))) {
         what = name_of(code);
-    } else if (one_shot == Code::G92 || one_shot == Code::G52 || one_shot == Code::G92_1 ||
-               one_shot == Code::G92_2 || one_shot == Code::G92_3 || one_shot == Code::G92_4 ||
-               one_shot == Code::G28_3 || one_shot == Code::G10) {
+    } else if (one_shot == Code::G92_1 || one_shot == Code::G92_2 || one_shot == Code::G92_3 ||
+               one_shot == Code::G10) {
         what = name_of(one_shot);
     }
     const Code motion = command.group(Group::Motion);
@@ -260,8 +265,7 @@ void Machine::end_plane() {
     take_coordinates(state_.chosen);
 }
 
-// --- The direction of the tool
-// ----------------------------------------------------------------------
+// --- The direction of the tool ---
 
 /// The rotary axes for `axis`, a direction in the coordinates of the program; nothing after an
 /// error.

@@ -94,6 +94,15 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
              {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
              {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
              {"tip_turns", choose("joints", "vector", [] {})},
+             {"kinematics",
+              [this](const toml::node& n, const std::string& k) {
+                  for (const std::string& mode : r_.texts(n, k)) {
+                      if (mode != "tip" && mode != "axes")
+                          r_.fail(n, fmt::format("'{}': expected \"tip\" or \"axes\"", k));
+                      control_.kinematics.push_back(mode == "tip" ? Coordinates::Tip
+                                                                  : Coordinates::Axes);
+                  }
+              }},
              {"orient", [this](const toml::node& n, const std::string& k) {
                   const std::string word = r_.text(n, k);
                   if (word == "positive") {

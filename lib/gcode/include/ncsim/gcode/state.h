@@ -5,7 +5,8 @@
 // Numbers that a program can write are kept as it writes them, in *program coordinates* and in
 // the units that are active, so that they stay exact until they leave as motions:
 //
-//     machine = rotate_z(rotation) * (plane * position + offset_92) + work_offset + tool_offset
+//     machine = rotate_z(rotation) * (plane * (position + offset_92) + outer_92) + work_offset +
+//               tool_offset
 //               + carried
 #pragma once
 
@@ -114,7 +115,24 @@ struct MachineState {
     bool by_vector = false;                  ///< G43.5: I, J and K tell the direction of the tool.
     /// Of a tilted plane: what program coordinates are counted in. Active units.
     std::optional<FeatureFrame> plane_frame;
-    std::array<bool, 3> clamped{};  ///< A, B and C.
+    std::array<double, 3> outer_92{};  ///< What offset_92 was outside of the plane; X, Y, Z.
+    std::array<bool, 3> clamped{};     ///< A, B and C.
+    /// G12.1: X and C are places across the axis of C, in a plane_frame of its own.
+    struct Face {
+        double angle = 0.0;       ///< Of its X, on the part; degrees.
+        double start = 0.0;       ///< Where C stood when it began, degrees.
+        double sign = 1.0;        ///< Of C, seen on the part.
+        Plane plane = Plane::XY;  ///< Of before.
+        bool operator==(const Face&) const = default;
+    };
+    std::optional<Face> face;
+    /// G7.1: a rotary axis turns a cylinder.
+    struct Cylinder {
+        std::size_t axis = 5;
+        double radius = 0.0;  ///< Active units.
+        bool operator==(const Cylinder&) const = default;
+    };
+    std::optional<Cylinder> cylinder;
     /// G254: how far the zero of the system went with the table. Machine coordinates, active units.
     std::optional<std::array<double, 3>> carried;
 

@@ -58,7 +58,8 @@
 //     control = { m_codes = { M428 = "tip", M429 = "axes" }, tip_frame = "table" }
 //                                    # tip_frame: G43.4 is known, too. orient = "positive": of
 //                                    # two ways to a direction the one with the joint that counts
-//                                    # first at 0 or above; "negative", "shortest" (default)
+//                                    # first at 0 or above; "negative", "shortest" (default).
+//                                    # kinematics = ["tip", "axes"]: of LinuxCNC's G12.1 P0, P1
 //     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), which is
 //                                    # the default, "shortest" (+20, roll-over), "positive", "sign"
 //                                    # (the size is the place, the sign the way)
