@@ -8,7 +8,7 @@
 #include "ncsim/report/shard.h"
 #include "ncsim/report/version.h"
 #include "ncsim/setup/digest.h"
-#include "ncsim/setup/machine_file.h"
+#include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/setup/recorded_input.h"
 
@@ -109,8 +109,7 @@ int run(CheckOptions options) {
     }
     setup::RecordedInput read(inputs);
     simulation::Questions questions;
-    if (!options.machine.empty())
-        questions.machine = setup::read_machine_file(options.machine, read);
+    if (!options.machine.empty()) questions.machine = setup::read_machine(options.machine, read);
     std::optional<simulation::Design> design;
     if (!options.design.empty()) {
         design = simulation::Design{setup::name_of_input(options.design),

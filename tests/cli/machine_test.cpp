@@ -380,5 +380,41 @@ TEST(Machine, TheSampleIsMilledOnItsMachineAndOnNoOther) {
     EXPECT_NE(alone.err.find("[kinematics]"), std::string::npos) << alone.err;
 }
 
+// What it says of a machine, and that what it saves is the same one.
+TEST(Machine, IsShownAndSaved) {
+    Folder folder;
+    folder.write(
+        "m.toml",
+        "name = \"cradle\"\npreset = \"xyzac-trt\"\npivot = { A = [0, 20, 10], C = [0, 0, 0] "
+        "}\nway = { C = \"shortest\" }\nclamps = { A = [\"M10\", \"M11\"] }\n"
+        "control = { m_codes = { M428 = \"tip\" }, tip_frame = \"table\", orient = "
+        "\"positive\" }\n[travel]\nx = [-100, 100]\na = [-100, 50]\n[offsets]\nG54 = [1, 2, "
+        "3]\n");
+    const Ran ran = folder.run(
+        {"machine", "m.toml", "--pose", "X10,Y20,Z30,A-71.841,C-35.93", "--save", "s.toml"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    for (const char* words :
+         {"cradle\n", "C  turns the part about [0, 0, 1] through [0, 0, 0], way shortest",
+          "A  turns the part about [1, 0, 0] through [0, 20, 10], -100 to 50 degrees",
+          "X  moves along [1, 0, 0], -100 to 100 mm", "M428: X Y Z are the tip",
+          "M10 holds A, M11 lets it go", "G54 at [1, 2, 3]", "X7.51284 Y6.67454 Z16.2331"})
+        EXPECT_NE(ran.out.find(words), std::string::npos) << words << "\n" << ran.out;
+    const Ran again = folder.run({"machine", "s.toml", "--save", "t.toml"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(folder.read("s.toml"), folder.read("t.toml"));
+    // All but the line of the pose.
+    EXPECT_EQ(again.out, ran.out.substr(0, ran.out.find("  at X10")));
+    folder.write("c.ini",
+                 "[KINS]\nKINEMATICS = xyzac-trt-kins\n[HAL]\nHALCMD = setp "
+                 "xyzac-trt-kins.y-offset 20\n");
+    EXPECT_NE(folder.run({"machine", "c.ini"}).out.find("through [0, 20, 0]"), std::string::npos);
+    for (const char* pose : {"A", "Q5", "A1e9", "A5;C3"})
+        EXPECT_EQ(folder.run({"machine", "m.toml", "--pose", pose}).exit_code, 2) << pose;
+    folder.write("c.ini", "[KINS]\nKINEMATICS = genhexkins\n");
+    const Ran unknown = folder.run({"machine", "c.ini"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("c.ini:2: KINEMATICS"), std::string::npos) << unknown.err;
+}
+
 }  // namespace
 }  // namespace ncsim::cli_test
