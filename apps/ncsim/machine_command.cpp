@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "machine_command.h"
 
+#include "ncsim/export/png.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/machine_text.h"
 
 #include "console.h"
+#include "machine_picture.h"
 #include "output.h"
 #include "program_options.h"
 
@@ -63,6 +65,9 @@ CLI::App* add_machine(CLI::App& app, MachineOptions& o) {
         ->required()
         ->type_name("FILE");
     machine->add_option("--save", o.save, "Write it as a machine.toml")->type_name("FILE");
+    machine->add_option("--png", o.png, "Picture of its links")->type_name("FILE");
+    machine->add_option("--view", o.view, "iso, top, bottom, front, back, left, right [iso]")
+        ->type_name("VIEW");
     machine->add_option("--pose", o.pose, "Where the tool is with its axes there, as A30,C45")
         ->type_name("AXES");
     return machine;
@@ -73,11 +78,18 @@ int run(const MachineOptions& options) {
     OutputSet outputs(inputs);
     inputs.expect(options.machine);
     outputs.reserve(options.save);
+    outputs.reserve(options.png);
+    const auto view = exporter::parse_view(options.view);
+    if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
     const setup::MachineFile file = setup::read_machine(options.machine, inputs);
     std::string text = setup::machine_sheet(file);
     if (!options.pose.empty()) text += sheet_of_pose(file, options.pose);
     put_text(text, outputs.takes_standard_output());
     outputs.write(options.save, [&](std::ostream& out) { out << setup::machine_toml(file); });
+    if (!options.png.empty()) {
+        const exporter::Image image = picture_of(file, values_of(options.pose), *view);
+        outputs.write(options.png, [&](std::ostream& out) { exporter::write_png(out, image); });
+    }
     outputs.commit();
     return kClean;
 }

@@ -14,7 +14,9 @@ namespace ncsim::app {
 struct MachineOptions {
     std::string machine;  ///< What is read.
     std::string save;     ///< A machine.toml to write; empty: not asked for.
-    std::string pose;     ///< "A30,C45": where the tip is then; empty: not asked for.
+    std::string png;      ///< A picture to write; empty: not asked for.
+    std::string view = "iso";
+    std::string pose;  ///< "A30,C45": where the tip is then; empty: not asked for.
 };
 
 CLI::App* add_machine(CLI::App& app, MachineOptions& options);

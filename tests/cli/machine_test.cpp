@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::cli_test {
@@ -414,6 +416,63 @@ TEST(Machine, IsShownAndSaved) {
     const Ran unknown = folder.run({"machine", "c.ini"});
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_NE(unknown.err.find("c.ini:2: KINEMATICS"), std::string::npos) << unknown.err;
+}
+
+// A closed box as text.
+std::string box_stl(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+    std::string stl = "solid box\n";
+    const auto corner = [&](int i) {
+        return fmt::format("vertex {} {} {}\n", i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1],
+                           i & 4 ? high[2] : low[2]);
+    };
+    constexpr int kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& f : kFaces) {
+        for (const auto& t : {std::array{f[0], f[1], f[2]}, std::array{f[0], f[2], f[3]}}) {
+            stl += "facet normal 0 0 0\nouter loop\n";
+            for (const int v : t)
+                stl += corner(v);
+            stl += "endloop\nendfacet\n";
+        }
+    }
+    return stl + "endsolid\n";
+}
+
+TEST(Machine, WithMeshesHasAPictureOfItsPose) {
+    Folder folder;
+    folder.write("table.stl", box_stl({-50, -50, -20}, {50, 50, 0}));
+    folder.write("head.stl", box_stl({-20, -20, 0}, {20, 20, 80}));
+    const std::string machine =
+        "part = { link = \"table\" }\nspindle = { link = \"z\" }\n"
+        "[[link]]\nname = \"table\"\naxis = \"A\"\nturns_about = [1, 0, 0]\nthrough = [0, 0, -10]\n"
+        "positive = \"part\"\nmesh = \"table.stl\"\ncolour = \"#c08040\"\n"
+        "[[link]]\nname = \"x\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"
+        "[[link]]\nname = \"y\"\nparent = \"x\"\naxis = \"Y\"\nmoves_along = [0, 1, 0]\n"
+        "[[link]]\nname = \"z\"\nparent = \"y\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n"
+        "mesh = \"head.stl\"\n";
+    folder.write("m.toml", machine);
+    const auto picture = [&](const std::string& pose) {
+        const Ran ran =
+            folder.run({"machine", "m.toml", "--png", "p.png", "--view", "right", "--pose", pose});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_NE(ran.out.find("link table: 12 triangles"), std::string::npos) << ran.out;
+        return folder.read("p.png");
+    };
+    const std::string home = picture("Z60"), leaning = picture("Z60,A30");
+    EXPECT_NE(home, leaning);
+    EXPECT_EQ(picture("Z60,A360"), home);
+    folder.write("bare.toml", "preset = \"4axis-a\"\n");
+    for (const auto& [file, message] : std::vector<std::pair<std::string, std::string>>{
+             {"preset = \"4axis-a\"\n", "no link of the machine has a mesh"},
+             {machine + "colour = \"red\"\n", "expected \"#rrggbb\""},
+             {machine + "[[link]]\nname = \"v\"\nmesh = \"gone.stl\"\n", "gone.stl"},
+             {machine + "[[link]]\nname = \"v\"\nmesh = \"m.toml\"\n", "m.toml"}}) {
+        folder.write("m.toml", file);
+        const Ran ran = folder.run({"machine", "m.toml", "--png", "q.png"});
+        EXPECT_EQ(ran.exit_code, 2) << file;
+        EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
+    }
+    EXPECT_EQ(folder.run({"machine", "bare.toml", "--view", "inside"}).exit_code, 2);
 }
 
 }  // namespace

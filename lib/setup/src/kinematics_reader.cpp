@@ -2,6 +2,7 @@
 #include "kinematics_reader.h"
 
 #include "ncsim/machine/presets.h"
+#include "ncsim/setup/mesh_file.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,18 @@ std::optional<int> m_code_named(std::string_view name, int first) {
     const bool is_one =
         read.ec == std::errc() && read.ptr == end && number >= first && number <= kLast;
     return is_one ? std::optional(number) : std::nullopt;
+}
+
+// "#c08040"
+std::optional<std::array<std::uint8_t, 3>> colour_named(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    std::array<std::uint8_t, 3> colour{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const char* first = text.data() + 1 + 2 * i;
+        const auto read = std::from_chars(first, first + 2, colour[i], 16);
+        if (read.ec != std::errc() || read.ptr != first + 2) return std::nullopt;
+    }
+    return colour;
 }
 
 }  // namespace
@@ -196,6 +209,15 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
              {"turns_about", direction(about)},
              {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
              {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
+             {"mesh",
+              [&](const auto& n, const auto& k) {
+                  link.mesh = read_mesh_file(seen_in(folder_, r_.text(n, k)), inputs_);
+              }},
+             {"colour",
+              [&](const toml::node& n, const std::string& k) {
+                  link.colour = colour_named(r_.text(n, k));
+                  if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
+              }},
              {"way", [&](const auto& n, const auto& k) { told_way = way(n, k); }},
              {"positive", [&](const toml::node& n, const std::string& k) {
                   const std::string which = r_.text(n, k);
@@ -334,6 +356,30 @@ void KinematicsReader::finish(ToldKinematics& told) const {
             r_.fail(*travels_node_, fmt::format("'travel': there is no axis {}", letter));
         told.travels[letter] = range;
     }
+}
+
+std::vector<MachineBody> KinematicsReader::bodies() const {
+    std::vector<MachineBody> bodies;
+    const std::vector<const Link*> carries_part =
+        part_ ? way_up(*part_) : std::vector<const Link*>();
+    for (const Link& link : links_) {
+        if (!link.mesh) continue;
+        MachineBody body;
+        body.link = link.name;
+        body.mesh = *link.mesh;
+        if (link.colour) body.colour = *link.colour;
+        std::vector<const Link*> way = way_up({link.node, link.name});
+        for (const Link* moved : std::views::reverse(way)) {
+            if (!moved->joint) continue;
+            machine::Joint joint = *moved->joint;
+            // Told as the motion of the tool: what carries the part goes the other way.
+            if (std::ranges::find(carries_part, moved) != carries_part.end())
+                joint.direction = -joint.direction;
+            body.moved_by.joints.push_back(joint);
+        }
+        bodies.push_back(std::move(body));
+    }
+    return bodies;
 }
 
 std::optional<ToldKinematics> KinematicsReader::kinematics() const {

@@ -5,6 +5,8 @@
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
+#include "ncsim/setup/input.h"
+#include "ncsim/setup/machine_body.h"
 #include "ncsim/setup/told_kinematics.h"
 
 #include "toml_reader.h"
@@ -18,7 +20,9 @@ namespace ncsim::setup {
 
 class KinematicsReader {
 public:
-    explicit KinematicsReader(const TomlReader& reader) : r_(reader) {}
+    /// Meshes are read from `folder`.
+    KinematicsReader(const TomlReader& reader, std::string folder, InputSet& inputs)
+        : r_(reader), folder_(std::move(folder)), inputs_(inputs) {}
 
     // Each of these throws std::runtime_error as those of TomlReader do.
     void take_preset(const toml::node& node, const std::string& key);
@@ -34,6 +38,7 @@ public:
 
     // When all is read, and belongs together.
     std::optional<ToldKinematics> kinematics() const;
+    std::vector<MachineBody> bodies() const;
     const gcode::TipControl& tip_control() const { return control_; }
     const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
     const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
@@ -46,6 +51,8 @@ private:
         std::string name, parent;
         std::optional<machine::Joint> joint;
         bool is_placed = false;
+        std::optional<cda::TriangleMesh> mesh;
+        std::optional<std::array<std::uint8_t, 3>> colour;
     };
     struct Name {
         const toml::node* node;
@@ -60,6 +67,8 @@ private:
     void finish(ToldKinematics& told) const;
 
     const TomlReader& r_;
+    std::string folder_;
+    InputSet& inputs_;
     std::optional<Name> preset_, part_, tool_;
     const toml::node* pivots_node_ = nullptr;
     std::map<char, cda::Vec3> pivots_;

@@ -132,7 +132,7 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     const auto point = [&r](std::optional<cda::Vec3>& into) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
     };
-    KinematicsReader kinematics(r);
+    KinematicsReader kinematics(r, folder, inputs);
     r.each(r.root(), "",
            {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
             {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
@@ -207,6 +207,7 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
                  });
              }}});
     file.kinematics = kinematics.kinematics();
+    file.bodies = kinematics.bodies();
     file.tip_control = kinematics.tip_control();
     file.rotary_ways = kinematics.ways();
     file.clamps = kinematics.clamps();

@@ -140,6 +140,8 @@ std::string machine_sheet(const MachineFile& file) {
             text += '\n';
         }
     }
+    for (const MachineBody& body : file.bodies)
+        text += fmt::format("  link {}: {} triangles\n", body.link, body.mesh.triangles.size());
     for (const auto& [number, mode] : file.tip_control.m_codes)
         text += fmt::format("  M{}: X Y Z are the {}\n", number,
                             mode == Coordinates::Tip ? "tip" : "axes");
