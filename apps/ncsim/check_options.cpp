@@ -112,7 +112,9 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     add_language_options(*check, o);
     add_setup_options(*check, o);
     add_simulation_options(*check, o);
-    check->add_option("--machine", o.machine, "Travels, limits and fixtures, TOML")
+    check
+        ->add_option("--machine", o.machine,
+                     "Travels, limits, fixtures, how it turns, TOML, or a LinuxCNC INI")
         ->type_name("FILE");
     check
         ->add_option("--design", o.design,

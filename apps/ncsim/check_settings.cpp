@@ -2,7 +2,7 @@
 #include "check_settings.h"
 
 #include "ncsim/report/version.h"
-#include "ncsim/setup/machine_file.h"
+#include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
@@ -165,8 +165,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     }
     setup::RecordedInput read(inputs_);
     simulation::Questions& questions = made.questions;
-    if (!options.machine.empty())
-        questions.machine = setup::read_machine_file(options.machine, read);
+    if (!options.machine.empty()) questions.machine = setup::read_machine(options.machine, read);
     if (!options.design.empty()) {
         made.design = simulation::Design{setup::name_of_input(options.design),
                                          setup::read_mesh_file(options.design, read),

@@ -4,7 +4,9 @@
 #include "ncsim/cda/models.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
+#include "ncsim/setup/machine_formats.h"
 #include "ncsim/simulation/compare_parts.h"
+#include "ncsim/simulation/take_machine.h"
 
 #include "console.h"
 #include "output.h"
@@ -31,6 +33,8 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     if (stock) options.stock = stock;
     Side side;
     side.plan = plan_for(options, diff, inputs);
+    if (!diff.machine.empty())
+        simulation::take_machine(side.plan, setup::read_machine(diff.machine, inputs));
     if (side.plan.model.empty()) side.plan.model = cda::verifying_model().name;
     side.survey = simulation::survey(side.plan);
     return side;
@@ -53,6 +57,9 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& o) {
     add_language_options(*diff, o);
     add_setup_options(*diff, o);
     add_simulation_options(*diff, o);
+    diff->add_option("--machine", o.machine,
+                     "Offsets and how the machine turns, TOML, or a LinuxCNC INI")
+        ->type_name("FILE");
     diff->add_option("--tol", o.tolerance_mm3, "Volume that may differ on each side, mm3 [0]")
         ->type_name("MM3")
         ->check(CLI::NonNegativeNumber);
@@ -72,6 +79,7 @@ int run(const DiffOptions& options) {
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     inputs.expect(options.new_program);
+    if (!options.machine.empty()) inputs.expect(options.machine);
     outputs.reserve(options.json);
     const Side a = read_side(options, options.program, {}, inputs);
     if (!is_usable(a)) return kFindings;

@@ -13,6 +13,7 @@ namespace ncsim::app {
 /// `program` is the old one.
 struct DiffOptions : ProgramOptions, SimulationOptions {
     std::string new_program;
+    std::string machine;         ///< Offsets and how the machine turns, of both.
     double tolerance_mm3 = 0.0;  ///< Differences up to this volume do not count.
     std::string json;            ///< A file to write; empty: not asked for.
     bool quiet = false;

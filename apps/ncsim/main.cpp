@@ -6,6 +6,7 @@
 #include "check.h"
 #include "console.h"
 #include "diff.h"
+#include "machine_command.h"
 #include "options.h"
 #include "run.h"
 

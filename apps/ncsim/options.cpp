@@ -132,6 +132,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     DiffOptions diff_options;
     CLI::App* diff = add_diff(app, diff_options);
     diff->footer(footer("ncsim diff old.nc new.nc --tol 0.01"));
+    MachineOptions machine_options;
+    CLI::App* machine = add_machine(app, machine_options);
+    machine->footer(footer("ncsim machine samples/machines/trt.toml --pose A-30,C45"));
     RulesOptions rules_options;
     CLI::App* rules = add_rules(app, rules_options);
 
@@ -164,6 +167,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
             complete(diff_options);
             return diff_options;
         }
+        if (chosen() == machine) return machine_options;
         if (chosen() == rules) return rules_options;
         complete(parse_options);
         return parse_options;

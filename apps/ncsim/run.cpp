@@ -14,7 +14,7 @@
 #include "ncsim/export/vrml.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/report/sheet.h"
-#include "ncsim/setup/machine_file.h"
+#include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
@@ -120,8 +120,7 @@ int run(Options options) {
     simulation::Plan plan = plan_for(options, inputs);
     std::vector<std::string> not_used;
     if (!options.machine.empty())
-        not_used =
-            simulation::take_machine(plan, setup::read_machine_file(options.machine, inputs));
+        not_used = simulation::take_machine(plan, setup::read_machine(options.machine, inputs));
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);

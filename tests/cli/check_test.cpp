@@ -276,7 +276,7 @@ TEST(Check, RefusesDesignsThatAreNoBodies) {
 TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
     const std::vector<std::pair<std::string, std::string>> faults{
         {"[travel]\nx = [3, 1]\n", "m.toml:2:5: 'travel.x': the first end"},
-        {"[travel]\nq = 1\n", "m.toml:2:5: 'q' is not known in travel; expected x, y, z"},
+        {"[travel]\nq = 1\n", "m.toml:2:5: 'q' is not known in travel; expected a, b, c, x, y, z"},
         {"[spindle]\nmax = 'fast'\n", "m.toml:2:7: 'spindle.max': expected a number"},
         {"travel = [\n", "m.toml:1:12: "},
         {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box or an stl"},

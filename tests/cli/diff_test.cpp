@@ -36,6 +36,26 @@ TEST(Diff, SeesOnlyTheResult) {
     EXPECT_NE(ran.out.find("the same part"), std::string::npos);
 }
 
+TEST(Diff, OfPartsOnAMachineThatTurns) {
+    Folder folder;
+    folder.write("m.toml",
+                 "preset = \"xyzac-trt\"\npivot = { A = [0, 0, 0], C = [0, 0, 0] }\n"
+                 "control = { m_codes = { M428 = \"tip\", M429 = \"axes\" } }\n"
+                 "[offsets]\nG54 = [0, 0, 0]\n");
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+        "(FROM/0.,0.,50.)\nG21 G90 G17 T1 M6\nS5000 M3\nG0 X0 Y0 Z20\n";
+    folder.write("a.nc", head + "G0 C90\nX-30\nZ-2\nG1 X30 F500\nG0 Z20\nM30\n");
+    folder.write("b.nc", head + "G0 Y30\nZ-2\nG1 Y-30 F500\nG0 Z20\nM30\n");
+    folder.write("c.nc", head + "M428\nG0 C90\nX-30\nZ-2\nG1 X30 F500\nG0 Z20\nM429\nM30\n");
+    const auto ends = [&](const char* a, const char* b) {
+        return folder.run({"diff", a, b, "--machine", "m.toml"}).exit_code;
+    };
+    EXPECT_EQ(ends("a.nc", "b.nc"), 0);
+    EXPECT_EQ(ends("a.nc", "c.nc"), 1);  // the tip goes along X of the part
+    EXPECT_EQ(folder.run({"diff", "a.nc", "c.nc"}).exit_code, 1);  // what is M428?
+}
+
 TEST(Diff, TellsVolumesPlacesAndLines) {
     Folder folder;
     folder.write("a.nc", kSlot);

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::cli_test {
@@ -96,6 +98,78 @@ TEST(Machine, AxesOfAChainThatIsToldMakeTheSameHole) {
     EXPECT_NEAR(axes, tip, 0.002 * tip);
 }
 
+// The same hole by a tilted plane: a cycle along its Z.
+TEST(Machine, ACycleInATiltedPlaneIsTheHoleAlongTheTool) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,60.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z60\n";
+    // Euler angles: about Z, then about the X that turned along.
+    const std::string plane = head +
+                              "G68.2 X0 Y0 Z0 I75 J30 K10\nG53.1\nG0 X0 Y0 Z30\n"
+                              "G98 G81 Z-12 R6 F300\nG80\nG69\nG0 A0 C0\nM30\n";
+    const double tip = removed(folder, hole(-30, 75 + 180, "M428", kBack), {"--machine", "m.toml"});
+    const double drilled = removed(folder, plane, {"--machine", "m.toml"});
+    EXPECT_NEAR(drilled, tip, 1e-3 * tip);
+    folder.write("a.nc", plane);
+    const Ran ran = folder.run(with({"run", "a.nc"}, {}));
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.err.find("G68.2 needs to know how the machine turns"), std::string::npos);
+    folder.write("m.toml", "preset = \"4axis-a\"\npivot = { A = [0, 0, 0] }\n");
+    const Ran cannot = folder.run(with({"run", "a.nc"}, {"--machine", "m.toml"}));
+    EXPECT_EQ(cannot.exit_code, 1);
+    EXPECT_NE(cannot.err.find("no turn of its rotary axes leads there"), std::string::npos);
+}
+
+// An arc in it is the circle that it is without it, elsewhere.
+TEST(Machine, AGrooveRoundAboutInATiltedPlane) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,60.,30.,30.,30.)\n"
+        "(FROM/0.,0.,90.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z90\n";
+    const std::string groove = "G0 X15 Y0 Z35\nG1 Z25 F300\nG3 X15 Y0 I-15 F900\nG0 Z60\n";
+    const double upright =
+        removed(folder, head + "G0 X0 Y0 Z60\n" + groove + "M30\n", {"--machine", "m.toml"});
+    const double side =
+        removed(folder, head + "G68.2 J90\nG53.1\nG0 X0 Y0 Z60\n" + groove + "G69\nM30\n",
+                {"--machine", "m.toml"});
+    EXPECT_NEAR(side, upright, 1e-4 * upright);
+    const double aslant = removed(folder,
+                                  head +
+                                      "G68.2 J40 I20\nG53.1\nG0 X0 Y0 Z70\nG0 X15 Y0\nG1 Z25 "
+                                      "F300\nG3 X15 Y0 I-15 F900\nG0 Z70\nG69\nM30\n",
+                                  {"--machine", "m.toml"});
+    EXPECT_GT(aslant, upright);
+}
+
+// What is milled after a quarter turn of the table is, byte by byte, what is programmed there.
+TEST(Machine, AQuarterTurnOfTheTableMovesNothing) {
+    Folder folder;
+    folder.write("m.toml", kTrt);
+    const std::string head =
+        "(T1 D=6. CR=1. - bull nose end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG0 X0 Y0 Z50\n";
+    const auto bytes = [&](const std::string& body) {
+        folder.write("a.nc", head + body + "M30\n");
+        const Ran ran =
+            folder.run(with({"run", "a.nc"}, {"--machine", "m.toml", "--save-stock", "p.ncstock"}));
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("p.ncstock");
+    };
+    // The table turns the part by +90: what is at X of the machine then is at -Y of the part.
+    const std::string turned =
+        bytes("G0 C90\nG0 X-40 Y5\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 J0\nG0 Z50\nG0 C0\n");
+    const std::string there = bytes("G0 X5 Y40\nZ-3\nG1 Y-40 F900\nG2 X25 Y-20 I0 J20\nG0 Z50\n");
+    EXPECT_EQ(turned, there);
+    // Of both words for it.
+    const std::string in_plane = bytes(
+        "G68.2 K-90\nG53.1\nG0 X-40 Y5 Z50\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 J0\nG0 "
+        "Z50\nG69\n");
+    EXPECT_EQ(in_plane, there);
+}
+
 json verdict(const Folder& folder, const std::vector<std::string>& more) {
     std::vector<std::string> all{"--json", "v.json"};
     all.insert(all.end(), more.begin(), more.end());
@@ -161,11 +235,13 @@ TEST(Machine, TheLengthOfAToolThatAHeadTurnsHasToBeTold) {
     EXPECT_FALSE(has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess"));
 }
 
-// Places of the tip are not those of the axes: the travels say nothing, and it is said.
+// Places of the tip are not those of the axes, which are looked at where they are known.
 TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
     Folder folder;
     folder.write("a.nc", hole(-30, 75, "M428", kBack));
-    folder.write("m.toml", std::string(kTrt) + "[travel]\nx = [-1, 1]\n");
+    folder.write("m.toml",
+                 "preset = \"xyzac-trt\"\ncontrol = { m_codes = { M428 = \"tip\", M429 = "
+                 "\"axes\" } }\n[travel]\nx = [-1, 1]\n[offsets]\nG54 = [0, 0, 0]\n");
     const json v = verdict(folder, {"--machine", "m.toml"});
     EXPECT_TRUE(has(reasons(v), "told-not-used"));
     const auto is_judged = [](const json& verdict) {
@@ -174,6 +250,15 @@ TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
         });
     };
     EXPECT_FALSE(is_judged(v));
+    // The tip is never beside X0 by more than 17 mm, nor is X of the machine; its Y is by 20, 40 mm
+    // above the axis of A.
+    for (const auto& [travel, beyond] :
+         {std::pair{"y = [-21, 21]", false}, {"y = [-19, 19]", true}, {"a = [-29, 29]", false}}) {
+        folder.write("m.toml", std::string(kTrt) + "[travel]\n" + travel + "\n");
+        const json known = verdict(folder, {"--machine", "m.toml"});
+        EXPECT_EQ(is_judged(known), beyond) << travel;
+        EXPECT_FALSE(has(reasons(known), "told-not-used"));
+    }
     // Nor do they count for the length of the way where G54 is not told: it is 16 mm without them.
     folder.write("a.nc", hole(-30, 75, "M428", kBack + "G0 X-16\n"));
     for (const auto& [travel, beyond] : {std::pair{"17", false}, {"15", true}}) {
@@ -220,7 +305,19 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
         {ends + linear + cradle("turns_about = [0, 0, 0]\n"), "it has no length"},
         {ends + linear + cradle(""), "axis A needs turns_about"},
         {ends + linear + cradle(about + "moves_along = [1, 0, 0]\n"), "and nothing else"},
-        {ends + linear + cradle(about + "travel = [-10, 10]\n"), "'travel' is not known"},
+        {ends + linear + cradle(about + "travel = [10, -10]\n"), "the first end must be below"},
+        {ends + linear + cradle(about + "mass = 3\n"), "'mass' is not known"},
+        {"[travel]\na = [0, 10]\n", "needs to know how the machine turns"},
+        {"preset = \"4axis-a\"\n[travel]\nb = [0, 10]\n", "there is no axis B"},
+        {"way = { X = \"shortest\" }\n", "expected A, B or C"},
+        {"way = { C = \"around\" }\n", "expected \"linear\""},
+        {"clamps = { B = [\"M10\", \"M10\"] }\n", "expected two M codes"},
+        {"clamps = { B = [\"M3\", \"M4\"] }\n", "expected two M codes"},
+        {"clamps = { Q = [\"M10\", \"M11\"] }\n", "expected A, B or C"},
+        {"[[link]]\nname = \"w\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\nway = "
+         "\"linear\"\n",
+         "moves straight: no way"},
+        {"preset = \"4axis-a\"\ncontrol = { orient = \"up\" }\n", "expected \"shortest\""},
         {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\naxis = \"A\"\n" + about,
          "axis A is told twice"},
         {ends + linear + cradle(about) + "[[link]]\nname = \"x\"\n", "a name of its own"},
@@ -283,6 +380,99 @@ TEST(Machine, TheSampleIsMilledOnItsMachineAndOnNoOther) {
     const Ran alone = folder.run({"run", samples + "five-axis.nc"});
     EXPECT_EQ(alone.exit_code, 1);
     EXPECT_NE(alone.err.find("[kinematics]"), std::string::npos) << alone.err;
+}
+
+// What it says of a machine, and that what it saves is the same one.
+TEST(Machine, IsShownAndSaved) {
+    Folder folder;
+    folder.write(
+        "m.toml",
+        "name = \"cradle\"\npreset = \"xyzac-trt\"\npivot = { A = [0, 20, 10], C = [0, 0, 0] "
+        "}\nway = { C = \"shortest\" }\nclamps = { A = [\"M10\", \"M11\"] }\n"
+        "control = { m_codes = { M428 = \"tip\" }, tip_frame = \"table\", orient = "
+        "\"positive\" }\n[travel]\nx = [-100, 100]\na = [-100, 50]\n[offsets]\nG54 = [1, 2, "
+        "3]\n");
+    const Ran ran = folder.run(
+        {"machine", "m.toml", "--pose", "X10,Y20,Z30,A-71.841,C-35.93", "--save", "s.toml"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    for (const char* words :
+         {"cradle\n", "C  turns the part about [0, 0, 1] through [0, 0, 0], way shortest",
+          "A  turns the part about [1, 0, 0] through [0, 20, 10], -100 to 50 degrees",
+          "X  moves along [1, 0, 0], -100 to 100 mm", "M428: X Y Z are the tip",
+          "M10 holds A, M11 lets it go", "G54 at [1, 2, 3]", "X7.51284 Y6.67454 Z16.2331"})
+        EXPECT_NE(ran.out.find(words), std::string::npos) << words << "\n" << ran.out;
+    const Ran again = folder.run({"machine", "s.toml", "--save", "t.toml"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_EQ(folder.read("s.toml"), folder.read("t.toml"));
+    // All but the line of the pose.
+    EXPECT_EQ(again.out, ran.out.substr(0, ran.out.find("  at X10")));
+    folder.write("c.ini",
+                 "[KINS]\nKINEMATICS = xyzac-trt-kins\n[HAL]\nHALCMD = setp "
+                 "xyzac-trt-kins.y-offset 20\n");
+    EXPECT_NE(folder.run({"machine", "c.ini"}).out.find("through [0, 20, 0]"), std::string::npos);
+    for (const char* pose : {"A", "Q5", "A1e9", "A5;C3"})
+        EXPECT_EQ(folder.run({"machine", "m.toml", "--pose", pose}).exit_code, 2) << pose;
+    folder.write("c.ini", "[KINS]\nKINEMATICS = genhexkins\n");
+    const Ran unknown = folder.run({"machine", "c.ini"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("c.ini:2: KINEMATICS"), std::string::npos) << unknown.err;
+}
+
+// A closed box as text.
+std::string box_stl(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+    std::string stl = "solid box\n";
+    const auto corner = [&](int i) {
+        return fmt::format("vertex {} {} {}\n", i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1],
+                           i & 4 ? high[2] : low[2]);
+    };
+    constexpr int kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                  {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& f : kFaces) {
+        for (const auto& t : {std::array{f[0], f[1], f[2]}, std::array{f[0], f[2], f[3]}}) {
+            stl += "facet normal 0 0 0\nouter loop\n";
+            for (const int v : t)
+                stl += corner(v);
+            stl += "endloop\nendfacet\n";
+        }
+    }
+    return stl + "endsolid\n";
+}
+
+TEST(Machine, WithMeshesHasAPictureOfItsPose) {
+    Folder folder;
+    folder.write("table.stl", box_stl({-50, -50, -20}, {50, 50, 0}));
+    folder.write("head.stl", box_stl({-20, -20, 0}, {20, 20, 80}));
+    const std::string machine =
+        "part = { link = \"table\" }\nspindle = { link = \"z\" }\n"
+        "[[link]]\nname = \"table\"\naxis = \"A\"\nturns_about = [1, 0, 0]\nthrough = [0, 0, -10]\n"
+        "positive = \"part\"\nmesh = \"table.stl\"\ncolour = \"#c08040\"\n"
+        "[[link]]\nname = \"x\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"
+        "[[link]]\nname = \"y\"\nparent = \"x\"\naxis = \"Y\"\nmoves_along = [0, 1, 0]\n"
+        "[[link]]\nname = \"z\"\nparent = \"y\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n"
+        "mesh = \"head.stl\"\n";
+    folder.write("m.toml", machine);
+    const auto picture = [&](const std::string& pose) {
+        const Ran ran =
+            folder.run({"machine", "m.toml", "--png", "p.png", "--view", "right", "--pose", pose});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_NE(ran.out.find("link table: 12 triangles"), std::string::npos) << ran.out;
+        return folder.read("p.png");
+    };
+    const std::string home = picture("Z60"), leaning = picture("Z60,A30");
+    EXPECT_NE(home, leaning);
+    EXPECT_EQ(picture("Z60,A360"), home);
+    folder.write("bare.toml", "preset = \"4axis-a\"\n");
+    for (const auto& [file, message] : std::vector<std::pair<std::string, std::string>>{
+             {"preset = \"4axis-a\"\n", "no link of the machine has a mesh"},
+             {machine + "colour = \"red\"\n", "expected \"#rrggbb\""},
+             {machine + "[[link]]\nname = \"v\"\nmesh = \"gone.stl\"\n", "gone.stl"},
+             {machine + "[[link]]\nname = \"v\"\nmesh = \"m.toml\"\n", "m.toml"}}) {
+        folder.write("m.toml", file);
+        const Ran ran = folder.run({"machine", "m.toml", "--png", "q.png"});
+        EXPECT_EQ(ran.exit_code, 2) << file;
+        EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
+    }
+    EXPECT_EQ(folder.run({"machine", "bare.toml", "--view", "inside"}).exit_code, 2);
 }
 
 }  // namespace

@@ -174,8 +174,8 @@ const std::vector<Case>& codes() {
         {"G43", By::Default, "T1 M6~G43 H1~G0 Z5", "tool 1 at X0 Y0 Z0; rapid X0 Y0 Z5 T1"},
         {"G43.1", By::Default, "G43.1 Z5~G0 Z5", "rapid X0 Y0 Z5"},
         {"G43.2", By::Default, "G43 H1~G43.2 H1~G53 G0 Z0", "rapid X0 Y0 Z200 machine"},
-        {"G43.4", By::Fanuc, "G43.4 H1", " ! error tilted-plane"},
-        {"G43.5", By::Fanuc, "G43.5 H1", " ! error tilted-plane"},
+        {"G43.4", By::Fanuc, "G43.4 H1", " ! error kinematics"},
+        {"G43.5", By::Fanuc, "G43.5 H1", " ! error kinematics"},
         {"G44", By::Fanuc, "G44 H1~G0 Z5", "rapid X0 Y0 Z5"},
         {"G49", By::Default, "G43 H1~G49~G0 Z5", "rapid X0 Y0 Z5"},
         {"G50", By::Fanuc, "G51 X0 Y0 Z0 P2~G50~G0 X5", "rapid X5 Y0 Z0"},
@@ -208,8 +208,22 @@ const std::vector<Case>& codes() {
         {"G66", By::Fanuc, "G66 P9 A1~X1", "rapid X1 Y0 Z0 ! error sub-not-found"},
         {"G67", By::Fanuc, "G67~G0 X1", "rapid X1 Y0 Z0"},
         {"G68", By::Fanuc, "G68 X0 Y0 R90~G0 X1", "rapid X0 Y1 Z0"},
-        {"G68.2", By::Fanuc, "G68.2 X0 Y0 Z0 I0 J30 K0", " ! error tilted-plane"},
-        {"G68.3", By::Fanuc, "G68.3 X0", " ! error tilted-plane"},
+        {"G68.2", By::Fanuc, "G68.2 X0 Y0 Z0 I0 J30 K0", " ! error kinematics"},
+        {"G68.3", By::Fanuc, "G68.3 X0", " ! error kinematics"},
+        {"G68.4", By::Fanuc, "G68.4 I5", " ! error kinematics"},
+        {"G268", By::Fanuc, "G268 I5", " ! error kinematics"},
+        {"G269", By::Haas, "G269~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G7.1", By::Fanuc, "G7.1 C25~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G107", By::Fanuc, "G107 C25~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G12.1", By::Fanuc, "G12.1~G1 X1 C2", "feed X1 Y2 Z0 F100"},
+        {"G112", By::Haas, "G112~G1 X1 Y2", "feed X1 Y2 Z0 F100"},
+        {"G13.1", By::Fanuc, "G13.1~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G113", By::Haas, "G113~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G254", By::Haas, "G254", " ! error kinematics"},
+        {"G255", By::Haas, "G255~G1 X1", "feed X1 Y0 Z0 F100"},
+        {"G53.1", By::Fanuc, "G53.1", " ! error kinematics"},
+        {"G53.3", By::Fanuc, "G53.3 X1", " ! error kinematics"},
+        {"G53.6", By::Fanuc, "G53.6", " ! error kinematics"},
         {"G69", By::Fanuc, "G68 X0 Y0 R90~G69~G0 X1", "rapid X1 Y0 Z0"},
         {"G70", By::Default, "G70~G0 X1", "rapid X25.4 Y0 Z0"},
         {"G70", By::Haas, "G99 G81 Z-1 R1 L0~G70 X10. Y20. I5. J90. L3~G80",
@@ -319,7 +333,8 @@ void expect_like_its_group(const std::string& name, Group group) {
         group == Group::Ignored        ? std::set<std::string>{moves}
         : group == Group::NotSimulated ? std::set<std::string>{moves + " ! error not-simulated"}
         : group == Group::Unsupported
-            ? std::set<std::string>{" ! error tilted-plane", " ! error lathe-cycle"}
+            ? std::set<std::string>{" ! error tilted-plane", " ! error lathe-cycle",
+                                    " ! error kinematics"}
             : std::set<std::string>{made};
     EXPECT_TRUE(expected.contains(made)) << made;
 }
@@ -487,7 +502,7 @@ TEST(Traps, AreNotSteppedInto) {
          "feed X1 Y0 Z0 F2/inverse-time ! error feed-missing"},
         {"27 rotary is not wrapped", By::Default, "G0 A350~G0 A10",
          "rapid X0 Y0 Z0 A350; rapid X0 Y0 Z0 A10"},
-        {"28 tool centre point", By::Default, "G43.4 H1", " ! error tilted-plane"},
+        {"28 tool centre point", By::Default, "G43.4 H1", " ! error kinematics"},
         {"29 assignments after the line", By::Default, "#1=6~#1=7 X#1~G0 Y#1",
          "rapid X6 Y0 Z0; rapid X6 Y7 Z0"},
         {"29 unset number is 0", By::Default, "G0 X#100", "rapid X0 Y0 Z0"},

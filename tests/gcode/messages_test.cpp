@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -24,7 +25,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class By : unsigned char { Default, Strict, Fanuc, Tip };
+enum class By : unsigned char { Default, Strict, Fanuc, Tip, Turning };
+
+// A machine that turns, and never as it should.
+class Stubborn : public JointSolver {
+public:
+    bool turns() const override { return true; }
+    Stand stand_of(const Axes&, double) const override { return {}; }
+    std::optional<Axes> joints_for(const Triple& tip, const Axes& joints, double) const override {
+        return tip[0] > 50.0 ? std::nullopt : std::optional(joints);
+    }
+    Turned turned_to(const Triple&, const Axes&, Way) const override {
+        return {std::nullopt, false, "it will not"};
+    }
+};
 
 struct Case {
     By by;
@@ -39,7 +53,8 @@ std::vector<std::string> said_of(const Case& c) {
     InterpreterOptions options;
     options.strict = c.by == By::Strict;
     if (c.by == By::Tip) options.tip_control = {{{428, Coordinates::Tip}}, true, false};
-    options.dialect = c.by == By::Fanuc ? Dialect::Fanuc : Dialect::Rs274;
+    if (c.by == By::Turning) options.joints = std::make_shared<Stubborn>();
+    options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
         std::string line = render(d, SourceFile{});
@@ -83,6 +98,28 @@ const std::vector<Case>& cases() {
          "is stopped here [kinematics]"},
         {By::Tip, "M428~G0 X0 Y0 Z0 A10~G81 X1 R2 Z-5 F100",
          "3:1: error: G81 is not simulated under tip control with the tool tilted [kinematics]"},
+        {By::Turning, "G43.4 H1",
+         "1:1: error: G43.4: whether X, Y and Z turn with the table is not told (machine file, "
+         "control.tip_frame); the program is stopped here [kinematics]"},
+        {By::Turning, "G68.2 P7",
+         "1:1: error: G68.2 needs a form that is one (P); the program is stopped here "
+         "[plane-form]"},
+        {By::Turning, "G0 X0 Y0 Z0~G53.1",
+         "2:1: error: G53.1 needs a tilted plane, and none is told (G68.2); the program is stopped "
+         "here [plane-form]"},
+        {By::Turning, "G68.2 J5~G92.1",
+         "2:1: error: G92.1 is not simulated in a tilted plane; it ends with G69 [plane-form]"},
+        {By::Turning, "G68.2 J5~G53.1",
+         "2:1: error: G53.1 asks for a direction of the tool that this machine cannot give it: it "
+         "will not; the program is stopped here [unreachable-orientation]"},
+        {By::Fanuc, "G17 F100 G0 X0 Y0 Z0 C0~G7.1 C25~G2 Z-5 C10 R9",
+         "3:1: error: G2 on a cylinder (G7.1) needs a plane with the cylinder's axis [plane-form]"},
+        {By::Turning, "G0 X0 Y0 Z0 A5~G254~G0 A0",
+         "3:1: error: a rotary axis turns under G254, where the zero stays behind; G255 ends it "
+         "[plane-form]"},
+        {By::Turning, "G68.2 J5~G0 X60 A5",
+         "2:1: error: the place cannot be reached with the rotary axes where they are "
+         "[unreachable-orientation]"},
         // Values
         {By::Default, "G0 X" + std::string(200, '[') + "1" + std::string(200, ']'),
          "1:4: error: this expression is nested too deeply [expression-too-deep]"},

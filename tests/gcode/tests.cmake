@@ -1,5 +1,5 @@
 ncsim_add_test(gcode
-  LIBRARIES ncsim::gcode
+  LIBRARIES ncsim::gcode ncsim::trig
   SOURCES
     codes_test.cpp
     corpus_test.cpp
@@ -9,6 +9,7 @@ ncsim_add_test(gcode
     parser_test.cpp
     refused_block_test.cpp
     state_test.cpp
+    tilted_plane_test.cpp
     tip_control_test.cpp)
 # The table of codes is private to the library.
 target_include_directories(ncsim_gcode_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/gcode/src)

@@ -2,4 +2,5 @@ ncsim_add_test(machine
   LIBRARIES ncsim::machine ncsim::trig
   SOURCES
     chain_test.cpp
-    inverse_test.cpp)
+    inverse_test.cpp
+    orient_test.cpp)

@@ -4,6 +4,7 @@ ncsim_add_test(setup
     budget_test.cpp
     digest_test.cpp
     job_test.cpp
+    linuxcnc_machine_test.cpp
     messages_test.cpp
     project_file_test.cpp)
 # The table of messages is private to the library.

@@ -28,7 +28,7 @@ Motion line(Position from, Position to) {
 
 Motion arc(Position from, Position to, gcode::Plane plane, double c1, double c2, int turns) {
     Motion m;
-    m.what = gcode::Arc{from, to, plane, Length::from_mm(c1), Length::from_mm(c2), turns};
+    m.what = gcode::Arc{from, to, plane, Length::from_mm(c1), Length::from_mm(c2), turns, {}};
     return m;
 }
 

@@ -1,5 +1,5 @@
 %
-(G12.1, which nobody here simulates)
+(G12.1, and nobody tells how the machine turns)
 (STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
 G21 G90 G17 G54 G40 G49 G80
 G91 G28 Z0.

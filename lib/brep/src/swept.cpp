@@ -211,7 +211,7 @@ struct Way {
 };
 
 std::optional<Way> way_of(const gcode::Arc& arc) {
-    if (!is_plain(arc.from) || !is_plain(arc.to)) return std::nullopt;
+    if (arc.tilted || !is_plain(arc.from) || !is_plain(arc.to)) return std::nullopt;
     constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     const auto plane = static_cast<std::size_t>(arc.plane);
     if (plane >= kAxes.size()) return std::nullopt;

@@ -150,6 +150,8 @@ struct WhatJson {
         json["plane"] = name_of(arc.plane);
         json["centre"] = {tidy(arc.centre_1), tidy(arc.centre_2)};
         json["turns"] = arc.turns;
+        if (!arc.tilted) return;
+        json["tilted"] = {{"origin", arc.tilted->origin}, {"rows", arc.tilted->rows}};
     }
     void operator()(const gcode::Spline& spline) const {
         json["what"] = "spline";

@@ -2,6 +2,7 @@
 #include "kinematics_reader.h"
 
 #include "ncsim/machine/presets.h"
+#include "ncsim/setup/mesh_file.h"
 
 #include <fmt/format.h>
 
@@ -32,15 +33,27 @@ bool turns(char letter) {
 }
 
 // The number of "M428": those of every control are not free.
-std::optional<int> m_code_named(std::string_view name) {
-    constexpr int kFirst = 100, kLast = 9999;
+std::optional<int> m_code_named(std::string_view name, int first) {
+    constexpr int kLast = 9999;
     int number = 0;
     const char* end = name.data() + name.size();
     if (name.size() < 2 || name[0] != 'M') return std::nullopt;
     const auto read = std::from_chars(name.data() + 1, end, number);
     const bool is_one =
-        read.ec == std::errc() && read.ptr == end && number >= kFirst && number <= kLast;
+        read.ec == std::errc() && read.ptr == end && number >= first && number <= kLast;
     return is_one ? std::optional(number) : std::nullopt;
+}
+
+// "#c08040"
+std::optional<std::array<std::uint8_t, 3>> colour_named(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    std::array<std::uint8_t, 3> colour{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const char* first = text.data() + 1 + 2 * i;
+        const auto read = std::from_chars(first, first + 2, colour[i], 16);
+        if (read.ec != std::errc() || read.ptr != first + 2) return std::nullopt;
+    }
+    return colour;
 }
 
 }  // namespace
@@ -79,7 +92,8 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
     };
     const TomlReader::Take m_codes = [this](const toml::node& n, const std::string& k) {
         for (const auto& [name, value] : r_.table(n, k)) {
-            const auto number = m_code_named(name.str());
+            constexpr int kFree = 100;
+            const auto number = m_code_named(name.str(), kFree);
             const std::string whole = fmt::format("{}.{}", k, name.str());
             if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
             const std::string mode = r_.text(value, whole);
@@ -92,7 +106,80 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
             {{"m_codes", m_codes},
              {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
              {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
-             {"tip_turns", choose("joints", "vector", [] {})}});
+             {"tip_turns", choose("joints", "vector", [] {})},
+             {"kinematics",
+              [this](const toml::node& n, const std::string& k) {
+                  for (const std::string& mode : r_.texts(n, k)) {
+                      if (mode != "tip" && mode != "axes")
+                          r_.fail(n, fmt::format("'{}': expected \"tip\" or \"axes\"", k));
+                      control_.kinematics.push_back(mode == "tip" ? Coordinates::Tip
+                                                                  : Coordinates::Axes);
+                  }
+              }},
+             {"orient", [this](const toml::node& n, const std::string& k) {
+                  const std::string word = r_.text(n, k);
+                  if (word == "positive") {
+                      prefer_ = machine::Prefer::StandUp;
+                  } else if (word == "negative") {
+                      prefer_ = machine::Prefer::StandDown;
+                  } else if (word != "shortest") {
+                      r_.fail(n,
+                              fmt::format(
+                                  "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
+                  }
+              }}});
+}
+
+machine::Travel KinematicsReader::travel(const toml::node& node, const std::string& key) const {
+    const toml::array& ends = r_.list(node, key, 2);
+    const machine::Travel travel{r_.number(ends[0], key), r_.number(ends[1], key)};
+    if (travel.min >= travel.max)
+        r_.fail(node, fmt::format("'{}': the first end must be below the second", key));
+    return travel;
+}
+
+gcode::RotaryWay KinematicsReader::way(const toml::node& node, const std::string& key) const {
+    using gcode::RotaryWay;
+    const std::string word = r_.text(node, key);
+    for (const auto& [name, known] : {std::pair{"linear", RotaryWay::Linear},
+                                      {"shortest", RotaryWay::Shortest},
+                                      {"sign", RotaryWay::Sign},
+                                      {"positive", RotaryWay::Positive}}) {
+        if (word == name) return known;
+    }
+    r_.fail(node,
+            fmt::format("'{}': expected \"linear\", \"shortest\", \"sign\" or \"positive\"", key));
+}
+
+void KinematicsReader::take_ways(const toml::node& node, const std::string& key) {
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        ways_[static_cast<std::size_t>(*letter - 'A')] = way(value, whole);
+    }
+}
+
+void KinematicsReader::take_clamps(const toml::node& node, const std::string& key) {
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        const toml::array& codes = r_.list(value, whole, 2);
+        constexpr int kFirst = 10;  // those below are of every control
+        const auto clamp = m_code_named(r_.text(codes[0], whole), kFirst);
+        const auto release = m_code_named(r_.text(codes[1], whole), kFirst);
+        if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30)
+            r_.fail(value, fmt::format("'{}': expected two M codes, [\"M10\", \"M11\"]", whole));
+        clamps_.push_back({*letter, *clamp, *release});
+    }
+}
+
+void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
+    travels_node_ = &node;
+    travels_[letter] = travel(node, key);
 }
 
 void KinematicsReader::take_link(const toml::node& node, const std::string& key) {
@@ -101,6 +188,8 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     std::optional<char> letter;
     std::optional<Vec3> along, about, through;
     std::optional<bool> turns_part;
+    std::optional<machine::Travel> range;
+    std::optional<gcode::RotaryWay> told_way;
     const auto direction = [this](std::optional<Vec3>& into) {
         return [this, &into](const toml::node& n, const std::string& k) {
             into = r_.vector(n, k);
@@ -119,6 +208,17 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
              {"moves_along", direction(along)},
              {"turns_about", direction(about)},
              {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
+             {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
+             {"mesh",
+              [&](const auto& n, const auto& k) {
+                  link.mesh = read_mesh_file(seen_in(folder_, r_.text(n, k)), inputs_);
+              }},
+             {"colour",
+              [&](const toml::node& n, const std::string& k) {
+                  link.colour = colour_named(r_.text(n, k));
+                  if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
+              }},
+             {"way", [&](const auto& n, const auto& k) { told_way = way(n, k); }},
              {"positive", [&](const toml::node& n, const std::string& k) {
                   const std::string which = r_.text(n, k);
                   if (which != "part" && which != "tool")
@@ -145,13 +245,17 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
             turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
         link.joint = machine::joint_of(*letter, rotary, *told, through.value_or(Vec3{}), positive);
         link.is_placed = through.has_value();
+        if (range) travels_[*letter] = *range;
+        if (told_way && !rotary)
+            r_.fail(node, fmt::format("axis {} moves straight: no way", *letter));
+        if (told_way) ways_[static_cast<std::size_t>(*letter - 'A')] = *told_way;
         // Positions have X, Y and Z along the axes of the program.
         Vec3 own;
         if (!rotary) own[*letter - 'X'] = 1.0;
         if (!rotary && norm(link.joint->direction - own) > 1e-9)
             r_.fail(node,
                     fmt::format("axis {}: only {} along itself is simulated", *letter, *letter));
-    } else if (along || about || through || turns_part) {
+    } else if (along || about || through || turns_part || range || told_way) {
         r_.fail(node, "a link that moves needs its axis");
     }
     links_.push_back(std::move(link));
@@ -189,7 +293,8 @@ std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& 
 }
 
 ToldKinematics KinematicsReader::of_preset() const {
-    ToldKinematics told{*machine::preset(preset_->name), {}};
+    ToldKinematics told;
+    told.chain = *machine::preset(preset_->name);
     for (const auto& [letter, place] : pivots_) {
         if (!told.chain.find(letter))
             r_.fail(*pivots_node_,
@@ -242,6 +347,41 @@ ToldKinematics KinematicsReader::of_links() const {
     return told;
 }
 
+// What presets and links have in common.
+void KinematicsReader::finish(ToldKinematics& told) const {
+    told.prefer = prefer_;
+    for (const auto& [letter, range] : travels_) {
+        if (!turns(letter)) continue;
+        if (!told.chain.find(letter))
+            r_.fail(*travels_node_, fmt::format("'travel': there is no axis {}", letter));
+        told.travels[letter] = range;
+    }
+}
+
+std::vector<MachineBody> KinematicsReader::bodies() const {
+    std::vector<MachineBody> bodies;
+    const std::vector<const Link*> carries_part =
+        part_ ? way_up(*part_) : std::vector<const Link*>();
+    for (const Link& link : links_) {
+        if (!link.mesh) continue;
+        MachineBody body;
+        body.link = link.name;
+        body.mesh = *link.mesh;
+        if (link.colour) body.colour = *link.colour;
+        std::vector<const Link*> way = way_up({link.node, link.name});
+        for (const Link* moved : std::views::reverse(way)) {
+            if (!moved->joint) continue;
+            machine::Joint joint = *moved->joint;
+            // Told as the motion of the tool: what carries the part goes the other way.
+            if (std::ranges::find(carries_part, moved) != carries_part.end())
+                joint.direction = -joint.direction;
+            body.moved_by.joints.push_back(joint);
+        }
+        bodies.push_back(std::move(body));
+    }
+    return bodies;
+}
+
 std::optional<ToldKinematics> KinematicsReader::kinematics() const {
     if (preset_ && !links_.empty())
         r_.fail(*preset_->node, "a machine is told by its preset or by its links, not both");
@@ -251,8 +391,13 @@ std::optional<ToldKinematics> KinematicsReader::kinematics() const {
             if (name) r_.fail(*name->node, fmt::format("there is no link '{}'", name->name));
         }
     }
-    if (preset_) return of_preset();
-    if (!links_.empty()) return of_links();
+    if (preset_ || !links_.empty()) {
+        ToldKinematics told = preset_ ? of_preset() : of_links();
+        finish(told);
+        return told;
+    }
+    if (travels_node_)
+        r_.fail(*travels_node_, "'travel' of a rotary axis needs to know how the machine turns");
     if (control_node_) {
         r_.fail(*control_node_,
                 "'control' needs to know how the machine turns: preset or [[link]]");

@@ -5,6 +5,8 @@
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
+#include "ncsim/setup/input.h"
+#include "ncsim/setup/machine_body.h"
 #include "ncsim/setup/told_kinematics.h"
 
 #include "toml_reader.h"
@@ -18,7 +20,9 @@ namespace ncsim::setup {
 
 class KinematicsReader {
 public:
-    explicit KinematicsReader(const TomlReader& reader) : r_(reader) {}
+    /// Meshes are read from `folder`.
+    KinematicsReader(const TomlReader& reader, std::string folder, InputSet& inputs)
+        : r_(reader), folder_(std::move(folder)), inputs_(inputs) {}
 
     // Each of these throws std::runtime_error as those of TomlReader do.
     void take_preset(const toml::node& node, const std::string& key);
@@ -27,10 +31,19 @@ public:
     void take_link(const toml::node& node, const std::string& key);
     void take_part(const toml::node& node, const std::string& key);
     void take_spindle_link(const toml::node& node, const std::string& key);
+    /// Of the axis A, B or C.
+    void take_ways(const toml::node& node, const std::string& key);
+    void take_clamps(const toml::node& node, const std::string& key);
+    void take_travel(char letter, const toml::node& node, const std::string& key);
 
     // When all is read, and belongs together.
     std::optional<ToldKinematics> kinematics() const;
+    std::vector<MachineBody> bodies() const;
     const gcode::TipControl& tip_control() const { return control_; }
+    const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
+    const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
+    /// Of X, Y and Z, where links tell it.
+    const machine::Travels& travels() const { return travels_; }
 
 private:
     struct Link {
@@ -38,6 +51,8 @@ private:
         std::string name, parent;
         std::optional<machine::Joint> joint;
         bool is_placed = false;
+        std::optional<cda::TriangleMesh> mesh;
+        std::optional<std::array<std::uint8_t, 3>> colour;
     };
     struct Name {
         const toml::node* node;
@@ -47,14 +62,24 @@ private:
     ToldKinematics of_links() const;
     std::vector<const Link*> way_up(const Name& from) const;
     const Link* find(const std::string& name) const;
+    gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
+    machine::Travel travel(const toml::node& node, const std::string& key) const;
+    void finish(ToldKinematics& told) const;
 
     const TomlReader& r_;
+    std::string folder_;
+    InputSet& inputs_;
     std::optional<Name> preset_, part_, tool_;
     const toml::node* pivots_node_ = nullptr;
     std::map<char, cda::Vec3> pivots_;
     std::vector<Link> links_;
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;
+    std::array<gcode::RotaryWay, 3> ways_{};  // of A, B and C
+    std::vector<gcode::RotaryClamp> clamps_;
+    machine::Travels travels_;
+    const toml::node* travels_node_ = nullptr;  // of A, B or C
+    machine::Prefer prefer_ = machine::Prefer::Shortest;
 };
 
 }  // namespace ncsim::setup

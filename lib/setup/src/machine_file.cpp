@@ -39,6 +39,23 @@ void read_axes(const TomlReader& r, const toml::node& node, const std::string& k
     r.each(r.table(node, key), key, keys);
 }
 
+void read_travels(const TomlReader& r, const toml::node& node, const std::string& key,
+                  std::array<std::optional<AxisRange>, 3>& into, KinematicsReader& kinematics) {
+    TomlReader::Keys keys;
+    for (std::size_t i = 0; i < 3; ++i) {
+        keys[std::string(1, "xyz"[i])] = [&r, &into, i](const toml::node& n, const std::string& k) {
+            const toml::array& ends = r.list(n, k, 2);
+            into[i] = AxisRange{r.number(ends[0], k), r.number(ends[1], k)};
+            if (into[i]->min >= into[i]->max)
+                r.fail(n, fmt::format("'{}': the first end must be below the second", k));
+        };
+        keys[std::string(1, "abc"[i])] = [&kinematics, i](const auto& n, const auto& k) {
+            kinematics.take_travel("ABC"[i], n, k);
+        };
+    }
+    r.each(r.table(node, key), key, keys);
+}
+
 verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
                              const toml::node& node, const std::string& key) {
     verify::Fixture fixture;
@@ -115,11 +132,13 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     const auto point = [&r](std::optional<cda::Vec3>& into) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
     };
-    KinematicsReader kinematics(r);
+    KinematicsReader kinematics(r, folder, inputs);
     r.each(r.root(), "",
            {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
             {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
             {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
+            {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
+            {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
             {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
             {"link",
              [&](const toml::node& n, const std::string& k) {
@@ -128,18 +147,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
                  });
              }},
             {"name", [&](const auto& n, const auto& k) { m.name = r.text(n, k); }},
-            {"travel",
-             [&](const toml::node& n, const std::string& k) {
-                 read_axes(r, n, k, m.travel, [&](const toml::node& node, const std::string& key) {
-                     const toml::array& ends = r.list(node, key, 2);
-                     const AxisRange range{r.number(ends[0], key), r.number(ends[1], key)};
-                     if (range.min >= range.max) {
-                         r.fail(node,
-                                fmt::format("'{}': the first end must be below the second", key));
-                     }
-                     return range;
-                 });
-             }},
+            {"travel", [&](const toml::node& n,
+                           const std::string& k) { read_travels(r, n, k, m.travel, kinematics); }},
             {"rapid", [&](const auto& n, const auto& k) { read_axes(r, n, k, m.rapid, positive); }},
             {"acceleration",
              [&](const auto& n, const auto& k) { read_axes(r, n, k, m.acceleration, positive); }},
@@ -198,7 +207,15 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
                  });
              }}});
     file.kinematics = kinematics.kinematics();
+    file.bodies = kinematics.bodies();
     file.tip_control = kinematics.tip_control();
+    file.rotary_ways = kinematics.ways();
+    file.clamps = kinematics.clamps();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto told = kinematics.travels().find("XYZ"[i]);
+        if (told != kinematics.travels().end() && !m.travel[i])
+            m.travel[i] = AxisRange{told->second.min, told->second.max};
+    }
     return file;
 }
 

@@ -41,6 +41,7 @@ void ToolClues::take(const gcode::Motion& motion) {
     if (aside > 0.0) tips_.add(a);
     length_mm_ += norm(way);
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        if (arc->tilted) return;
         const bool is_flat = arc->plane == gcode::Plane::XY && way.z == 0.0;
         const double radius = trig::length_of(a.x - arc->centre_1.mm(), a.y - arc->centre_2.mm());
         constexpr double kCorner = 0.05;  // mm; tighter arcs are rounded corners of the path

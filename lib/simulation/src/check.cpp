@@ -112,6 +112,13 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     verify::Setup setup;
     setup.machine = questions.machine.machine;
     setup.machine.work_zero = work_zero(survey.interpretation.workpiece);
+    for (std::size_t i = 0; i < 3; ++i) {
+        setup.machine.rotary_zero[i] = survey.interpretation.workpiece.origin[gcode::kA + i];
+        if (!plan.kinematics) continue;
+        const auto told = plan.kinematics->travels.find("ABC"[i]);
+        if (told != plan.kinematics->travels.end())
+            setup.machine.rotary_travel[i] = {told->second.min, told->second.max};
+    }
     setup.selection = questions.selection;
     setup.suppressions = verify::Suppressions(plan.job.program);
     setup.accuracy.tolerance_mm = plan.tool_tolerance;
@@ -122,7 +129,8 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.ledger = questions.ledger || questions.look;
     setup.rapid = rapid_path(questions);
     setup.kinematics = plan.placed;
-    setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, true);
+    setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns,
+                                       !survey.interpretation.asked_for_places);
     setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, false);
     setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
     setup.cutting_tools = survey.cutting_tools;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "place_kinematics.h"
 
+#include "joint_solver.h"
+
 #include <memory>
 #include <vector>
 
@@ -14,6 +16,9 @@ std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece) {
 
 void place_kinematics(Plan& plan) {
     if (!plan.kinematics) return;
+    // First to see where the program's zero is, which no turn of the tool moves.
+    plan.job.interpreter.joints = make_joint_solver(
+        {plan.kinematics->chain, {}}, {}, plan.kinematics->travels, plan.kinematics->prefer);
     const gcode::Interpretation seen = gcode::interpret(plan.job.program, plan.job.interpreter, {});
     toolpath::Kinematics placed{plan.kinematics->chain,
                                 work_zero(seen.workpiece).value_or(cda::Vec3{})};
@@ -22,6 +27,8 @@ void place_kinematics(Plan& plan) {
             joint.through = placed.zero;
     }
     plan.placed = std::make_shared<const toolpath::Kinematics>(std::move(placed));
+    plan.job.interpreter.joints = make_joint_solver(
+        *plan.placed, seen.workpiece, plan.kinematics->travels, plan.kinematics->prefer);
 }
 
 std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiece,

@@ -348,7 +348,8 @@ std::string rotation_of(const Plan& plan, const Survey& survey) {
     const gcode::WorkOffset& zero = survey.interpretation.workpiece;
     std::string text = "as the machine file tells";
     if (survey.uses_tip_control) text += ", X Y Z are the tip's under tip control";
-    const std::string guess = kinematics_guess(plan, zero, survey.turns, !survey.turns_under_axes);
+    const bool by_tips = !survey.turns_under_axes && !survey.interpretation.asked_for_places;
+    const std::string guess = kinematics_guess(plan, zero, survey.turns, by_tips);
     return guess.empty() ? text : text + "; assumed: " + guess;
 }
 

@@ -9,6 +9,8 @@ std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file
     setup::Job& job = plan.job;
     plan.kinematics = file.kinematics;
     job.interpreter.tip_control = file.tip_control;
+    job.interpreter.rotary_ways = file.rotary_ways;
+    job.interpreter.clamps = file.clamps;
     std::vector<std::string> lost;
     for (const auto& [system, origin] : file.offsets) {
         if (!setup::origin_of(job.interpreter, system))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/extent.h"
 
+#include "ncsim/machine/inverse.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/trig/angles.h"
 
@@ -49,7 +50,45 @@ void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
     }
 }
 
+// Of an arc in a tilted plane: balls about its middle at its start and its end hold it.
+void add_balls(cda::Box& box, const gcode::Arc& arc) {
+    const gcode::Arc own = gcode::in_own_frame(arc);
+    const Polar p = polar(own);
+    const double radius = std::max(p.start_radius, p.end_radius);
+    for (const Position& end : {own.from, own.to}) {
+        const gcode::Arc circle{end, end, own.plane, own.centre_1, own.centre_2, 1, {}};
+        const Position middle = on_arc(circle, {p.centre_1, p.centre_2, 0.0, 0.0, 0.0, 0.0}, 0.5);
+        const cda::Vec3 at = linear_axes(gcode::outward(*arc.tilted, middle));
+        const cda::Vec3 reach{radius, radius, radius};
+        box.add(at - reach);
+        box.add(at + reach);
+    }
+}
+
 }  // namespace
+
+cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine) {
+    cda::Box box;
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    if (!from || !to) return box;
+    const machine::Chain chain = machine.chain.placed(machine.zero, motion.length.mm());
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const Polar p = arc ? polar(*arc) : Polar{};
+    const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
+    constexpr double kStep = 0.25;
+    constexpr double kMost = 100'000;
+    const double turn = degrees(from->a, to->a) + degrees(from->b, to->b) +
+                        degrees(from->c, to->c) + std::abs(p.sweep_degrees);
+    const double steps = std::clamp(std::ceil(turn / kStep), 1.0, kMost);
+    for (double i = 0.0; i <= steps; ++i) {
+        const Position at = arc ? on_arc(*arc, p, i / steps) : between(*from, *to, i / steps);
+        const auto values = machine::values_for(chain, linear_axes(at), values_of(at));
+        if (!values) return {};
+        box.add(cda::Vec3{(*values)[0], (*values)[1], (*values)[2]});
+    }
+    return box;
+}
 
 cda::Box extent_of_path(const gcode::Motion& motion) {
     cda::Box box;
@@ -59,7 +98,11 @@ cda::Box extent_of_path(const gcode::Motion& motion) {
     box.add(linear_axes(*from));
     box.add(linear_axes(*to));
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
-        add_extremes(box, *arc, polar(*arc));
+        if (arc->tilted) {
+            add_balls(box, *arc);
+        } else {
+            add_extremes(box, *arc, polar(*arc));
+        }
     } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
         for (const auto& point : spline->control_points) {
             Position p = *from;

@@ -47,7 +47,8 @@ Position between(const Position& a, const Position& b, double t) {
             angle(a.c, b.c),  length(a.u, b.u), length(a.v, b.v), length(a.w, b.w)};
 }
 
-Polar polar(const gcode::Arc& arc) {
+Polar polar(const gcode::Arc& told) {
+    const gcode::Arc arc = gcode::in_own_frame(told);
     const ArcAxes axes = axes_of(arc.plane);
     Polar p;
     p.centre_1 = arc.centre_1.mm();
@@ -76,6 +77,8 @@ Polar polar(const gcode::Arc& arc) {
 }
 
 Position on_arc(const gcode::Arc& arc, const Polar& p, double t) {
+    if (arc.tilted && t > 0.0 && t < 1.0)
+        return gcode::outward(*arc.tilted, on_arc(gcode::in_own_frame(arc), p, t));
     Position at = between(arc.from, arc.to, t);
     if (t <= 0.0 || t >= 1.0) return at;
     const ArcAxes axes = axes_of(arc.plane);

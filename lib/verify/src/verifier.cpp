@@ -41,7 +41,8 @@ bool falls_straight(const Step& step) {
 }
 
 // Of an arc, which may be a spiral; mm.
-double smallest_radius(const gcode::Arc& arc) {
+double smallest_radius(const gcode::Arc& told) {
+    const gcode::Arc arc = gcode::in_own_frame(told);
     const auto radius = [&arc](const gcode::Position& p) {
         double first = p.x.mm(), second = p.y.mm();
         switch (arc.plane) {
@@ -372,7 +373,15 @@ private:
         if (!move_.is_tilted_tip) way_.add(path);
         move_.way = way_;
         const auto is_told = [](const auto& travel) { return travel.has_value(); };
-        if (move_.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_told)) {
+        const bool has_joints = setup_.kinematics && setup_.axes_guess.empty() &&
+                                setup_.machine.work_zero && toolpath::has_known_start(motion) &&
+                                (!setup_.kinematics->chain.has_head() || motion.length.mm() > 0.0);
+        if (move_.is_tilted_tip && has_joints) {
+            const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
+            const Box joints = toolpath::extent_of_joints(motion, *setup_.kinematics);
+            if (!joints.is_empty())
+                move_.machine_path = Box{joints.min + shift, joints.max + shift};
+        } else if (move_.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_told)) {
             log_.doubt("told-not-used",
                        "travels: where the axes go under tip control is not compared with them",
                        place());

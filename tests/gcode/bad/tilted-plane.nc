@@ -1,3 +1,3 @@
-; 3:1: error: G68.2 depends on how the machine turns (tool centre point, tilted plane, polar or cylindrical coordinates, compensation in space), which is not simulated; the program is stopped here [tilted-plane]
+; 3:1: error: G68.2 needs to know how the machine turns, and nobody told it: two lines of a machine file do, preset = "xyzac-trt" (or another one) and pivot = … (--machine FILE); the program is stopped here [kinematics]
 G0 X0
 G68.2 X0 Y0 Z0 I0 J90 K0

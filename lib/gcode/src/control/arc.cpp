@@ -52,6 +52,8 @@ bool Machine::arc(const Command& command, bool clockwise) {
     const char c2 = centre_letter(axes.second);
     const char c3 = centre_letter(axes.third);
     const bool has_centre = command.has(c1) || command.has(c2);
+    if (state_.cylinder && command.has("ABC"[state_.cylinder->axis - kA]))
+        return arc_on_cylinder(command, clockwise);
     if (!command.axis_words && !has_centre && !command.has('R')) {
         if (!rules_.strict) return true;  // the mode alone
         return fail(Message::AxesMissing, command.span, {name});

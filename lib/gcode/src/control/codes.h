@@ -29,6 +29,11 @@ enum class Group : std::uint8_t {
     Scaling,
     Mirror,
     Polar,
+    Carried,      ///< G254, G255.
+    Face,         ///< G12.1, G13.1 and Haas's G112, G113.
+    Cylinder,     ///< G7.1, G107.
+    TiltedPlane,  ///< G68.2 and its kin: a frame.
+    Orient,       ///< G53.1 and its kin: the tool is turned upright to it.
     Macro,
     Pocket,        ///< G12, G13 of Haas.
     HolePattern,   ///< G70, G71, G72 of Haas: where the cycle drills.
@@ -36,7 +41,7 @@ enum class Group : std::uint8_t {
     NotSimulated,  ///< Known, and not simulated: a cut would be missing.
     Ignored,       ///< Known, and without effect on where the tool goes.
 };
-constexpr std::size_t kGroups = 24;
+constexpr std::size_t kGroups = 29;
 
 /// Ten times the number in the name of a code: 382 of "G38_2".
 constexpr int tenths_in(std::string_view name) {
@@ -105,10 +110,11 @@ enum class MGroup : std::uint8_t {
     Io,
     Call,
     Other,
+    Clamp,       ///< Holds a rotary axis or lets it go, as the machine tells.
     Kinematics,  ///< How a LinuxCNC machine turns, as its configuration has it.
     Unknown
 };
-constexpr std::size_t kMGroups = 9;
+constexpr std::size_t kMGroups = 10;
 
 /// The group of an M code.
 MGroup m_group(int number);

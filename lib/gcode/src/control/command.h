@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <vector>
 
 namespace ncsim::gcode {
 
@@ -34,6 +35,7 @@ struct Command {
     bool has_angle = false;  ///< ",A30": the line goes in this direction.
     double angle = 0.0;      ///< Degrees, from the first axis of the plane to the second.
     SourceSpan angle_span;
+    std::vector<int> clamps;  ///< M codes of MGroup::Clamp, in the order of writing.
     bool has_m = false;       ///< Any M word, known or not.
     bool has_others = false;  ///< A G code without effect here, not known, or declared harmless.
     bool axis_words = false;  ///< Any of X … W, @, ^.

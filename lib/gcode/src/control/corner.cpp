@@ -38,7 +38,9 @@ bool Machine::ends_in_corner(const Command& command) const {
 bool Machine::goes_on_from_corner(const Command& command) const {
     for (const Group group :
          {Group::Plane, Group::Units, Group::CutterSide, Group::ToolLength, Group::WorkOffset,
-          Group::Polar, Group::Feed, Group::Diameter, Group::NotSimulated, Group::Unsupported}) {
+          Group::Polar, Group::TiltedPlane, Group::Orient, Group::Face, Group::Cylinder,
+          Group::Carried, Group::Rotation, Group::Feed, Group::Diameter, Group::NotSimulated,
+          Group::Unsupported}) {
         if (command.group(group) != Code::None) return false;
     }
     return is_line(command) && command.group(MGroup::Stop) == kNone &&

@@ -25,6 +25,8 @@ bool Machine::home(const Command& command, bool second) {
     store.via = via;
     store.has_via = command.axis_words;
 
+    std::optional<Suspended> before;
+    if (hides_joints()) before = as_joints();
     Axes target = machine_position();
     const Axes& home = store.homes[second ? 1 : 0];
     for (std::size_t i = 0; i < target.size(); ++i) {
@@ -33,6 +35,7 @@ bool Machine::home(const Command& command, bool second) {
     path_.set_machine_coordinates(true);
     path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
     path_.set_machine_coordinates(false);
+    if (before) resume(*before);
     if (rules_.home_cancels_length) state_.length_register = kNoLength;
     if (rules_.home_cancels_length && state_.tool_offset != Axes{}) {
         const Axes machine = machine_position();
@@ -52,6 +55,8 @@ bool Machine::seek_home(const Command& command) {
         if (command.has(kLetters[i])) named |= 1U << i;
     }
     if (named == 0) named = 1U << kX | 1U << kY | 1U << kZ;
+    std::optional<Suspended> before;
+    if (hides_joints()) before = as_joints();
     constexpr AxisMask kUp = 1U << kZ;
     for (const AxisMask mask : {named & kUp, named & ~kUp}) {
         if (mask == 0) continue;
@@ -65,6 +70,7 @@ bool Machine::seek_home(const Command& command) {
         path_.straight(state_, from_machine(target), MoveKind::Rapid, mask);
         path_.set_machine_coordinates(false);
     }
+    if (before) resume(*before);
     return true;
 }
 

@@ -18,8 +18,6 @@ Axes to_axes(const Position& p) {
             p.c.degrees(), p.u.mm(), p.v.mm(), p.w.mm()};
 }
 
-constexpr KnownAxes kNothing{false, false, false};
-
 }  // namespace
 
 Machine::Machine(const InterpreterOptions& options, const Rules& rules, DiagnosticLog& log,
@@ -107,6 +105,9 @@ void Machine::let_out(const Command& command) {
         (one_shot != Code::None && one_shot != Code::G4) ||
         command.group(Group::WorkOffset) != Code::None ||
         command.group(Group::Plane) != Code::None ||
+        command.group(Group::TiltedPlane) != Code::None ||
+        command.group(Group::Face) != Code::None || command.group(Group::Orient) != Code::None ||
+        command.group(Group::Carried) != Code::None ||
         command.group(Group::ToolLength) != Code::None ||
         command.group(Group::CutterSide) == Code::G40 ||
         command.group(MGroup::ToolChange) != kNone || command.group(MGroup::Kinematics) != kNone ||
@@ -119,6 +120,11 @@ void Machine::let_out(const Command& command) {
 bool Machine::act(const Command& command) {
     if (const Code code = command.group(Group::Unsupported); code != Code::None) {
         stopped_ = true;
+        const bool of_tip = code == Code::G43_4 || code == Code::G43_5 || code == Code::G234;
+        if (of_tip) {
+            return fail(options_.joints ? Message::TipFrameMissing : Message::TurningUntold,
+                        command.span, {name_of(code)});
+        }
         const bool lathe = code >= Code::G70 && code < Code::G73;
         return fail(lathe ? Message::LatheCycle : Message::TiltedPlane, command.span,
                     {name_of(code)});
@@ -126,7 +132,7 @@ bool Machine::act(const Command& command) {
     if (const Code code = command.group(Group::NotSimulated); code != Code::None)
         return fail(Message::NotSimulated, span_of_g(command, code), {name_of(code)});
     motion_was_named_ = command.group(Group::Motion) != Code::None;
-    if (!check(command)) return false;
+    if (!check(command) || !check_plane(command)) return false;
     if (command.corner != 0 && !ends_in_corner(command)) {
         return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
     }
@@ -163,7 +169,11 @@ bool Machine::act(const Command& command) {
         return false;
     }
     set_modes(command);
-    if (!set_programmed(command) || !check_tip_control(command) || !one_shot(command)) return false;
+    if (!set_programmed(command) || !set_plane(command) || !carry_zero(command) || !face(command) ||
+        !cylinder(command) || !orient(command) || !check_tip_control(command) ||
+        !one_shot(command)) {
+        return false;
+    }
     if (!move(command, command.group(Group::Motion))) return false;
     if (command.group(MGroup::Stop) != kNone) stop(command);
     return true;
@@ -217,7 +227,7 @@ bool Machine::check(const Command& command) {
 
 /// "G1 X50. R2." and "X50. C4.": corners on the lathes of those whose mills want a comma.
 bool Machine::check_corner_words(const Command& command) {
-    if (!rules_.corner_words || !is_line(command)) return true;
+    if (!rules_.corner_words || !is_line(command) || state_.face) return true;
     if (command.has('R') && command['R'] != 0.0)
         return fail(Message::CornerWithoutComma, span_of(command, 'R'), {"R", "R", ""});
     if (!command.has('C') || !rules_.c_may_be_corner) return true;
@@ -248,6 +258,7 @@ bool Machine::check_unused_words(const Command& command) {
     };
     use(motion);
     std::ranges::for_each(command.g, use);
+    if (state_.by_vector) used |= letters('I', 'J', 'K');
     if (lax) used |= letters('D', 'E', 'H');
     if (lax && others) return true;
     for (const char& letter : kParameters) {
@@ -308,6 +319,13 @@ void Machine::set_speeds_and_tools(const Command& command) {
         case 19: state_.spindle = SpindleTurning::Stopped; break;  // M19: it is held in a direction
         default: break;
     }
+    for (const int code : command.clamps) {
+        for (const RotaryClamp& clamp : options_.clamps) {
+            const auto axis = static_cast<std::size_t>(clamp.letter - 'A');
+            if (clamp.clamp == code) state_.clamped[axis] = true;
+            if (clamp.release == code) state_.clamped[axis] = false;
+        }
+    }
     if (const int code = command.group(MGroup::Kinematics); code != kNone) {
         const auto told = options_.tip_control.m_codes.find(code);
         const bool is_told = told != options_.tip_control.m_codes.end();
@@ -323,18 +341,16 @@ bool Machine::is_turned() const {
     return at[kA] != 0.0 || at[kB] != 0.0 || at[kC] != 0.0;
 }
 
-/// From here on X, Y and Z are something else. Nothing moves: where all rotary axes are at 0 the
-/// tip is where the linear axes are, and else only the machine knows.
-void Machine::choose(Coordinates coordinates) {
-    if (coordinates == state_.coordinates) return;
-    state_.coordinates = coordinates;
-    if (is_turned()) set_knowledge(state_, Knowledge{{false, false, false}, kNothing, kNothing});
-}
-
 /// What under tip control, with the tool tilted, would not go where it is taken to.
 bool Machine::check_tip_control(const Command& command) {
     if (state_.coordinates != Coordinates::Tip || !command.axis_words || command.axes_are_taken())
         return true;
+    if (const Code motion = command.group(Group::Motion);
+        state_.by_vector && (motion == Code::None ? state_.motion : motion) > Code::G1) {
+        return fail(Message::TipControlForbids, command.span,
+                    {name_of(motion == Code::None ? state_.motion : motion)});
+    }
+    if (state_.plane_frame) return true;  // whose X, Y and Z are those of cycles, arcs, corrections
     bool turns = is_turned();
     for (const char letter : {'A', 'B', 'C'})
         turns |= command.has(letter) && command[letter] != 0.0;
@@ -389,6 +405,17 @@ void Machine::set_units(bool inches) {
     programmed.centre_2 *= factor;
     for (double& c : programmed.scale_centre)
         c *= factor;
+    const auto scale_origin = [&](std::optional<FeatureFrame>& frame) {
+        for (std::size_t i = 0; frame && i < 3; ++i)
+            frame->origin[i] *= factor;
+    };
+    scale_origin(state_.plane_frame);
+    if (state_.cylinder) state_.cylinder->radius *= factor;
+    for (double& v : state_.outer_92)
+        v *= factor;
+    for (std::size_t i = 0; state_.carried && i < 3; ++i)
+        (*state_.carried)[i] *= factor;
+    scale_origin(store.told_plane);
     state_.inches = inches;
 }
 
@@ -464,6 +491,10 @@ void Machine::stop(const Command& command) {
 void Machine::finish() {
     ended_ = true;
     compensation_.end(state_);
+    end_face();
+    end_plane();
+    carry(std::nullopt);
+    state_.cylinder.reset();
     select_system(1);
     state_.plane = Plane::XY;
     state_.incremental = false;

@@ -4,8 +4,9 @@
 // execution of RS274/NGC (Kramer, Proctor, Messina, 2000, table 8), not of writing.
 //
 // One class whose parts stand in files of their own: machine.cpp (the order, modes), offsets.cpp
-// (coordinate systems), home.cpp (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp,
-// hole_pattern.cpp, pocket.cpp, area_pocket.cpp, spline.cpp, probe.cpp.
+// (coordinate systems), tilted_plane.cpp (tip control, planes), face_and_cylinder.cpp, home.cpp
+// (G28, G30, G53), arc.cpp, corner.cpp, cycle.cpp, hole_pattern.cpp, pocket.cpp, area_pocket.cpp,
+// spline.cpp, probe.cpp.
 #pragma once
 
 #include "ncsim/gcode/diagnostic.h"
@@ -18,6 +19,7 @@
 #include "control/control_state.h"
 #include "control/parameters.h"
 #include "control/path.h"
+#include "control/plane_words.h"
 #include "control/rules.h"
 #include "text/message.h"
 
@@ -74,6 +76,8 @@ public:
     bool first_length_in_inches() const { return state_.first_length_in_inches; }
     /// G43 or one of its kin came.
     bool uses_length_offsets() const { return uses_length_offsets_; }
+    /// See Interpretation.
+    bool asked_for_places() const { return asked_for_places_; }
 
 private:
     void let_out(const Command& command);
@@ -117,6 +121,7 @@ private:
     void recompute_position(const Axes& machine);
 
     bool straight(const Command& command, MoveKind kind);
+    bool straight_as_told(const Command& command, MoveKind kind);
     bool threading(const Command& command, Code motion);
     bool arc(const Command& command, bool clockwise);
     bool arc_by_radius(const Command& command, bool clockwise, ProgramArc& arc);
@@ -177,6 +182,42 @@ private:
     bool needs_kinematics(const Command& command);
     bool is_turned() const;
     void choose(Coordinates coordinates);
+    void take_coordinates(Coordinates coordinates);
+    Axes stand() const;
+    Axes from_stand(const Axes& stand) const;
+    double length_mm() const;
+    void mix_knowledge();
+    /// What X, Y and Z were before they were places of the joints.
+    struct Suspended {
+        std::optional<FeatureFrame> frame;
+        Coordinates coordinates = Coordinates::Axes;
+        Axes offset_92{};
+    };
+    Suspended as_joints();
+    void resume(const Suspended& before);
+    bool hides_joints() const;
+    bool straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask);
+    bool check_plane(const Command& command);
+    bool set_plane(const Command& command);
+    void set_plane_frame(const std::optional<FeatureFrame>& frame);
+    std::optional<FeatureFrame> plane_of_tool(const Command& command, PlaneDialect dialect);
+    void end_plane();
+    std::optional<Axes> turned_to(const Triple& axis, JointSolver::Way way, Code code,
+                                  SourceSpan span);
+    bool orient(const Command& command);
+    bool face(const Command& command);
+    void end_face();
+    bool choose_kinematics(const Command& command, bool by_number, SourceSpan span);
+    bool cylinder(const Command& command);
+    double feed_on_cylinder(const Axes& end) const;
+    bool straight_on_cylinder(const Axes& end, MoveKind kind, AxisMask mask);
+    bool arc_on_cylinder(const Command& command, bool clockwise);
+    bool carry_zero(const Command& command);
+    void carry(const std::optional<std::array<double, 3>>& shift);
+    double rotary_way(std::size_t axis, double value, double at) const;
+    bool turn_to_vector(const Command& command, Axes& end, AxisMask& mask);
+    bool stop_with(const MessageText& message, SourceSpan span,
+                   std::initializer_list<std::string_view> arguments);
     bool check_tip_control(const Command& command);
     bool is_known(std::size_t axis) const;
     void tell_place(std::size_t axis);
@@ -214,6 +255,7 @@ private:
     bool curve_fails_ = false;  ///< If the block is refused, the curve it is part of goes with it.
     bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
+    bool asked_for_places_ = false;
     bool ended_ = false;
     bool stopped_ = false;
 };

@@ -17,6 +17,31 @@ const Position* place(const Motion& motion, bool start) {
 
 }  // namespace
 
+Position outward(const FeatureFrame& frame, const Position& p) {
+    const Triple at = frame.outward({p.x.mm(), p.y.mm(), p.z.mm()});
+    Position out = p;
+    out.x = Length::from_mm(at[0]);
+    out.y = Length::from_mm(at[1]);
+    out.z = Length::from_mm(at[2]);
+    return out;
+}
+
+Arc in_own_frame(const Arc& arc) {
+    if (!arc.tilted) return arc;
+    const auto inward = [&](Position p) {
+        const Triple at = arc.tilted->inward({p.x.mm(), p.y.mm(), p.z.mm()});
+        p.x = Length::from_mm(at[0]);
+        p.y = Length::from_mm(at[1]);
+        p.z = Length::from_mm(at[2]);
+        return p;
+    };
+    Arc own = arc;
+    own.from = inward(arc.from);
+    own.to = inward(arc.to);
+    own.tilted.reset();
+    return own;
+}
+
 const Position* start_of(const Motion& motion) {
     return place(motion, true);
 }

@@ -37,7 +37,9 @@ bool Machine::move(const Command& command, Code motion) {
         }
     } else {
         const bool knot = control_.curve.by_knots && command.has('K');  // of G6.2
-        if ((!command.axis_words && !is_modal_arc(command) && !knot) || words_taken) return true;
+        const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
+        if ((!command.axis_words && !by_vector && !is_modal_arc(command) && !knot) || words_taken)
+            return true;
         motion = state_.motion;
         if (motion == Code::None || motion == Code::G80) {
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
@@ -122,10 +124,16 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     end = at;
     for (std::size_t i = 0; i < kLetters.size(); ++i) {
         if (!command.has(kLetters[i])) continue;
-        mask |= 1U << i;
         double value = command[kLetters[i]];
+        if (state_.face && i == kC && !machine) {  // a length, across X
+            mask |= 1U << kY;
+            end[kY] = incremental ? at[kY] + value : value;
+            continue;
+        }
+        mask |= 1U << i;
         if (i == kX && state_.lathe_diameter) value /= 2.0;
         end[i] = incremental ? at[i] + value : value;
+        if (is_rotary(i) && !incremental) end[i] = at[i] + rotary_way(i, value, at[i]);
     }
     if (polar && !machine && !polar_ends(command, end, mask)) return false;
     if (machine) {
@@ -134,6 +142,29 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
         end = programmed_to(end);
     }
     return true;
+}
+
+/// How far a rotary axis goes from `at` to the place that `value` names.
+double Machine::rotary_way(std::size_t axis, double value, double at) const {
+    constexpr double kTurn = 360.0;
+    // What is left of a way after whole turns: 0 to below 360.
+    const auto rest = [](double way) {
+        const double left = std::fmod(way, kTurn);
+        return left < 0.0 ? left + kTurn : left;
+    };
+    switch (options_.rotary_ways[axis - kA]) {
+        case RotaryWay::Linear: break;
+        case RotaryWay::Shortest: {
+            const double up = rest(value - at);
+            return up > kTurn / 2 ? up - kTurn : up;
+        }
+        case RotaryWay::Sign: {
+            const double up = rest(std::abs(value) - at);
+            return std::signbit(value) && up != 0.0 ? up - kTurn : up;
+        }
+        case RotaryWay::Positive: return rest(value - at);
+    }
+    return value - at;
 }
 
 /// G16: the first axis word of the plane is a radius, the second an angle. "@" and "^" of
@@ -166,14 +197,25 @@ bool Machine::polar_ends(const Command& command, Axes& end, AxisMask& mask) {
 }
 
 bool Machine::straight(const Command& command, MoveKind kind) {
+    if (command.group(Group::OneShot) != Code::G53 || !hides_joints())
+        return straight_as_told(command, kind);
+    const Suspended before = as_joints();
+    const bool done = straight_as_told(command, kind);
+    resume(before);
+    return done;
+}
+
+bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     Axes end{};
     AxisMask mask = 0;
-    if (!command.axis_words) {
+    const bool by_vector = state_.by_vector && command.has_any(letters('I', 'J', 'K'));
+    if (!command.axis_words && !by_vector) {
         // "G1" or "G1 F100" alone: the mode was set above.
         if (rules_.strict) path_.straight(state_, state_.position, kind, 0);
         return true;
     }
     if (!find_ends(command, end, mask)) return false;
+    if (by_vector && !turn_to_vector(command, end, mask)) return false;
     const bool machine = command.group(Group::OneShot) == Code::G53;
     if (command.has_angle) {
         const PlaneAxes axes = axes_of(state_.plane);
@@ -189,6 +231,23 @@ bool Machine::straight(const Command& command, MoveKind kind) {
         if (meets && end == state_.position && command.corner == 0) return true;  // it ends there
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
+    constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
+    if (state_.carried && (mask & kRotary) != 0 && !machine)
+        return fail(Message::CarriedTurns, command.span);
+    if (state_.face && (mask & kRotary) != 0 && !machine)
+        return fail(Message::PlaneForbids, command.span, {"a rotary axis"});
+    if (state_.cylinder && !machine && (mask & 1U << state_.cylinder->axis) != 0) {
+        if (compensation_.is_on())
+            return fail(Message::ForbiddenWithCompensation, command.span, {"a cylinder (G7.1)"});
+        return straight_on_cylinder(end, kind, mask);
+    }
+    const bool by_joints =
+        state_.plane_frame && state_.chosen == Coordinates::Axes && (mask & kRotary) != 0;
+    if (by_joints && !machine) {
+        if (compensation_.is_on())
+            return fail(Message::ForbiddenWithCompensation, command.span, {"a rotary axis"});
+        return straight_of_joints(end, kind, mask);
+    }
     if (!machine) return feed_straight(end, kind, mask);
     path_.set_machine_coordinates(true);
     path_.straight(state_, end, kind, mask);

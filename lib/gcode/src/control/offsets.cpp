@@ -36,12 +36,12 @@ double mm_of(double value, std::size_t axis, double unit) {
 }  // namespace
 
 Axes Machine::machine_position() const {
-    Axes m{};
-    for (std::size_t i = 0; i < m.size(); ++i)
-        m[i] = state_.position[i] + state_.offset_92[i];
+    Axes m = out_of_plane(state_, state_.position);
     rotate(m[kX], m[kY], state_.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state_.work_offset[i] + state_.tool_offset[i];
+    for (std::size_t i = 0; state_.carried && i < 3; ++i)
+        m[i] += (*state_.carried)[i];
     return m;
 }
 
@@ -49,7 +49,15 @@ Axes Machine::from_machine(const Axes& machine) const {
     Axes p = machine;
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.work_offset[i] + state_.tool_offset[i];
+    for (std::size_t i = 0; state_.carried && i < 3; ++i)
+        p[i] -= (*state_.carried)[i];
     rotate(p[kX], p[kY], -state_.rotation);
+    if (state_.plane_frame) {
+        const auto& outer = state_.outer_92;
+        std::ranges::copy(
+            state_.plane_frame->inward({p[kX] - outer[kX], p[kY] - outer[kY], p[kZ] - outer[kZ]}),
+            p.begin());
+    }
     for (std::size_t i = 0; i < p.size(); ++i)
         p[i] -= state_.offset_92[i];
     return p;
@@ -108,7 +116,8 @@ bool Machine::set_work_offset(const Command& command) {
     if (code == Code::None) return true;
     int system = system_of(code);
     if (code == Code::G54_1 || code == Code::G154 ||
-        (code == Code::G54 && command.has('P') && !rules_.strict)) {
+        (code == Code::G54 && command.has('P') && !rules_.strict &&
+         command.group(Group::PathMode) == Code::None)) {
         const std::optional<int> number = extended_number(command);
         if (!number)
             return fail(Message::ExtendedNumber, span_of_g(command, code), {name_of(code)});
@@ -144,7 +153,7 @@ bool Machine::offset_92(const Command& command, Code code) {
                 offset[i] =
                     code == Code::G52 ? value : state_.position[i] + state_.offset_92[i] - value;
                 // Where nobody knew the axis to stand, this tells it, and where the zero is.
-                if (code == Code::G52 || i > kZ || is_known(i)) continue;
+                if (code == Code::G52 || i > kZ || is_known(i) || state_.plane_frame) continue;
                 state_.zero_92[i] = offset[i];
                 tell_place(i);
             }
@@ -356,12 +365,18 @@ std::optional<double> Machine::gauge_length() const {
 bool Machine::set_tool_length(const Command& command) {
     const Code code = command.group(Group::ToolLength);
     if (code == Code::None) return true;
-    if (code == Code::G43_4) {
-        if (is_turned() && !options_.tip_control.frame_at_zero) {
+    state_.by_vector = false;
+    if (code == Code::G43_5 && !options_.joints) {
+        return stop_with(Message::TurningUntold, span_of_g(command, code), {name_of(code)});
+    }
+    if (code == Code::G43_4 || code == Code::G43_5 || code == Code::G234) {
+        // Haas fixes the frame to the table as it stands at 0.
+        if (is_turned() && code != Code::G234 && !options_.tip_control.frame_at_zero) {
             stopped_ = true;
             return fail(Message::TipFrameUntold, span_of_g(command, code));
         }
         state_.tip_by_length = true;
+        state_.by_vector = code == Code::G43_5;
         choose(Coordinates::Tip);
     } else if (state_.tip_by_length) {
         state_.tip_by_length = false;

@@ -65,24 +65,40 @@ std::string name_of_system(int system) {
 
 }  // namespace
 
-Path::Place Path::place(const MachineState& state, const Axes& p, AxisMask in_machine) {
+Axes out_of_plane(const MachineState& state, const Axes& p) {
+    Axes out = p;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] += state.offset_92[i];
+    if (!state.plane_frame) return out;
+    const Triple outward = state.plane_frame->outward({out[kX], out[kY], out[kZ]});
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = outward[i] + state.outer_92[i];
+    return out;
+}
+
+Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMask in_machine) {
+    const Axes p = out_of_plane(state, at_plane);
     const double mm = state.unit_mm();
-    double x = p[kX] + state.offset_92[kX];
-    double y = p[kY] + state.offset_92[kY];
+    double x = p[kX];
+    double y = p[kY];
     rotate(x, y, state.rotation);
     const auto& g5x = state.work_offset;
-    const auto& g92 = state.offset_92;
     Place out;
     Position& at = out.machine;
     at.x = Length::from_mm(mm * (x + g5x[kX]));
     at.y = Length::from_mm(mm * (y + g5x[kY]));
-    at.z = Length::from_mm(mm * (p[kZ] + g92[kZ] + g5x[kZ]));
-    at.a = Angle::from_degrees(p[kA] + g92[kA] + g5x[kA]);
-    at.b = Angle::from_degrees(p[kB] + g92[kB] + g5x[kB]);
-    at.c = Angle::from_degrees(p[kC] + g92[kC] + g5x[kC]);
-    at.u = Length::from_mm(mm * (p[kU] + g92[kU] + g5x[kU]));
-    at.v = Length::from_mm(mm * (p[kV] + g92[kV] + g5x[kV]));
-    at.w = Length::from_mm(mm * (p[kW] + g92[kW] + g5x[kW]));
+    at.z = Length::from_mm(mm * (p[kZ] + g5x[kZ]));
+    at.a = Angle::from_degrees(p[kA] + g5x[kA]);
+    at.b = Angle::from_degrees(p[kB] + g5x[kB]);
+    at.c = Angle::from_degrees(p[kC] + g5x[kC]);
+    at.u = Length::from_mm(mm * (p[kU] + g5x[kU]));
+    at.v = Length::from_mm(mm * (p[kV] + g5x[kV]));
+    at.w = Length::from_mm(mm * (p[kW] + g5x[kW]));
+    if (state.carried) {
+        at.x += Length::from_mm(mm * (*state.carried)[kX]);
+        at.y += Length::from_mm(mm * (*state.carried)[kY]);
+        at.z += Length::from_mm(mm * (*state.carried)[kZ]);
+    }
     double zero_x = state.zero_92[kX];
     double zero_y = state.zero_92[kY];
     rotate(zero_x, zero_y, state.rotation);
@@ -167,6 +183,7 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     const auto any = [](const KnownAxes& axes) { return axes.x || axes.y || axes.z; };
     motion_.start_assumed = any(state.relative) || any(end.relative);
     motion_.machine_coordinates = machine_coordinates_;
+    motion_.turns_clamped = false;
     motion_.spindle_in_doubt = state.spindle_in_doubt;
 }
 
@@ -177,7 +194,7 @@ void Path::bind(int system, const WorkOffset& workpiece) {
     result_.workpiece_system = system;
     result_.workpiece = workpiece;
     for (Held& held : held_)
-        let_out(held.motion, held.frame, held.from, held.to, held.centre);
+        let_out(held.motion, held.frame, held.from, held.to, held.centre, held.plane_origin);
     held_ = {};
 }
 
@@ -202,22 +219,23 @@ void Path::finish() {
 }
 
 void Path::emit(const MachineState& state, const Place& from, const Place& to,
-                const Position& centre) {
+                const Position& centre, const std::optional<Place>& plane_origin) {
     ++result_.motions;
     if (bound_) {
         ProgramFrame frame;
         frame.system = state.system;
         if (options_.observe_frame) frame = frame_of(state);
-        let_out(motion_, frame, from, to, centre);
+        let_out(motion_, frame, from, to, centre, plane_origin);
         return;
     }
-    held_.push_back({motion_, frame_of(state), from, to, centre, state.zero_92, state.frame});
+    held_.push_back(
+        {motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92, state.frame});
     const bool cuts = motion_.kind != MoveKind::Rapid && start_of(motion_);
     if (cuts || held_.size() >= kMostHeld) bind(Held(held_.back()));
 }
 
 void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
-                   const Position& centre) {
+                   const Position& centre, const std::optional<Place>& plane_origin) {
     // A motion begins where the one before it ended, however that was said.
     const bool goes_on = at_W_ && *at_machine_ == from.machine;
     const Position from_W = goes_on ? *at_W_ : in_workpiece(from);
@@ -227,6 +245,16 @@ void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from,
         motion.offset_unknown |= !is_related(to, i);
     if (auto* line = std::get_if<Linear>(&motion.what)) {
         *line = {from_W, to_W};
+    } else if (auto* tilted = std::get_if<Arc>(&motion.what); tilted && plane_origin) {
+        // Its centre is told in the plane already, and its directions in the machine.
+        tilted->from = from_W;
+        tilted->to = to_W;
+        const Position origin_W = in_workpiece(*plane_origin);
+        const double turned = is_related(*plane_origin, kX) && is_related(*plane_origin, kY)
+                                  ? result_.workpiece.rotation
+                                  : plane_origin->rotation;
+        tilted->tilted = turn_about(2, -turned) * *tilted->tilted;
+        tilted->tilted->origin = {origin_W.x.mm(), origin_W.y.mm(), origin_W.z.mm()};
     } else if (auto* arc = std::get_if<Arc>(&motion.what)) {
         Place at = to;
         at.machine = centre;
@@ -285,6 +313,8 @@ void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMas
     const bool lengths =
         a.x != b.x || a.y != b.y || a.z != b.z || a.u != b.u || a.v != b.v || a.w != b.w;
     const bool turns = a.a != b.a || a.b != b.b || a.c != b.c;
+    motion_.turns_clamped = (state.clamped[0] && a.a != b.a) || (state.clamped[1] && a.b != b.b) ||
+                            (state.clamped[2] && a.c != b.c);
     // A purely rotary move is fed in degrees, which have no inches.
     if (state.feed_mode != FeedMode::InverseTime && (lengths || !turns)) {
         motion_.feed *= state.unit_mm();
@@ -320,8 +350,13 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     centre[axes.first] = arc.centre_1;
     centre[axes.second] = arc.centre_2;
     const Place arc_centre = place(state, centre);
-    Place to = place(state, end);
-    if (full) {  // Exactly: the ends are one point, whatever rounding says.
+    Axes whole = end;
+    if (full && state.plane_frame) {
+        whole[axes.first] = state.position[axes.first];
+        whole[axes.second] = state.position[axes.second];
+    }
+    Place to = place(state, whole);
+    if (full && !state.plane_frame) {  // Exactly: the ends are one point, whatever rounding says.
         for (const std::size_t axis : {axes.first, axes.second}) {
             if (axis == kX) to.machine.x = from.machine.x;
             if (axis == kY) to.machine.y = from.machine.y;
@@ -333,8 +368,16 @@ void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
     }
     fill(state, MoveKind::Feed, mask);
     if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
-    motion_.what = Arc{{}, {}, state.plane, {}, {}, arc.turns};
-    emit(state, from, to, arc_centre.machine);
+    Arc out{{}, {}, state.plane, {}, {}, arc.turns, {}};
+    std::optional<Place> plane_origin;
+    if (state.plane_frame) {
+        out.centre_1 = Length::from_mm(arc.centre_1 * state.unit_mm());
+        out.centre_2 = Length::from_mm(arc.centre_2 * state.unit_mm());
+        out.tilted = turn_about(2, state.rotation) * *state.plane_frame;
+        plane_origin = place(state, {});
+    }
+    motion_.what = std::move(out);
+    emit(state, from, to, arc_centre.machine, plane_origin);
     arrive(state, end, to, mask);
 }
 

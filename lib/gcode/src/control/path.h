@@ -53,6 +53,9 @@ struct Knowledge {
 Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine);
 void set_knowledge(MachineState& state, const Knowledge& knows);
 
+/// Program coordinates with G92 and G52, and out of a tilted plane.
+Axes out_of_plane(const MachineState& state, const Axes& p);
+
 class Path {
 public:
     Path(const InterpreterOptions& options, const MotionSink& sink, DiagnosticLog& log,
@@ -92,7 +95,8 @@ private:
         Motion motion;  // machine coordinates
         ProgramFrame frame;
         Place from, to;
-        Position centre;  // of an arc
+        Position centre;                    // of an arc
+        std::optional<Place> plane_origin;  // of the tilted plane it lies in
         Axes zero_92{};
         OriginFrame origin_frame{};
     };
@@ -104,9 +108,9 @@ private:
     Position in_workpiece(const Place& place) const;
     void fill(const MachineState& state, MoveKind kind, AxisMask mask = 0);
     void emit(const MachineState& state, const Place& from, const Place& to,
-              const Position& centre = {});
+              const Position& centre = {}, const std::optional<Place>& plane_origin = {});
     void let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
-                 const Position& centre);
+                 const Position& centre, const std::optional<Place>& plane_origin);
     void bind(int system, const WorkOffset& workpiece);
     void bind(const Held& held);
     void arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask);

@@ -31,6 +31,9 @@ struct Rules {
     bool c_may_be_corner = false;
     /// K is the number of repeats of a cycle, and 0 means "define only" (Fanuc, Haas L).
     bool k_repeats = false;
+    /// G68.2 and its kin as the remaps of LinuxCNC have them: only where the program is one of that
+    /// control by a sign of its own; else they are Fanuc's.
+    bool linuxcnc_planes = false;
     /// Local variables #1 … #33 (Fanuc), not #1 … #30 of an O-word call.
     bool macro_b = false;
 

@@ -87,6 +87,8 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
     }
     Rules rules = Rules::of(result.dialect.dialect, options.strict);
     rules.c_may_be_corner = result.dialect.c_may_be_corner;
+    rules.linuxcnc_planes =
+        rules.dialect == Dialect::Rs274 && (result.dialect.stated || !evidence.empty());
     Runner runner(program, options, rules, sink, log, result);
     runner.run();
     result.diagnostics = log.take();

@@ -18,7 +18,12 @@ constexpr double kLargest = 1e12;
 
 Resolver::Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
                    const InterpreterOptions& options)
-    : rules_(rules), parameters_(parameters), log_(log), tip_control_(options.tip_control) {
+    : rules_(rules),
+      parameters_(parameters),
+      log_(log),
+      tip_control_(options.tip_control),
+      clamps_(options.clamps),
+      knows_joints_(options.joints != nullptr) {
     for (const std::string& word : options.allow) {
         if (word.empty()) continue;
         const char letter =
@@ -124,7 +129,11 @@ bool Resolver::take_g(const Block& block, const Word& word, double value, Comman
         return true;  // the rest of the block may have faults of its own
     }
     Group group = entry_of(code).group;
-    if (code == Code::G43_4 && tip_control_.by_length_word) group = Group::ToolLength;
+    // Haas has G107 map a linear axis onto a rotary one.
+    if (code == Code::G107 && haas) group = Group::Unsupported;
+    if ((code == Code::G43_4 || code == Code::G43_5) && tip_control_.by_length_word)
+        group = Group::ToolLength;
+    if (code == Code::G234 && knows_joints_) group = Group::ToolLength;
     if (group == Group::Ignored) {
         command.has_others = true;  // it may have words of its own
         return true;
@@ -149,11 +158,15 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     const bool is_whole = std::abs(value - whole) < 1e-4 && whole >= 0.0 && whole < 32000.0;
     const auto number = static_cast<std::int16_t>(is_whole ? whole : -1.0);
     const bool is_told = tip_control_.m_codes.contains(number);
+    const bool is_clamp = std::ranges::any_of(clamps_, [number](const RotaryClamp& clamp) {
+        return clamp.clamp == number || clamp.release == number;
+    });
     const MGroup group = is_told    ? MGroup::Kinematics
+                         : is_clamp ? MGroup::Clamp
                          : is_whole ? m_group(number)
                                     : MGroup::Unknown;
-    const bool foreign =
-        rules_.strict && !is_told && (number == 13 || number == 14 || group == MGroup::Kinematics);
+    const bool foreign = rules_.strict && !is_told && !is_clamp &&
+                         (number == 13 || number == 14 || group == MGroup::Kinematics);
     if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
         if (is_allowed('M', value)) return true;
@@ -162,11 +175,16 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     std::int16_t& slot = command.m[static_cast<std::size_t>(group)];
     if (slot != kNone && slot != number) {
         if (group == MGroup::Coolant && slot != 9 && number != 9) return true;  // M7 and M8
+        if (group == MGroup::Clamp) {                                           // of several axes
+            command.clamps.push_back(number);
+            return true;
+        }
         std::string other = "M";
         print_number(other, slot);
         if (!tolerate(Message::GroupTwice, word.span, {other, text_of(word, value)})) return false;
     }
     slot = number;
+    if (group == MGroup::Clamp) command.clamps.push_back(number);
     return true;
 }
 
@@ -180,6 +198,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.corner = 0;
     command.has_angle = false;
     command.has_m = false;
+    command.clamps.clear();
     command.has_others = false;
     unknown_g_ = false;
     for (const Word& word : block.words) {

@@ -41,6 +41,8 @@ private:
     const ParameterSource& parameters_;
     DiagnosticLog& log_;
     const TipControl& tip_control_;
+    const std::vector<RotaryClamp>& clamps_;
+    bool knows_joints_ = false;
     std::vector<std::pair<char, double>> allow_;
     bool unknown_g_ = false;
 };

@@ -151,6 +151,15 @@ void print(std::string& out, const Motion& motion) {
         print_word(out, "centre ", picometres(arc->centre_1.mm()));
         print_word(out, "", picometres(arc->centre_2.mm()));
         print_word(out, "turns ", arc->turns);
+        if (arc->tilted) {
+            out += " tilted";
+            for (const double v : arc->tilted->origin)
+                print_word(out, "", picometres(v));
+            for (const Triple& row : arc->tilted->rows) {
+                for (const double v : row)
+                    print_word(out, "", picometres(v));
+            }
+        }
         print_manner(out, motion);
     } else if (const auto* spline = std::get_if<Spline>(&motion.what)) {
         out += "spline";

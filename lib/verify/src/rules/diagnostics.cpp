@@ -29,6 +29,7 @@ std::string_view rule_of_diagnostic(std::string_view code) {
         {"tilted-plane", "unsupported-word"},
         {"kinematics", "unsupported-word"},
         {"lathe-cycle", "unsupported-word"},
+        {"unreachable-orientation", "unreachable-orientation"},
         {"tool-unknown", "tool-undefined"},
         {"offset-unknown", "offset-undefined"},
         {"compensation-radius-unknown", "offset-undefined"},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace ncsim::verify {
 
@@ -57,7 +58,8 @@ void compare_ways(const Setup& setup, const Move& move, FindingLog& log) {
 }  // namespace
 
 void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
-    if (!move.is_move || move.is_tilted_tip) return;
+    // Under tip control the way of the axes is another one than that of the tip.
+    if (!move.is_move || (move.is_tilted_tip && !move.machine_path)) return;
     if (!move.machine_path) {
         compare_ways(setup, move, log);
         return;
@@ -81,6 +83,44 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
             s.assumptions.emplace_back("tool length: 0, no offset is active (G43)");
         }
         log.add("over-travel", move, std::move(s));
+    }
+}
+
+std::optional<std::string> needs_rotary_travel(const Setup& setup) {
+    if (!setup.kinematics) return std::nullopt;
+    std::string letters;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool has_axis = setup.kinematics->chain.find("ABC"[i]) != nullptr;
+        if (has_axis && !setup.machine.rotary_travel[i])
+            letters.append(letters.empty() ? "" : ", ").append(1, "ABC"[i]);
+    }
+    if (letters.empty()) return std::nullopt;
+    return fmt::format("no travel of {} is told (machine.toml, [travel])", letters);
+}
+
+void judge_rotary_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
+    if (!move.is_move) return;
+    const gcode::Position& from = *gcode::start_of(*move.motion);
+    const gcode::Position& to = *gcode::end_of(*move.motion);
+    const std::array<std::array<double, 2>, 3> ends{{{from.a.degrees(), to.a.degrees()},
+                                                     {from.b.degrees(), to.b.degrees()},
+                                                     {from.c.degrees(), to.c.degrees()}}};
+    constexpr double kRoundingDegrees = 1e-6;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& travel = setup.machine.rotary_travel[i];
+        if (!travel) continue;
+        // What stands beyond its end is told where it went there.
+        const double at = ends[i][1] + setup.machine.rotary_zero[i];
+        const double before = ends[i][0] + setup.machine.rotary_zero[i];
+        const double below = travel->min - at, above = at - travel->max;
+        const double beyond = std::max(below, above);
+        if (beyond <= kRoundingDegrees || at == before) continue;
+        Sighting s{fmt::format("{} runs beyond its {} end at {:.6g} degrees", "ABC"[i],
+                               above > below ? "upper" : "lower",
+                               above > below ? travel->max : travel->min)};
+        s.quantity = Quantity{"by", beyond, "degrees"};
+        s.box = move.path;
+        log.add("rotary-over-travel", move, std::move(s));
     }
 }
 

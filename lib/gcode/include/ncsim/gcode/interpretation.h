@@ -5,6 +5,7 @@
 
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/dialect.h"
+#include "ncsim/gcode/joints.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/gcode/state.h"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,7 +56,23 @@ struct TipControl {
     /// With G43.4, X Y Z turn with the table as it stands with its axes at 0, wherever they are at
     /// that time. Else that is not told.
     bool frame_at_zero = false;
+    std::vector<Coordinates> kinematics{};  ///< Of LinuxCNC's G12.1 Pn, by P.
     bool operator==(const TipControl&) const = default;
+};
+
+/// What an absolute value of a rotary axis says. Increments are always the way itself.
+enum class RotaryWay : std::uint8_t {
+    Linear,    ///< A place on a line that goes on: 350 to 10 is -340 (LinuxCNC, Heidenhain).
+    Shortest,  ///< A place on the circle, the shortest way: +20 (Fanuc, roll-over; M126).
+    Sign,      ///< Its size is the place, its sign the way (LinuxCNC's WRAPPED_ROTARY).
+    Positive,  ///< A place on the circle, always up.
+};
+
+/// M codes that hold a rotary axis, and let it go.
+struct RotaryClamp {
+    char letter = 'B';
+    int clamp = 10, release = 11;
+    bool operator==(const RotaryClamp&) const = default;
 };
 
 struct InterpreterOptions {
@@ -90,6 +108,10 @@ struct InterpreterOptions {
     /// machine, too. Without it: G98, under strict rules G99.
     std::optional<bool> starts_with_g99;
     TipControl tip_control;
+    /// How the machine turns; null: nobody told it.
+    std::shared_ptr<const JointSolver> joints;
+    std::array<RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
+    std::vector<RotaryClamp> clamps;
     FileReader read_file;
     FrameObserver observe_frame;
     Limits limits;
@@ -109,6 +131,8 @@ struct Interpretation {
     /// Its origin and rotation; in machine coordinates only where its frame is 0.
     WorkOffset workpiece;
     bool uses_length_offsets = false;  ///< G43 or one of its kin comes in it.
+    /// Where joints that are not at 0 have the tip was asked for: the program goes on from there.
+    bool asked_for_places = false;
     /// Not a milling program we read, or stopped at a code that would misplace all that follows.
     bool refused = false;
     bool stopped = false;  ///< Stopped before its end, by a limit or a missing part.

@@ -11,11 +11,13 @@
 // as measured). Units have ended here: lengths are Length, angles Angle.
 #pragma once
 
+#include "ncsim/gcode/feature_frame.h"
 #include "ncsim/gcode/source.h"
 #include "ncsim/gcode/units.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -46,8 +48,14 @@ struct Arc {
     Plane plane = Plane::XY;
     Length centre_1, centre_2;  ///< Along the first and the second axis of the plane.
     int turns = 1;  ///< > 0 counter-clockwise, < 0 clockwise; |turns| - 1 extra full circles.
+    /// In a tilted plane, mm: plane and centre are those of this frame of W. The ends are in W.
+    std::optional<FeatureFrame> tilted;
     bool operator==(const Arc&) const = default;
 };
+/// The same arc with its ends in the frame of its plane, too, which then is not tilted.
+Arc in_own_frame(const Arc& arc);
+/// X, Y and Z of a position of `frame` (mm) in the frame it is told in; the other axes as they are.
+Position outward(const FeatureFrame& frame, const Position& p);
 
 /// A non-uniform rational B-spline (G5, G5.1, G5.2) in X and Y of W, the other axes constant.
 struct Spline {
@@ -124,6 +132,8 @@ struct Motion {
     bool machine_coordinates = false;
     /// Programmed in a coordinate system of which nobody told how far it is from W; taken to be W.
     bool offset_unknown = false;
+    /// A rotary axis turns that an M code holds.
+    bool turns_clamped = false;
     /// M0 came since the spindle was started: on many machines it stands still.
     bool spindle_in_doubt = false;
 };

@@ -5,9 +5,12 @@
 // Numbers that a program can write are kept as it writes them, in *program coordinates* and in
 // the units that are active, so that they stay exact until they leave as motions:
 //
-//     machine = rotate_z(rotation) * (position + offset_92) + work_offset + tool_offset
+//     machine = rotate_z(rotation) * (plane * (position + offset_92) + outer_92) + work_offset +
+//               tool_offset
+//               + carried
 #pragma once
 
+#include "ncsim/gcode/feature_frame.h"
 #include "ncsim/gcode/motion.h"
 
 #include <array>
@@ -107,7 +110,31 @@ struct MachineState {
     /// The M code that last chose how the machine turns (M428 …), if nobody told it; 0: none.
     int kinematics = 0;
     Coordinates coordinates = Coordinates::Axes;
-    bool tip_by_length = false;  ///< By G43.4.
+    Coordinates chosen = Coordinates::Axes;  ///< What they are as soon as no plane is tilted.
+    bool tip_by_length = false;              ///< By G43.4.
+    bool by_vector = false;                  ///< G43.5: I, J and K tell the direction of the tool.
+    /// Of a tilted plane: what program coordinates are counted in. Active units.
+    std::optional<FeatureFrame> plane_frame;
+    std::array<double, 3> outer_92{};  ///< What offset_92 was outside of the plane; X, Y, Z.
+    std::array<bool, 3> clamped{};     ///< A, B and C.
+    /// G12.1: X and C are places across the axis of C, in a plane_frame of its own.
+    struct Face {
+        double angle = 0.0;       ///< Of its X, on the part; degrees.
+        double start = 0.0;       ///< Where C stood when it began, degrees.
+        double sign = 1.0;        ///< Of C, seen on the part.
+        Plane plane = Plane::XY;  ///< Of before.
+        bool operator==(const Face&) const = default;
+    };
+    std::optional<Face> face;
+    /// G7.1: a rotary axis turns a cylinder.
+    struct Cylinder {
+        std::size_t axis = 5;
+        double radius = 0.0;  ///< Active units.
+        bool operator==(const Cylinder&) const = default;
+    };
+    std::optional<Cylinder> cylinder;
+    /// G254: how far the zero of the system went with the table. Machine coordinates, active units.
+    std::optional<std::array<double, 3>> carried;
 
     // Places
     Axes position{};     ///< Of the controlled point, program coordinates.

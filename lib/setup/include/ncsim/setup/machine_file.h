@@ -7,6 +7,7 @@
 //     x = [-500, 0]
 //     y = [-400, 0]
 //     z = [-450, 0]
+//     a = [-110, 30]                 # degrees, of a machine that turns
 //     [rapid]                        # mm/min
 //     x = 15000
 //     y = 15000
@@ -55,7 +56,15 @@
 //     pivot = { A = [0, 20, 10], C = [0, 0, 0] }   # a point of each rotary axis: the machine
 //                                    # coordinates of the spindle nose when it is there, mm
 //     control = { m_codes = { M428 = "tip", M429 = "axes" }, tip_frame = "table" }
-//                                    # tip_frame: G43.4 is known, too
+//                                    # tip_frame: G43.4 is known, too. orient = "positive": of
+//                                    # two ways to a direction the one with the joint that counts
+//                                    # first at 0 or above; "negative", "shortest" (default).
+//                                    # kinematics = ["tip", "axes"]: of LinuxCNC's G12.1 P0, P1
+//     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), which
+//     is
+//                                    # the default, "shortest" (+20, roll-over), "positive", "sign"
+//                                    # (the size is the place, the sign the way)
+//     clamps = { B = ["M10", "M11"] }   # M10 holds B, M11 lets it go
 //     part = { link = "platter" }
 //     [spindle]
 //     link = "head"
@@ -65,18 +74,26 @@
 //     axis = "A"
 //     turns_about = [1, 0, 0]        # or moves_along
 //     through = [0, 20, 10]
+//     travel = [-110, 30]
+//     mesh = "cradle.stl"            # beside this file: STL or GLB, closed, mm, as it stands in
+//     the
+//                                    # machine with all axes at 0
+//     colour = "#c08040"
 //     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
 #pragma once
 
 #include "ncsim/gcode/interpretation.h"
 #include "ncsim/setup/input.h"
+#include "ncsim/setup/machine_body.h"
 #include "ncsim/setup/told_kinematics.h"
 #include "ncsim/verify/machine.h"
 #include "ncsim/verify/setup.h"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ncsim::setup {
 
@@ -86,7 +103,10 @@ struct MachineFile {
     std::map<int, cda::Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
     std::optional<cda::Vec3> start;    ///< Machine coordinates.
     std::optional<ToldKinematics> kinematics;
+    std::vector<MachineBody> bodies;  ///< Of links that have a mesh.
     gcode::TipControl tip_control;
+    std::array<gcode::RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
+    std::vector<gcode::RotaryClamp> clamps;
     /// Limits by tool number; the shape is not told here.
     std::map<int, verify::ToolFacts> tools;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ncsim/machine/chain.h"
+#include "ncsim/machine/orient.h"
 
 #include <string>
 
@@ -11,6 +11,8 @@ namespace ncsim::setup {
 struct ToldKinematics {
     machine::Chain chain;       ///< In machine coordinates.
     std::string untold_pivots;  ///< Letters of axes of which nobody told where they lie.
+    machine::Travels travels;   ///< Of rotary axes.
+    machine::Prefer prefer = machine::Prefer::Shortest;  ///< Where two ways lead to a direction.
 };
 
 }  // namespace ncsim::setup

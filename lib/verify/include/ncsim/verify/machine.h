@@ -38,6 +38,9 @@ struct Fixture {
 struct MachineDescription {
     std::string name;
     std::array<std::optional<AxisRange>, 3> travel;  ///< In machine coordinates.
+    /// Of A, B and C, degrees of the machine, and where W has its zeros in them.
+    std::array<std::optional<AxisRange>, 3> rotary_travel;
+    std::array<double, 3> rotary_zero{};
     std::array<std::optional<double>, 3> rapid;
     std::array<std::optional<double>, 3> acceleration;
     /// How far a corner may be cut, mm: what sets the speed through it. See cycle_time.h.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A picture of a machine.
+#pragma once
+
+#include "ncsim/export/image.h"
+#include "ncsim/export/render_options.h"
+#include "ncsim/setup/machine_file.h"
+
+namespace ncsim::app {
+
+/// Its links with the joints at `values`, seen along `view`. Throws std::runtime_error if no link
+/// has a shape, or the picture cannot be drawn.
+exporter::Image picture_of(const setup::MachineFile& file, const machine::Values& values,
+                           exporter::View view);
+
+}  // namespace ncsim::app

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What X, Y and Z are: places of the axes, of the tip (M428, G43.4, G43.5), of the tip in a tilted
+// plane (G68.2, G68.3, G68.4, G268; G53.1, G53.3, G53.6, G253; G69).
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+constexpr KnownAxes kNothing{false, false, false};
+constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
+
+bool all(const KnownAxes& axes) {
+    return axes.x && axes.y && axes.z;
+}
+
+bool any(const KnownAxes& axes) {
+    return axes.x || axes.y || axes.z;
+}
+
+PlaneDialect dialect_of(Code code, const Rules& rules) {
+    if (code == Code::G268) return PlaneDialect::Haas;
+    return rules.linuxcnc_planes ? PlaneDialect::LinuxCnc : PlaneDialect::Fanuc;
+}
+
+}  // namespace
+
+// --- Places of joints and of the tip ---
+
+/// Where the machine stands as JointSolver counts it.
+Axes Machine::stand() const {
+    Axes at = machine_position();
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        at[i] -= state_.tool_offset[i];
+        if (!is_rotary(i)) at[i] *= state_.unit_mm();
+    }
+    return at;
+}
+
+/// The other way round, as machine_position() is.
+Axes Machine::from_stand(const Axes& stand) const {
+    Axes at = stand;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        if (!is_rotary(i)) at[i] /= state_.unit_mm();
+        at[i] += state_.tool_offset[i];
+    }
+    return at;
+}
+
+double Machine::length_mm() const {
+    return state_.tool_offset[kZ] * state_.unit_mm();
+}
+
+/// What is known of X, Y and Z that became others, each of them out of all three.
+void Machine::mix_knowledge() {
+    if (!all(state_.known)) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
+    const auto all_or_none = [](const KnownAxes& axes) {
+        return any(axes) ? KnownAxes{} : kNothing;
+    };
+    set_knowledge(state_,
+                  Knowledge{{}, all_or_none(state_.relative), all_or_none(state_.of_machine)});
+}
+
+/// From here on X, Y and Z are something else. Nothing moves: where all rotary axes are at 0 the
+/// tip is where the linear axes are, and else only the machine knows.
+void Machine::take_coordinates(Coordinates coordinates) {
+    if (coordinates == state_.coordinates) return;
+    state_.coordinates = coordinates;
+    if (!is_turned()) return;
+    if (!options_.joints) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
+    asked_for_places_ = true;
+    Axes at = stand();
+    if (coordinates == Coordinates::Tip) {
+        const JointSolver::Stand found = options_.joints->stand_of(at, length_mm());
+        std::ranges::copy(found.tip, at.begin());
+        mix_knowledge();
+    } else {
+        const auto joints = options_.joints->joints_for({at[kX], at[kY], at[kZ]}, at, length_mm());
+        if (joints) at = *joints;
+        mix_knowledge();
+        if (!joints) set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
+    }
+    recompute_position(from_stand(at));
+    ++state_.length_changes;
+}
+
+void Machine::choose(Coordinates coordinates) {
+    state_.chosen = coordinates;
+    take_coordinates(state_.plane_frame ? Coordinates::Tip : coordinates);
+}
+
+/// The place stays, and has other numbers.
+void Machine::set_plane_frame(const std::optional<FeatureFrame>& frame) {
+    if (frame == state_.plane_frame) return;
+    const auto is_turned_plane = [](const auto& f) { return f && f->is_turned(); };
+    const bool mixes = is_turned_plane(frame) || is_turned_plane(state_.plane_frame);
+    const Axes machine = machine_position();
+    // G92 and G52 from before shift the plane as a whole; those in it end with it.
+    if (frame && !state_.plane_frame)
+        std::copy_n(state_.offset_92.begin(), 3, state_.outer_92.begin());
+    const std::array<double, 3> shift = frame ? std::array<double, 3>{} : state_.outer_92;
+    std::ranges::copy(shift, state_.offset_92.begin());
+    if (!frame) state_.outer_92 = {};
+    state_.plane_frame = frame;
+    recompute_position(machine);
+    state_.cycle = {};
+    if (mixes) mix_knowledge();
+}
+
+/// Until resume(), X, Y and Z are places of the joints.
+Machine::Suspended Machine::as_joints() {
+    const Suspended before{state_.plane_frame, state_.coordinates, state_.offset_92};
+    set_plane_frame(std::nullopt);
+    take_coordinates(Coordinates::Axes);
+    return before;
+}
+
+void Machine::resume(const Suspended& before) {
+    take_coordinates(before.coordinates);
+    set_plane_frame(before.frame);
+    const Axes machine = machine_position();
+    state_.offset_92 = before.offset_92;
+    recompute_position(machine);
+}
+
+/// Is a place of the machine another one than that of the tip?
+bool Machine::hides_joints() const {
+    return options_.joints && state_.coordinates == Coordinates::Tip &&
+           (is_turned() || state_.plane_frame);
+}
+
+/// Rotary axes are told in a plane: all axes go straight to where the tip is at `end` then.
+bool Machine::straight_of_joints(const Axes& end, MoveKind kind, AxisMask mask) {
+    const Axes start = state_.position;
+    const bool tells_lengths = (mask & ~kRotary) != 0;
+    Axes target;
+    if (tells_lengths) {
+        state_.position = end;
+        target = stand();
+        state_.position = start;
+        asked_for_places_ = true;
+        const auto joints =
+            options_.joints->joints_for({target[kX], target[kY], target[kZ]}, target, length_mm());
+        if (!joints) return fail(Message::OutOfReach, span_, {"the place"});
+        target = *joints;
+    }
+    Axes turned{};
+    for (std::size_t i = kA; i <= kC; ++i)
+        turned[i] = end[i];
+    const Suspended before = as_joints();
+    Axes goal = state_.position;
+    if (tells_lengths) goal = from_machine(from_stand(target));
+    for (std::size_t i = kA; i <= kC; ++i)
+        goal[i] = turned[i];
+    path_.straight(state_, goal, kind, tells_lengths ? kAllAxes : mask);
+    resume(before);
+    return true;
+}
+
+// --- Planes ---
+
+bool Machine::stop_with(const MessageText& message, SourceSpan span,
+                        std::initializer_list<std::string_view> arguments) {
+    stopped_ = true;
+    return fail(message, span, arguments);
+}
+
+/// What would lead elsewhere than the words say.
+bool Machine::check_plane(const Command& command) {
+    if (!state_.plane_frame) return true;
+    const Code one_shot = command.group(Group::OneShot);
+    std::string_view what;
+    if (const Code code = command.group(Group::WorkOffset);
+        code != Code::None && (system_of(code) != state_.system || command.has('P'))) {
+        what = name_of(code);
+    } else if (one_shot == Code::G92_1 || one_shot == Code::G92_2 || one_shot == Code::G92_3 ||
+               one_shot == Code::G10) {
+        what = name_of(one_shot);
+    }
+    const Code motion = command.group(Group::Motion);
+    const Code now = motion == Code::None ? state_.motion : motion;
+    if (now == Code::G5 || now == Code::G5_1 || now == Code::G5_2 || now == Code::G6_2) {
+        if (command.axis_words && !command.axes_are_taken()) what = name_of(now);
+    }
+    const bool is_arc = now == Code::G2 || now == Code::G3;
+    if (is_arc && state_.plane >= Plane::UV) what = name_of(now);
+    return what.empty() || fail(Message::PlaneForbids, command.span, {what});
+}
+
+bool Machine::set_plane(const Command& command) {
+    const Code rotation = command.group(Group::Rotation);
+    if (rotation == Code::G69 || rotation == Code::G269) end_plane();
+    const Code code = command.group(Group::TiltedPlane);
+    if (code == Code::None) return true;
+    const SourceSpan span = span_of_g(command, code);
+    if (!options_.joints || !options_.joints->turns())
+        return stop_with(Message::TurningUntold, span, {name_of(code)});
+    if (state_.cutter_side != CutterSide::Off)
+        return stop_with(Message::ForbiddenWithCompensation, span, {name_of(code)});
+    const PlaneDialect dialect = dialect_of(code, rules_);
+    const bool waits = dialect == PlaneDialect::LinuxCnc;  // for G53.1
+    const auto& told = control_.store->told_plane;
+    std::optional<FeatureFrame> frame;
+    if (code == Code::G68_3) {
+        frame = plane_of_tool(command, dialect);
+        if (!frame) return false;
+    } else {
+        PlaneParts parts = control_.store->plane_parts;
+        const PlaneRead read = read_plane(command, dialect, parts);
+        if (!(parts == control_.store->plane_parts)) control_.store.change().plane_parts = parts;
+        if (!read.wants.empty())
+            return stop_with(Message::PlaneForm, span, {name_of(code), read.wants});
+        if (!read.frame) return true;  // there are blocks to come
+        frame = read.frame;
+        if (code == Code::G68_4) {
+            const auto& base = waits && told ? told : state_.plane_frame;
+            if (!base) return stop_with(Message::NoPlane, span, {name_of(code)});
+            frame = *base * *frame;
+        }
+    }
+    if (waits) {
+        control_.store.change().told_plane = frame;
+        return true;
+    }
+    take_coordinates(Coordinates::Tip);
+    set_plane_frame(frame);
+    return true;
+}
+
+/// G68.3: Z is where the tool points.
+std::optional<FeatureFrame> Machine::plane_of_tool(const Command& command, PlaneDialect dialect) {
+    const SourceSpan span = span_of_g(command, Code::G68_3);
+    const bool has_all = command.has('X') && command.has('Y') && command.has('Z');
+    const bool has_none = !command.has_any(letters('X', 'Y', 'Z'));
+    if (dialect == PlaneDialect::Fanuc && !has_all && !has_none) {
+        stop_with(Message::PlaneForm, span, {"G68.3", "X, Y and Z, or none of them"});
+        return std::nullopt;
+    }
+    if (state_.plane_frame) {
+        stop_with(Message::PlaneForbids, span, {"G68.3"});
+        return std::nullopt;
+    }
+    take_coordinates(Coordinates::Tip);
+    if (is_turned()) asked_for_places_ = true;
+    Triple axis = options_.joints->stand_of(stand(), length_mm()).axis;
+    axis = turn_about(2, -state_.rotation).turned(axis);
+    FeatureFrame frame = plane_across(axis, command.get('R', 0.0));
+    const bool here = has_none && dialect == PlaneDialect::Fanuc;
+    for (std::size_t i = 0; i < 3; ++i)
+        frame.origin[i] = here ? state_.position[i] : command.get("XYZ"[i], 0.0);
+    return frame;
+}
+
+void Machine::end_plane() {
+    if (control_.store->told_plane || !(control_.store->plane_parts == PlaneParts{})) {
+        Store& store = control_.store.change();
+        store.told_plane.reset();
+        store.plane_parts = {};
+    }
+    if (!state_.plane_frame) return;
+    set_plane_frame(std::nullopt);
+    take_coordinates(state_.chosen);
+}
+
+// --- The direction of the tool ---
+
+/// The rotary axes for `axis`, a direction in the coordinates of the program; nothing after an
+/// error.
+std::optional<Axes> Machine::turned_to(const Triple& axis, JointSolver::Way way, Code code,
+                                       SourceSpan span) {
+    Triple d = state_.plane_frame ? state_.plane_frame->turned(axis) : axis;
+    d = turn_about(2, state_.rotation).turned(d);
+    const JointSolver::Turned turned = options_.joints->turned_to(d, stand(), way);
+    if (!turned.joints) {
+        stop_with(Message::Unreachable, span, {name_of(code), turned.why_not});
+        return std::nullopt;
+    }
+    return from_machine(from_stand(*turned.joints));
+}
+
+/// G53.1 and its kin.
+bool Machine::orient(const Command& command) {
+    const Code code = command.group(Group::Orient);
+    if (code == Code::None) return true;
+    const SourceSpan span = span_of_g(command, code);
+    if (!options_.joints || !options_.joints->turns())
+        return stop_with(Message::TurningUntold, span, {name_of(code)});
+    if (!state_.plane_frame && !control_.store->told_plane)
+        return stop_with(Message::NoPlane, span, {name_of(code)});
+    const bool linuxcnc = rules_.linuxcnc_planes;
+    JointSolver::Way way = JointSolver::Way::Told;
+    if (linuxcnc) {
+        const double p = command.get('P', 0.0);
+        if (p != 0.0 && p != 1.0 && p != 2.0)
+            return stop_with(Message::PlaneForm, span, {name_of(code), "P0, P1 or P2"});
+        if (p != 0.0) way = p == 1.0 ? JointSolver::Way::Up : JointSolver::Way::Down;
+    }
+    if (const auto told = control_.store->told_plane) {
+        take_coordinates(Coordinates::Tip);
+        set_plane_frame(told);
+        control_.store.change().told_plane.reset();
+    }
+    const auto turned = turned_to({0, 0, 1}, way, code, span);
+    if (!turned) return false;
+    const bool feeds =
+        !linuxcnc && state_.feed > 0.0 &&
+        (state_.motion == Code::G1 || state_.motion == Code::G2 || state_.motion == Code::G3);
+    const MoveKind kind = feeds ? MoveKind::Feed : MoveKind::Rapid;
+    AxisMask mask = kRotary;
+    const auto turn = [&](Axes end) {
+        for (std::size_t i = kA; i <= kC; ++i)
+            end[i] = (*turned)[i];
+        return end;
+    };
+    if (code == Code::G53_6 || code == Code::G53_3) {  // the tip stays, or goes straight
+        Axes end = state_.position;
+        if (code == Code::G53_3) {
+            Command in_plane = command;
+            in_plane.present &= ~letters('A', 'B', 'C', 'U', 'V', 'W');
+            AxisMask moved = 0;
+            if (!find_ends(in_plane, end, moved)) return false;
+            mask |= moved;
+        }
+        path_.straight(state_, turn(end), kind, mask);
+        return true;
+    }
+    // The linear axes stay.
+    const Suspended before = as_joints();
+    const Axes end = turn(state_.position);
+    if (end != state_.position) path_.straight(state_, end, kind, mask);
+    resume(before);
+    return true;
+}
+
+/// The place stays, and has other numbers.
+void Machine::carry(const std::optional<std::array<double, 3>>& shift) {
+    if (shift == state_.carried) return;
+    const Axes machine = machine_position();
+    state_.carried = shift;
+    recompute_position(machine);
+}
+
+/// G254: the zero of the system goes with the table as its axes stand, X, Y and Z stay those of the
+/// machine. G255 ends it.
+bool Machine::carry_zero(const Command& command) {
+    const Code code = command.group(Group::Carried);
+    if (code == Code::None) return true;
+    carry(std::nullopt);
+    if (code == Code::G255) return true;
+    const SourceSpan span = span_of_g(command, code);
+    if (!options_.joints || !options_.joints->turns())
+        return stop_with(Message::TurningUntold, span, {name_of(code)});
+    if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
+        return stop_with(Message::PlaneForbids, span, {name_of(code)});
+    if (!is_turned()) return true;
+    asked_for_places_ = true;
+    Axes zero = stand();
+    for (std::size_t i = 0; i < 3; ++i)
+        zero[i] = state_.work_offset[i] * state_.unit_mm();
+    const auto there =
+        options_.joints->joints_for({zero[kX], zero[kY], zero[kZ]}, zero, length_mm());
+    if (!there) return stop_with(Message::OutOfReach, span, {"the zero"});
+    std::array<double, 3> shift{};
+    for (std::size_t i = 0; i < 3; ++i)
+        shift[i] = ((*there)[i] - zero[i]) / state_.unit_mm();
+    carry(shift);
+    return true;
+}
+
+/// I, J and K of a straight move under G43.5.
+bool Machine::turn_to_vector(const Command& command, Axes& end, AxisMask& mask) {
+    if (!command.has_any(letters('I', 'J', 'K'))) return true;
+    const SourceSpan span = command.span;
+    if (command.has_any(letters('A', 'B', 'C')))
+        return stop_with(Message::PlaneForm, span, {"G43.5", "I J K alone, and no A, B or C"});
+    Triple axis{command.get('I', 0.0), command.get('J', 0.0), command.get('K', 0.0)};
+    const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    if (!(length > 1e-9))
+        return stop_with(Message::PlaneForm, span, {"G43.5", "a direction that has a length"});
+    for (double& component : axis)
+        component /= length;
+    const auto turned = turned_to(axis, JointSolver::Way::Told, Code::G43_5, span);
+    if (!turned) return false;
+    for (std::size_t i = kA; i <= kC; ++i)
+        end[i] = (*turned)[i];
+    mask |= kRotary;
+    return true;
+}
+
+}  // namespace ncsim::gcode

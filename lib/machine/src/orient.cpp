@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/machine/orient.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ncsim::machine {
+
+namespace {
+
+constexpr double kTurn = 360.0;
+constexpr double kEqual = 1e-9;  // degrees: what rounding leaves of equal ways
+
+// One joint's places: the angle and its whole turns that the travel allows, near `now`.
+std::vector<double> places_of(char letter, double angle, double now, const Travels& travels) {
+    const auto told = travels.find(letter);
+    double low = now - kTurn, high = now + kTurn;
+    if (told != travels.end()) {
+        low = std::max(low, told->second.min - kEqual);
+        high = std::min(high, told->second.max + kEqual);
+    }
+    std::vector<double> places;
+    for (double turns = std::ceil((low - angle) / kTurn); angle + turns * kTurn <= high; ++turns)
+        places.push_back(angle + turns * kTurn);
+    // Of a joint that stands far outside of its travel.
+    if (places.empty() && told != travels.end()) {
+        const double turns = std::ceil((told->second.min - kEqual - angle) / kTurn);
+        if (angle + turns * kTurn <= told->second.max + kEqual)
+            places.push_back(angle + turns * kTurn);
+    }
+    return places;
+}
+
+bool is_wanted(Prefer prefer, double way, double place) {
+    switch (prefer) {
+        case Prefer::Shortest: return true;
+        case Prefer::WayUp: return way >= -kEqual;
+        case Prefer::WayDown: return way <= kEqual;
+        case Prefer::StandUp: return place >= -kEqual;
+        case Prefer::StandDown: return place <= kEqual;
+    }
+    return true;
+}
+
+// The less the better, one after the other; what differs by rounding is equal.
+using Cost = std::array<double, 4>;
+bool is_less(const Cost& a, const Cost& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (std::abs(a[i] - b[i]) > kEqual) return a[i] < b[i];
+    }
+    return false;
+}
+
+}  // namespace
+
+const Joint* master_of(const Chain& chain) {
+    std::vector<const Joint*> rotary;
+    bool has_moved = false;
+    std::vector<bool> of_head;
+    for (const Joint& joint : chain.joints) {
+        if (joint.turns) {
+            rotary.push_back(&joint);
+            of_head.push_back(has_moved);
+        }
+        has_moved |= !joint.turns;
+    }
+    if (rotary.size() != 2) return nullptr;
+    const bool two_tables = !of_head[0] && !of_head[1];
+    return two_tables ? rotary[1] : rotary[0];
+}
+
+std::optional<Turns> orient(const Chain& placed, cda::Vec3 axis, const Values& now,
+                            const Travels& travels, Prefer prefer) {
+    const Joint* first = master_of(placed);
+    const Joint* second = nullptr;
+    for (const Joint& joint : placed.joints) {
+        if (!joint.turns || &joint == first) continue;
+        (first ? second : first) = &joint;
+    }
+    std::optional<Turns> best;
+    Cost least{};
+    const auto weigh = [&](const Turns& turns, double q1, double q2) {
+        const double way1 = first ? q1 - now[*index_of(first->letter)] : 0.0;
+        const double way2 = second ? q2 - now[*index_of(second->letter)] : 0.0;
+        if (!is_wanted(prefer, way1, q1)) return;
+        const Cost cost{std::abs(way1), std::abs(way2), std::abs(q1), std::abs(q2)};
+        if (best && !is_less(cost, least)) return;
+        best = turns;
+        least = cost;
+        if (first) best->values[*index_of(first->letter)] = q1;
+        if (second) best->values[*index_of(second->letter)] = q2;
+    };
+    for (const Turns& turns : turns_for(placed, axis, now)) {
+        const auto of = [&](const Joint* joint) {
+            if (!joint) return std::vector<double>{0.0};
+            const std::size_t i = *index_of(joint->letter);
+            return places_of(joint->letter, turns.values[i], now[i], travels);
+        };
+        const std::vector<double> seconds = of(second);
+        for (const double q1 : of(first)) {
+            for (const double q2 : seconds)
+                weigh(turns, q1, q2);
+        }
+    }
+    return best;
+}
+
+}  // namespace ncsim::machine

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ncsim/cda/mesh.h"
+#include "ncsim/machine/chain.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace ncsim::setup {
+
+/// A link of a machine that has a shape.
+struct MachineBody {
+    std::string link;
+    cda::TriangleMesh mesh;  ///< Closed; machine coordinates with all joints at 0, mm.
+    std::array<std::uint8_t, 3> colour{170, 178, 190};  ///< sRGB.
+    /// What moves it, from the bed on: each joint as it moves the link itself.
+    machine::Chain moved_by;
+};
+
+/// Its corners with the joints at `values`, machine coordinates.
+std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values& values);
+
+}  // namespace ncsim::setup

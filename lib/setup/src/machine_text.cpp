@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/setup/machine_text.h"
+
+#include "ncsim/setup/coordinate_systems.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::setup {
+
+namespace {
+
+using gcode::Coordinates;
+using gcode::RotaryWay;
+
+std::string vector(cda::Vec3 v) {
+    return fmt::format("[{}, {}, {}]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+}
+
+std::string_view name_of(RotaryWay way) {
+    switch (way) {
+        case RotaryWay::Linear: break;
+        case RotaryWay::Shortest: return "shortest";
+        case RotaryWay::Sign: return "sign";
+        case RotaryWay::Positive: return "positive";
+    }
+    return "linear";
+}
+
+std::string_view name_of(Coordinates coordinates) {
+    return coordinates == Coordinates::Tip ? "tip" : "axes";
+}
+
+// A text of TOML on one line.
+std::string quoted(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return out + '"';
+}
+
+// The joints that turn before any moves straight carry the part; the nearest to it first.
+std::size_t count_of_part(const machine::Chain& chain) {
+    const auto straight =
+        std::ranges::find_if(chain.joints, [](const machine::Joint& j) { return !j.turns; });
+    return static_cast<std::size_t>(straight - chain.joints.begin());
+}
+
+void add_link(std::string& text, const MachineFile& file, const machine::Joint& joint,
+              std::string_view parent) {
+    text += fmt::format("[[link]]\nname = \"{}\"\n", joint.letter);
+    if (!parent.empty()) text += fmt::format("parent = \"{}\"\n", parent);
+    text += fmt::format("axis = \"{}\"\n{} = {}\n", joint.letter,
+                        joint.turns ? "turns_about" : "moves_along", vector(joint.direction));
+    if (!joint.turns) return;
+    const setup::ToldKinematics& told = *file.kinematics;
+    if (told.untold_pivots.find(joint.letter) == std::string::npos)
+        text += fmt::format("through = {}\n", vector(joint.through));
+    if (const auto travel = told.travels.find(joint.letter); travel != told.travels.end())
+        text += fmt::format("travel = [{}, {}]\n", travel->second.min, travel->second.max);
+    const RotaryWay way = file.rotary_ways[static_cast<std::size_t>(joint.letter - 'A')];
+    if (way != RotaryWay::Linear) text += fmt::format("way = \"{}\"\n", name_of(way));
+}
+
+// One line for each axis that is told.
+template <class Values, class Print>
+void add_axes(std::string& text, std::string_view table, const Values& values, const Print& print) {
+    if (std::ranges::none_of(values, [](const auto& v) { return v.has_value(); })) return;
+    text += fmt::format("[{}]\n", table);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i]) text += fmt::format("{} = {}\n", "xyz"[i], print(*values[i]));
+    }
+}
+
+std::string control_toml(const MachineFile& file) {
+    const gcode::TipControl& control = file.tip_control;
+    std::vector<std::string> keys;
+    std::string codes;
+    for (const auto& [number, mode] : control.m_codes)
+        codes += fmt::format("{}M{} = \"{}\"", codes.empty() ? "" : ", ", number, name_of(mode));
+    if (!codes.empty()) keys.push_back(fmt::format("m_codes = {{ {} }}", codes));
+    std::string modes;
+    for (const Coordinates mode : control.kinematics)
+        modes += fmt::format("{}\"{}\"", modes.empty() ? "" : ", ", name_of(mode));
+    if (!modes.empty()) keys.push_back(fmt::format("kinematics = [{}]", modes));
+    if (control.by_length_word) keys.emplace_back("tip_frame = \"table\"");
+    if (control.frame_at_zero) keys.emplace_back("tip_frame_at = \"zero\"");
+    if (file.kinematics->prefer == machine::Prefer::StandUp)
+        keys.emplace_back("orient = \"positive\"");
+    if (file.kinematics->prefer == machine::Prefer::StandDown)
+        keys.emplace_back("orient = \"negative\"");
+    if (keys.empty()) return {};
+    return fmt::format("control = {{ {} }}\n", fmt::join(keys, ", "));
+}
+
+}  // namespace
+
+std::string machine_sheet(const MachineFile& file) {
+    std::string text =
+        fmt::format("{}\n", file.machine.name.empty() ? "a machine" : file.machine.name);
+    if (!file.kinematics) {
+        text += "  nobody tells how it turns: A, B and C turn about the program zero\n";
+    } else {
+        text += "  from the part to the tool:\n";
+        const std::size_t of_part = count_of_part(file.kinematics->chain);
+        std::size_t number = 0;
+        for (const machine::Joint& joint : file.kinematics->chain.joints) {
+            const bool carries_part = number++ < of_part;
+            text += fmt::format("    {}  ", joint.letter);
+            if (!joint.turns) {
+                text += fmt::format("moves along {}", vector(joint.direction));
+                const auto& travel =
+                    file.machine.travel[static_cast<std::size_t>(joint.letter - 'X')];
+                if (travel) text += fmt::format(", {:g} to {:g} mm", travel->min, travel->max);
+                text += '\n';
+                continue;
+            }
+            // As the one that turns is seen from the bed.
+            const cda::Vec3 about = carries_part ? -joint.direction : joint.direction;
+            text +=
+                fmt::format("turns the {} about {}", carries_part ? "part" : "tool", vector(about));
+            const bool is_untold =
+                file.kinematics->untold_pivots.find(joint.letter) != std::string::npos;
+            text += is_untold ? ", where is not told: through the program zero"
+                              : " through " + vector(joint.through);
+            const auto travel = file.kinematics->travels.find(joint.letter);
+            if (travel != file.kinematics->travels.end()) {
+                text +=
+                    fmt::format(", {:g} to {:g} degrees", travel->second.min, travel->second.max);
+            }
+            const RotaryWay way = file.rotary_ways[static_cast<std::size_t>(joint.letter - 'A')];
+            if (way != RotaryWay::Linear) text += fmt::format(", way {}", name_of(way));
+            text += '\n';
+        }
+    }
+    for (const MachineBody& body : file.bodies)
+        text += fmt::format("  link {}: {} triangles\n", body.link, body.mesh.triangles.size());
+    for (const auto& [number, mode] : file.tip_control.m_codes)
+        text += fmt::format("  M{}: X Y Z are the {}\n", number,
+                            mode == Coordinates::Tip ? "tip" : "axes");
+    if (file.tip_control.by_length_word) text += "  G43.4: X Y Z are the tip\n";
+    for (const gcode::RotaryClamp& clamp : file.clamps)
+        text += fmt::format("  M{} holds {}, M{} lets it go\n", clamp.clamp, clamp.letter,
+                            clamp.release);
+    for (const auto& [system, origin] : file.offsets)
+        text += fmt::format("  {} at {}\n", name_of_system(system), vector(origin));
+    return text;
+}
+
+std::string machine_toml(const MachineFile& file) {
+    std::string text;
+    if (!file.machine.name.empty()) text += fmt::format("name = {}\n", quoted(file.machine.name));
+    std::string links;
+    if (file.kinematics) {
+        text += control_toml(file);
+        const machine::Chain& chain = file.kinematics->chain;
+        const std::size_t of_part = count_of_part(chain);
+        links = "[[link]]\nname = \"bench\"\n";
+        std::string part = "bench", tool = "bench";
+        for (std::size_t i = of_part; i-- > 0;) {
+            add_link(links, file, chain.joints[i], part == "bench" ? "" : part);
+            part = chain.joints[i].letter;
+        }
+        for (std::size_t i = of_part; i < chain.joints.size(); ++i) {
+            add_link(links, file, chain.joints[i], tool == "bench" ? "" : tool);
+            tool = chain.joints[i].letter;
+        }
+        text += fmt::format("part = {{ link = \"{}\" }}\n", part);
+        if (!file.clamps.empty()) {
+            text += "clamps = { ";
+            const char* comma = "";
+            for (const gcode::RotaryClamp& c : file.clamps) {
+                text +=
+                    fmt::format("{}{} = [\"M{}\", \"M{}\"]", comma, c.letter, c.clamp, c.release);
+                comma = ", ";
+            }
+            text += " }\n";
+        }
+        links = fmt::format("[spindle]\nlink = \"{}\"\n", tool) + links;
+    }
+    const auto range = [](const verify::AxisRange& r) {
+        return fmt::format("[{}, {}]", r.min, r.max);
+    };
+    const auto number = [](double v) { return fmt::format("{}", v); };
+    add_axes(text, "travel", file.machine.travel, range);
+    add_axes(text, "rapid", file.machine.rapid, number);
+    add_axes(text, "acceleration", file.machine.acceleration, number);
+    if (!file.offsets.empty()) text += "[offsets]\n";
+    for (const auto& [system, origin] : file.offsets)
+        text += fmt::format("\"{}\" = {}\n", name_of_system(system), vector(origin));
+    return text + links;
+}
+
+}  // namespace ncsim::setup

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tilted planes, and the words that turn the tool upright to them: with a machine of plain numbers.
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/trig/angles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ncsim::gcode {
+namespace {
+
+// A turns the part about a line along X through Y0 Z-10, signs of ISO 841: seen from the part the
+// tool turns by A. It reaches -100 to 100 degrees.
+class ATable : public JointSolver {
+public:
+    bool turns() const override { return true; }
+    Stand stand_of(const Axes& joints, double /*length_mm*/) const override {
+        const FeatureFrame turn = turn_about(0, joints[kA]);
+        Triple tip = turn.turned({joints[kX], joints[kY], joints[kZ] + 10.0});
+        tip[2] -= 10.0;
+        return {tip, turn.turned({0, 0, 1})};
+    }
+    std::optional<Axes> joints_for(const Triple& tip, const Axes& joints,
+                                   double /*length_mm*/) const override {
+        const Triple at = turn_about(0, -joints[kA]).turned({tip[0], tip[1], tip[2] + 10.0});
+        Axes out = joints;
+        out[kX] = at[0], out[kY] = at[1], out[kZ] = at[2] - 10.0;
+        return out;
+    }
+    Turned turned_to(const Triple& axis, const Axes& joints, Way way) const override {
+        if (std::abs(axis[0]) > 1e-9) return {std::nullopt, false, "it turns about X alone"};
+        Axes out = joints;
+        out[kA] = trig::angle_of(axis[2], -axis[1]);
+        if (way == Way::Up && out[kA] < joints[kA]) out[kA] += 360.0;
+        if (way == Way::Down && out[kA] > joints[kA]) out[kA] -= 360.0;
+        return {out, false, {}};
+    }
+};
+
+struct Made {
+    std::vector<Motion> moves;
+    Interpretation result;
+
+    bool says(const std::string& code) const {
+        return std::ranges::any_of(result.diagnostics,
+                                   [&](const Diagnostic& d) { return d.code == code; });
+    }
+    bool fails() const {
+        return std::ranges::any_of(
+            result.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    }
+    const Position& end(std::size_t back = 0) const {
+        return *end_of(moves[moves.size() - 1 - back]);
+    }
+};
+
+Made run(const std::string& program, Dialect dialect = Dialect::Fanuc, bool told = true) {
+    InterpreterOptions options;
+    if (told) options.joints = std::make_shared<ATable>();
+    options.tip_control = {{{428, Coordinates::Tip}, {429, Coordinates::Axes}}, true, true};
+    options.dialect = dialect;
+    options.tools.push_back(
+        {.number = 1, .offset = {}, .length_told = true, .diameter = Length::from_mm(4.0)});
+    Made made;
+    made.result = interpret({"t.nc", "G21 G90 G17 G94 F100\nG0 X0 Y0 Z0\n" + program}, options,
+                            [&](const Motion& motion) {
+                                if (start_of(motion)) made.moves.push_back(motion);
+                            });
+    return made;
+}
+
+void expect_at(const Position& p, double x, double y, double z, double near = 1e-9) {
+    EXPECT_NEAR(p.x.mm(), x, near);
+    EXPECT_NEAR(p.y.mm(), y, near);
+    EXPECT_NEAR(p.z.mm(), z, near);
+}
+
+// Where X1, Y1 and Z1 of a plane lie, seen from its origin: its axes.
+struct Seen {
+    Triple origin, x, y, z;
+};
+Seen seen(const std::string& plane, Dialect dialect = Dialect::Fanuc) {
+    // LinuxCNC takes a plane with the word that turns the tool, which only an A would allow here.
+    const Made made = run(plane + "\nG0 X0 Y0 Z0\nG0 X1\nG0 X0 Y1\nG0 Y0 Z1\n", dialect);
+    EXPECT_FALSE(made.fails()) << plane;
+    const auto at = [&](std::size_t back) {
+        const Position& p = made.end(back);
+        return Triple{p.x.mm(), p.y.mm(), p.z.mm()};
+    };
+    Seen all{at(3), at(2), at(1), at(0)};
+    for (Triple* axis : {&all.x, &all.y, &all.z}) {
+        for (std::size_t i = 0; i < 3; ++i)
+            (*axis)[i] -= all.origin[i];
+    }
+    return all;
+}
+
+void expect_triple(const Triple& a, const Triple& b, double near = 1e-9) {
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(a[i], b[i], near) << i;
+}
+
+TEST(TiltedPlane, OfEulerAnglesAboutZThenXThenZ) {
+    const Seen plane = seen("G68.2 X10 Y20 Z-5 I30 J40 K-20");
+    expect_triple(plane.origin, {10, 20, -5});
+    expect_triple(plane.x, {0.944798996, 0.242945377, -0.219846310});
+    expect_triple(plane.z, {0.321393805, -0.556670399, 0.766044443});
+}
+
+TEST(TiltedPlane, OfRollPitchAndYawAboutAxesThatStay) {
+    // PLANE SPATIAL A45 B0 C90 of other controls: rows (0 -s s)(1 0 0)(0 s s).
+    const Seen plane = seen("G68.2 P1 Q123 I45 J0 K90");
+    const double s = std::sqrt(0.5);
+    expect_triple(plane.x, {0, 1, 0});
+    expect_triple(plane.y, {-s, 0, s});
+    expect_triple(plane.z, {s, 0, s});
+    // In the other order, about Z first.
+    const Seen other = seen("G68.2 P1 Q321 I45 J0 K90");
+    expect_triple(other.x, {0, s, s});
+    // As Haas writes it, whose order is that without being told.
+    expect_triple(seen("G268 X0 Y0 Z0 I45 J0 K90", Dialect::Haas).x, {0, s, s});
+}
+
+TEST(TiltedPlane, ThroughThreePoints) {
+    const std::string points =
+        "G68.2 P2 Q1 X1 Y2 Z3\nG68.2 P2 Q2 X1 Y12 Z3\nG68.2 P2 Q3 X1 Y2 Z8\n";
+    const Seen plane = seen(points);
+    expect_triple(plane.origin, {1, 2, 3});
+    expect_triple(plane.x, {0, 1, 0});
+    expect_triple(plane.y, {0, 0, 1});
+    expect_triple(plane.z, {1, 0, 0});
+    // With a shift and a turn in the plane.
+    const Seen shifted = seen("G68.2 P2 Q0 X4 Y5 Z6 R90\n" + points);
+    expect_triple(shifted.origin, {7, 6, 8});
+    expect_triple(shifted.x, {0, 0, 1});
+}
+
+TEST(TiltedPlane, OfTwoVectors) {
+    const Seen plane = seen("G68.2 P3 Q1 X1 Y2 Z3 I0 J5 K0\nG68.2 P3 Q2 I3 J0 K0\n");
+    expect_triple(plane.origin, {1, 2, 3});
+    expect_triple(plane.x, {0, 1, 0});
+    expect_triple(plane.z, {1, 0, 0});
+    EXPECT_TRUE(run("G68.2 P3 Q1 I1 J1 K0\nG68.2 P3 Q2 I1 J0 K0\n").says("plane-form"));
+}
+
+TEST(TiltedPlane, OfProjectedAngles) {
+    const Seen plane = seen("G68.2 P4 I0 J30 K0");
+    expect_triple(plane.x, {1, 0, 0});
+    expect_triple(plane.z, {0, -0.5, std::sqrt(0.75)});
+    const Seen both = seen("G68.2 P4 I45 J45 K0");
+    const double s = std::sqrt(0.5), third = std::sqrt(1.0 / 3);
+    expect_triple(both.x, {s, 0, -s});
+    expect_triple(both.z, {third, -third, third});
+}
+
+TEST(TiltedPlane, OfTheRemapsOfLinuxCnc) {
+    const auto turned = [](const std::string& plane, double a) {
+        const Made made = run(plane + "\nG53.1\n", Dialect::Rs274);
+        EXPECT_FALSE(made.fails()) << plane;
+        EXPECT_NEAR(made.end().a.degrees(), a, 1e-9) << plane;
+    };
+    turned("G68.2 Q121 I30 J0 K10", 40.0);
+    turned("G68.2 P1 Q123 I-45 J0 K0", -45.0);
+    turned("G68.2 P1 Q321 I0 J0 K-45", -45.0);  // the third turn is about X
+    turned("G68.2 I90 J20 K0 R-90", 20.0);      // R before all, about Z
+    turned("G68.2 P2 X1 Y2 Z3\nG68.2 P2 Q1\nG68.2 P2 Q2 X1\nG68.2 P2 Q3 Y1 Z1", 45.0);
+    // The vector of X is told as a point.
+    turned("G68.2 P3 Q0 X5 I6\nG68.2 P3 Q1 J-1 K1", 45.0);
+    turned("G68.2 J20\nG68.4 J25", 45.0);
+    EXPECT_TRUE(run("G68.2 Q123 I5", Dialect::Rs274).says("plane-form"));
+    EXPECT_TRUE(run("G68.2 P4 I5", Dialect::Rs274).says("plane-form"));
+    EXPECT_TRUE(run("G68.4 I5", Dialect::Rs274).says("plane-form"));
+}
+
+TEST(TiltedPlane, OfLinuxCncWaitsForTheWordThatTurnsTheTool) {
+    const Made made = run("G68.2 Z5 J90\nG0 X1 Y2 Z3\nG53.6\nG0 X0 Y0 Z7\n", Dialect::Rs274);
+    expect_at(made.end(2), 1, 2, 3);
+    expect_at(made.end(1), 1, 2, 3);  // the tip stays
+    EXPECT_EQ(made.end(1).a.degrees(), 90.0);
+    expect_at(made.end(), 0, -7, 5);
+    const Made moved = run("G68.2 Z5 J90\nG53.3 X1 Y2 Z7\n", Dialect::Rs274);
+    ASSERT_EQ(moved.moves.size(), 2U);
+    expect_at(moved.end(), 1, -7, 7);
+    EXPECT_EQ(moved.end().a.degrees(), 90.0);
+}
+
+TEST(TiltedPlane, TurnsTheToolWithTheLinearAxesAtRest) {
+    const Made made = run("G0 X5 Y0 Z40\nG68.2 Z0 J90\nG53.1\nG0 Z30\nG1 Z-2\nG69\nG0 X0\n");
+    EXPECT_FALSE(made.fails());
+    ASSERT_EQ(made.moves.size(), 6U);
+    // A turns by 90: the axes stand where they stood.
+    EXPECT_EQ(made.moves[2].coordinates, Coordinates::Axes);
+    expect_at(made.end(3), 5, 0, 40);
+    EXPECT_EQ(made.end(3).a.degrees(), 90.0);
+    // Which is Y-50 Z-10 on the part, whose X is 5 still: from there along the tool.
+    EXPECT_EQ(made.moves[3].coordinates, Coordinates::Tip);
+    EXPECT_EQ(made.moves[3].known_start, (KnownAxes{true, true, true}));
+    expect_at(*start_of(made.moves[3]), 5, -50, -10);
+    expect_at(made.end(2), 5, -30, -10);
+    expect_at(made.end(1), 5, 2, -10);
+    // Afterwards the numbers are those of the axes again: 12 mm below the axis of A, Y0.
+    EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);
+    expect_at(*start_of(made.moves[5]), 5, 0, -12);
+    EXPECT_TRUE(made.result.asked_for_places);
+}
+
+TEST(TiltedPlane, KeepsWhatWorksInAPlane) {
+    const std::string tilted = "G0 X0 Y0 Z40\nG68.2 X1 Y2 Z3 J90\nG53.1\n";
+    // A cycle drills along Z of the plane, which is -Y.
+    const Made drilled = run(tilted + "G98 G81 X4 Y5 Z-6 R2\nG80\n");
+    EXPECT_FALSE(drilled.fails());
+    ASSERT_GE(drilled.moves.size(), 4U);
+    expect_at(drilled.end(1), 5, 8, 8);
+    // An arc lies in it.
+    const Made round = run(tilted + "G0 X10 Y0 Z0\nG3 X0 Y10 I-10\nG2 I0 J-10 Z-1\n");
+    const auto& arc = std::get<Arc>(round.moves[round.moves.size() - 2].what);
+    ASSERT_TRUE(arc.tilted);
+    expect_at(arc.to, 1, 2, 13);
+    expect_triple(arc.tilted->origin, {1, 2, 3});
+    EXPECT_EQ(arc.centre_1.mm(), 0.0);
+    const Arc own = in_own_frame(arc);
+    expect_at(own.from, 10, 0, 0);
+    expect_at(own.to, 0, 10, 0);
+    const Arc turn = in_own_frame(std::get<Arc>(round.moves.back().what));
+    expect_at(turn.from, 0, 10, 0);
+    expect_at(turn.to, 0, 10, -1);
+    // The cutter is kept off by its radius within it.
+    const Made aside = run(tilted + "G0 X-20 Y-20 Z0\nG41 D1 G1 X0 Y0\nX30\nG40 Y20\n");
+    EXPECT_FALSE(aside.fails());
+    EXPECT_TRUE(std::ranges::any_of(aside.moves, [](const Motion& m) {
+        return std::abs(end_of(m)->z.mm() - 5.0) < 1e-9 && end_of(m)->x.mm() > 20.0;
+    }));
+    // A shift in it, and one from before.
+    expect_at(run(tilted + "G52 X3 Y4\nG0 X0 Y0 Z0\n").end(), 4, 2, 7);
+    expect_at(run("G52 X100 Z7\n" + tilted + "G0 X0 Y0 Z0\n").end(), 101, 2, 10);
+    expect_at(run(tilted + "G52 X3\nG53 G0 Z60\nG0 X0 Y0 Z0\nG69\nG52 X0\n").end(), 4, 2, 3);
+    expect_at(run("G52 X100\n" + tilted + "G52 X3\nG69\nG0 A0\nG0 X0 Y0 Z0\n").end(), 100, 0, 0);
+    // A rotation in it, and inches.
+    expect_at(run(tilted + "G68 X0 Y0 R90\nG0 X3 Y0 Z0\n").end(), 1, 2, 6);
+    expect_at(run(tilted + "G20\nG0 X1 Y0 Z0\n").end(), 26.4, 2, 3);
+}
+
+TEST(TiltedPlane, PlacesOfTheMachineAreThoseOfItsJoints) {
+    const Made made = run("G0 X5 Y0 Z40\nG68.2 J90\nG53.1\nG0 X0 Y0 Z5\nG53 G0 Z60\nG0 X1 Y1 Z5\n");
+    EXPECT_FALSE(made.fails());
+    const Motion& up = made.moves[made.moves.size() - 2];
+    EXPECT_EQ(up.coordinates, Coordinates::Axes);
+    EXPECT_EQ(end_of(up)->z.mm(), 60.0);
+    expect_at(made.end(), 1, -5, 1);
+    const Made home = run("G0 X5 Y0 Z40\nG68.2 J90\nG53.1\nG0 X0 Y0 Z5\nG91 G28 Z0\nG90 G0 X1\n");
+    EXPECT_EQ(home.moves[home.moves.size() - 2].coordinates, Coordinates::Axes);
+    EXPECT_EQ(home.end(1).z.mm(), 0.0);
+    EXPECT_EQ(home.moves.back().known_start, (KnownAxes{true, true, true}));
+}
+
+TEST(TiltedPlane, RotaryWordsInItMoveTheJoints) {
+    // Instead of G53.1.
+    const Made made = run("G0 X5 Y0 Z40\nG68.2 J90\nG0 A90\nG0 X0 Y0 Z5\n");
+    EXPECT_EQ(made.moves[2].coordinates, Coordinates::Axes);
+    expect_at(made.end(1), 5, 0, 40);
+    expect_at(made.end(), 0, -5, 0);
+    const Made both = run("G0 X5 Y0 Z40\nG68.2 J90\nG0 X0 Y0 Z5 A90\nG1 Z4\n");
+    EXPECT_EQ(both.moves[2].coordinates, Coordinates::Axes);
+    expect_at(*start_of(both.moves[3]), 0, -5, 0);
+    expect_at(both.end(), 0, -4, 0);
+}
+
+TEST(TiltedPlane, FollowsTheToolWhereItStands) {
+    const Made made = run("G0 X5 Y0 Z40 A90\nG68.3\nG0 X0 Y0 Z1\n");
+    EXPECT_FALSE(made.fails());
+    expect_at(made.end(), 5, -51, -10);
+    // X level: along +X of the part, since Z points to -Y. With R it turns.
+    expect_at(run("G0 X5 Y0 Z40 A90\nG68.3 X0 Y0 Z0\nG0 X2 Y0 Z0\n").end(), 2, 0, 0);
+    expect_at(run("G0 X5 Y0 Z40 A90\nG68.3 X0 Y0 Z0 R90\nG0 X2 Y0 Z0\n").end(), 0, 0, 2);
+    EXPECT_TRUE(run("G68.3 X0\n").says("plane-form"));
+}
+
+TEST(TiltedPlane, WhatCannotBeIsAnErrorByName) {
+    EXPECT_TRUE(run("G68.2 J90\n", Dialect::Fanuc, false).says("kinematics"));
+    EXPECT_TRUE(run("G68.2 J90\n", Dialect::Fanuc, false).result.stopped);
+    EXPECT_TRUE(run("G53.1\n", Dialect::Fanuc, false).says("kinematics"));
+    EXPECT_TRUE(run("G53.1\n").says("plane-form"));
+    EXPECT_TRUE(run("G68.2 I90 J30\nG53.1\n").says("unreachable-orientation"));
+    EXPECT_TRUE(run("G68.2 P7\n").says("plane-form"));
+    EXPECT_TRUE(run("G68.2 P1 Q7 I5\n").says("plane-form"));
+    EXPECT_TRUE(run("G68.2 J20 R5\n").says("plane-form"));
+    const std::string line = "G68.2 P2 Q1 X1\nG68.2 P2 Q2 X2\nG68.2 P2 Q3 X3\n";
+    EXPECT_TRUE(run(line).says("plane-form"));
+    for (const char* block : {"G55", "G92.1", "G10 L2 P1 X5", "G5 X1 Y1 I0 J1 P1 Q1"})
+        EXPECT_TRUE(run(std::string("G68.2 J90\nG53.1\n") + block + "\n").says("plane-form"))
+            << block;
+    EXPECT_FALSE(run("G68.2 J90\nG53.1\nG54\nG0 X1\n").fails());
+    EXPECT_TRUE(run("G0 X-20\nG41 D1 G1 X5\nG68.2 J90\n").says("forbidden-with-compensation"));
+}
+
+TEST(TiltedPlane, EndsWithTheProgram) {
+    const Made made = run("G68.2 J90\nG53.1\nM30\n");
+    EXPECT_FALSE(made.fails());
+    EXPECT_TRUE(made.result.ended);
+}
+
+// --- Offsets that turn with the table ---
+
+TEST(CarriedZero, GoesWithTheTableAndItsAxesDoNot) {
+    // Of Haas: after A90 the zero is 10 mm in front of the axis: at Y10 Z-10 of the machine.
+    const Made made =
+        run("G0 Z40\nG0 A90\nG254\nG0 X1 Y0 Z5\nG1 Z-2\nG53 G0 Z60\nG255\nG0 X1 Y0 Z5\n",
+            Dialect::Haas);
+    EXPECT_FALSE(made.fails());
+    ASSERT_EQ(made.moves.size(), 7U);
+    EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
+    expect_at(made.end(3), 1, 10, -5);
+    expect_at(made.end(2), 1, 10, -12);
+    expect_at(made.end(1), 1, 10, 60);
+    expect_at(made.end(0), 1, 0, 5);
+    EXPECT_TRUE(run("G0 A90\nG254\nG0 A0\n", Dialect::Haas).says("plane-form"));
+    EXPECT_TRUE(run("G0 A90\nG254\n", Dialect::Haas, false).says("kinematics"));
+    EXPECT_FALSE(run("G254\nG1 X5\nG255\n", Dialect::Haas).fails());
+}
+
+TEST(TipControl, OfHaasIsFixedToTheTableAtZero) {
+    const Made made = run("G0 X1 Y0 Z40 A90\nG234 H1\nG1 Z-3\nG49\nG1 X2\n", Dialect::Haas);
+    EXPECT_FALSE(made.fails());
+    EXPECT_EQ(made.moves[2].coordinates, Coordinates::Tip);
+    expect_at(*start_of(made.moves[2]), 1, -50, -10);
+    EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
+}
+
+// --- Face and cylinder ---
+
+TEST(Face, XAndCTellPlacesAcrossTheAxis) {
+    for (const char* words : {"G12.1", "G112"}) {
+        const std::string end = words[2] == '2' ? "G13.1" : "G113";
+        const Made made =
+            run("G0 X20 Z-1\n" + std::string(words) +
+                    "\nG1 X20 C10\nG3 X10 C20 I-10 J0\nG1 X-20 C0\n" + end + "\nG0 X30\n",
+                Dialect::Fanuc, false);
+        EXPECT_FALSE(made.fails()) << words;
+        ASSERT_EQ(made.moves.size(), 6U);
+        EXPECT_EQ(made.moves[2].coordinates, Coordinates::Tip);
+        expect_at(made.end(3), 20, 10, -1);
+        expect_at(std::get<Arc>(made.moves[3].what).to, 10, 20, -1);
+        expect_at(made.end(1), -20, 0, -1);
+        // Then X is the distance again, and C is where it got to.
+        EXPECT_EQ(made.moves[5].coordinates, Coordinates::Axes);
+        expect_at(*start_of(made.moves[5]), 20, 0, -1);
+        EXPECT_NEAR(start_of(made.moves[5])->c.degrees(), 180, 1e-9);
+        expect_at(made.end(), 30, 0, -1);
+    }
+}
+
+TEST(Face, LiesWhereCStands) {
+    const Made made = run("G0 X20 C90\nG12.1\nG1 X15 C5\nG13.1\n", Dialect::Fanuc, false);
+    // With C at 90 the tool is at Y20 of the part, which is X of the face.
+    expect_at(made.end(), -5, 15, 0);
+    EXPECT_TRUE(run("G0 A5\nG12.1\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G12.1\nG1 X5 A5\n", Dialect::Fanuc, false).says("plane-form"));
+}
+
+TEST(Face, OfLinuxCncTheWordChoosesTheKinematics) {
+    InterpreterOptions options;
+    options.dialect = Dialect::Rs274;
+    options.tip_control.kinematics = {Coordinates::Tip, Coordinates::Axes};
+    std::vector<Coordinates> seen;
+    const auto take = [&](const Motion& motion) { seen.push_back(motion.coordinates); };
+    const std::string program =
+        "G21 G90 G0 X0 Y0 Z0\nG12.1 P0\nG0 X1\nG12.1 P1\nX2\nG12.1\nX3\nG13.1\nX4\n";
+    interpret({"t.nc", program}, options, take);
+    using enum Coordinates;
+    EXPECT_EQ(seen, (std::vector<Coordinates>{Axes, Tip, Axes, Tip, Axes}));
+    EXPECT_TRUE(run("G12.1 P1\nG0 X1\n", Dialect::Rs274).says("kinematics"));
+}
+
+TEST(Cylinder, HasArcsOfItsCircumference) {
+    const double degree = 25.0 * 3.14159265358979323846 / 180.0;
+    const Made made =
+        run("G0 X30 C0\nG19 G7.1 C25\nG1 X24 F100\nG1 Z-10 F100\nC10\n"
+            "G2 Z-15 C" +
+                std::to_string(10 + 5 / degree) + " R5\nG7.1 C0\nG0 X30\n",
+            Dialect::Fanuc, false);
+    EXPECT_FALSE(made.fails());
+    // 100 mm/min on the surface, in degrees.
+    EXPECT_NEAR(made.moves[4].feed, 100 / degree, 1e-9);
+    // A quarter of a circle of 5 mm, in the plane of C (for Y) and Z.
+    std::size_t chords = 0;
+    for (const Motion& m : made.moves) {
+        const Position& p = *end_of(m);
+        if (p.z.mm() > -10.0 - 1e-9 || p.z.mm() < -15.0 + 1e-9) continue;
+        ++chords;
+        const double u = (p.c.degrees() - 10) * degree, v = p.z.mm() + 10;
+        EXPECT_NEAR(std::hypot(u, v + 5), 5.0, 1e-5);
+        EXPECT_GT(u, 0.0);
+    }
+    EXPECT_GT(chords, 20U);
+    EXPECT_TRUE(run("G7.1 X25\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G19 G7.1 C25\nG2 Z-5 C10 J5\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G17 G7.1 C25\nG2 Z-5 C10 R9\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G107 C25\n", Dialect::Haas, false).result.stopped);
+}
+
+TEST(WorkOffset, ThePOfG64IsNotItsOwn) {
+    EXPECT_FALSE(run("G54 G90 G64 P0.01\nG0 X1\n").fails());
+}
+
+// --- Ways of rotary axes ---
+
+// Where C goes, one value after the other.
+std::vector<double> places(RotaryWay way, const std::vector<std::string>& words) {
+    InterpreterOptions options;
+    options.rotary_ways[2] = way;
+    options.dialect = Dialect::Fanuc;
+    std::string program = "G21 G90 G0 X0 C0\n";
+    for (const std::string& word : words)
+        program += word + "\n";
+    std::vector<double> all;
+    interpret({"t.nc", program}, options, [&](const Motion& motion) {
+        if (const Position* end = end_of(motion)) all.push_back(end->c.degrees());
+    });
+    all.erase(all.begin());
+    return all;
+}
+
+TEST(RotaryWay, OfFanucsRollOver) {
+    // Moves of -150, -30, -80, +380 and -840.
+    EXPECT_EQ(places(RotaryWay::Shortest, {"C-150", "C540", "C-620", "G91 C380", "C-840"}),
+              (std::vector<double>{-150, -180, -260, 120, -720}));
+    EXPECT_EQ(places(RotaryWay::Linear, {"C-150", "C540", "C-620", "G91 C380", "C-840"}),
+              (std::vector<double>{-150, 540, -620, -240, -1080}));
+}
+
+TEST(RotaryWay, OfHeidenhainsM126) {
+    EXPECT_EQ(places(RotaryWay::Shortest, {"G91 C350", "G90 C10", "C340"}),
+              (std::vector<double>{350, 370, 340}));
+    EXPECT_EQ(places(RotaryWay::Linear, {"C350", "C10", "C340"}),
+              (std::vector<double>{350, 10, 340}));
+}
+
+TEST(RotaryWay, OfASignAndAlwaysUp) {
+    EXPECT_EQ(places(RotaryWay::Sign, {"C90", "C-45", "C-0", "C0", "C10", "C-10", "C-20"}),
+              (std::vector<double>{90, 45, 0, 0, 10, 10, -340}));
+    EXPECT_EQ(places(RotaryWay::Positive, {"C90", "C45", "C45", "C-10"}),
+              (std::vector<double>{90, 405, 405, 710}));
+}
+
+TEST(RotaryClamp, IsToldWhereAnAxisTurnsThatIsHeld) {
+    InterpreterOptions options;
+    options.clamps = {{'B', 10, 11}, {'C', 70, 71}};
+    std::vector<bool> clamped;
+    const auto result = interpret(
+        {"t.nc", "G21 G90 G0 X0 Y0 Z0\nG0 B10\nM10\nG0 X1\nG0 B20\nC5\nM11 M70\nB0\nC0\n"}, options,
+        [&](const Motion& motion) {
+            if (start_of(motion)) clamped.push_back(motion.turns_clamped);
+        });
+    EXPECT_EQ(clamped, (std::vector<bool>{false, false, false, true, false, false, true}));
+    EXPECT_FALSE(std::ranges::any_of(result.diagnostics,
+                                     [](const Diagnostic& d) { return d.code == "unknown-m"; }));
+}
+
+// --- Tip control ---
+
+TEST(TipControl, OnAMachineThatIsToldTheTipIsKnownAfterASwitch) {
+    const Made made = run("G0 X1 Y0 Z40 A90\nM428\nG1 Z-3\nM429\nG1 X2\nG53 G0 Z0\n");
+    EXPECT_FALSE(made.fails());
+    ASSERT_EQ(made.moves.size(), 5U);
+    expect_at(*start_of(made.moves[2]), 1, -50, -10);
+    EXPECT_EQ(made.moves[2].known_start, (KnownAxes{true, true, true}));
+    expect_at(made.end(2), 1, -50, -3);
+    expect_at(*start_of(made.moves[3]), 1, 7, 40);
+    // Under tip control a place of the machine is one of its joints.
+    const Made home = run("G0 X1 Y0 Z40 A90\nM428\nG53 G0 Z60\nG1 X7\n");
+    EXPECT_EQ(home.moves[2].coordinates, Coordinates::Axes);
+    expect_at(home.end(1), 1, 0, 60);
+    expect_at(home.end(), 7, -70, -10);
+}
+
+TEST(TipControl, OfG43_5HasTheDirectionOfTheTool) {
+    const Made made = run("G43.5 H1\nG1 X1 Y2 Z3 J-1 K1\nX5\nI0 J0 K1\nG43.4 H1\nG1 A10\nG49\n");
+    EXPECT_FALSE(made.fails());
+    ASSERT_EQ(made.moves.size(), 5U);
+    EXPECT_EQ(made.moves[1].coordinates, Coordinates::Tip);
+    EXPECT_EQ(made.end(3).a.degrees(), 45.0);
+    expect_at(made.end(3), 1, 2, 3);
+    EXPECT_EQ(made.end(2).a.degrees(), 45.0);
+    EXPECT_EQ(made.end(1).a.degrees(), 0.0);
+    EXPECT_EQ(made.end().a.degrees(), 10.0);
+    EXPECT_TRUE(run("G43.5 H1\nG1 X1 J-1 K1 A5\n").fails());
+    EXPECT_TRUE(run("G43.5 H1\nG1 X1 I1\n").says("unreachable-orientation"));
+    EXPECT_TRUE(run("G43.5 H1\nG2 X1 I1\n").fails());
+    EXPECT_TRUE(run("G43.5 H1\n", Dialect::Fanuc, false).says("kinematics"));
+    // Without it, I, J and K belong to nobody.
+    EXPECT_EQ(run("G43.4 H1\nG1 X1 Y2 Z3 J-1 K1\n").end().a.degrees(), 0.0);
+}
+
+}  // namespace
+}  // namespace ncsim::gcode

@@ -1,0 +1,23 @@
+%
+(two holes in a plane that leans, by G68.2 and G53.1)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+(T1 D=6. CR=0. TAPER=118deg - ZMIN=-12. - drill)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S3000 M3
+G43 H1
+G68.2 X0. Y0. Z0. I180. J25. K0.
+G53.1
+G0 X-15. Y5. Z60.
+G98 G81 Z-12. R5. F200.
+X15.
+G80
+G69
+G91 G28 Z0.
+G90
+G0 A0. C0.
+M5
+M30
+%

@@ -1,0 +1,23 @@
+%
+(M10 holds B, and nothing lets it go before it turns)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+(T1 D=6. CR=0. - flat end mill)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+T1 M6
+S3000 M3
+G43 H1
+M11
+G0 B0.
+M10
+G0 X-50. Y0.
+Z-2.
+G1 X50. F500.
+G0 Z100.
+G0 B90.
+G91 G28 Z0.
+G90
+M5
+M30
+%
