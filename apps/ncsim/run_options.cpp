@@ -120,6 +120,8 @@ CLI::App* add_run(CLI::App& app, Options& options) {
         app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
     add_program_options(*run, o);
     add_setup_options(*run, o);
+    run->add_flag("--show-machine", o.shows_machine,
+                  "Links of the machine that have meshes, around the part, in pictures");
     run->add_option("--machine", o.machine,
                     "Offsets and how the machine turns, TOML, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
