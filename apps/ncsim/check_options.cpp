@@ -114,7 +114,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     add_simulation_options(*check, o);
     check
         ->add_option("--machine", o.machine,
-                     "Travels, limits, fixtures, how it turns, TOML, or a LinuxCNC INI")
+                     "Travels, limits, fixtures, how it turns, TOML, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
     check
         ->add_option("--design", o.design,

@@ -8,13 +8,11 @@
 
 namespace ncsim::app {
 
-namespace {
-
 // A face for each triangle; those without area are left out.
-exporter::Body body_of(const setup::MachineBody& link, const machine::Values& values) {
+exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners) {
     exporter::Body body;
     body.colour = {link.colour[0], link.colour[1], link.colour[2]};
-    body.surface.vertices = corners_at(link, values);
+    body.surface.vertices = std::move(corners);
     body.surface.shells = 1;
     for (const auto& t : link.mesh.triangles) {
         const auto& v = body.surface.vertices;
@@ -29,14 +27,12 @@ exporter::Body body_of(const setup::MachineBody& link, const machine::Values& va
     return body;
 }
 
-}  // namespace
-
 exporter::Image picture_of(const setup::MachineFile& file, const machine::Values& values,
                            exporter::View view) {
     exporter::Overlay overlay;
     cda::Box box;
     for (const setup::MachineBody& link : file.bodies) {
-        overlay.bodies.push_back(body_of(link, values));
+        overlay.bodies.push_back(machine_body(link, corners_at(link, values)));
         for (const cda::Vec3& p : overlay.bodies.back().surface.vertices)
             box.add(p);
     }

@@ -4,10 +4,16 @@
 #pragma once
 
 #include "ncsim/export/image.h"
+#include "ncsim/export/overlay.h"
 #include "ncsim/export/render_options.h"
 #include "ncsim/setup/machine_file.h"
 
+#include <vector>
+
 namespace ncsim::app {
+
+/// A link of a machine with its corners there.
+exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners);
 
 /// Its links with the joints at `values`, seen along `view`. Throws std::runtime_error if no link
 /// has a shape, or the picture cannot be drawn.

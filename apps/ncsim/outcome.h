@@ -8,6 +8,7 @@
 #include "ncsim/export/simplify.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
+#include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
@@ -27,6 +28,8 @@ struct Outcome {
     const exporter::Simplified* simplified = nullptr;
     /// What --step writes, if anybody asked for it.
     const brep::Recognised* solid = nullptr;
+    /// What --machine told, if anything.
+    const setup::MachineFile* machine = nullptr;
 };
 
 /// What is reported of it; points into it.

@@ -5,16 +5,20 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
+#include "ncsim/machine/inverse.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
 
+#include "machine_picture.h"
 #include "tool_body.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::app {
@@ -25,9 +29,52 @@ namespace {
 // would make the part small.
 constexpr double kSurroundings = 0.3;
 
+// The links where they stand with all joints at 0, so that pictures in a row have one camera.
+cda::Box machine_box(const Outcome& outcome) {
+    cda::Box box;
+    for (const setup::MachineBody& body : outcome.machine->bodies) {
+        for (const cda::Vec3& p : body.mesh.vertices)
+            box.add(p - outcome.plan.placed->zero);
+    }
+    return box;
+}
+
+// Where the joints stand after the last move, machine coordinates.
+machine::Values joints_of(const Outcome& outcome) {
+    machine::Values values{};
+    const auto& last = outcome.simulation->last_move;
+    if (!last) return values;
+    const toolpath::Kinematics& placed = *outcome.plan.placed;
+    const gcode::Position& at = *gcode::end_of(*last);
+    values = toolpath::values_of(at);
+    const double length = last->length.mm();
+    if (last->coordinates == gcode::Coordinates::Tip) {
+        const auto found = machine::values_for(placed.chain.placed(placed.zero, length),
+                                               toolpath::linear_axes(at), values);
+        if (found) values = *found;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        values[static_cast<std::size_t>(axis)] += placed.zero[axis];
+    values[2] += length;
+    return values;
+}
+
+// The links around the part, which stays where it is.
+void add_machine(const Outcome& outcome, exporter::Overlay& overlay) {
+    const setup::MachineFile& machine = *outcome.machine;
+    const machine::Values values = joints_of(outcome);
+    for (const setup::MachineBody& link : machine.bodies) {
+        std::vector<cda::Vec3> corners = corners_at(link, values);
+        for (cda::Vec3& p : corners)
+            p = setup::on_part(machine.part_moved_by, values, p) - outcome.plan.placed->zero;
+        overlay.bodies.push_back(machine_body(link, std::move(corners)));
+    }
+}
+
 cda::Box seen_box(const Outcome& outcome) {
     const Options& o = outcome.options;
     cda::Box seen = outcome.survey.stock->box;
+    if (o.shows_machine) seen.add(machine_box(outcome));
     if (!o.shows_path && !o.shows_tool) return seen;
     const double reach = kSurroundings * norm(seen.size());
     const cda::Vec3 margin{reach, reach, reach};
@@ -60,6 +107,7 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
     options.depth_bottom = std::max(stock.min.z, tips.min.z);
     options.camera =
         exporter::fit_camera(seen_box(outcome), view, static_cast<double>(o.width) / o.height);
+    if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
     // Paths and tools that reach out of the picture may be far before it, too.
     if (o.shows_path || o.shows_tool) {
         cda::Box all = stock;
@@ -80,10 +128,12 @@ exporter::Overlay overlay(const Outcome& outcome) {
     const toolpath::StockEntry& stock = *outcome.survey.stock;
     if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
         result.ghosts.push_back({stock.box});
+    if (outcome.options.shows_machine) add_machine(outcome, result);
     if (!outcome.options.shows_tool || !s.standing) return result;
     const auto used = outcome.survey.tools.find(s.standing->tool);
     if (used != outcome.survey.tools.end())
-        result.bodies = tool_bodies(used->second.tool, s.standing->X_WT);
+        std::ranges::move(tool_bodies(used->second.tool, s.standing->X_WT),
+                          std::back_inserter(result.bodies));
     return result;
 }
 

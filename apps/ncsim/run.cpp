@@ -119,8 +119,11 @@ int run(Options options) {
     if (!options.machine.empty()) inputs.expect(options.machine);
     simulation::Plan plan = plan_for(options, inputs);
     std::vector<std::string> not_used;
-    if (!options.machine.empty())
-        not_used = simulation::take_machine(plan, setup::read_machine(options.machine, inputs));
+    std::optional<setup::MachineFile> machine;
+    if (!options.machine.empty()) machine = setup::read_machine(options.machine, inputs);
+    if (machine) not_used = simulation::take_machine(plan, *machine);
+    if (options.shows_machine && (!machine || machine->bodies.empty()))
+        throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
@@ -142,6 +145,7 @@ int run(Options options) {
     }
 
     Outcome outcome{options, plan, survey};
+    outcome.machine = machine ? &*machine : nullptr;
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     std::optional<brep::Recognised> recognised;
@@ -150,6 +154,7 @@ int run(Options options) {
         Animation animation(options, survey, outputs);
         const auto take_frame = [&](const simulation::Simulation& so_far) {
             Outcome now{options, plan, survey, &so_far};
+            now.machine = outcome.machine;
             if (so_far.boundary) now.boundary = &*so_far.boundary;
             animation.take(now);
         };

@@ -120,8 +120,10 @@ CLI::App* add_run(CLI::App& app, Options& options) {
         app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
     add_program_options(*run, o);
     add_setup_options(*run, o);
+    run->add_flag("--show-machine", o.shows_machine,
+                  "Links of the machine that have meshes, around the part, in pictures");
     run->add_option("--machine", o.machine,
-                    "Offsets and how the machine turns, TOML, or a LinuxCNC INI")
+                    "Offsets and how the machine turns, TOML, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
     run->add_option("--png", o.png, "Picture of the part")->type_name("FILE");
     run->add_option("--gif", o.gif, "Moving picture of the cutting")->type_name("FILE");

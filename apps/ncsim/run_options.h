@@ -23,7 +23,8 @@ enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
-    std::string machine;  ///< A machine.toml: offsets, and how it turns.
+    bool shows_machine = false;  ///< Links of the machine in pictures.
+    std::string machine;         ///< A machine.toml: offsets, and how it turns.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
 
     /// Of the picture; several are put on one sheet with a caption. Never empty.

@@ -461,6 +461,24 @@ TEST(Machine, WithMeshesHasAPictureOfItsPose) {
     const std::string home = picture("Z60"), leaning = picture("Z60,A30");
     EXPECT_NE(home, leaning);
     EXPECT_EQ(picture("Z60,A360"), home);
+    // Around a part: the table stays under it, whatever it turns; the head does not.
+    folder.write("a.nc",
+                 "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+                 "(FROM/0.,0.,50.)\nG21 G90 G17 T1 M6\nS5000 M3\nG0 X0 Y0 Z40\nG1 Z-2 "
+                 "F300\nG0 Z40\nG0 A30\nM30\n");
+    folder.write("m.toml", machine + "[offsets]\nG54 = [0, 0, 10]\n");
+    const auto around = [&](const std::string& line, bool shown) {
+        std::vector<std::string> words{"run",   "a.nc",   "--machine", "m.toml",    "--png",
+                                       "p.png", "--view", "right",     "--at-line", line};
+        if (shown) words.emplace_back("--show-machine");
+        const Ran ran = folder.run(words);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("p.png");
+    };
+    EXPECT_NE(around("8", true), around("8", false));
+    EXPECT_NE(around("8", true), around("9", true));
+    EXPECT_EQ(around("8", false), around("9", false));
+    EXPECT_EQ(folder.run({"run", "a.nc", "--show-machine", "--png", "p.png"}).exit_code, 2);
     folder.write("bare.toml", "preset = \"4axis-a\"\n");
     for (const auto& [file, message] : std::vector<std::pair<std::string, std::string>>{
              {"preset = \"4axis-a\"\n", "no link of the machine has a mesh"},

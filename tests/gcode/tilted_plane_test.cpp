@@ -399,6 +399,8 @@ TEST(Cylinder, HasArcsOfItsCircumference) {
     }
     EXPECT_GT(chords, 20U);
     EXPECT_TRUE(run("G7.1 X25\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G7.1 C0.0000001\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run("G7.1 C-5\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G19 G7.1 C25\nG2 Z-5 C10 J5\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G17 G7.1 C25\nG2 Z-5 C10 R9\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G107 C25\n", Dialect::Haas, false).result.stopped);

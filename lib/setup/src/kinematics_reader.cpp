@@ -358,25 +358,36 @@ void KinematicsReader::finish(ToldKinematics& told) const {
     }
 }
 
+// From the bed on, each joint as it moves the link.
+machine::Chain KinematicsReader::moved_by(const Name& link) const {
+    std::vector<const Link*> carries_part;
+    if (part_) carries_part = way_up(*part_);
+    machine::Chain chain;
+    const std::vector<const Link*> way = way_up(link);
+    for (const Link* moved : std::views::reverse(way)) {
+        if (!moved->joint) continue;
+        machine::Joint joint = *moved->joint;
+        // Told as the motion of the tool: what carries the part goes the other way.
+        if (std::ranges::find(carries_part, moved) != carries_part.end())
+            joint.direction = -joint.direction;
+        chain.joints.push_back(joint);
+    }
+    return chain;
+}
+
+machine::Chain KinematicsReader::part_moved_by() const {
+    return part_ && !links_.empty() ? moved_by(*part_) : machine::Chain();
+}
+
 std::vector<MachineBody> KinematicsReader::bodies() const {
     std::vector<MachineBody> bodies;
-    const std::vector<const Link*> carries_part =
-        part_ ? way_up(*part_) : std::vector<const Link*>();
     for (const Link& link : links_) {
         if (!link.mesh) continue;
         MachineBody body;
         body.link = link.name;
         body.mesh = *link.mesh;
         if (link.colour) body.colour = *link.colour;
-        std::vector<const Link*> way = way_up({link.node, link.name});
-        for (const Link* moved : std::views::reverse(way)) {
-            if (!moved->joint) continue;
-            machine::Joint joint = *moved->joint;
-            // Told as the motion of the tool: what carries the part goes the other way.
-            if (std::ranges::find(carries_part, moved) != carries_part.end())
-                joint.direction = -joint.direction;
-            body.moved_by.joints.push_back(joint);
-        }
+        body.moved_by = moved_by({link.node, link.name});
         bodies.push_back(std::move(body));
     }
     return bodies;

@@ -39,6 +39,7 @@ public:
     // When all is read, and belongs together.
     std::optional<ToldKinematics> kinematics() const;
     std::vector<MachineBody> bodies() const;
+    machine::Chain part_moved_by() const;
     const gcode::TipControl& tip_control() const { return control_; }
     const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
     const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
@@ -61,6 +62,7 @@ private:
     ToldKinematics of_preset() const;
     ToldKinematics of_links() const;
     std::vector<const Link*> way_up(const Name& from) const;
+    machine::Chain moved_by(const Name& link) const;
     const Link* find(const std::string& name) const;
     gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
     machine::Travel travel(const toml::node& node, const std::string& key) const;

@@ -15,4 +15,10 @@ std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values
     return corners;
 }
 
+cda::Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, cda::Vec3 p_M) {
+    for (const machine::Joint& joint : moved_by.joints)
+        p_M = machine::moved(joint, -values[*machine::index_of(joint.letter)], p_M);
+    return p_M;
+}
+
 }  // namespace ncsim::setup

@@ -208,6 +208,7 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
              }}});
     file.kinematics = kinematics.kinematics();
     file.bodies = kinematics.bodies();
+    file.part_moved_by = kinematics.part_moved_by();
     file.tip_control = kinematics.tip_control();
     file.rotary_ways = kinematics.ways();
     file.clamps = kinematics.clamps();

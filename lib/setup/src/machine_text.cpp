@@ -140,6 +140,8 @@ std::string machine_sheet(const MachineFile& file) {
             text += '\n';
         }
     }
+    if (file.kinematics && !file.kinematics->guess.empty())
+        text += fmt::format("  assumed: {}\n", file.kinematics->guess);
     for (const MachineBody& body : file.bodies)
         text += fmt::format("  link {}: {} triangles\n", body.link, body.mesh.triangles.size());
     for (const auto& [number, mode] : file.tip_control.m_codes)

@@ -3,6 +3,7 @@
 
 #include "joint_solver.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,8 @@ std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiec
     if (!plan.kinematics) return "A, B and C turn about the program origin";
     const setup::ToldKinematics& told = *plan.kinematics;
     std::vector<std::string> guesses;
+    if (!told.guess.empty() && std::ranges::find(turns, true) != turns.end())
+        guesses.push_back(told.guess);
     std::string at_zero;
     for (std::size_t i = 0; i < turns.size(); ++i) {
         const char letter = "ABC"[i];

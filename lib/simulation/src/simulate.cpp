@@ -87,6 +87,7 @@ public:
         ++motions_;
         result_.line = line_;
         verify::add(result_.distances, motion, machine_.get());
+        if (machine_ && start_of(motion)) result_.last_move = motion;
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
         const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};

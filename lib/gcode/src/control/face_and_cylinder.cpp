@@ -126,7 +126,9 @@ bool Machine::cylinder(const Command& command) {
         ++count;
         wanted = {i, command[letter]};
     }
-    if (count != 1 || wanted.radius < 0.0) {
+    constexpr double kThinnest = 1e-3;  // mm
+    const bool is_thin = wanted.radius != 0.0 && wanted.radius * state_.unit_mm() < kThinnest;
+    if (count != 1 || is_thin) {
         return stop_with(Message::PlaneForm, span,
                          {name_of(code), "a rotary axis and its radius, such as C25."});
     }
@@ -204,7 +206,7 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     const double radius = std::max(std::abs(r), half);
     const double step =
         std::sqrt(8.0 * kOff / (radius * state_.unit_mm())) * 180.0 / std::numbers::pi;
-    constexpr double kMostChords = 100'000.0;
+    constexpr double kMostChords = 5'000.0;
     const double count = std::clamp(std::ceil(std::abs(sweep) / step), 2.0, kMostChords);
     const Axes from = state_.position;
     for (double i = 1.0; i <= count; ++i) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace ncsim::setup {
 
@@ -21,5 +22,9 @@ struct MachineBody {
 
 /// Its corners with the joints at `values`, machine coordinates.
 std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values& values);
+
+/// A place of the machine as the part has it that `moved_by` moves: where it was with all joints at
+/// 0.
+cda::Vec3 on_part(const machine::Chain& moved_by, const machine::Values& values, cda::Vec3 p_M);
 
 }  // namespace ncsim::setup

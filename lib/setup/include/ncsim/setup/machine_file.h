@@ -104,6 +104,7 @@ struct MachineFile {
     std::optional<cda::Vec3> start;    ///< Machine coordinates.
     std::optional<ToldKinematics> kinematics;
     std::vector<MachineBody> bodies;  ///< Of links that have a mesh.
+    machine::Chain part_moved_by;     ///< What moves the part, as MachineBody::moved_by.
     gcode::TipControl tip_control;
     std::array<gcode::RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
     std::vector<gcode::RotaryClamp> clamps;

@@ -7,7 +7,8 @@
 
 namespace ncsim::setup {
 
-/// A configuration of LinuxCNC where the name ends in ".ini", else the project's own TOML. Throws
+/// A configuration of LinuxCNC where the name ends in ".ini", a machine of FreeCAD where it ends in
+/// ".fcm", else the project's own TOML. Throws
 /// std::runtime_error as their readers do.
 MachineFile read_machine(const std::string& path, InputSet& inputs);
 

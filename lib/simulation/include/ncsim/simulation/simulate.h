@@ -46,6 +46,8 @@ struct Simulation : report::PartFacts {
         toolpath::Pose X_WT;
     };
     std::optional<Standing> standing;
+    /// The last move that was made; only on a machine that is told.
+    std::optional<gcode::Motion> last_move;
     std::vector<exporter::PathLine> paths;  ///< Of the tip, if they are kept.
     gcode::Diagnostics diagnostics;         ///< Motions that could not be followed.
 };
