@@ -63,6 +63,18 @@ TEST(Check, FindsAnEdgeOffItsSurface) {
     EXPECT_NEAR(part.miss_mm, 1e-4, 1e-9);
 }
 
+// The floor and the top of a slot end in arcs; one of these ends on a circle 1 mm wider.
+TEST(Check, FindsAnArcThatMissesItsEnd) {
+    Part part = solid_named("slotted_box").part;
+    for (Edge& edge : part.edges) {
+        auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle) continue;
+        circle->centre.y += 0.5;
+        break;
+    }
+    EXPECT_NE(told(check(part, 1.0 / 16)).find("misses its end"), std::string::npos);
+}
+
 TEST(Check, FindsLoopsThatCross) {
     Part part = solid_named("bored_box").part;
     for (Edge& edge : part.edges) {

@@ -423,6 +423,9 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
             const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             const bool is_straight = std::holds_alternative<Line>(edge.curve);
             const std::size_t steps = is_straight ? 4 : 4 * track.pieces();
+            if (!(norm(track.at(1.0) - part.vertices[edge.to]) <= tolerance_mm) ||
+                !(norm(track.at(0.0) - part.vertices[edge.from]) <= tolerance_mm))
+                tell("a curve misses its end");
             Vec3 last = part.vertices[begin];
             std::uint64_t last_name = begin;
             for (std::size_t k = 0; k <= steps; ++k) {
