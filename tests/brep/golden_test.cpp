@@ -132,6 +132,11 @@ std::vector<Golden> goldens() {
          "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X60\nG0 Z5\n",
          {6, 1, 0, 2, 0},
          kBlock - 40.0 * ball_section() - ball_cap()},
+        // Four degrees: the lune at the bend would be 2 um high.
+        {"bent_ball_groove",
+         "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X40\nG1 X60 Y31.4\nG0 Z5\n",
+         {6, 2, 0, 2, 0},
+         kBlock - (20.0 + std::sqrt(400.0 + 1.4 * 1.4)) * ball_section() - ball_cap()},
         {"ball_ring",
          "T3 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {7, 0, 0, 0, 1},

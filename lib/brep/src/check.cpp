@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
-// is one face here, without seams. Cones are seen along their axis; cylinders and rings become
-// rings of paper; of spheres the point opposite the face is where the map has none.
+// is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
+// front; other cylinders and rings become rings of paper; of spheres the point opposite the face is
+// where the map has none.
 #include "ncsim/brep/check.h"
 
 #include "ncsim/trig/angles.h"
@@ -239,8 +240,13 @@ public:
         if (const auto* f = std::get_if<Cylinder>(form_)) {
             low_ = std::numeric_limits<double>::infinity();
             for_edges(part, face, [&](const Track& track, double) {
-                for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
-                    low_ = std::min(low_, axes_(track.at(t)).z);
+                for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                    const Local p = axes_(track.at(t));
+                    low_ = std::min(low_, p.z);
+                    // The x axis points away from the face.
+                    constexpr double kSteep = 0.2;
+                    faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.away;
+                }
             });
             low_ -= 2.0 * f->radius;
         } else if (const auto* c = std::get_if<Cone>(form_)) {
@@ -264,7 +270,8 @@ public:
         const Local p = axes_(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
-        if (std::holds_alternative<Cylinder>(*form_)) return out(p, p.z - low_);
+        if (std::holds_alternative<Cylinder>(*form_))
+            return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
         if (const auto* s = std::get_if<Sphere>(form_)) {
             const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
             return {scale * p.x, scale * p.y};
@@ -283,6 +290,7 @@ private:
     const Form* form_;
     Axes axes_;
     double low_ = 0.0, cut_ = 0.0;
+    bool faces_one_way_ = true;  // seen from there, nothing of it hides anything
 };
 
 struct Segment {

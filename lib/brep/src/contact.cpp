@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ncsim::brep {
 
@@ -187,22 +188,19 @@ Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
                    cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
 }
 
-// Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes.
-std::optional<Curve> mitre(const Cylinder& a, const Cylinder& b, Vec3 p, Vec3 q) {
-    constexpr double kEqual = 1e-6, kLeastAngle = 1e-3;
+// Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes:
+// the one that is nearer to the point.
+std::optional<Plane> mitre(const Cylinder& a, const Cylinder& b, Vec3 p) {
+    constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
     const Vec3 normal = cross(a.axis, b.axis);
     if (std::abs(a.radius - b.radius) > kEqual || norm(normal) < kLeastAngle) return std::nullopt;
     if (std::abs(dot(b.origin - a.origin, normal)) > kEqual * norm(normal)) return std::nullopt;
     // The point of the first axis on the plane of the second one and the normal.
     const Vec3 side = cross(normal, b.axis);
     const Vec3 centre = a.origin + (dot(b.origin - a.origin, side) / dot(a.axis, side)) * a.axis;
-    const Plane planes[] = {{centre, normalized(a.axis - b.axis)},
-                            {centre, normalized(a.axis + b.axis)}};
-    for (const Plane& plane : planes) {
-        if (std::abs(distance(plane, p)) < kTouchMm && std::abs(distance(plane, q)) < kTouchMm)
-            return ellipse(plane, a);
-    }
-    return std::nullopt;
+    const Plane one{centre, normalized(a.axis - b.axis)},
+        other{centre, normalized(a.axis + b.axis)};
+    return std::abs(distance(one, p)) < std::abs(distance(other, p)) ? one : other;
 }
 
 bool is_ruled(const Form& form) {
@@ -219,7 +217,10 @@ struct Eigen {
 Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     std::array<std::array<double, 3>, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     constexpr int kSweeps = 12;
+    const double trace = m[0][0] + m[1][1] + m[2][2];
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        const double off = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
+        if (off <= 1e-18 * trace) break;
         for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
             if (m[p][q] == 0.0) continue;
             const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
@@ -251,10 +252,40 @@ Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     return result;
 }
 
+// The shortest step that comes nearest to right, where m may say nothing of some directions.
+Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
+    constexpr double kFlat = 1e-9;
+    // Where it says enough of all of them, by cofactors.
+    constexpr double kClear = 1e-2;
+    const Vec3 x{m[0][0], m[0][1], m[0][2]}, y{m[1][0], m[1][1], m[1][2]};
+    const Vec3 z{m[2][0], m[2][1], m[2][2]};
+    const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+    const double determinant = dot(x, yz), mean = (x.x + y.y + z.z) / 3.0;
+    if (determinant > kClear * mean * mean * mean)
+        return (1.0 / determinant) * (right.x * yz + right.y * zx + right.z * xy);
+    const Eigen e = eigen(m);
+    const double largest = std::max({e.values[0], e.values[1], e.values[2]});
+    Vec3 step;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (e.values[i] > kFlat * largest)
+            step = step + (dot(right, e.vectors[i]) / e.values[i]) * e.vectors[i];
+    }
+    return step;
+}
+
 }  // namespace
 
 std::optional<Form> touch(const Form& a, const Form& b) {
     return a.index() <= b.index() ? std::visit(Touch{}, a, b) : std::visit(Touch{}, b, a);
+}
+
+std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
+    const auto* first = std::get_if<Cylinder>(&a);
+    const auto* second = std::get_if<Cylinder>(&b);
+    if (!first || !second) return std::nullopt;
+    const auto plane = mitre(*first, *second, p);
+    if (!plane) return std::nullopt;
+    return *plane;
 }
 
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
@@ -279,7 +310,10 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
     const auto* second = std::get_if<Cylinder>(&b);
     if (first && second) {
         if (is_parallel(first->axis, second->axis)) return Line{};
-        return mitre(*first, *second, p, q);
+        const auto plane = mitre(*first, *second, p);
+        const auto is_on = [&](Vec3 at) { return std::abs(distance(*plane, at)) < kTouchMm; };
+        if (!plane || !is_on(p) || !is_on(q)) return std::nullopt;
+        return ellipse(*plane, *first);
     }
     if (!is_first_plane && !is_second_plane) return std::nullopt;
     const auto& plane = std::get<Plane>(is_first_plane ? a : b);
@@ -305,7 +339,10 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
 
 double solve(std::span<const Form* const> forms, Vec3& p) {
     constexpr int kMostSteps = 60;
-    constexpr double kLongest = 1.0, kDone = 1e-14, kFlat = 1e-9;
+    constexpr double kLongest = 1.0;
+    // Steps this short are rounding, as soon as they do not become shorter.
+    constexpr double kRounding = 1e-10;
+    double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMostSteps; ++step) {
         std::array<std::array<double, 3>, 3> m{};
         Vec3 right;
@@ -318,16 +355,11 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
                     m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += g[i] * g[j];
             }
         }
-        const Eigen e = eigen(m);
-        const double largest = std::max({e.values[0], e.values[1], e.values[2]});
-        Vec3 move;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (e.values[i] > kFlat * largest)
-                move = move + (dot(right, e.vectors[i]) / e.values[i]) * e.vectors[i];
-        }
+        const Vec3 move = shortest_step(m, right);
         const double length = norm(move);
         p = p + (length > kLongest ? kLongest / length : 1.0) * move;
-        if (length < kDone) break;
+        if (length == 0.0 || (length < kRounding && length > 0.5 * before)) break;
+        before = length;
     }
     double miss = 0.0;
     for (const Form* form : forms)

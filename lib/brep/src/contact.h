@@ -20,6 +20,9 @@ inline constexpr double kTouchMm = 3e-3;
 /// the tool stood, as a rule). Nothing if they do not.
 std::optional<Form> touch(const Form& a, const Form& b);
 
+/// Of two pipes that bend into each other: the plane near `p` in which they meet.
+std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
+
 /// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then
 /// the curve through `p`, which is on both; `q` is another point of it. Nothing: a spline has to be
 /// laid through it.

@@ -56,8 +56,10 @@ public:
 
     const std::vector<HalfEdge>& edges() const { return edges_; }
     std::uint32_t to(std::uint32_t h) const { return edges_[edges_[h].next].from; }
-    Vec3 point(std::uint32_t v) const { return source_.boundary.vertices[v]; }
-    double length(std::uint32_t h) const { return norm(point(to(h)) - point(edges_[h].from)); }
+    /// Corners of this shell have numbers of their own.
+    std::size_t corners() const { return points_.size(); }
+    Vec3 point(std::uint32_t v) const { return points_[v]; }
+    double length(std::uint32_t h) const { return lengths_[h]; }
 
     /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)? `score`: how
     /// badly.
@@ -73,6 +75,8 @@ private:
     SurfaceSet surfaces_;
     std::vector<Facet> facets_;
     std::vector<HalfEdge> edges_;
+    std::vector<double> lengths_;  // of half-edges
+    std::vector<Vec3> points_;
     bool broken_ = false;
 };
 

@@ -35,7 +35,7 @@ namespace {
 
 using cda::dot;
 
-constexpr int kMostRounds = 40;
+constexpr int kPatientRounds = 8, kMostRounds = 40;
 constexpr double kNoWidth = 1e-3;  // mm
 
 class ShellRecogniser {
@@ -48,14 +48,17 @@ public:
     std::optional<Part> operator()() {
         if (mesh_.is_broken()) return std::nullopt;
         for (int round = 0; round < kMostRounds; ++round) {
-            groups_.gather();
             failures_.clear();
-            if (groups_.unify() || groups_.give_up_rings()) continue;
+            do
+                groups_.gather();
+            while (groups_.unify() || groups_.give_up_rings());
             chains_.trace();
-            chains_.solve();
+            // What is wrong with edges and faces is often due to corners that are.
+            const bool is_patient = round < kPatientRounds;
+            chains_.solve(is_patient);
             Part part;
-            if (failures_.empty()) part = build();
-            if (groups_.relabel(failures_)) continue;
+            if (failures_.empty() || !is_patient) part = build();
+            if (groups_.relabel(failures_, is_patient)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
             return part;
         }
@@ -75,12 +78,21 @@ private:
         for (const Chain& chain : chains_.all())
             part.edges.push_back({same.find(chain.from), same.find(chain.to), chain.curve});
         auto all = chains_.loops();
+        const auto is_sound = [&](std::uint32_t g) {
+            return std::ranges::none_of(all[g], [&](const Loop& loop) {
+                return std::ranges::any_of(
+                    loop, [&](const EdgeUse& use) { return chains_.all()[use.edge].has_failed; });
+            });
+        };
         std::vector<std::uint32_t> group_of_face;
+        std::vector<bool> has_gone(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (all[g].empty()) {
+                has_gone[g] = true;
                 vanish(g);
                 continue;
             }
+            if (!is_sound(g)) continue;
             Face face;
             face.surface = groups_.surface_of(g);
             face.loops = std::move(all[g]);
@@ -88,19 +100,22 @@ private:
             face.is_facet = groups_.is_facet(g);
             face.frame = frame_for(part, face);
             if (std::holds_alternative<Plane>(face.surface.form)) outline_first(part, face);
+            if (is_wanted(g)) {
+                const Measure m = measure(part, face, face.frame.origin);
+                has_gone[g] = 2.0 * std::abs(m.area) < kNoWidth * m.length;
+                if (has_gone[g]) vanish(g);
+            }
             part.faces.push_back(std::move(face));
             group_of_face.push_back(g);
         }
-        if (!failures_.empty()) return part;
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             const std::uint32_t g = group_of_face[f];
-            const Measure m = measure(part, part.faces[f], part.faces[f].frame.origin);
-            if (2.0 * std::abs(m.area) < kNoWidth * m.length) vanish(g);
-        }
-        // Before they have gone, they are folds of their neighbours.
-        if (!failures_.empty()) return part;
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            const std::uint32_t g = group_of_face[f];
+            // Before they have gone, they are folds of their neighbours.
+            const bool is_beside_gone =
+                has_gone[g] || std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
+                    return has_gone[beside.first];
+                });
+            if (is_beside_gone || !is_wanted(g)) continue;
             double error = 0.0;
             if (groups_.is_facet(g)) error = groups_.error_of(g);
             for (const auto& [n, shared] : groups_.neighbours(g)) {
@@ -115,9 +130,17 @@ private:
                 for (const auto& [n, shared] : groups_.neighbours(g))
                     around.push_back(n);
             }
-            failures_.push_back(std::move(around));
+            failures_.push_back({std::move(around)});
         }
         return part;
+    }
+
+    // What the polyhedron had, with its corners where they were, is as good as it was.
+    bool is_wanted(std::uint32_t g) const {
+        return groups_[g].is_analytic ||
+               std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
+                   return groups_[beside.first].is_analytic;
+               });
     }
 
     // A group without a width on the true surfaces.
@@ -127,7 +150,7 @@ private:
             for (const auto& [n, shared] : groups_.neighbours(g))
                 around.push_back(n);
         }
-        failures_.push_back(std::move(around));
+        failures_.push_back({std::move(around)});
     }
 
     void name(Face& face, std::uint32_t g) const {
