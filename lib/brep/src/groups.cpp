@@ -16,6 +16,9 @@ namespace {
 
 // Of what joins a neighbour, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
+// So many errors is a lune that is one error low off either of the pipes beside it, at most: four
+// times as far from the one as from the plane between both, and corners of hulls lie farther out.
+constexpr double kAcrossLune = 6.0;
 // Farther out than what a ball leaves at a bend may be what is there in its place, mm.
 constexpr double kLune = 5e-3;
 
@@ -123,6 +126,8 @@ bool Groups::join_lunes() {
         if (pipes.size() < 2 || lower > std::max(kLune, error_of(g))) continue;
         const auto longest = std::ranges::max_element(
             pipes, [](const auto& a, const auto& b) { return a.second < b.second; });
+        // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
+        if (!lies_on(g, longest->first, kAcrossLune)) continue;
         relabel(g, groups_[longest->first].surface);
         mitred_mm_ = std::max(mitred_mm_, lower);
         any = true;
@@ -157,18 +162,22 @@ bool Groups::absorb(std::uint32_t g, double errors) {
         if (shared <= longest || !groups_[n].is_analytic ||
             mesh_[groups_[n].facets.front()].label != groups_[n].surface)
             continue;
-        const auto lies = [&](std::uint32_t i) {
-            const Facet& facet = mesh_[i];
-            const double most = errors * std::max(facet.error_mm, error_of(n));
-            return mesh_.fits(facet, surface_of(n), most, kMostTurnOfNeighbours);
-        };
-        if (!std::ranges::all_of(groups_[g].facets, lies)) continue;
+        if (!lies_on(g, n, errors)) continue;
         longest = shared;
         best = n;
     }
     if (best == kNone) return false;
     relabel(g, groups_[best].surface);
     return true;
+}
+
+// Within so many errors.
+bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors) const {
+    return std::ranges::all_of(groups_[g].facets, [&](std::uint32_t i) {
+        const Facet& facet = mesh_[i];
+        const double most = errors * std::max(facet.error_mm, error_of(n));
+        return mesh_.fits(facet, surface_of(n), most, kMostTurnOfNeighbours);
+    });
 }
 
 bool Groups::relabel(const Failures& failures, bool is_patient) {

@@ -77,6 +77,7 @@ private:
     void relabel(std::uint32_t g, std::uint32_t surface);
     void give_up(std::uint32_t g);
     bool absorb(std::uint32_t g, double errors);
+    bool lies_on(std::uint32_t g, std::uint32_t n, double errors) const;
     bool may_be_absorbed(std::uint32_t g) const;
     double perimeter(std::uint32_t g) const;
 
