@@ -10,6 +10,7 @@
 #include "ncsim/report/run_report.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
 
 #include "run_options.h"
@@ -26,7 +27,7 @@ struct Outcome {
     /// What meshes are made of, if it is not `boundary` itself.
     const exporter::Simplified* simplified = nullptr;
     /// What --step writes, if anybody asked for it.
-    const brep::Recognised* solid = nullptr;
+    const simulation::Solid* solid = nullptr;
 };
 
 /// What is reported of it; points into it.

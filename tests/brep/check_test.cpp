@@ -161,6 +161,26 @@ TEST(Apart, MakesNoSpursOfCorners) {
     EXPECT_EQ(told(check(part, 1e-4)), "");
 }
 
+// The lid of a post goes on as a line into a wall, which has a hole with two edges there.
+TEST(Apart, TakesOutWhatHasNoWidth) {
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    const auto tip = static_cast<std::uint32_t>(part.vertices.size());
+    part.vertices.push_back({5, 0, 2});
+    Loop& lid = part.faces[4].loops.front();
+    const EdgeUse first = lid.front();
+    const std::uint32_t corner =
+        first.is_forward ? part.edges[first.edge].from : part.edges[first.edge].to;
+    const auto there = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.push_back({corner, tip, Line{}});
+    part.edges.push_back({tip, corner, Line{}});
+    lid.insert(lid.begin(), {{there, true}, {there + 1, true}});
+    part.faces[0].loops.push_back({{there + 1, false}, {there, false}});
+    EXPECT_NE(told(check(part, 10.0)), "");
+    keep_apart(part);
+    EXPECT_EQ(told(check(part, 1e-9)), "");
+    EXPECT_EQ(part.faces.size(), 6U);
+}
+
 // Both ends of a short edge have a neighbour in common that no face beside the edge has: as one
 // point they would have two edges to it.
 TEST(Apart, KeepsCornersThatHoldTheSurfaceTogether) {

@@ -41,12 +41,17 @@ public:
         : part_(part),
           faces_at_(part.vertices.size()),
           edges_at_(part.vertices.size()),
-          radius_(part.vertices.size(), 0.0) {
+          radius_(part.vertices.size(), 0.0),
+          is_flat_(part.vertices.size(), true) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             for (const Loop& loop : part.faces[f].loops) {
                 for (const EdgeUse& use : loop) {
                     const Edge& edge = part.edges[use.edge];
                     for (const std::uint32_t v : {edge.from, edge.to}) {
+                        const bool is_flat =
+                            std::holds_alternative<Line>(edge.curve) &&
+                            std::holds_alternative<Plane>(part.faces[f].surface.form);
+                        is_flat_[v] = is_flat_[v] && is_flat;
                         faces_at_[v].push_back(f);
                         edges_at_[v].push_back(use.edge);
                     }
@@ -59,10 +64,13 @@ public:
         }
     }
 
+    // Do planes alone meet at both ends?
+    bool is_flat(const Edge& edge) const { return is_flat_[edge.from] && is_flat_[edge.to]; }
+
     void contract(std::uint32_t number) {
         const Edge short_one = part_.edges[number];
         const std::uint32_t kept = short_one.from, gone = short_one.to;
-        if (kept == gone) return;
+        if (kept == gone || !is_flat(short_one)) return;
         const double radius = radius_[gone] + length_of(part_, short_one);
         if (radius > 2.0 * kLeast) return;
         const Numbers sides = common(faces_at_[kept], faces_at_[gone]);
@@ -168,6 +176,84 @@ private:
     Part& part_;
     std::vector<Numbers> faces_at_, edges_at_;  // of each vertex, ascending
     std::vector<double> radius_;                // how far away from each are those that became it
+    std::vector<bool> is_flat_;
+};
+
+// Two straight edges one after the other, there and back, have nothing between them: they go, and
+// what is beyond them meets.
+class Spikes {
+public:
+    explicit Spikes(Part& part) : part_(part), faces_of_(part.edges.size()) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop)
+                    faces_of_[use.edge].push_back(f);
+            }
+            waiting_.push_back(f);
+        }
+    }
+
+    // True: something has gone.
+    bool take_out() {
+        bool any = false;
+        while (!waiting_.empty()) {
+            const std::uint32_t f = waiting_.back();
+            waiting_.pop_back();
+            while (take_one_out(f))
+                any = true;
+        }
+        return any;
+    }
+
+private:
+    bool take_one_out(std::uint32_t f) {
+        std::vector<Loop>& loops = part_.faces[f].loops;
+        for (std::size_t l = 0; l < loops.size(); ++l) {
+            for (std::size_t i = 0; i < loops[l].size(); ++i) {
+                const std::size_t next = (i + 1) % loops[l].size();
+                const EdgeUse there = loops[l][i], back = loops[l][next];
+                if (next == i || !are_spike(there, back)) continue;
+                Loop left;
+                for (std::size_t k = 0; k < loops[l].size(); ++k) {
+                    if (k != i && k != next) left.push_back(loops[l][k]);
+                }
+                loops[l] = left;
+                if (left.empty() && loops.size() > 1)
+                    loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
+                if (there.edge != back.edge) join(f, there, back);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool are_spike(const EdgeUse& there, const EdgeUse& back) const {
+        const Edge &a = part_.edges[there.edge], &b = part_.edges[back.edge];
+        return std::holds_alternative<Line>(a.curve) && std::holds_alternative<Line>(b.curve) &&
+               (there.is_forward ? a.from : a.to) == (back.is_forward ? b.to : b.from) &&
+               (there.is_forward ? a.to : a.from) == (back.is_forward ? b.from : b.to);
+    }
+
+    // Who had `back` has `there`, against whom had that.
+    void join(std::uint32_t f, const EdgeUse& there, const EdgeUse& back) {
+        std::erase(faces_of_[there.edge], f);
+        std::erase(faces_of_[back.edge], f);
+        for (const std::uint32_t other : faces_of_[back.edge]) {
+            for (Loop& loop : part_.faces[other].loops) {
+                for (EdgeUse& use : loop) {
+                    if (use.edge == back.edge) use = there;
+                }
+            }
+            faces_of_[there.edge].push_back(other);
+        }
+        faces_of_[back.edge].clear();
+        for (const std::uint32_t beside : faces_of_[there.edge])
+            waiting_.push_back(beside);
+    }
+
+    Part& part_;
+    std::vector<Numbers> faces_of_;  // of each edge
+    Numbers waiting_;
 };
 
 // Faces that have no edges any more.
@@ -193,6 +279,7 @@ void drop_empty(Part& part) {
 }  // namespace
 
 void keep_apart(Part& part) {
+    if (Spikes(part).take_out()) drop_empty(part);
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
         const double length = length_of(part, part.edges[e]);
@@ -203,6 +290,7 @@ void keep_apart(Part& part) {
     Contraction contraction(part);
     for (const auto& [length, edge] : low)
         contraction.contract(edge);
+    Spikes(part).take_out();
     drop_empty(part);
     // One may bring another one's ends nearer.
     constexpr int kPasses = 3;
@@ -210,7 +298,7 @@ void keep_apart(Part& part) {
         for (const Edge& edge : part.edges) {
             Vec3 &a = part.vertices[edge.from], &b = part.vertices[edge.to];
             const double length = length_of(part, edge);
-            if (length >= kShort || length == 0.0) continue;
+            if (length >= kShort || length == 0.0 || !contraction.is_flat(edge)) continue;
             const Vec3 move = (0.5 * (kLeast - length) / length) * (b - a);
             a = a - move;
             b = b + move;

@@ -263,8 +263,8 @@ void Chains::solve(bool corners_first) {
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
 // the chain between two of the faces, what should be its end comes first. Then it is the other two
-// that meet. With A on the left, B on the right, C behind and D ahead, the chain ran from A, B, C to
-// A, B, D; now it runs from A, C, D to B, C, D, with D on its left.
+// that meet. With A on the left, B on the right, C behind and D ahead, the chain ran from A, B, C
+// to A, B, D; now it runs from A, C, D to B, C, D, with D on its left.
 bool Chains::flip_reversed() {
     std::vector<std::array<std::uint32_t, 3>> at(vertices_.size(), {kNone, kNone, kNone});
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {

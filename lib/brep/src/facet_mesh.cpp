@@ -110,7 +110,14 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
         }
     }
     if (chosen) facet.label = surfaces_.add(chosen->surface);
+    facet.was_labelled = chosen != nullptr;
     return facet;
+}
+
+std::size_t FacetMesh::given_up() const {
+    return static_cast<std::size_t>(std::ranges::count_if(facets_, [](const Facet& facet) {
+        return facet.was_labelled && facet.label == facet.own;
+    }));
 }
 
 void FacetMesh::link() {

@@ -29,7 +29,8 @@ struct Facet {
     double error_mm = 0.0;  ///< Of what it approximates.
     std::uint32_t own = 0;  ///< Its own plane.
     std::uint32_t label = 0;
-    bool may_be_true = false;  ///< Its own plane is no approximation.
+    bool may_be_true = false;   ///< Its own plane is no approximation.
+    bool was_labelled = false;  ///< With a surface of its motion.
 };
 
 struct HalfEdge {
@@ -44,6 +45,8 @@ public:
 
     /// Faces do not meet two at an edge: nothing can be made of it.
     bool is_broken() const { return broken_; }
+    /// Facets that had a surface and have none any more.
+    std::size_t given_up() const;
 
     std::size_t size() const { return facets_.size(); }
     const Facet& operator[](std::uint32_t i) const { return facets_[i]; }

@@ -60,10 +60,16 @@ public:
             if (failures_.empty() || !is_patient) part = build();
             if (groups_.relabel(failures_, is_patient)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
+            keep_apart(part);
+            if (!are_facets_sound(part)) return std::nullopt;
             return part;
         }
         return std::nullopt;
     }
+
+    // As the last attempt left it.
+    std::size_t given_up() const { return mesh_.given_up(); }
+    double mitred_mm() const { return groups_.mitred_mm(); }
 
 private:
     Part build() {
@@ -141,6 +147,17 @@ private:
                std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
                    return groups_[beside.first].is_analytic;
                });
+    }
+
+    // Facets among facets, at last.
+    static bool are_facets_sound(const Part& part) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            constexpr double kAnywhere = 1.0;  // mm; where they are is known
+            double miss = 0.0;
+            if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
+                return false;
+        }
+        return true;
     }
 
     // A group without a width on the true surfaces.
@@ -265,8 +282,11 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     std::optional<Facets> flat;
     std::vector<std::vector<std::uint32_t>> flat_shells;
     const auto add = [&](std::uint32_t s) {
-        if (auto part = ShellRecogniser(facets, sources, shells[s])())
-            return append(result.part, *part);
+        ShellRecogniser recogniser(facets, sources, shells[s]);
+        const auto part = recogniser();
+        result.facets_given_up += recogniser.given_up();
+        if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
+        if (part) return append(result.part, *part);
         ++result.shells_kept;
         if (!flat) {
             flat = kept();

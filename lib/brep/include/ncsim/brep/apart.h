@@ -7,10 +7,11 @@
 
 namespace ncsim::brep {
 
-/// Of a part that has planes alone: edges shorter than 1e-5 mm become points, where nothing hangs
+/// Where planes alone meet, in lines: edges shorter than 1e-5 mm become points, if nothing hangs
 /// together by them; those of the others that are shorter than 3e-7 mm become 1e-5 mm long. Readers
 /// take what is nearer than 1e-7 mm for one point, and find the surface open there. Edges that are
-/// no longer used stay behind. O(n log n) for n edges.
+/// no longer used stay behind; edges there and back one after the other, between which nothing is,
+/// are not used. O(n log n) for n edges.
 void keep_apart(Part& part);
 
 }  // namespace ncsim::brep
