@@ -354,8 +354,7 @@ void Chains::solve_chain(Chain& chain) {
     std::vector<Vec3> points = points_of(chain);
     if (!is_loop && norm(to.at - from.at) <= kPoint) {
         // A circle that ends where it begins, or nothing?
-        Vec3 middle = points[points.size() / 2];
-        if (norm(middle - from.at) < reach({chain.left, chain.right})) {
+        if (norm(points[points.size() / 2] - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;
             return;
         }
@@ -365,7 +364,8 @@ void Chains::solve_chain(Chain& chain) {
         chain.curve = Line{};
         return;
     }
-    std::optional<Curve> curve = meet(a, b, from.at, to.at);
+    const Vec3 middle = points.size() > 2 ? points[points.size() / 2] : 0.5 * (from.at + to.at);
+    std::optional<Curve> curve = meet(a, b, from.at, to.at, middle);
     const bool is_straight = curve && std::holds_alternative<Line>(*curve);
     if (is_straight) {
         // A line that comes back is none; nor is one the other way.

@@ -188,9 +188,8 @@ Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
                    cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
 }
 
-// Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes:
-// the one that is nearer to the point.
-std::optional<Plane> mitre(const Cylinder& a, const Cylinder& b, Vec3 p) {
+// Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes.
+std::optional<std::array<Plane, 2>> mitres(const Cylinder& a, const Cylinder& b) {
     constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
     const Vec3 normal = cross(a.axis, b.axis);
     if (std::abs(a.radius - b.radius) > kEqual || norm(normal) < kLeastAngle) return std::nullopt;
@@ -198,9 +197,12 @@ std::optional<Plane> mitre(const Cylinder& a, const Cylinder& b, Vec3 p) {
     // The point of the first axis on the plane of the second one and the normal.
     const Vec3 side = cross(normal, b.axis);
     const Vec3 centre = a.origin + (dot(b.origin - a.origin, side) / dot(a.axis, side)) * a.axis;
-    const Plane one{centre, normalized(a.axis - b.axis)},
-        other{centre, normalized(a.axis + b.axis)};
-    return std::abs(distance(one, p)) < std::abs(distance(other, p)) ? one : other;
+    return {
+        {Plane{centre, normalized(a.axis - b.axis)}, Plane{centre, normalized(a.axis + b.axis)}}};
+}
+
+bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
+    return std::abs(distance(one, p)) < std::abs(distance(other, p));
 }
 
 bool is_ruled(const Form& form) {
@@ -283,12 +285,13 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     const auto* first = std::get_if<Cylinder>(&a);
     const auto* second = std::get_if<Cylinder>(&b);
     if (!first || !second) return std::nullopt;
-    const auto plane = mitre(*first, *second, p);
-    if (!plane) return std::nullopt;
-    return *plane;
+    const auto planes = mitres(*first, *second);
+    if (!planes) return std::nullopt;
+    const auto& [one, other] = *planes;
+    return is_nearer(one, other, p) ? one : other;
 }
 
-std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
     const bool is_first_plane = std::holds_alternative<Plane>(a);
     const bool is_second_plane = std::holds_alternative<Plane>(b);
@@ -310,10 +313,17 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
     const auto* second = std::get_if<Cylinder>(&b);
     if (first && second) {
         if (is_parallel(first->axis, second->axis)) return Line{};
-        const auto plane = mitre(*first, *second, p);
-        const auto is_on = [&](Vec3 at) { return std::abs(distance(*plane, at)) < kTouchMm; };
-        if (!plane || !is_on(p) || !is_on(q)) return std::nullopt;
-        return ellipse(*plane, *first);
+        const auto planes = mitres(*first, *second);
+        if (!planes) return std::nullopt;
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [one, other] = *planes;
+        if (!is_on(one) && !is_on(other)) return std::nullopt;
+        // Both ellipses pass through the points where the pipes touch.
+        const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
+        return ellipse(is_first ? one : other, *first);
     }
     if (!is_first_plane && !is_second_plane) return std::nullopt;
     const auto& plane = std::get<Plane>(is_first_plane ? a : b);

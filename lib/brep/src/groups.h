@@ -56,6 +56,7 @@ public:
     std::span<const std::pair<std::uint32_t, double>> neighbours(std::uint32_t g) const {
         return std::span(neighbours_).subspan(first_[g], first_[g + 1] - first_[g]);
     }
+    double perimeter(std::uint32_t g) const;  ///< mm
     const Surface& surface_of(std::uint32_t g) const { return mesh_.surface(groups_[g].surface); }
     const Form& form_of(std::uint32_t g) const { return surface_of(g).form; }
     double error_of(std::uint32_t g) const { return mesh_[groups_[g].facets.front()].error_mm; }
@@ -79,7 +80,6 @@ private:
     bool absorb(std::uint32_t g, double errors);
     bool lies_on(std::uint32_t g, std::uint32_t n, double errors) const;
     bool may_be_absorbed(std::uint32_t g) const;
-    double perimeter(std::uint32_t g) const;
 
     FacetMesh& mesh_;
     std::vector<Group> groups_;

@@ -129,7 +129,7 @@ private:
             }
             const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
-            if (faults_of(part, f, tolerance, miss).empty()) continue;
+            if (!is_too_large(part, f, g) && faults_of(part, f, tolerance, miss).empty()) continue;
             std::vector<std::uint32_t> around{g};
             // A plane is right as a rule; what meets it is not.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
@@ -158,6 +158,14 @@ private:
                 return false;
         }
         return true;
+    }
+
+    // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
+    // it, by as much at each edge.
+    bool is_too_large(const Part& part, std::uint32_t f, std::uint32_t g) const {
+        const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
+        return measure(part, part.faces[f], part.faces[f].frame.origin).area >
+               2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
     }
 
     // A group without a width on the true surfaces.
