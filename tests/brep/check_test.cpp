@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +74,32 @@ TEST(Check, FindsAnArcThatMissesItsEnd) {
         break;
     }
     EXPECT_NE(told(check(part, 1.0 / 16)).find("misses its end"), std::string::npos);
+}
+
+// The bore touches a round boss beside it, in a point of the floor that neither has a corner in.
+TEST(Check, FindsCirclesThatTouch) {
+    Part part;
+    const Vec3 up{0, 0, 1};
+    Face floor;
+    floor.surface.form = Plane{{}, up};
+    const auto circle = [&](Vec3 centre, double radius, bool is_forward) {
+        const auto v = static_cast<std::uint32_t>(part.vertices.size());
+        // Not where they touch, nor half a step of 3.75 degrees from there.
+        const double cosine = std::cos(1.01), sine = std::sin(1.01);
+        part.vertices.push_back(centre + radius * Vec3{cosine, sine, 0});
+        floor.loops.push_back({{static_cast<std::uint32_t>(part.edges.size()), is_forward}});
+        part.edges.push_back({v, v, Circle{centre, up, radius}});
+    };
+    circle({}, 50, true);
+    circle({-8, 0, 0}, 8, false);
+    circle({5, 0, 0}, 5, false);
+    floor.frame = {{}, up, {1, 0, 0}};
+    part.faces.push_back(floor);
+    double miss = 0.0;
+    EXPECT_EQ(faults_of(part, 0, 1e-9, miss).size(), 1U);
+    std::get<Circle>(part.edges[2].curve).centre.x += 1e-5;
+    part.vertices[2].x += 1e-5;
+    EXPECT_EQ(faults_of(part, 0, 1e-9, miss).size(), 0U);
 }
 
 TEST(Check, FindsLoopsThatCross) {

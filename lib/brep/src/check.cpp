@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep {
@@ -282,6 +284,12 @@ public:
         return out(p, t.minor * (1.0 + (degrees - cut_) * kRadiansPerDegree));
     }
 
+    // Is what is straight straight on the map?
+    bool keeps_lines() const {
+        return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
+               (std::holds_alternative<Cylinder>(*form_) && faces_one_way_);
+    }
+
 private:
     static Point out(const Local& p, double radius) {
         return {radius * p.x / p.away, radius * p.y / p.away};
@@ -296,8 +304,14 @@ private:
 struct Segment {
     Point a, b;
     std::uint64_t from, to;  // what they are called: neighbours have one in common
-    double low() const { return std::min(a.y, b.y); }
-    double high() const { return std::max(a.y, b.y); }
+    const Track* track;      // of which it is the chord, between two parameters
+    double begin, end;
+    bool is_straight;  // on the map, too
+    double off = 0.0;  // how far it may be from what it stands for
+    double low() const { return std::min(a.y, b.y) - off; }
+    double high() const { return std::max(a.y, b.y) + off; }
+    double left() const { return std::min(a.x, b.x) - off; }
+    double right() const { return std::max(a.x, b.x) + off; }
 };
 
 double turn(Point a, Point b, Point c) {
@@ -339,18 +353,53 @@ bool interfere(const Segment& s, const Segment& t) {
            squared_distance(t.b, s) < kNear;
 }
 
-bool any_interfere(std::vector<Segment> segments) {
+double apart(const Segment& s, const Segment& t) {
+    if (cross_each_other(s, t)) return 0.0;
+    return std::sqrt(std::min({squared_distance(s.a, t), squared_distance(s.b, t),
+                               squared_distance(t.a, s), squared_distance(t.b, s)}));
+}
+
+// Pieces of curves without a common end: chords that come near are halved until it is clear.
+bool curves_interfere(const Map& map, Segment s, Segment t, int depth) {
+    if (apart(s, t) >= s.off + t.off + kTouch) return false;
+    if (depth == 0 || s.off + t.off <= 0.25 * kTouch) return apart(s, t) < kTouch;
+    if (s.off < t.off) std::swap(s, t);
+    const double middle = 0.5 * (s.begin + s.end);
+    const Point p = map(s.track->at(middle));
+    // Of both halves of what is nearly a circle, a quarter.
+    const double off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
+    Segment first = s, second = s;
+    first.b = second.a = p;
+    first.end = second.begin = middle;
+    first.off = second.off = off;
+    return curves_interfere(map, first, t, depth - 1) ||
+           curves_interfere(map, second, t, depth - 1);
+}
+
+bool have_common_end(const Segment& s, const Segment& t) {
+    return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
+}
+
+bool any_interfere(const Map& map, std::vector<Segment> segments) {
+    // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
+    constexpr double kMostOff = 0.1;
+    constexpr int kDepth = 40;
+    for (Segment& s : segments) {
+        const double x = s.b.x - s.a.x, y = s.b.y - s.a.y;
+        if (!s.is_straight) s.off = kMostOff * std::sqrt(x * x + y * y);
+    }
     std::sort(segments.begin(), segments.end(),
               [](const Segment& s, const Segment& t) { return s.low() < t.low(); });
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Segment& s = segments[i];
-        const double left = std::min(s.a.x, s.b.x) - kTouch,
-                     right = std::max(s.a.x, s.b.x) + kTouch;
         for (std::size_t j = i + 1; j < segments.size(); ++j) {
             const Segment& t = segments[j];
             if (t.low() > s.high() + kTouch) break;
-            if (std::max(t.a.x, t.b.x) < left || std::min(t.a.x, t.b.x) > right) continue;
-            if (interfere(s, t)) return true;
+            if (t.right() < s.left() - kTouch || t.left() > s.right() + kTouch) continue;
+            const bool both_straight = s.is_straight && t.is_straight;
+            if (both_straight || have_common_end(s, t) ? interfere(s, t)
+                                                       : curves_interfere(map, s, t, kDepth))
+                return true;
         }
     }
     return false;
@@ -418,6 +467,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     int outlines = 0;
     double miss = 0.0;
     std::uint64_t inside = std::uint64_t{1} << 32;  // names of points between vertices
+    std::deque<Track> tracks;
     for (const Loop& loop : face.loops) {
         std::vector<Segment> segments;
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -428,7 +478,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
             const EdgeUse& next = loop[(i + 1) % loop.size()];
             const Edge& after = part.edges[next.edge];
             if (end != (next.is_forward ? after.from : after.to)) tell("a loop is open");
-            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            const Track& track =
+                tracks.emplace_back(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             const bool is_straight = std::holds_alternative<Line>(edge.curve);
             const std::size_t steps = is_straight ? 4 : 4 * track.pieces();
             if (!(norm(track.at(1.0) - part.vertices[edge.to]) <= tolerance_mm) ||
@@ -436,9 +487,11 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 tell("a curve misses its end");
             Vec3 last = part.vertices[begin];
             std::uint64_t last_name = begin;
+            double last_at = 0.0;
             for (std::size_t k = 0; k <= steps; ++k) {
                 const double t = static_cast<double>(k) / static_cast<double>(steps);
-                Vec3 p = track.at(use.is_forward ? t : 1.0 - t);
+                const double at = use.is_forward ? t : 1.0 - t;
+                Vec3 p = track.at(at);
                 if (k == steps) p = part.vertices[end];
                 miss = std::max(miss, std::abs(distance(face.surface.form, p)));
                 if (const auto* cone = std::get_if<Cone>(&face.surface.form);
@@ -447,10 +500,12 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 }
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
-                    segments.push_back({map(last), map(p), last_name, name});
+                    segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,
+                                        is_straight && map.keeps_lines()});
                     last_name = name;
                 }
                 last = p;
+                last_at = at;
             }
         }
         if (twice_area(segments) > 0.0) ++outlines;
@@ -461,7 +516,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
-    if (any_interfere(std::move(all))) tell("its loops cross or touch");
+    if (any_interfere(map, std::move(all))) tell("its loops cross or touch");
     return faults;
 }
 

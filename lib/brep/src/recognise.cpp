@@ -19,6 +19,7 @@
 #include "contact.h"
 #include "facet_mesh.h"
 #include "groups.h"
+#include "known_faces.h"
 #include "nesting.h"
 
 #include <algorithm>
@@ -91,6 +92,7 @@ private:
             });
         };
         std::vector<std::uint32_t> group_of_face;
+        std::vector<KnownFaces::Known*> known;  // of each face
         std::vector<bool> has_gone(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (all[g].empty()) {
@@ -104,15 +106,13 @@ private:
             face.loops = std::move(all[g]);
             name(face, g);
             face.is_facet = groups_.is_facet(g);
-            face.frame = frame_for(part, face);
-            if (std::holds_alternative<Plane>(face.surface.form)) outline_first(part, face);
-            if (is_wanted(g)) {
-                const Measure m = measure(part, face, face.frame.origin);
-                has_gone[g] = 2.0 * std::abs(m.area) < kNoWidth * m.length;
-                if (has_gone[g]) vanish(g);
-            }
+            auto& found = known_.look_at(part, face, groups_[g].facets.front());
+            has_gone[g] = is_wanted(g) &&
+                          2.0 * std::abs(found.measure.area) < kNoWidth * found.measure.length;
+            if (has_gone[g]) vanish(g);
             part.faces.push_back(std::move(face));
             group_of_face.push_back(g);
+            known.push_back(&found);
         }
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             const std::uint32_t g = group_of_face[f];
@@ -129,7 +129,9 @@ private:
             }
             const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
-            if (!is_too_large(part, f, g) && faults_of(part, f, tolerance, miss).empty()) continue;
+            if (!is_too_large(g, known[f]->measure.area) &&
+                !KnownFaces::is_faulty(*known[f], part, f, tolerance, miss))
+                continue;
             std::vector<std::uint32_t> around{g};
             // A plane is right as a rule; what meets it is not.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
@@ -162,10 +164,9 @@ private:
 
     // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
     // it, by as much at each edge.
-    bool is_too_large(const Part& part, std::uint32_t f, std::uint32_t g) const {
+    bool is_too_large(std::uint32_t g, double area) const {
         const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
-        return measure(part, part.faces[f], part.faces[f].frame.origin).area >
-               2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
+        return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
     }
 
     // A group without a width on the true surfaces.
@@ -189,22 +190,6 @@ private:
         face.origin = face.origins.empty() ? cda::kStockOrigin : face.origins.front();
     }
 
-    // The loop around all others is the one with the largest area.
-    static void outline_first(const Part& part, Face& face) {
-        std::size_t best = 0;
-        double largest = -std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < face.loops.size(); ++i) {
-            Face alone = face;
-            alone.loops = {face.loops[i]};
-            const double area = measure(part, alone, face.frame.origin).area;
-            if (area <= largest) continue;
-            largest = area;
-            best = i;
-        }
-        std::swap(face.loops[0], face.loops[best]);
-        face.frame = frame_for(part, face);
-    }
-
     bool has_the_volume(const Part& part) const {
         const Vec3 apex = mesh_.point(mesh_.edges().front().from);
         double analytic = 0.0, polyhedral = 0.0, slack = 0.0;
@@ -222,6 +207,7 @@ private:
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
+    KnownFaces known_;
 };
 
 // Adds what `from` has to `to`; the numbers of its faces there. Vertices and edges that are not
