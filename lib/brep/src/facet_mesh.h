@@ -31,6 +31,7 @@ struct Facet {
     std::uint32_t label = 0;
     bool may_be_true = false;   ///< Its own plane is no approximation.
     bool was_labelled = false;  ///< With a surface of its motion.
+    bool is_final = false;      ///< It stays a facet.
 };
 
 struct HalfEdge {
@@ -51,6 +52,11 @@ public:
     std::size_t size() const { return facets_.size(); }
     const Facet& operator[](std::uint32_t i) const { return facets_[i]; }
     void label(std::uint32_t i, std::uint32_t surface) { facets_[i].label = surface; }
+    /// A facet for good.
+    void settle(std::uint32_t i) {
+        facets_[i].label = facets_[i].own;
+        facets_[i].is_final = true;
+    }
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
     /// Who cut a facet.
     const std::vector<cda::Origin>& origins(std::uint32_t i) const {

@@ -80,7 +80,9 @@ void Groups::meet() {
 bool Groups::unify() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        if (mesh_[groups_[g].facets.front()].is_final) continue;
         for (const auto& [n, shared] : neighbours(g)) {
+            if (mesh_[groups_[n].facets.front()].is_final) continue;
             const bool is_smaller = std::pair(groups_[g].area, g) < std::pair(groups_[n].area, n);
             if (!is_smaller || groups_[g].surface == groups_[n].surface) continue;
             if (!is_same(surface_of(g), surface_of(n), kTouchMm)) continue;
@@ -93,7 +95,8 @@ bool Groups::unify() {
     if (any) return true;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const Group& group = groups_[g];
-        if (group.is_analytic || mesh_[group.facets.front()].may_be_true) continue;
+        const Facet& first = mesh_[group.facets.front()];
+        if (group.is_analytic || first.may_be_true || first.is_final) continue;
         if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) any = absorb(g, 1.5) || any;
     }
     return any;
@@ -204,8 +207,10 @@ bool Groups::relabel(const Failures& failures, bool is_patient) {
         }
         if (!is_patient) {
             done.insert(order.begin(), order.end());
-            for (const std::uint32_t g : order)
-                give_up(g);
+            for (const std::uint32_t g : order) {
+                for (const std::uint32_t i : groups_[g].facets)
+                    mesh_.settle(i);
+            }
             any = true;
             continue;
         }

@@ -43,7 +43,7 @@ public:
     /// lose the face: rings have no facets beside them. True: labels have changed.
     bool give_up_rings();
     /// What went wrong joins a neighbour, or goes back to facets: the smallest group, or, without
-    /// patience, all that are around. True: labels have changed.
+    /// patience, all that are around, for good. True: labels have changed.
     bool relabel(const Failures& failures, bool is_patient);
 
     /// By how much the lunes at bends that joined a neighbour are lower than what is in their
