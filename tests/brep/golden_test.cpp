@@ -215,6 +215,26 @@ TEST(Recognise, KeepsTheBallAtTheEndOfAWay) {
     EXPECT_NEAR(volume(made.solid.part), kBlock - removed_by_ball(distance), 0.1);
 }
 
+// Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
+// miss their common corner by almost a micrometre, and cross beside it.
+TEST(Recognise, ArcsEndInTheirCorners) {
+    const Golden golden{"bends",
+                        "T1 M6\nG0 X35 Y11.34 Z5\nG1 Z-4\nG3 X38.66 Y25 I-5 J8.66\n"
+                        "G2 X41.588 Y35.93 I6.928 J4\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 6, 0, 0, 0}));
+    for (const Edge& edge : made.solid.part.edges) {
+        const auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle) continue;
+        for (const std::uint32_t v : {edge.from, edge.to}) {
+            const Vec3 out = made.solid.part.vertices[v] - circle->centre;
+            EXPECT_NEAR(cda::norm(out), circle->radius, 2e-7);
+        }
+    }
+}
+
 TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
     const Golden golden = goldens()[4];
     EXPECT_EQ(make(golden, 0.05, 1).step, make(golden, 0.05, 3).step);

@@ -23,6 +23,7 @@ using cda::dot;
 using cda::norm;
 
 constexpr double kPoint = 1e-7;
+constexpr double kRounded = 2e-7;
 constexpr int kTip = -1;            // no number of edges
 constexpr double kApexReach = 0.3;  // mm
 
@@ -176,7 +177,10 @@ bool Chains::solve_vertex(Vertex& v) const {
     touching.reserve(count * count);
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
-            if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
+            if (auto t = touch(*forms[i], *forms[j])) {
+                touching.push_back(*t);
+                v.is_touch = true;
+            }
             if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
         }
     }
@@ -409,6 +413,14 @@ void Chains::solve_chain(Chain& chain) {
         if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
             std::abs(sweep - std::abs(rough)) > 180.0)
             return fail(chain);
+    }
+    // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
+    // have their ends there, and one direction.
+    const auto is_rounded = [](const Vertex& v) { return v.is_touch && v.miss > kRounded; };
+    if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
+        points.front() = from.at;
+        points.back() = to.at;
+        if (auto spline = spline_between(a, b, points)) *curve = std::move(*spline);
     }
     chain.curve = std::move(*curve);
 }

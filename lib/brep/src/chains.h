@@ -30,6 +30,7 @@ struct Vertex {
     Vec3 at;
     std::vector<std::uint32_t> groups;
     double miss = 0.0;
+    bool is_touch = false;  ///< Of surfaces that touch.
     bool has_failed = false;
 };
 
