@@ -267,6 +267,11 @@ Part flat_shell(const Facets& facets, const std::vector<std::uint32_t>& faces,
     return part;
 }
 
+bool is_mostly_facets(const Part& part) {
+    const auto facets = std::ranges::count_if(part.faces, &Face::is_facet);
+    return 2 * static_cast<std::size_t>(facets) > part.faces.size();
+}
+
 }  // namespace
 
 Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
@@ -280,13 +285,17 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
         const auto part = recogniser();
         result.facets_given_up += recogniser.given_up();
         if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
-        if (part) return append(result.part, *part);
-        ++result.shells_kept;
+        if (part && !is_mostly_facets(*part)) return append(result.part, *part);
         if (!flat) {
             flat = kept();
             flat_shells = shells_of(flat->boundary);
         }
         const bool is_there = s < flat_shells.size() && !flat_shells[s].empty();
+        // Facets of different motions stay apart for recognition: joined, they may be fewer than
+        // what came out.
+        if (part && (!is_there || part->faces.size() <= flat_shells[s].size()))
+            return append(result.part, *part);
+        ++result.shells_kept;
         return append(result.part, is_there ? flat_shell(*flat, flat_shells[s], sources)
                                             : flat_shell(facets, shells[s], sources));
     };
