@@ -145,7 +145,7 @@ bool Groups::give_up_rings() {
         const bool is_beside = std::ranges::any_of(
             neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
         if (!is_beside) continue;
-        give_up(g);
+        give_up(g, false);
         any = true;
     }
     return any;
@@ -183,7 +183,7 @@ bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors) const {
     });
 }
 
-bool Groups::relabel(const Failures& failures, bool is_patient) {
+bool Groups::relabel(const Failures& failures, Patience patience) {
     bool any = false;
     std::set<std::uint32_t> done;
     for (const Failure& failure : failures) {
@@ -205,12 +205,10 @@ bool Groups::relabel(const Failures& failures, bool is_patient) {
             any = true;
             continue;
         }
-        if (!is_patient) {
+        if (patience == Patience::None) {
             done.insert(order.begin(), order.end());
-            for (const std::uint32_t g : order) {
-                for (const std::uint32_t i : groups_[g].facets)
-                    mesh_.settle(i);
-            }
+            for (const std::uint32_t g : order)
+                give_up(g, true);
             any = true;
             continue;
         }
@@ -227,7 +225,7 @@ bool Groups::relabel(const Failures& failures, bool is_patient) {
         if (absorbed) continue;
         const std::uint32_t g = order.front();
         done.insert(g);
-        give_up(g);
+        give_up(g, patience == Patience::Little);
     }
     return any;
 }
@@ -238,9 +236,11 @@ bool Groups::may_be_absorbed(std::uint32_t g) const {
     return 2.0 * groups_[g].area < width * perimeter(g);
 }
 
-void Groups::give_up(std::uint32_t g) {
-    for (const std::uint32_t i : groups_[g].facets)
+void Groups::give_up(std::uint32_t g, bool for_good) {
+    for (const std::uint32_t i : groups_[g].facets) {
         mesh_.label(i, mesh_[i].own);
+        if (for_good) mesh_.settle(i);
+    }
 }
 
 double Groups::perimeter(std::uint32_t g) const {

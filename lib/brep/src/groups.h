@@ -22,6 +22,8 @@ struct Failure {
 };
 using Failures = std::vector<Failure>;
 
+enum class Patience { Much, Little, None };
+
 struct Group {
     std::uint32_t surface = 0;
     std::vector<std::uint32_t> facets;
@@ -42,9 +44,9 @@ public:
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
     /// lose the face: rings have no facets beside them. True: labels have changed.
     bool give_up_rings();
-    /// What went wrong joins a neighbour, or goes back to facets: the smallest group, or, without
-    /// patience, all that are around, for good. True: labels have changed.
-    bool relabel(const Failures& failures, bool is_patient);
+    /// What went wrong joins a neighbour, or goes back to facets: the smallest group; with little
+    /// patience for good; with none, so do all that are around. True: labels have changed.
+    bool relabel(const Failures& failures, Patience patience);
 
     /// By how much the lunes at bends that joined a neighbour are lower than what is in their
     /// place, at most, mm.
@@ -76,7 +78,7 @@ private:
     void meet();
     bool join_lunes();
     void relabel(std::uint32_t g, std::uint32_t surface);
-    void give_up(std::uint32_t g);
+    void give_up(std::uint32_t g, bool for_good);
     bool absorb(std::uint32_t g, double errors);
     bool lies_on(std::uint32_t g, std::uint32_t n, double errors) const;
     bool may_be_absorbed(std::uint32_t g) const;

@@ -36,7 +36,7 @@ namespace {
 
 using cda::dot;
 
-constexpr int kPatientRounds = 8, kMostRounds = 40;
+constexpr int kPatientRounds = 8, kLastPatience = 20, kMostRounds = 60;
 constexpr double kNoWidth = 1e-3;  // mm
 
 class ShellRecogniser {
@@ -59,7 +59,10 @@ public:
             chains_.solve(is_patient);
             Part part;
             if (failures_.empty() || !is_patient) part = build();
-            if (groups_.relabel(failures_, is_patient)) continue;
+            const Patience patience = is_patient              ? Patience::Much
+                                      : round < kLastPatience ? Patience::Little
+                                                              : Patience::None;
+            if (groups_.relabel(failures_, patience)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
             keep_apart(part);
             if (!are_facets_sound(part)) return std::nullopt;
