@@ -100,6 +100,7 @@ TEST(Check, FindsCirclesThatTouch) {
     std::get<Circle>(part.edges[2].curve).centre.x += 1e-5;
     part.vertices[2].x += 1e-5;
     EXPECT_EQ(faults_of(part, 0, 1e-9, miss).size(), 0U);
+    EXPECT_EQ(faults_of(part, 0, 1e-9, miss, 1e-4).size(), 1U);
 }
 
 TEST(Check, FindsLoopsThatCross) {

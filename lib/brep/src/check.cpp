@@ -332,11 +332,8 @@ bool cross_each_other(const Segment& s, const Segment& t) {
            (turn(t.a, t.b, s.a) > 0.0) != (turn(t.a, t.b, s.b) > 0.0);
 }
 
-// Nearer than this, readers take two points for one, mm.
-constexpr double kTouch = 2e-6;
-
-bool interfere(const Segment& s, const Segment& t) {
-    constexpr double kNear = kTouch * kTouch;
+bool interfere(const Segment& s, const Segment& t, double clear) {
+    const double near = clear * clear;
     // Neighbours have a point in common; what is beyond it must not lie on the other one.
     const bool joined = s.to == t.from;
     const bool joined_back = t.to == s.from;
@@ -346,11 +343,11 @@ bool interfere(const Segment& s, const Segment& t) {
         if (joined && joined_back) return false;
         const Point& s_far = joined || tails ? s.a : s.b;
         const Point& t_far = joined || heads ? t.b : t.a;
-        return squared_distance(s_far, t) < kNear || squared_distance(t_far, s) < kNear;
+        return squared_distance(s_far, t) < near || squared_distance(t_far, s) < near;
     }
-    return cross_each_other(s, t) || squared_distance(s.a, t) < kNear ||
-           squared_distance(s.b, t) < kNear || squared_distance(t.a, s) < kNear ||
-           squared_distance(t.b, s) < kNear;
+    return cross_each_other(s, t) || squared_distance(s.a, t) < near ||
+           squared_distance(s.b, t) < near || squared_distance(t.a, s) < near ||
+           squared_distance(t.b, s) < near;
 }
 
 double apart(const Segment& s, const Segment& t) {
@@ -360,9 +357,9 @@ double apart(const Segment& s, const Segment& t) {
 }
 
 // Pieces of curves without a common end: chords that come near are halved until it is clear.
-bool curves_interfere(const Map& map, Segment s, Segment t, int depth) {
-    if (apart(s, t) >= s.off + t.off + kTouch) return false;
-    if (depth == 0 || s.off + t.off <= 0.25 * kTouch) return apart(s, t) < kTouch;
+bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth) {
+    if (apart(s, t) >= s.off + t.off + clear) return false;
+    if (depth == 0 || s.off + t.off <= 0.25 * clear) return apart(s, t) < clear;
     if (s.off < t.off) std::swap(s, t);
     const double middle = 0.5 * (s.begin + s.end);
     const Point p = map(s.track->at(middle));
@@ -372,15 +369,15 @@ bool curves_interfere(const Map& map, Segment s, Segment t, int depth) {
     first.b = second.a = p;
     first.end = second.begin = middle;
     first.off = second.off = off;
-    return curves_interfere(map, first, t, depth - 1) ||
-           curves_interfere(map, second, t, depth - 1);
+    return curves_interfere(map, first, t, clear, depth - 1) ||
+           curves_interfere(map, second, t, clear, depth - 1);
 }
 
 bool have_common_end(const Segment& s, const Segment& t) {
     return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
 }
 
-bool any_interfere(const Map& map, std::vector<Segment> segments) {
+bool any_interfere(const Map& map, std::vector<Segment> segments, double clear) {
     // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
     constexpr double kMostOff = 0.1;
     constexpr int kDepth = 40;
@@ -394,11 +391,11 @@ bool any_interfere(const Map& map, std::vector<Segment> segments) {
         const Segment& s = segments[i];
         for (std::size_t j = i + 1; j < segments.size(); ++j) {
             const Segment& t = segments[j];
-            if (t.low() > s.high() + kTouch) break;
-            if (t.right() < s.left() - kTouch || t.left() > s.right() + kTouch) continue;
+            if (t.low() > s.high() + clear) break;
+            if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
             const bool both_straight = s.is_straight && t.is_straight;
-            if (both_straight || have_common_end(s, t) ? interfere(s, t)
-                                                       : curves_interfere(map, s, t, kDepth))
+            if (both_straight || have_common_end(s, t) ? interfere(s, t, clear)
+                                                       : curves_interfere(map, s, t, clear, kDepth))
                 return true;
         }
     }
@@ -458,7 +455,7 @@ double volume(const Part& part) {
 }
 
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double tolerance_mm,
-                             double& miss_mm) {
+                             double& miss_mm, double clear_mm) {
     const Face& face = part.faces[face_number];
     std::vector<Fault> faults;
     const auto tell = [&](std::string what) { faults.push_back({face_number, std::move(what)}); };
@@ -516,7 +513,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
-    if (any_interfere(map, std::move(all))) tell("its loops cross or touch");
+    if (any_interfere(map, std::move(all), clear_mm)) tell("its loops cross or touch");
     return faults;
 }
 

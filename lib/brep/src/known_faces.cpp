@@ -56,11 +56,11 @@ KnownFaces::Known& KnownFaces::look_at(const Part& part, Face& face, std::uint32
 }
 
 bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, double tolerance_mm,
-                           double& miss_mm) {
+                           double clear_mm, double& miss_mm) {
     if (known.tolerance_mm != tolerance_mm) {
         known.tolerance_mm = tolerance_mm;
         known.miss_mm = 0.0;
-        known.is_faulty = !faults_of(part, face, tolerance_mm, known.miss_mm).empty();
+        known.is_faulty = !faults_of(part, face, tolerance_mm, known.miss_mm, clear_mm).empty();
     }
     miss_mm = std::max(miss_mm, known.miss_mm);
     return known.is_faulty;

@@ -41,9 +41,10 @@ public:
     /// Gives the face its frame, and of a plane the outline as its first loop. `name` tells faces
     /// apart, from round to round. What is known of it stays where it is.
     Known& look_at(const Part& part, Face& face, std::uint32_t name);
-    /// Are there faults, and what do its edges miss? As faults_of().
+    /// Are there faults, and what do its edges miss? As faults_of(), of which a face is asked with
+    /// one clearance for a tolerance.
     static bool is_faulty(Known& known, const Part& part, std::uint32_t face, double tolerance_mm,
-                          double& miss_mm);
+                          double clear_mm, double& miss_mm);
 
 private:
     std::unordered_map<std::uint32_t, Known> known_;
