@@ -309,12 +309,12 @@ TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
 
 TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     Folder folder;
-    // At the corner X100 Y75 three pipes meet within less than a facet of the ball.
+    // At the corner X100 Y0 the pipe of the first line ends less than a facet beside the second
+    // one.
     folder.write("corner.nc",
                  "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,100.,100.,40.,0.,0.,40.)\n"
-                 "G21 G90\nT1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y50. Z-4.172 F1500.\n"
-                 "X100. Y50. Z-6.264\nX100. Y75. Z-6.263\nX0. Y75. Z-6.\nX0. Y100. Z-6.\n"
-                 "G0 Z20.\nM30\n");
+                 "G21 G90\nT1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y0. Z-4.168 F1500.\n"
+                 "X100. Y0. Z-6.265\nX100. Y25. Z-6.265\nG0 Z20.\nM30\n");
     const Ran finer = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
                                   "analytic", "--step-strict", "--report", "a.json"});
     EXPECT_EQ(finer.exit_code, 0) << finer.err;
