@@ -8,9 +8,11 @@ namespace ncsim::app {
 
 namespace {
 
-report::SolidFacts solid_facts(const brep::Recognised& solid,
-                               const exporter::Provenance& provenance) {
+report::SolidFacts solid_facts(const simulation::Solid& of, double tool_tolerance_mm) {
+    const brep::Recognised& solid = of.recognised;
     report::SolidFacts facts;
+    if (of.tool_tolerance_mm != tool_tolerance_mm) facts.refined_mm = of.tool_tolerance_mm;
+    facts.mitred_mm = solid.mitred_mm;
     for (const auto& form : brep::kForms)
         facts.kinds.emplace_back(form, 0);
     for (const brep::Face& face : solid.part.faces)
@@ -20,7 +22,7 @@ report::SolidFacts solid_facts(const brep::Recognised& solid,
     facts.facets_kept = solid.facets_kept;
     facts.facet_miss_mm = solid.part.facet_miss_mm;
     for (const cda::Origin origin : solid.of_facets) {
-        const std::uint32_t line = provenance.of(origin).nc_line;
+        const std::uint32_t line = of.provenance.of(origin).nc_line;
         if (line != 0) facts.facet_lines.push_back(line);
     }
     std::sort(facts.facet_lines.begin(), facts.facet_lines.end());
@@ -43,7 +45,7 @@ report::RunFacts run_facts(const Outcome& outcome) {
                             outcome.simplified->boundary.faces.size()};
     }
     if (outcome.solid && outcome.options.step_surfaces == StepSurfaces::Analytic)
-        facts.solid = solid_facts(*outcome.solid, outcome.simulation->provenance);
+        facts.solid = solid_facts(*outcome.solid, outcome.plan.tool_tolerance);
     return facts;
 }
 

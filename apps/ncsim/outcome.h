@@ -11,6 +11,7 @@
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/plan.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
 
 #include "run_options.h"
@@ -27,7 +28,7 @@ struct Outcome {
     /// What meshes are made of, if it is not `boundary` itself.
     const exporter::Simplified* simplified = nullptr;
     /// What --step writes, if anybody asked for it.
-    const brep::Recognised* solid = nullptr;
+    const simulation::Solid* solid = nullptr;
     /// What --machine told, if anything.
     const setup::MachineFile* machine = nullptr;
 };

@@ -41,6 +41,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::app {
@@ -85,7 +86,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.threemf,
                   [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
     outputs.write(o.step, [&](std::ostream& out) {
-        exporter::write_step_solid(out, outcome.solid->part, s.provenance, o.step_max_faces);
+        exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
+                                   o.step_max_faces);
     });
     outputs.write(o.save_stock, [&](std::ostream& out) {
         const cda::Shape stock =
@@ -97,16 +99,17 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
 }
 
 // What --step writes: surfaces as the tools left them, or their facets.
-brep::Recognised solid_of(const Outcome& outcome) {
+simulation::Solid solid_of(const Outcome& outcome) {
     const Options& o = outcome.options;
     const double tolerance = std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
     if (o.step_surfaces == StepSurfaces::Faceted) {
         const exporter::Simplified flat = exporter::simplify(*outcome.boundary, tolerance);
         brep::Recognised solid{brep::faceted(flat.boundary, flat.origins)};
         brep::keep_apart(solid.part);
-        return solid;
+        return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
     }
-    return simulation::solid_of(outcome.plan, outcome.survey, *outcome.simulation, tolerance);
+    return simulation::refined_solid(outcome.plan, outcome.survey, *outcome.simulation, tolerance,
+                                     o.step_refine);
 }
 
 }  // namespace
@@ -148,7 +151,7 @@ int run(Options options) {
     outcome.machine = machine ? &*machine : nullptr;
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
-    std::optional<brep::Recognised> recognised;
+    std::optional<simulation::Solid> solid;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         Animation animation(options, survey, outputs);
@@ -176,8 +179,8 @@ int run(Options options) {
             outcome.simplified = &*simplified;
         }
         if (!o.step.empty()) {
-            recognised = solid_of(outcome);
-            outcome.solid = &*recognised;
+            solid = solid_of(outcome);
+            outcome.solid = &*solid;
         }
         write_outputs(outcome, outputs);
     }
@@ -195,7 +198,7 @@ int run(Options options) {
             put_text(report::summary(run_facts(outcome)), outputs.takes_standard_output());
         if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
     }
-    if (o.step_strict && recognised && recognised->facets_kept > 0) {
+    if (o.step_strict && solid && solid->recognised.facets_kept > 0) {
         say("ncsim: --step-strict: facets were kept, see above\n");
         return faulty ? kFindings : kEnvironment;
     }

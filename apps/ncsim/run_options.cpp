@@ -149,6 +149,11 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
            "[faceted]")
         ->type_name("WHAT");
+    run->add_option("--step-refine", o.step_refine,
+                    "Where facets are too large for true surfaces, cut again with round tools four "
+                    "times as fine, up to N times [2]")
+        ->check(CLI::Range(0, 4))
+        ->type_name("N");
     run->add_flag("--step-strict", o.step_strict,
                   "Exit with 2 if round surfaces had to be kept as facets");
     run->add_option("--step-max-faces", o.step_max_faces,

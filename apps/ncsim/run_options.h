@@ -41,6 +41,7 @@ struct Options : ProgramOptions, SimulationOptions {
     /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
     std::optional<double> simplify;
     StepSurfaces step_surfaces = StepSurfaces::Faceted;
+    int step_refine = 2;       ///< So many times finer tools are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     bool quiet = false;

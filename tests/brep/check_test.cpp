@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -63,6 +64,45 @@ TEST(Check, FindsAnEdgeOffItsSurface) {
     EXPECT_NEAR(part.miss_mm, 1e-4, 1e-9);
 }
 
+// The floor and the top of a slot end in arcs; one of these ends on a circle 1 mm wider.
+TEST(Check, FindsAnArcThatMissesItsEnd) {
+    Part part = solid_named("slotted_box").part;
+    for (Edge& edge : part.edges) {
+        auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle) continue;
+        circle->centre.y += 0.5;
+        break;
+    }
+    EXPECT_NE(told(check(part, 1.0 / 16)).find("misses its end"), std::string::npos);
+}
+
+// The bore touches a round boss beside it, in a point of the floor that neither has a corner in.
+TEST(Check, FindsCirclesThatTouch) {
+    Part part;
+    const Vec3 up{0, 0, 1};
+    Face floor;
+    floor.surface.form = Plane{{}, up};
+    const auto circle = [&](Vec3 centre, double radius, bool is_forward) {
+        const auto v = static_cast<std::uint32_t>(part.vertices.size());
+        // Not where they touch, nor half a step of 3.75 degrees from there.
+        const double cosine = std::cos(1.01), sine = std::sin(1.01);
+        part.vertices.push_back(centre + radius * Vec3{cosine, sine, 0});
+        floor.loops.push_back({{static_cast<std::uint32_t>(part.edges.size()), is_forward}});
+        part.edges.push_back({v, v, Circle{centre, up, radius}});
+    };
+    circle({}, 50, true);
+    circle({-8, 0, 0}, 8, false);
+    circle({5, 0, 0}, 5, false);
+    floor.frame = {{}, up, {1, 0, 0}};
+    part.faces.push_back(floor);
+    double miss = 0.0;
+    EXPECT_EQ(faults_of(part, 0, 1e-9, miss).size(), 1U);
+    std::get<Circle>(part.edges[2].curve).centre.x += 1e-5;
+    part.vertices[2].x += 1e-5;
+    EXPECT_EQ(faults_of(part, 0, 1e-9, miss).size(), 0U);
+    EXPECT_EQ(faults_of(part, 0, 1e-9, miss, 1e-4).size(), 1U);
+}
+
 TEST(Check, FindsLoopsThatCross) {
     Part part = solid_named("bored_box").part;
     for (Edge& edge : part.edges) {
@@ -87,34 +127,105 @@ TEST(Check, FindsTheLongWayRound) {
     EXPECT_NE(told(check(part, kTolerance)), "");
 }
 
-// A post of five corners, two of them 1.4e-8 mm apart: readers take these for one, and find its
-// walls open.
-TEST(Apart, KeepsCornersThatReadersWouldTakeForOne) {
-    cda::Boundary post;
-    const double near = 1e-8;
+// Walls and lids of a post with these corners, 5 high.
+Part post(const std::vector<std::pair<double, double>>& corners) {
+    cda::Boundary walls;
     for (const double z : {0.0, 5.0}) {
-        for (const auto& [x, y] : {std::pair{0.0, 0.0},
-                                   {10.0, 0.0},
-                                   {10.0, 10.0 - near},
-                                   {10.0 - near, 10.0},
-                                   {0.0, 10.0}})
-            post.vertices.push_back({x, y, z});
+        for (const auto& [x, y] : corners)
+            walls.vertices.push_back({x, y, z});
     }
-    post.shells = 1;
-    const double diagonal = std::sqrt(0.5);
-    const Vec3 normals[] = {{0, -1, 0}, {1, 0, 0}, {diagonal, diagonal, 0}, {0, 1, 0}, {-1, 0, 0}};
-    for (std::uint32_t i = 0; i < 5; ++i) {
-        const std::uint32_t j = (i + 1) % 5;
-        post.faces.push_back({normals[i], 0.0, cda::kStockOrigin, 0, {{i, j, j + 5, i + 5}}});
+    walls.shells = 1;
+    const auto n = static_cast<std::uint32_t>(corners.size());
+    cda::BoundaryFace top{{0, 0, 1}, 5.0, cda::kStockOrigin, 0, {{}}}, bottom = top;
+    bottom.normal = {0, 0, -1};
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t j = (i + 1) % n;
+        const Vec3 along = walls.vertices[j] - walls.vertices[i];
+        walls.faces.push_back({cda::normalized(cda::cross(along, {0, 0, 1})),
+                               0.0,
+                               cda::kStockOrigin,
+                               0,
+                               {{i, j, j + n, i + n}}});
+        top.loops[0].push_back(i + n);
+        bottom.loops[0].insert(bottom.loops[0].begin(), i);
     }
-    post.faces.push_back({{0, 0, 1}, 5.0, cda::kStockOrigin, 0, {{5, 6, 7, 8, 9}}});
-    post.faces.push_back({{0, 0, -1}, 0.0, cda::kStockOrigin, 0, {{4, 3, 2, 1, 0}}});
-    Part part = faceted(post, std::vector<std::vector<cda::Origin>>(7, {cda::kStockOrigin}));
+    walls.faces.push_back(top);
+    walls.faces.push_back(bottom);
+    return faceted(walls,
+                   std::vector<std::vector<cda::Origin>>(walls.faces.size(), {cda::kStockOrigin}));
+}
+
+double shortest_edge(const Part& part) {
+    double shortest = 1e9;
+    for (const Face& face : part.faces) {
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part.edges[use.edge];
+                shortest = std::min(shortest,
+                                    cda::norm(part.vertices[edge.to] - part.vertices[edge.from]));
+            }
+        }
+    }
+    return shortest;
+}
+
+// Two of its five corners are 1.4e-8 mm apart: readers take these for one, and find its walls open.
+TEST(Apart, MakesOneOfCornersThatReadersWouldTakeForOne) {
+    const double near = 1e-8;
+    Part part = post({{0, 0}, {10, 0}, {10, 10 - near}, {10 - near, 10}, {0, 10}});
     keep_apart(part);
-    EXPECT_EQ(part.edges.size(), 15U);
-    for (const Edge& edge : part.edges)
-        EXPECT_GT(cda::norm(part.vertices[edge.to] - part.vertices[edge.from]), 9e-6);
+    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_GT(shortest_edge(part), 4.9);
     EXPECT_EQ(told(check(part, 1e-4)), "");
+}
+
+// A spur of 1e-7 mm, at 3 degrees to one of its walls: longer, it would be nearer to the wall than
+// readers can tell.
+TEST(Apart, MakesNoSpursOfCorners) {
+    const double near = 1e-7;
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {near, 10 - 0.05 * near}});
+    keep_apart(part);
+    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_EQ(told(check(part, 1e-4)), "");
+}
+
+// The lid of a post goes on as a line into a wall, which has a hole with two edges there.
+TEST(Apart, TakesOutWhatHasNoWidth) {
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    const auto tip = static_cast<std::uint32_t>(part.vertices.size());
+    part.vertices.push_back({5, 0, 2});
+    Loop& lid = part.faces[4].loops.front();
+    const EdgeUse first = lid.front();
+    const std::uint32_t corner =
+        first.is_forward ? part.edges[first.edge].from : part.edges[first.edge].to;
+    const auto there = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.push_back({corner, tip, Line{}});
+    part.edges.push_back({tip, corner, Line{}});
+    lid.insert(lid.begin(), {{there, true}, {there + 1, true}});
+    part.faces[0].loops.push_back({{there + 1, false}, {there, false}});
+    EXPECT_NE(told(check(part, 10.0)), "");
+    keep_apart(part);
+    EXPECT_EQ(told(check(part, 1e-9)), "");
+    EXPECT_EQ(part.faces.size(), 6U);
+}
+
+// Both ends of a short edge have a neighbour in common that no face beside the edge has: as one
+// point they would have two edges to it.
+TEST(Apart, KeepsCornersThatHoldTheSurfaceTogether) {
+    cda::Boundary two;
+    two.vertices = {{0, 0, 5}, {0, 0, -5}, {5, 0, 0}, {-5, -5e-8, 0}, {-5, 5e-8, 0}};
+    two.shells = 1;
+    const std::vector<std::vector<std::uint32_t>> corners{{0, 3, 2}, {0, 2, 4}, {0, 4, 3},
+                                                          {1, 2, 3}, {1, 4, 2}, {1, 3, 4}};
+    for (const auto& loop : corners) {
+        const Vec3 a = two.vertices[loop[0]], b = two.vertices[loop[1]], c = two.vertices[loop[2]];
+        two.faces.push_back(
+            {cda::normalized(cda::cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
+    }
+    Part part = faceted(two, std::vector<std::vector<cda::Origin>>(6, {cda::kStockOrigin}));
+    keep_apart(part);
+    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_GT(shortest_edge(part), 9e-6);
 }
 
 }  // namespace

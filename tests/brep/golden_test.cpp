@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -132,6 +133,11 @@ std::vector<Golden> goldens() {
          "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X60\nG0 Z5\n",
          {6, 1, 0, 2, 0},
          kBlock - 40.0 * ball_section() - ball_cap()},
+        // Four degrees: the lune at the bend would be 2 um high.
+        {"bent_ball_groove",
+         "T3 M6\nG0 X20 Y30 Z5\nG1 Z-3\nG1 X40\nG1 X60 Y31.4\nG0 Z5\n",
+         {6, 2, 0, 2, 0},
+         kBlock - (20.0 + std::sqrt(400.0 + 1.4 * 1.4)) * ball_section() - ball_cap()},
         {"ball_ring",
          "T3 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {7, 0, 0, 0, 1},
@@ -173,6 +179,95 @@ TEST_P(GoldenPart, HasTheFacesOfItsDrawingAtAnyTolerance) {
 
 INSTANTIATE_TEST_SUITE_P(Recognise, GoldenPart, testing::ValuesIn(goldens()),
                          [](const auto& tested) { return tested.param.name; });
+
+// Over squares of 0.02 mm, what the ball of 8 mm takes out, so deep, that passes within `distance`
+// of their middles.
+template <typename Distance>
+double removed_by_ball(double depth, const Distance& distance) {
+    constexpr double kStep = 0.02;
+    double sum = 0.0;
+    for (double x = 0.5 * kStep; x < 80.0; x += kStep) {
+        for (double y = 0.5 * kStep; y < 60.0; y += kStep) {
+            const double d = distance(x, y);
+            if (d < 4.0) sum += std::max(depth - 4.0 + std::sqrt(16.0 - d * d), 0.0);
+        }
+    }
+    return sum * kStep * kStep;
+}
+
+// Where the way ends, the ball leaves a cap; the pipe of an earlier line, longer, passes through
+// its middle by chance. It joined that as if the way did no more than bend there.
+TEST(Recognise, KeepsTheBallAtTheEndOfAWay) {
+    const Golden golden{
+        "hook", "T3 M6\nG0 X35 Y30 Z5\nG1 Z-6\nG1 X45\nG2 X51 Y30 I3 J3\nG0 Z5\n", {}, 0.0};
+    const double radius = std::sqrt(18.0);
+    const auto distance = [&](double x, double y) {
+        const double u = x - 48.0, v = y - 33.0;
+        const bool is_below = v < -std::abs(u);  // where the arc is not
+        const double ends =
+            std::min(std::hypot(x - 45.0, y - 30.0), std::hypot(x - 51.0, y - 30.0));
+        const double arc = is_below ? ends : std::abs(std::hypot(u, v) - radius);
+        const double line = std::hypot(std::min(x - 35.0, 0.0) + std::max(x - 45.0, 0.0), y - 30.0);
+        return std::min(arc, line);
+    };
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    EXPECT_NEAR(volume(made.solid.part), kBlock - removed_by_ball(6.0, distance), 0.1);
+}
+
+// A groove through a ring of the same depth: at the bottom of both, four curves end in one point,
+// and what is left of either begins anew.
+TEST(Recognise, PipesThatCrossAreCutInTheirCrossing) {
+    const Golden golden{"crossing",
+                        "T3 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\nG0 X-10 Y30\n"
+                        "G1 Z-3\nG1 X90\nG0 Z5\n",
+                        {},
+                        0.0};
+    const auto distance = [](double x, double y) {
+        const double ring = std::abs(std::hypot(x - 40.0, y - 30.0) - 15.0);
+        return std::min(ring, std::abs(y - 30.0));
+    };
+    for (const double tolerance : {0.05, 0.01}) {
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 3, 0, 0, 2}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_NEAR(volume(made.solid.part), kBlock - removed_by_ball(3.0, distance), 0.1);
+    }
+}
+
+TEST(Recognise, GroovesThatCrossAreCutInTheirCrossing) {
+    const Golden golden{"cross",
+                        "T3 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\nG0 X40 Y-10\nG1 Z-3\n"
+                        "G1 Y70\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 4, 0, 0, 0}));
+    const auto distance = [](double x, double y) {
+        return std::min(std::abs(x - 40.0), std::abs(y - 30.0));
+    };
+    EXPECT_NEAR(volume(made.solid.part), kBlock - removed_by_ball(3.0, distance), 0.1);
+}
+
+// Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
+// miss their common corner by almost a micrometre, and cross beside it.
+TEST(Recognise, ArcsEndInTheirCorners) {
+    const Golden golden{"bends",
+                        "T1 M6\nG0 X35 Y11.34 Z5\nG1 Z-4\nG3 X38.66 Y25 I-5 J8.66\n"
+                        "G2 X41.588 Y35.93 I6.928 J4\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 6, 0, 0, 0}));
+    for (const Edge& edge : made.solid.part.edges) {
+        const auto* circle = std::get_if<Circle>(&edge.curve);
+        if (!circle) continue;
+        for (const std::uint32_t v : {edge.from, edge.to}) {
+            const Vec3 out = made.solid.part.vertices[v] - circle->centre;
+            EXPECT_NEAR(cda::norm(out), circle->radius, 2e-7);
+        }
+    }
+}
 
 TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
     const Golden golden = goldens()[4];

@@ -27,3 +27,16 @@ set_tests_properties(brep.write_random_parts PROPERTIES FIXTURES_SETUP brep_rand
 add_test(NAME brep.random_parts_are_read_by_opencascade COMMAND ncsim_read_step ${random})
 set_tests_properties(brep.random_parts_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_random)
+
+# Of a solid as a mesh its own program is within what all of them are off.
+find_package(OpenCASCADE CONFIG REQUIRED)
+add_executable(ncsim_mesh_step brep/mesh_step.cpp)
+target_compile_features(ncsim_mesh_step PRIVATE cxx_std_20)
+target_include_directories(ncsim_mesh_step SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+target_link_libraries(ncsim_mesh_step PRIVATE TKernel TKMath TKBRep TKTopAlgo TKMesh TKSTL TKXSBase
+  TKSTEP)
+add_test(NAME brep.solids_are_designs_of_their_programs COMMAND ${CMAKE_COMMAND}
+  -D NCSIM=$<TARGET_FILE:ncsim> -D MESH_STEP=$<TARGET_FILE:ncsim_mesh_step>
+  -D PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc
+  -D WORK=${CMAKE_CURRENT_BINARY_DIR}/brep/round_trip
+  -P ${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip.cmake)

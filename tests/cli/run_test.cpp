@@ -307,6 +307,25 @@ TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     EXPECT_TRUE(contains(folder.read("a.json"), "\"facets_kept\"")) << folder.read("a.json");
 }
 
+TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
+    Folder folder;
+    // At the corner X100 Y0 the pipe of the first line ends less than a facet beside the second
+    // one.
+    folder.write("corner.nc",
+                 "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,100.,100.,40.,0.,0.,40.)\n"
+                 "G21 G90\nT1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y0. Z-4.168 F1500.\n"
+                 "X100. Y0. Z-6.265\nX100. Y25. Z-6.265\nG0 Z20.\nM30\n");
+    const Ran finer = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
+                                  "analytic", "--step-strict", "--report", "a.json"});
+    EXPECT_EQ(finer.exit_code, 0) << finer.err;
+    EXPECT_TRUE(contains(finer.out, "from a cut with round tools within 0.0")) << finer.out;
+    EXPECT_TRUE(contains(folder.read("a.json"), "\"refined_to_mm\": 0.0"));
+    const Ran once = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
+                                 "analytic", "--step-refine", "0"});
+    EXPECT_EQ(once.exit_code, 0) << once.err;
+    EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
+}
+
 TEST(Run, ASolidOfTooManyFacesIsRefused) {
     Folder folder;
     folder.write("slot.nc", kSlot);

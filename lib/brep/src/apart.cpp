@@ -1,17 +1,304 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/apart.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
 namespace ncsim::brep {
 
+namespace {
+
+constexpr double kShort = 3e-7, kLeast = 1e-5;  // mm
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+using Numbers = std::vector<std::uint32_t>;
+
+void make_set(Numbers& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+Numbers common(const Numbers& a, const Numbers& b) {
+    Numbers both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
+
+double length_of(const Part& part, const Edge& edge) {
+    return cda::norm(part.vertices[edge.to] - part.vertices[edge.from]);
+}
+
+// Makes points of edges, where that changes nothing but lengths (the link condition: Dey,
+// Edelsbrunner, Guha, Nekhayev, Topology Preserving Edge Contraction, 1999): what is beside such an
+// edge on both sides is all that its ends have in common.
+class Contraction {
+public:
+    explicit Contraction(Part& part)
+        : part_(part),
+          faces_at_(part.vertices.size()),
+          edges_at_(part.vertices.size()),
+          radius_(part.vertices.size(), 0.0),
+          is_flat_(part.vertices.size(), true) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop) {
+                    const Edge& edge = part.edges[use.edge];
+                    for (const std::uint32_t v : {edge.from, edge.to}) {
+                        const bool is_flat =
+                            std::holds_alternative<Line>(edge.curve) &&
+                            std::holds_alternative<Plane>(part.faces[f].surface.form);
+                        is_flat_[v] = is_flat_[v] && is_flat;
+                        faces_at_[v].push_back(f);
+                        edges_at_[v].push_back(use.edge);
+                    }
+                }
+            }
+        }
+        for (auto* at : {&faces_at_, &edges_at_}) {
+            for (Numbers& numbers : *at)
+                make_set(numbers);
+        }
+    }
+
+    // Do planes alone meet at both ends?
+    bool is_flat(const Edge& edge) const { return is_flat_[edge.from] && is_flat_[edge.to]; }
+
+    void contract(std::uint32_t number) {
+        const Edge short_one = part_.edges[number];
+        const std::uint32_t kept = short_one.from, gone = short_one.to;
+        if (kept == gone || !is_flat(short_one)) return;
+        const double radius = radius_[gone] + length_of(part_, short_one);
+        if (radius > 2.0 * kLeast) return;
+        const Numbers sides = common(faces_at_[kept], faces_at_[gone]);
+        if (sides.size() != 2) return;
+        Numbers tips;
+        for (const std::uint32_t f : sides) {
+            if (!is_simple_at(part_.faces[f], number, gone)) return;
+            if (is_triangle(part_.faces[f])) tips.push_back(tip(part_.faces[f], short_one));
+        }
+        make_set(tips);
+        if (common(neighbours(kept), neighbours(gone)) != tips) return;
+        for (const std::uint32_t f : sides) {
+            for (Loop& loop : part_.faces[f].loops)
+                std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
+        }
+        for (const std::uint32_t e : edges_at_[gone]) {
+            Edge& edge = part_.edges[e];
+            if (edge.from == gone) edge.from = kept;
+            if (edge.to == gone) edge.to = kept;
+        }
+        radius_[kept] = std::max(radius_[kept], radius);
+        move_to(kept, gone, faces_at_);
+        move_to(kept, gone, edges_at_);
+        std::erase(edges_at_[kept], number);
+        for (const std::uint32_t f : sides) {
+            Face& face = part_.faces[f];
+            if (face.loops.front().size() < 3) {
+                take_out(f);
+            } else {
+                face.frame = frame_for(part_, face);
+            }
+        }
+    }
+
+private:
+    static void move_to(std::uint32_t kept, std::uint32_t gone, std::vector<Numbers>& at) {
+        at[kept].insert(at[kept].end(), at[gone].begin(), at[gone].end());
+        make_set(at[kept]);
+        at[gone].clear();
+    }
+
+    Numbers neighbours(std::uint32_t v) const {
+        Numbers all;
+        for (const std::uint32_t e : edges_at_[v])
+            all.push_back(part_.edges[e].from == v ? part_.edges[e].to : part_.edges[e].from);
+        make_set(all);
+        return all;
+    }
+
+    static bool is_triangle(const Face& face) {
+        return face.loops.size() == 1 && face.loops.front().size() == 3;
+    }
+
+    std::uint32_t begin_of(const EdgeUse& use) const {
+        const Edge& edge = part_.edges[use.edge];
+        return use.is_forward ? edge.from : edge.to;
+    }
+
+    std::uint32_t tip(const Face& triangle, const Edge& edge) const {
+        for (const EdgeUse& use : triangle.loops.front()) {
+            const std::uint32_t v = begin_of(use);
+            if (v != edge.from && v != edge.to) return v;
+        }
+        return edge.from;
+    }
+
+    // Does it have the edge, in a loop that remains one, and come to the vertex once?
+    bool is_simple_at(const Face& face, std::uint32_t edge, std::uint32_t vertex) const {
+        bool has_edge = false;
+        int visits = 0;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                if (use.edge == edge) has_edge = loop.size() > 3 || is_triangle(face);
+                if (begin_of(use) == vertex) ++visits;
+            }
+        }
+        return has_edge && visits == 1;
+    }
+
+    // A face with two edges, between the same vertices: its neighbours share one of them.
+    void take_out(std::uint32_t f) {
+        Loop& loop = part_.faces[f].loops.front();
+        const EdgeUse stays = loop[0], goes = loop[1];
+        const Edge edge = part_.edges[goes.edge];
+        for (const std::uint32_t other : faces_at_[edge.from]) {
+            if (other == f) continue;
+            for (Loop& around : part_.faces[other].loops) {
+                for (EdgeUse& use : around) {
+                    if (use.edge != goes.edge) continue;
+                    // It ran against one of them, which ran against the other.
+                    use = {stays.edge, stays.is_forward};
+                }
+            }
+        }
+        loop.clear();
+        for (const std::uint32_t v : {edge.from, edge.to}) {
+            std::erase(faces_at_[v], f);
+            std::erase(edges_at_[v], goes.edge);
+        }
+        part_.edges[goes.edge].to = edge.from;
+    }
+
+    Part& part_;
+    std::vector<Numbers> faces_at_, edges_at_;  // of each vertex, ascending
+    std::vector<double> radius_;                // how far away from each are those that became it
+    std::vector<bool> is_flat_;
+};
+
+// Two straight edges one after the other, there and back, have nothing between them: they go, and
+// what is beyond them meets.
+class Spikes {
+public:
+    explicit Spikes(Part& part) : part_(part), faces_of_(part.edges.size()) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop)
+                    faces_of_[use.edge].push_back(f);
+            }
+            waiting_.push_back(f);
+        }
+    }
+
+    // True: something has gone.
+    bool take_out() {
+        bool any = false;
+        while (!waiting_.empty()) {
+            const std::uint32_t f = waiting_.back();
+            waiting_.pop_back();
+            while (take_one_out(f))
+                any = true;
+        }
+        return any;
+    }
+
+private:
+    bool take_one_out(std::uint32_t f) {
+        std::vector<Loop>& loops = part_.faces[f].loops;
+        for (std::size_t l = 0; l < loops.size(); ++l) {
+            for (std::size_t i = 0; i < loops[l].size(); ++i) {
+                const std::size_t next = (i + 1) % loops[l].size();
+                const EdgeUse there = loops[l][i], back = loops[l][next];
+                if (next == i || !are_spike(there, back)) continue;
+                Loop left;
+                for (std::size_t k = 0; k < loops[l].size(); ++k) {
+                    if (k != i && k != next) left.push_back(loops[l][k]);
+                }
+                loops[l] = left;
+                if (left.empty() && loops.size() > 1)
+                    loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
+                if (there.edge != back.edge) join(f, there, back);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool are_spike(const EdgeUse& there, const EdgeUse& back) const {
+        const Edge &a = part_.edges[there.edge], &b = part_.edges[back.edge];
+        return std::holds_alternative<Line>(a.curve) && std::holds_alternative<Line>(b.curve) &&
+               (there.is_forward ? a.from : a.to) == (back.is_forward ? b.to : b.from) &&
+               (there.is_forward ? a.to : a.from) == (back.is_forward ? b.from : b.to);
+    }
+
+    // Who had `back` has `there`, against whom had that.
+    void join(std::uint32_t f, const EdgeUse& there, const EdgeUse& back) {
+        std::erase(faces_of_[there.edge], f);
+        std::erase(faces_of_[back.edge], f);
+        for (const std::uint32_t other : faces_of_[back.edge]) {
+            for (Loop& loop : part_.faces[other].loops) {
+                for (EdgeUse& use : loop) {
+                    if (use.edge == back.edge) use = there;
+                }
+            }
+            faces_of_[there.edge].push_back(other);
+        }
+        faces_of_[back.edge].clear();
+        for (const std::uint32_t beside : faces_of_[there.edge])
+            waiting_.push_back(beside);
+    }
+
+    Part& part_;
+    std::vector<Numbers> faces_of_;  // of each edge
+    Numbers waiting_;
+};
+
+// Faces that have no edges any more.
+void drop_empty(Part& part) {
+    std::vector<std::uint32_t> number(part.faces.size());
+    std::uint32_t count = 0;
+    const auto is_empty = [](const Face& face) { return face.loops.front().empty(); };
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f)
+        number[f] = is_empty(part.faces[f]) ? kNone : count++;
+    const auto renumber = [&](Shell& shell) {
+        for (std::uint32_t& f : shell)
+            f = number[f];
+        std::erase(shell, kNone);
+    };
+    for (Solid& solid : part.solids) {
+        renumber(solid.outside);
+        for (Shell& shell : solid.voids)
+            renumber(shell);
+    }
+    std::erase_if(part.faces, is_empty);
+}
+
+}  // namespace
+
 void keep_apart(Part& part) {
-    constexpr double kShort = 3e-7, kLeast = 1e-5;  // mm
+    if (Spikes(part).take_out()) drop_empty(part);
+    std::vector<std::pair<double, std::uint32_t>> low;
+    for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
+        const double length = length_of(part, part.edges[e]);
+        if (length < kLeast) low.emplace_back(length, e);
+    }
+    if (low.empty()) return;
+    std::sort(low.begin(), low.end());
+    Contraction contraction(part);
+    for (const auto& [length, edge] : low)
+        contraction.contract(edge);
+    Spikes(part).take_out();
+    drop_empty(part);
     // One may bring another one's ends nearer.
     constexpr int kPasses = 3;
     for (int pass = 0; pass < kPasses; ++pass) {
         for (const Edge& edge : part.edges) {
             Vec3 &a = part.vertices[edge.from], &b = part.vertices[edge.to];
-            const double length = cda::norm(b - a);
-            if (length >= kShort || length == 0.0) continue;
+            const double length = length_of(part, edge);
+            if (length >= kShort || length == 0.0 || !contraction.is_flat(edge)) continue;
             const Vec3 move = (0.5 * (kLeast - length) / length) * (b - a);
             a = a - move;
             b = b + move;

@@ -7,8 +7,11 @@
 #include "spline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace ncsim::brep {
@@ -20,6 +23,7 @@ using cda::dot;
 using cda::norm;
 
 constexpr double kPoint = 1e-7;
+constexpr double kRounded = 2e-7;
 constexpr int kTip = -1;            // no number of edges
 constexpr double kApexReach = 0.3;  // mm
 
@@ -64,13 +68,23 @@ double turned(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis) {
 void Chains::trace() {
     chains_.clear();
     vertices_.clear();
-    vertex_of_.clear();
-    std::unordered_map<std::uint32_t, int> degree;
+    vertex_of_.assign(mesh_.corners(), kNone);
+    std::vector<int> degree(mesh_.corners(), 0);
     std::vector<std::uint32_t> boundary;
     for (std::uint32_t h = 0; h < mesh_.edges().size(); ++h) {
         if (!groups_.is_boundary(h)) continue;
         boundary.push_back(h);
         ++degree[mesh_.edges()[h].from];
+    }
+    std::vector<std::uint32_t> one_from(mesh_.corners(), kNone);
+    for (const std::uint32_t h : boundary) {
+        const std::uint32_t v = mesh_.edges()[h].from;
+        if (degree[v] != 2) continue;
+        if (one_from[v] == kNone) {
+            one_from[v] = h;
+        } else if (is_crossing(one_from[v], h)) {
+            degree[v] = kTip;
+        }
     }
     for (const std::uint32_t h : boundary) {
         const std::uint32_t v = mesh_.edges()[h].from;
@@ -120,6 +134,20 @@ bool Chains::is_beside_facet(std::uint32_t h) const {
     return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.group_beyond(h));
 }
 
+// Both edges go on from one corner, between two pipes: is it the nearest to where they cross?
+bool Chains::is_crossing(std::uint32_t h, std::uint32_t other) const {
+    const std::uint32_t left = groups_.group_at(h), right = groups_.group_beyond(h);
+    if (!groups_[left].is_analytic || !groups_[right].is_analytic) return false;
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from);
+    const auto at = crossing_of(groups_.form_of(left), groups_.form_of(right), p);
+    if (!at) return false;
+    const double far = norm(p - *at);
+    const double error = std::max(groups_.error_of(left), groups_.error_of(right));
+    return far <= norm(mesh_.point(mesh_.to(h)) - *at) &&
+           far <= norm(mesh_.point(mesh_.to(other)) - *at) &&
+           far <= std::max(mesh_.length(h), mesh_.length(other)) + 4.0 * error;
+}
+
 // Where a surface passes through the apex of a cone, their edge has a corner.
 bool Chains::is_tip(std::uint32_t h) const {
     const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
@@ -135,10 +163,12 @@ bool Chains::is_tip(std::uint32_t h) const {
 }
 
 std::uint32_t Chains::vertex_at(std::uint32_t v) {
-    const auto [at, is_new] =
-        vertex_of_.try_emplace(v, static_cast<std::uint32_t>(vertices_.size()));
-    if (is_new) vertices_.push_back({mesh_.point(v), {}, 0.0});
-    return at->second;
+    std::uint32_t& number = vertex_of_[v];
+    if (number == kNone) {
+        number = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back({mesh_.point(v), {}, 0.0});
+    }
+    return number;
 }
 
 // How far a corner of the polygon may be from the true one.
@@ -151,43 +181,52 @@ double Chains::reach(const std::vector<std::uint32_t>& around) const {
     return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
 }
 
-void Chains::solve_vertices() {
-    for (Vertex& v : vertices_) {
-        const Vec3 start = v.at;
-        if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); })) {
-            if (!solve_beside_facets(v)) failures_.push_back(v.groups);
-            continue;
-        }
-        std::vector<std::uint32_t> numbers;
-        bool all_flat = true;
-        for (const std::uint32_t g : v.groups) {
-            numbers.push_back(groups_[g].surface);
-            all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
-        }
-        std::sort(numbers.begin(), numbers.end());
-        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-        std::vector<const Form*> forms;
-        for (const std::uint32_t n : numbers)
-            forms.push_back(&mesh_.surface(n).form);
-        const std::size_t count = forms.size();
-        std::vector<Form> touching;
-        touching.reserve(count * count);
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t j = i + 1; j < count; ++j) {
-                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
-            }
-        }
-        for (const Form& t : touching)
-            forms.push_back(&t);
-        if (!at_apex(forms, v.at)) brep::solve(forms, v.at);
-        v.miss = farthest(numbers, v.at);
-        const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
-        if (!is_lost) continue;
-        // Planes that were made to meet within less than anybody sees.
-        v.at = start;
-        v.miss = farthest(numbers, v.at);
-        if (!all_flat || v.miss > kFlat) failures_.push_back(v.groups);
+bool Chains::solve_vertex(Vertex& v) const {
+    const Vec3 start = v.at;
+    if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
+        return solve_beside_facets(v);
+    std::vector<std::uint32_t> numbers;
+    bool all_flat = true;
+    for (const std::uint32_t g : v.groups) {
+        numbers.push_back(groups_[g].surface);
+        all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
     }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    std::vector<const Form*> forms;
+    for (const std::uint32_t n : numbers)
+        forms.push_back(&mesh_.surface(n).form);
+    const std::size_t count = forms.size();
+    if (count == 2) {
+        const auto crossing = crossing_of(*forms[0], *forms[1], v.at);
+        if (crossing && norm(*crossing - v.at) <= reach(v.groups)) {
+            v.at = *crossing;
+            v.miss = farthest(numbers, v.at);
+            v.is_crossing = true;
+            return true;
+        }
+    }
+    std::vector<Form> touching;
+    touching.reserve(count * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            if (auto t = touch(*forms[i], *forms[j])) {
+                touching.push_back(*t);
+                v.is_touch = true;
+            }
+            if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+        }
+    }
+    for (const Form& t : touching)
+        forms.push_back(&t);
+    if (!at_apex(forms, v.at)) brep::solve(forms, v.at);
+    v.miss = farthest(numbers, v.at);
+    const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
+    if (!is_lost) return true;
+    // Planes that were made to meet within less than anybody sees.
+    v.at = start;
+    v.miss = farthest(numbers, v.at);
+    return all_flat && v.miss <= kFlat;
 }
 
 // A corner of facets stays where it is, or goes to where the faces beside them meet: within
@@ -213,12 +252,13 @@ bool Chains::solve_beside_facets(Vertex& v) const {
         for (std::size_t i = 0; i < forms.size(); ++i) {
             for (std::size_t j = i + 1; j < forms.size(); ++j) {
                 if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
+                if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
             }
         }
         for (const Form& t : touching)
             forms.push_back(&t);
         Vec3 p = v.at;
-        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= kBesideFacets * error &&
+        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= reach(v.groups) &&
             off(p) <= kBesideFacets * error) {
             v.at = p;
             return true;
@@ -235,6 +275,7 @@ double Chains::farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) cons
 }
 
 std::vector<Vec3> Chains::points_of(const Chain& chain) const {
+    if (chain.is_flipped) return {vertices_[chain.from].at, vertices_[chain.to].at};
     std::vector<Vec3> points;
     for (const std::uint32_t h : chain.edges)
         points.push_back(mesh_.point(mesh_.edges()[h].from));
@@ -242,22 +283,115 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
     return points;
 }
 
-void Chains::solve() {
-    solve_vertices();
-    if (!failures_.empty()) return;
+void Chains::solve(bool corners_first) {
+    for (Vertex& v : vertices_) {
+        v.has_failed = !solve_vertex(v);
+        if (v.has_failed) failures_.push_back({v.groups, true});
+    }
+    if (corners_first && !failures_.empty()) return;
+    // One may turn another one round.
+    constexpr int kMostPasses = 4;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        if (!flip_reversed()) break;
+    }
     for (Chain& chain : chains_)
         solve_chain(chain);
+}
+
+// Where the corners of four faces almost meet, large facets may have them in the wrong order: of
+// the chain between two of the faces, what should be its end comes first. Then it is the other two
+// that meet. With A on the left, B on the right, C behind and D ahead, the chain ran from A, B, C
+// to A, B, D; now it runs from A, C, D to B, C, D, with D on its left.
+bool Chains::flip_reversed() {
+    std::vector<std::array<std::uint32_t, 3>> at(vertices_.size(), {kNone, kNone, kNone});
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        for (const std::uint32_t v : {chains_[c].from, chains_[c].to}) {
+            const auto place = std::ranges::find(at[v], kNone);
+            if (place != at[v].end()) *place = c;
+        }
+    }
+    bool any = false;
+    for (std::uint32_t c = 0; c < chains_.size(); ++c)
+        any = flip(c, at) || any;
+    return any;
+}
+
+bool Chains::flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at) {
+    Chain& chain = chains_[number];
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_flipped || chain.from == chain.to) return false;
+    if (from.groups.size() != 3 || to.groups.size() != 3) return false;
+    if (from.has_failed || to.has_failed) return false;
+    const Vec3 way = to.at - from.at;
+    if (dot(way, way_of(chain)) >= 0.0 || norm(way) <= kPoint) return false;
+    const std::uint32_t a = chain.left, b = chain.right;
+    const auto third = [&](const Vertex& v) {
+        for (const std::uint32_t g : v.groups) {
+            if (g != a && g != b) return g;
+        }
+        return kNone;
+    };
+    const std::uint32_t c = third(from), d = third(to);
+    if (c == kNone || d == kNone || c == d) return false;
+    for (const std::uint32_t g : {a, b, c, d}) {
+        if (groups_.is_facet(g)) return false;
+    }
+    if (groups_[c].surface == groups_[d].surface) return false;
+    const auto sorted = [](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+        std::vector<std::uint32_t> three{p, q, r};
+        std::sort(three.begin(), three.end());
+        return three;
+    };
+    Vertex first{from.at, sorted(a, c, d), 0.0}, second{to.at, sorted(b, c, d), 0.0};
+    if (!solve_vertex(first) || !solve_vertex(second)) return false;
+    // Of the four chains around, one at each end changes it.
+    const auto other = [&](std::uint32_t v, std::uint32_t g, std::uint32_t h) {
+        for (const std::uint32_t e : at[v]) {
+            if (e == number || e == kNone) continue;
+            const Chain& beside = chains_[e];
+            if ((beside.left == g && beside.right == h) || (beside.left == h && beside.right == g))
+                return e;
+        }
+        return kNone;
+    };
+    const std::uint32_t up = other(chain.to, a, d), down = other(chain.from, b, c);
+    if (up == kNone || down == kNone || other(chain.to, b, d) == kNone ||
+        other(chain.from, a, c) == kNone || up == down)
+        return false;
+    const auto is_loop = [&](std::uint32_t e) { return chains_[e].from == chains_[e].to; };
+    if (is_loop(up) || is_loop(down)) return false;
+    std::ranges::replace(at[chain.to], up, kNone);
+    std::ranges::replace(at[chain.from], down, up);
+    *std::ranges::find(at[chain.to], kNone) = down;
+    for (const auto& [e, old, now] :
+         {std::tuple(up, chain.to, chain.from), std::tuple(down, chain.from, chain.to)}) {
+        Chain& beside = chains_[e];
+        (beside.from == old ? beside.from : beside.to) = now;
+    }
+    from = std::move(first);
+    to = std::move(second);
+    chain.left = d;
+    chain.right = c;
+    chain.is_flipped = true;
+    return true;
+}
+
+// Where a chain goes in the polyhedron.
+Vec3 Chains::way_of(const Chain& chain) const {
+    return mesh_.point(mesh_.to(chain.edges.back())) -
+           mesh_.point(mesh_.edges()[chain.edges.front()].from);
 }
 
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    chain.has_failed = from.has_failed || to.has_failed;
+    if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
     std::vector<Vec3> points = points_of(chain);
     if (!is_loop && norm(to.at - from.at) <= kPoint) {
         // A circle that ends where it begins, or nothing?
-        Vec3 middle = points[points.size() / 2];
-        if (norm(middle - from.at) < reach({chain.left, chain.right})) {
+        if (norm(points[points.size() / 2] - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;
             return;
         }
@@ -267,11 +401,13 @@ void Chains::solve_chain(Chain& chain) {
         chain.curve = Line{};
         return;
     }
-    std::optional<Curve> curve = meet(a, b, from.at, to.at);
+    const Vec3 middle = points.size() > 2 ? points[points.size() / 2] : 0.5 * (from.at + to.at);
+    std::optional<Curve> curve = meet(a, b, from.at, to.at, middle);
     const bool is_straight = curve && std::holds_alternative<Line>(*curve);
     if (is_straight) {
         // A line that comes back is none; nor is one the other way.
-        const bool is_back = dot(to.at - from.at, points.back() - points.front()) < 0.0;
+        const bool is_back =
+            !chain.is_flipped && dot(to.at - from.at, points.back() - points.front()) < 0.0;
         if (is_loop || (is_back && norm(to.at - from.at) > kPoint)) return fail(chain);
         chain.curve = Line{};
         return;
@@ -280,6 +416,9 @@ void Chains::solve_chain(Chain& chain) {
         points.front() = from.at;
         points.back() = to.at;
         auto spline = spline_between(a, b, points);
+        // Where facets are large, corners of the polygon may lie beyond its true ends.
+        if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))
+            spline = spline_between(a, b, {from.at, to.at});
         if (!spline) return fail(chain);
         chain.curve = std::move(*spline);
         return;
@@ -299,13 +438,56 @@ void Chains::solve_chain(Chain& chain) {
         from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
     }
     if (!is_loop) {
-        const double sweep = Track(*curve, from.at, to.at).sweep_degrees();
+        const Track track(*curve, from.at, to.at);
+        // Of the two circles in which a plane meets a ring, each end may be on one.
+        if (norm(track.at(1.0) - to.at) > kTouchMm) return fail(chain);
+        const double sweep = track.sweep_degrees();
         // All but a whole turn: it goes back by the rest.
         if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
             std::abs(sweep - std::abs(rough)) > 180.0)
             return fail(chain);
     }
+    // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
+    // have their ends there, and one direction.
+    const auto is_rounded = [](const Vertex& v) { return v.is_touch && v.miss > kRounded; };
+    if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
+        points.front() = from.at;
+        points.back() = to.at;
+        if (auto spline = spline_between(a, b, points)) *curve = std::move(*spline);
+    }
     chain.curve = std::move(*curve);
+}
+
+// Out of the loops that had it, into those that it is between now.
+void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const {
+    const Chain& chain = chains_[number];
+    for (const std::uint32_t g :
+         {groups_.group_at(chain.edges.front()), groups_.group_beyond(chain.edges.front())}) {
+        for (Loop& loop : all[g])
+            std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
+        std::erase_if(all[g], [](const Loop& loop) { return loop.empty(); });
+    }
+    if (chain.has_vanished) return;
+    const auto begin_of = [&](const EdgeUse& use) {
+        return use.is_forward ? chains_[use.edge].from : chains_[use.edge].to;
+    };
+    const auto end_of = [&](const EdgeUse& use) {
+        return use.is_forward ? chains_[use.edge].to : chains_[use.edge].from;
+    };
+    for (const auto& [g, is_forward] :
+         {std::pair(chain.left, true), std::pair(chain.right, false)}) {
+        const std::uint32_t begin = is_forward ? chain.from : chain.to;
+        const std::uint32_t end = is_forward ? chain.to : chain.from;
+        for (Loop& loop : all[g]) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const std::size_t next = (i + 1) % loop.size();
+                if (end_of(loop[i]) != begin || begin_of(loop[next]) != end) continue;
+                loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                            {number, is_forward});
+                break;
+            }
+        }
+    }
 }
 
 std::vector<std::vector<Loop>> Chains::loops() const {
@@ -332,6 +514,9 @@ std::vector<std::vector<Loop>> Chains::loops() const {
             if (seen[2 * use.chain + (use.is_forward ? 0 : 1)]) break;
         }
         if (!loop.empty()) all[g].push_back(std::move(loop));
+    }
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        if (chains_[c].is_flipped) put_flipped(c, all);
     }
     return all;
 }

@@ -9,8 +9,8 @@
 
 #include "groups.h"
 
+#include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace ncsim::brep {
@@ -21,6 +21,8 @@ struct Chain {
     bool is_closed = false;                  ///< Without a vertex.
     std::uint32_t from = kNone, to = kNone;  ///< Vertices.
     bool has_vanished = false;
+    bool has_failed = false;  ///< Itself, or one of its ends.
+    bool is_flipped = false;  ///< No longer between the groups beside its half-edges.
     Curve curve;
 };
 
@@ -28,6 +30,9 @@ struct Vertex {
     Vec3 at;
     std::vector<std::uint32_t> groups;
     double miss = 0.0;
+    bool is_touch = false;     ///< Of surfaces that touch.
+    bool is_crossing = false;  ///< Of pipes: more than one may be there.
+    bool has_failed = false;
 };
 
 /// In errors of theirs: how far edges of facets may be off the faces beside them.
@@ -41,7 +46,8 @@ public:
 
     /// Of the groups as they are.
     void trace();
-    void solve();
+    /// `corners_first`: where any of these fail, edges are not tried.
+    void solve(bool corners_first);
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -52,19 +58,27 @@ private:
     std::uint32_t vertex_at(std::uint32_t v);
     bool is_beside_facet(std::uint32_t h) const;
     bool is_tip(std::uint32_t h) const;
+    bool is_crossing(std::uint32_t h, std::uint32_t other) const;
     double reach(const std::vector<std::uint32_t>& around) const;
-    void solve_vertices();
+    bool solve_vertex(Vertex& v) const;
+    bool flip_reversed();
+    bool flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at);
+    Vec3 way_of(const Chain& chain) const;
+    void put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const;
     bool solve_beside_facets(Vertex& v) const;
     double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
     void solve_chain(Chain& chain);
-    void fail(const Chain& chain) { failures_.push_back({chain.left, chain.right}); }
+    void fail(Chain& chain) {
+        chain.has_failed = true;
+        failures_.push_back({{chain.left, chain.right}});
+    }
 
     const FacetMesh& mesh_;
     const Groups& groups_;
     Failures& failures_;
     std::vector<Vertex> vertices_;
-    std::unordered_map<std::uint32_t, std::uint32_t> vertex_of_;  // by corner of the boundary
+    std::vector<std::uint32_t> vertex_of_;  // of each corner of the mesh, or none
     std::vector<Chain> chains_;
     std::vector<std::uint32_t> chain_of_;  // of each half-edge
 };

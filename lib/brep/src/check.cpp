@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
-// is one face here, without seams. Cones are seen along their axis; cylinders and rings become
-// rings of paper; of spheres the point opposite the face is where the map has none.
+// is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
+// front; other cylinders and rings become rings of paper; of spheres the point opposite the face is
+// where the map has none.
 #include "ncsim/brep/check.h"
 
 #include "ncsim/trig/angles.h"
@@ -10,12 +11,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep {
+
+using trig::kRadiansPerDegree;
 
 namespace {
 
@@ -23,8 +28,6 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 using cda::normalized;
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 // Gauss-Legendre on (0, 1): exact for polynomials of degree 15.
 constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
@@ -239,8 +242,13 @@ public:
         if (const auto* f = std::get_if<Cylinder>(form_)) {
             low_ = std::numeric_limits<double>::infinity();
             for_edges(part, face, [&](const Track& track, double) {
-                for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
-                    low_ = std::min(low_, axes_(track.at(t)).z);
+                for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                    const Local p = axes_(track.at(t));
+                    low_ = std::min(low_, p.z);
+                    // The x axis points away from the face.
+                    constexpr double kSteep = 0.2;
+                    faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.away;
+                }
             });
             low_ -= 2.0 * f->radius;
         } else if (const auto* c = std::get_if<Cone>(form_)) {
@@ -264,7 +272,8 @@ public:
         const Local p = axes_(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
-        if (std::holds_alternative<Cylinder>(*form_)) return out(p, p.z - low_);
+        if (std::holds_alternative<Cylinder>(*form_))
+            return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
         if (const auto* s = std::get_if<Sphere>(form_)) {
             const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
             return {scale * p.x, scale * p.y};
@@ -275,6 +284,12 @@ public:
         return out(p, t.minor * (1.0 + (degrees - cut_) * kRadiansPerDegree));
     }
 
+    // Is what is straight straight on the map?
+    bool keeps_lines() const {
+        return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
+               (std::holds_alternative<Cylinder>(*form_) && faces_one_way_);
+    }
+
 private:
     static Point out(const Local& p, double radius) {
         return {radius * p.x / p.away, radius * p.y / p.away};
@@ -283,13 +298,20 @@ private:
     const Form* form_;
     Axes axes_;
     double low_ = 0.0, cut_ = 0.0;
+    bool faces_one_way_ = true;  // seen from there, nothing of it hides anything
 };
 
 struct Segment {
     Point a, b;
     std::uint64_t from, to;  // what they are called: neighbours have one in common
-    double low() const { return std::min(a.y, b.y); }
-    double high() const { return std::max(a.y, b.y); }
+    const Track* track;      // of which it is the chord, between two parameters
+    double begin, end;
+    bool is_straight;  // on the map, too
+    double off = 0.0;  // how far it may be from what it stands for
+    double low() const { return std::min(a.y, b.y) - off; }
+    double high() const { return std::max(a.y, b.y) + off; }
+    double left() const { return std::min(a.x, b.x) - off; }
+    double right() const { return std::max(a.x, b.x) + off; }
 };
 
 double turn(Point a, Point b, Point c) {
@@ -310,11 +332,8 @@ bool cross_each_other(const Segment& s, const Segment& t) {
            (turn(t.a, t.b, s.a) > 0.0) != (turn(t.a, t.b, s.b) > 0.0);
 }
 
-// Nearer than this, readers take two points for one, mm.
-constexpr double kTouch = 2e-6;
-
-bool interfere(const Segment& s, const Segment& t) {
-    constexpr double kNear = kTouch * kTouch;
+bool interfere(const Segment& s, const Segment& t, double clear) {
+    const double near = clear * clear;
     // Neighbours have a point in common; what is beyond it must not lie on the other one.
     const bool joined = s.to == t.from;
     const bool joined_back = t.to == s.from;
@@ -324,25 +343,60 @@ bool interfere(const Segment& s, const Segment& t) {
         if (joined && joined_back) return false;
         const Point& s_far = joined || tails ? s.a : s.b;
         const Point& t_far = joined || heads ? t.b : t.a;
-        return squared_distance(s_far, t) < kNear || squared_distance(t_far, s) < kNear;
+        return squared_distance(s_far, t) < near || squared_distance(t_far, s) < near;
     }
-    return cross_each_other(s, t) || squared_distance(s.a, t) < kNear ||
-           squared_distance(s.b, t) < kNear || squared_distance(t.a, s) < kNear ||
-           squared_distance(t.b, s) < kNear;
+    return cross_each_other(s, t) || squared_distance(s.a, t) < near ||
+           squared_distance(s.b, t) < near || squared_distance(t.a, s) < near ||
+           squared_distance(t.b, s) < near;
 }
 
-bool any_interfere(std::vector<Segment> segments) {
+double apart(const Segment& s, const Segment& t) {
+    if (cross_each_other(s, t)) return 0.0;
+    return std::sqrt(std::min({squared_distance(s.a, t), squared_distance(s.b, t),
+                               squared_distance(t.a, s), squared_distance(t.b, s)}));
+}
+
+// Pieces of curves without a common end: chords that come near are halved until it is clear.
+bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth) {
+    if (apart(s, t) >= s.off + t.off + clear) return false;
+    if (depth == 0 || s.off + t.off <= 0.25 * clear) return apart(s, t) < clear;
+    if (s.off < t.off) std::swap(s, t);
+    const double middle = 0.5 * (s.begin + s.end);
+    const Point p = map(s.track->at(middle));
+    // Of both halves of what is nearly a circle, a quarter.
+    const double off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
+    Segment first = s, second = s;
+    first.b = second.a = p;
+    first.end = second.begin = middle;
+    first.off = second.off = off;
+    return curves_interfere(map, first, t, clear, depth - 1) ||
+           curves_interfere(map, second, t, clear, depth - 1);
+}
+
+bool have_common_end(const Segment& s, const Segment& t) {
+    return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
+}
+
+bool any_interfere(const Map& map, std::vector<Segment> segments, double clear) {
+    // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
+    constexpr double kMostOff = 0.1;
+    constexpr int kDepth = 40;
+    for (Segment& s : segments) {
+        const double x = s.b.x - s.a.x, y = s.b.y - s.a.y;
+        if (!s.is_straight) s.off = kMostOff * std::sqrt(x * x + y * y);
+    }
     std::sort(segments.begin(), segments.end(),
               [](const Segment& s, const Segment& t) { return s.low() < t.low(); });
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Segment& s = segments[i];
-        const double left = std::min(s.a.x, s.b.x) - kTouch,
-                     right = std::max(s.a.x, s.b.x) + kTouch;
         for (std::size_t j = i + 1; j < segments.size(); ++j) {
             const Segment& t = segments[j];
-            if (t.low() > s.high() + kTouch) break;
-            if (std::max(t.a.x, t.b.x) < left || std::min(t.a.x, t.b.x) > right) continue;
-            if (interfere(s, t)) return true;
+            if (t.low() > s.high() + clear) break;
+            if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
+            const bool both_straight = s.is_straight && t.is_straight;
+            if (both_straight || have_common_end(s, t) ? interfere(s, t, clear)
+                                                       : curves_interfere(map, s, t, clear, kDepth))
+                return true;
         }
     }
     return false;
@@ -401,7 +455,7 @@ double volume(const Part& part) {
 }
 
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double tolerance_mm,
-                             double& miss_mm) {
+                             double& miss_mm, double clear_mm) {
     const Face& face = part.faces[face_number];
     std::vector<Fault> faults;
     const auto tell = [&](std::string what) { faults.push_back({face_number, std::move(what)}); };
@@ -410,6 +464,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     int outlines = 0;
     double miss = 0.0;
     std::uint64_t inside = std::uint64_t{1} << 32;  // names of points between vertices
+    std::deque<Track> tracks;
     for (const Loop& loop : face.loops) {
         std::vector<Segment> segments;
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -420,14 +475,20 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
             const EdgeUse& next = loop[(i + 1) % loop.size()];
             const Edge& after = part.edges[next.edge];
             if (end != (next.is_forward ? after.from : after.to)) tell("a loop is open");
-            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            const Track& track =
+                tracks.emplace_back(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             const bool is_straight = std::holds_alternative<Line>(edge.curve);
             const std::size_t steps = is_straight ? 4 : 4 * track.pieces();
+            if (!(norm(track.at(1.0) - part.vertices[edge.to]) <= tolerance_mm) ||
+                !(norm(track.at(0.0) - part.vertices[edge.from]) <= tolerance_mm))
+                tell("a curve misses its end");
             Vec3 last = part.vertices[begin];
             std::uint64_t last_name = begin;
+            double last_at = 0.0;
             for (std::size_t k = 0; k <= steps; ++k) {
                 const double t = static_cast<double>(k) / static_cast<double>(steps);
-                Vec3 p = track.at(use.is_forward ? t : 1.0 - t);
+                const double at = use.is_forward ? t : 1.0 - t;
+                Vec3 p = track.at(at);
                 if (k == steps) p = part.vertices[end];
                 miss = std::max(miss, std::abs(distance(face.surface.form, p)));
                 if (const auto* cone = std::get_if<Cone>(&face.surface.form);
@@ -436,10 +497,12 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 }
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
-                    segments.push_back({map(last), map(p), last_name, name});
+                    segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,
+                                        is_straight && map.keeps_lines()});
                     last_name = name;
                 }
                 last = p;
+                last_at = at;
             }
         }
         if (twice_area(segments) > 0.0) ++outlines;
@@ -450,7 +513,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
-    if (any_interfere(std::move(all))) tell("its loops cross or touch");
+    if (any_interfere(map, std::move(all), clear_mm)) tell("its loops cross or touch");
     return faults;
 }
 

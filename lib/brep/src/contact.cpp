@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ncsim::brep {
 
@@ -188,21 +189,44 @@ Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
 }
 
 // Cylinders of one radius whose axes cross meet in two ellipses, in the planes between the axes.
-std::optional<Curve> mitre(const Cylinder& a, const Cylinder& b, Vec3 p, Vec3 q) {
-    constexpr double kEqual = 1e-6, kLeastAngle = 1e-3;
+std::optional<std::array<Plane, 2>> mitres(const Cylinder& a, const Cylinder& b) {
+    constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
     const Vec3 normal = cross(a.axis, b.axis);
     if (std::abs(a.radius - b.radius) > kEqual || norm(normal) < kLeastAngle) return std::nullopt;
     if (std::abs(dot(b.origin - a.origin, normal)) > kEqual * norm(normal)) return std::nullopt;
     // The point of the first axis on the plane of the second one and the normal.
     const Vec3 side = cross(normal, b.axis);
     const Vec3 centre = a.origin + (dot(b.origin - a.origin, side) / dot(a.axis, side)) * a.axis;
-    const Plane planes[] = {{centre, normalized(a.axis - b.axis)},
-                            {centre, normalized(a.axis + b.axis)}};
-    for (const Plane& plane : planes) {
-        if (std::abs(distance(plane, p)) < kTouchMm && std::abs(distance(plane, q)) < kTouchMm)
-            return ellipse(plane, a);
-    }
+    return {
+        {Plane{centre, normalized(a.axis - b.axis)}, Plane{centre, normalized(a.axis + b.axis)}}};
+}
+
+bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
+    return std::abs(distance(one, p)) < std::abs(distance(other, p));
+}
+
+// What a ball leaves: a tube about a line or a circle.
+struct Pipe {
+    double radius;
+};
+
+std::optional<Pipe> pipe_of(const Form& form) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return Pipe{f->radius};
+    if (const auto* f = std::get_if<Torus>(&form)) return Pipe{f->minor};
     return std::nullopt;
+}
+
+// The point of its middle that is nearest, and which way it goes on there.
+Vec3 foot_on(const Form& form, Vec3 p) {
+    if (const auto* f = std::get_if<Cylinder>(&form))
+        return f->origin + dot(p - f->origin, f->axis) * f->axis;
+    const auto& f = std::get<Torus>(form);
+    return f.centre + f.major * normalized(away(f.centre, f.axis, p));
+}
+Vec3 along(const Form& form, Vec3 p) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return f->axis;
+    const auto& f = std::get<Torus>(form);
+    return normalized(cross(f.axis, p - f.centre));
 }
 
 bool is_ruled(const Form& form) {
@@ -219,7 +243,10 @@ struct Eigen {
 Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     std::array<std::array<double, 3>, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     constexpr int kSweeps = 12;
+    const double trace = m[0][0] + m[1][1] + m[2][2];
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        const double off = std::abs(m[0][1]) + std::abs(m[0][2]) + std::abs(m[1][2]);
+        if (off <= 1e-18 * trace) break;
         for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
             if (m[p][q] == 0.0) continue;
             const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
@@ -251,13 +278,70 @@ Eigen eigen(std::array<std::array<double, 3>, 3> m) {
     return result;
 }
 
+// The shortest step that comes nearest to right, where m may say nothing of some directions.
+Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
+    constexpr double kFlat = 1e-9;
+    // Where it says enough of all of them, by cofactors.
+    constexpr double kClear = 1e-2;
+    const Vec3 x{m[0][0], m[0][1], m[0][2]}, y{m[1][0], m[1][1], m[1][2]};
+    const Vec3 z{m[2][0], m[2][1], m[2][2]};
+    const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+    const double determinant = dot(x, yz), mean = (x.x + y.y + z.z) / 3.0;
+    if (determinant > kClear * mean * mean * mean)
+        return (1.0 / determinant) * (right.x * yz + right.y * zx + right.z * xy);
+    const Eigen e = eigen(m);
+    const double largest = std::max({e.values[0], e.values[1], e.values[2]});
+    Vec3 step;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (e.values[i] > kFlat * largest)
+            step = step + (dot(right, e.vectors[i]) / e.values[i]) * e.vectors[i];
+    }
+    return step;
+}
+
 }  // namespace
 
 std::optional<Form> touch(const Form& a, const Form& b) {
     return a.index() <= b.index() ? std::visit(Touch{}, a, b) : std::visit(Touch{}, b, a);
 }
 
-std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
+    const auto* first = std::get_if<Cylinder>(&a);
+    const auto* second = std::get_if<Cylinder>(&b);
+    if (!first || !second) return std::nullopt;
+    const auto planes = mitres(*first, *second);
+    if (!planes) return std::nullopt;
+    const auto& [one, other] = *planes;
+    return is_nearer(one, other, p) ? one : other;
+}
+
+std::optional<Vec3> crossing_of(const Form& a, const Form& b, Vec3 p) {
+    const auto first = pipe_of(a), second = pipe_of(b);
+    if (!first || !second || !near(first->radius, second->radius)) return std::nullopt;
+    // Where a way bends, one ellipse goes on through it.
+    const auto* one = std::get_if<Cylinder>(&a);
+    const auto* another = std::get_if<Cylinder>(&b);
+    constexpr double kBend = 0.8;  // cosine
+    if (one && another && std::abs(dot(one->axis, another->axis)) > kBend) return std::nullopt;
+    // From the one to the other, and back, until both are one point.
+    constexpr int kMostSteps = 100;
+    constexpr double kLeastAngle = 0.1, kDone = 1e-12;
+    Vec3 at = foot_on(a, p), other = foot_on(b, at);
+    for (int i = 0; i < kMostSteps; ++i) {
+        const Vec3 next = foot_on(a, other);
+        const double step = norm(next - at);
+        at = next;
+        other = foot_on(b, at);
+        if (step < kDone) break;
+    }
+    if (!(norm(other - at) < kTouchMm)) return std::nullopt;
+    const Vec3 across = cross(along(a, at), along(b, other));
+    if (norm(across) < kLeastAngle) return std::nullopt;
+    const double side = dot(p - at, across) < 0.0 ? -1.0 : 1.0;
+    return 0.5 * (at + other) + (side * first->radius) * normalized(across);
+}
+
+std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
     const bool is_first_plane = std::holds_alternative<Plane>(a);
     const bool is_second_plane = std::holds_alternative<Plane>(b);
@@ -279,7 +363,17 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
     const auto* second = std::get_if<Cylinder>(&b);
     if (first && second) {
         if (is_parallel(first->axis, second->axis)) return Line{};
-        return mitre(*first, *second, p, q);
+        const auto planes = mitres(*first, *second);
+        if (!planes) return std::nullopt;
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [one, other] = *planes;
+        if (!is_on(one) && !is_on(other)) return std::nullopt;
+        // Both ellipses pass through the points where the pipes touch.
+        const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
+        return ellipse(is_first ? one : other, *first);
     }
     if (!is_first_plane && !is_second_plane) return std::nullopt;
     const auto& plane = std::get<Plane>(is_first_plane ? a : b);
@@ -305,7 +399,10 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q) {
 
 double solve(std::span<const Form* const> forms, Vec3& p) {
     constexpr int kMostSteps = 60;
-    constexpr double kLongest = 1.0, kDone = 1e-14, kFlat = 1e-9;
+    constexpr double kLongest = 1.0;
+    // Steps this short are rounding, as soon as they do not become shorter.
+    constexpr double kRounding = 1e-10;
+    double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMostSteps; ++step) {
         std::array<std::array<double, 3>, 3> m{};
         Vec3 right;
@@ -318,16 +415,11 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
                     m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += g[i] * g[j];
             }
         }
-        const Eigen e = eigen(m);
-        const double largest = std::max({e.values[0], e.values[1], e.values[2]});
-        Vec3 move;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (e.values[i] > kFlat * largest)
-                move = move + (dot(right, e.vectors[i]) / e.values[i]) * e.vectors[i];
-        }
+        const Vec3 move = shortest_step(m, right);
         const double length = norm(move);
         p = p + (length > kLongest ? kLongest / length : 1.0) * move;
-        if (length < kDone) break;
+        if (length == 0.0 || (length < kRounding && length > 0.5 * before)) break;
+        before = length;
     }
     double miss = 0.0;
     for (const Form* form : forms)

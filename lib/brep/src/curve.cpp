@@ -9,14 +9,14 @@
 
 namespace ncsim::brep {
 
+using trig::kRadiansPerDegree;
+
 namespace {
 
 using cda::cross;
 using cda::dot;
 using trig::angle_of;
 using trig::sin_cos;
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 // Into (0, 360]; what is zero but for rounding is a whole turn.
 double as_sweep(double degrees) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
 
 namespace ncsim::brep {
 
@@ -110,29 +110,58 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
         }
     }
     if (chosen) facet.label = surfaces_.add(chosen->surface);
+    facet.was_labelled = chosen != nullptr;
     return facet;
 }
 
+std::size_t FacetMesh::given_up() const {
+    return static_cast<std::size_t>(std::ranges::count_if(facets_, [](const Facet& facet) {
+        return facet.was_labelled && facet.label == facet.own;
+    }));
+}
+
 void FacetMesh::link() {
-    std::unordered_map<std::uint64_t, std::uint32_t> by_ends;
+    std::vector<std::uint32_t> number(source_.boundary.vertices.size(), kNone);
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {
         for (const auto& loop : source_.boundary.faces[facets_[i].face].loops) {
             const auto first = static_cast<std::uint32_t>(edges_.size());
             for (std::size_t k = 0; k < loop.size(); ++k) {
+                std::uint32_t& v = number[loop[k]];
+                if (v == kNone) {
+                    v = static_cast<std::uint32_t>(points_.size());
+                    points_.push_back(source_.boundary.vertices[loop[k]]);
+                }
                 const auto at = static_cast<std::uint32_t>(edges_.size());
-                edges_.push_back({loop[k], i, k + 1 < loop.size() ? at + 1 : first, kNone});
-                const std::uint32_t to = loop[(k + 1) % loop.size()];
-                if (!by_ends.emplace(std::uint64_t{loop[k]} << 32 | to, at).second) broken_ = true;
+                edges_.push_back({v, i, k + 1 < loop.size() ? at + 1 : first, kNone});
             }
         }
     }
+    // Both of a pair have the same two corners.
+    struct Ends {
+        std::uint32_t low, high, edge;
+        bool operator<(const Ends& o) const {
+            return low != o.low ? low < o.low : high != o.high ? high < o.high : edge < o.edge;
+        }
+    };
+    std::vector<Ends> ends;
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
-        const auto twin = by_ends.find(std::uint64_t{to(h)} << 32 | edges_[h].from);
-        if (twin == by_ends.end()) {
+        const auto [low, high] = std::minmax({edges_[h].from, to(h)});
+        ends.push_back({low, high, h});
+        lengths_.push_back(norm(points_[high] - points_[low]));
+    }
+    std::sort(ends.begin(), ends.end());
+    broken_ = ends.size() % 2 != 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        const Ends &a = ends[i], &b = ends[i + 1];
+        const bool is_next =
+            i + 2 < ends.size() && ends[i + 2].low == a.low && ends[i + 2].high == a.high;
+        if (a.low != b.low || a.high != b.high || is_next ||
+            edges_[a.edge].from == edges_[b.edge].from) {
             broken_ = true;
             return;
         }
-        edges_[h].twin = twin->second;
+        edges_[a.edge].twin = b.edge;
+        edges_[b.edge].twin = a.edge;
     }
 }
 

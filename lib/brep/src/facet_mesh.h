@@ -29,7 +29,9 @@ struct Facet {
     double error_mm = 0.0;  ///< Of what it approximates.
     std::uint32_t own = 0;  ///< Its own plane.
     std::uint32_t label = 0;
-    bool may_be_true = false;  ///< Its own plane is no approximation.
+    bool may_be_true = false;   ///< Its own plane is no approximation.
+    bool was_labelled = false;  ///< With a surface of its motion.
+    bool is_final = false;      ///< It stays a facet.
 };
 
 struct HalfEdge {
@@ -44,10 +46,17 @@ public:
 
     /// Faces do not meet two at an edge: nothing can be made of it.
     bool is_broken() const { return broken_; }
+    /// Facets that had a surface and have none any more.
+    std::size_t given_up() const;
 
     std::size_t size() const { return facets_.size(); }
     const Facet& operator[](std::uint32_t i) const { return facets_[i]; }
     void label(std::uint32_t i, std::uint32_t surface) { facets_[i].label = surface; }
+    /// A facet for good.
+    void settle(std::uint32_t i) {
+        facets_[i].label = facets_[i].own;
+        facets_[i].is_final = true;
+    }
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
     /// Who cut a facet.
     const std::vector<cda::Origin>& origins(std::uint32_t i) const {
@@ -56,8 +65,10 @@ public:
 
     const std::vector<HalfEdge>& edges() const { return edges_; }
     std::uint32_t to(std::uint32_t h) const { return edges_[edges_[h].next].from; }
-    Vec3 point(std::uint32_t v) const { return source_.boundary.vertices[v]; }
-    double length(std::uint32_t h) const { return norm(point(to(h)) - point(edges_[h].from)); }
+    /// Corners of this shell have numbers of their own.
+    std::size_t corners() const { return points_.size(); }
+    Vec3 point(std::uint32_t v) const { return points_[v]; }
+    double length(std::uint32_t h) const { return lengths_[h]; }
 
     /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)? `score`: how
     /// badly.
@@ -73,6 +84,8 @@ private:
     SurfaceSet surfaces_;
     std::vector<Facet> facets_;
     std::vector<HalfEdge> edges_;
+    std::vector<double> lengths_;  // of half-edges
+    std::vector<Vec3> points_;
     bool broken_ = false;
 };
 

@@ -16,6 +16,11 @@ namespace {
 
 // Of what joins a neighbour, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
+// So many errors is a lune that is one error low off either of the pipes beside it, at most: four
+// times as far from the one as from the plane between both, and corners of hulls lie farther out.
+constexpr double kAcrossLune = 6.0;
+// Farther out than what a ball leaves at a bend may be what is there in its place, mm.
+constexpr double kLune = 5e-3;
 
 }  // namespace
 
@@ -23,7 +28,8 @@ void Groups::gather() {
     cda::DisjointSets sets(mesh_.size());
     for (const HalfEdge& h : mesh_.edges()) {
         const std::uint32_t other = mesh_.edges()[h.twin].facet;
-        if (mesh_[h.facet].label == mesh_[other].label) sets.unite(h.facet, other);
+        if (h.facet < other && mesh_[h.facet].label == mesh_[other].label)
+            sets.unite(h.facet, other);
     }
     groups_.clear();
     group_of_.assign(mesh_.size(), kNone);
@@ -38,17 +44,45 @@ void Groups::gather() {
         g.facets.push_back(i);
         g.area += mesh_[i].area;
     }
-    neighbours_.assign(groups_.size(), {});
-    for (std::uint32_t h = 0; h < mesh_.edges().size(); ++h) {
-        const std::uint32_t g = group_at(h), n = group_beyond(h);
-        if (g != n) neighbours_[g][n] += mesh_.length(h);
+    meet();
+}
+
+// Who is beside whom: half-edges by group, in order, then those of a group by neighbour.
+void Groups::meet() {
+    const auto& edges = mesh_.edges();
+    std::vector<std::uint32_t> begin(groups_.size() + 1, 0);
+    for (std::uint32_t h = 0; h < edges.size(); ++h) {
+        if (is_boundary(h)) ++begin[group_at(h) + 1];
+    }
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+        begin[g + 1] += begin[g];
+    std::vector<std::pair<std::uint32_t, double>> met(begin.back());
+    std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
+    for (std::uint32_t h = 0; h < edges.size(); ++h) {
+        if (is_boundary(h)) met[at[group_at(h)]++] = {group_beyond(h), mesh_.length(h)};
+    }
+    first_.assign(1, 0);
+    neighbours_.clear();
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const auto first = met.begin() + begin[g], last = met.begin() + begin[g + 1];
+        std::stable_sort(first, last,
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (auto i = first; i != last; ++i) {
+            const bool is_next =
+                neighbours_.size() == first_.back() || neighbours_.back().first != i->first;
+            if (is_next) neighbours_.emplace_back(i->first, 0.0);
+            neighbours_.back().second += i->second;
+        }
+        first_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
     }
 }
 
 bool Groups::unify() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        for (const auto& [n, shared] : neighbours_[g]) {
+        if (mesh_[groups_[g].facets.front()].is_final) continue;
+        for (const auto& [n, shared] : neighbours(g)) {
+            if (mesh_[groups_[n].facets.front()].is_final) continue;
             const bool is_smaller = std::pair(groups_[g].area, g) < std::pair(groups_[n].area, n);
             if (!is_smaller || groups_[g].surface == groups_[n].surface) continue;
             if (!is_same(surface_of(g), surface_of(n), kTouchMm)) continue;
@@ -57,11 +91,49 @@ bool Groups::unify() {
             break;
         }
     }
+    any = join_lunes() || any;
     if (any) return true;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const Group& group = groups_[g];
-        if (group.is_analytic || mesh_[group.facets.front()].may_be_true) continue;
+        const Facet& first = mesh_[group.facets.front()];
+        if (group.is_analytic || first.may_be_true || first.is_final) continue;
         if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) any = absorb(g, 1.5) || any;
+    }
+    return any;
+}
+
+// Where its way bends, a ball leaves a lune between two pipes. Longer, these meet in the plane
+// between both, farther out than the lune by little where the way bends little: and then facets are
+// wider than the lune, and have gaps where it ought to be.
+bool Groups::join_lunes() {
+    bool any = false;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        const auto* ball = std::get_if<Sphere>(&form_of(g));
+        if (!groups_[g].is_analytic || !ball) continue;
+        std::vector<std::pair<std::uint32_t, double>> pipes;
+        for (const auto& beside : neighbours(g)) {
+            const Form& form = form_of(beside.first);
+            if (std::holds_alternative<Cylinder>(form) && touch(form_of(g), form))
+                pipes.push_back(beside);
+        }
+        // Of the angle t between their axes, 1 / cos(t / 2) is by how much they meet farther out.
+        double cosine = 1.0;
+        for (const auto& [n, shared] : pipes) {
+            for (const auto& [m, also] : pipes) {
+                const Vec3 axis = std::get<Cylinder>(form_of(n)).axis;
+                cosine =
+                    std::min(cosine, std::abs(cda::dot(axis, std::get<Cylinder>(form_of(m)).axis)));
+            }
+        }
+        const double lower = ball->radius * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
+        if (pipes.size() < 2 || lower > std::max(kLune, error_of(g))) continue;
+        const auto longest = std::ranges::max_element(
+            pipes, [](const auto& a, const auto& b) { return a.second < b.second; });
+        // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
+        if (!lies_on(g, longest->first, kAcrossLune)) continue;
+        relabel(g, groups_[longest->first].surface);
+        mitred_mm_ = std::max(mitred_mm_, lower);
+        any = true;
     }
     return any;
 }
@@ -71,9 +143,9 @@ bool Groups::give_up_rings() {
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         if (!groups_[g].is_analytic || !std::holds_alternative<Torus>(form_of(g))) continue;
         const bool is_beside = std::ranges::any_of(
-            neighbours_[g], [&](const auto& beside) { return is_facet(beside.first); });
+            neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
         if (!is_beside) continue;
-        give_up(g);
+        give_up(g, false);
         any = true;
     }
     return any;
@@ -89,16 +161,11 @@ void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
 bool Groups::absorb(std::uint32_t g, double errors) {
     std::uint32_t best = kNone;
     double longest = 0.0;
-    for (const auto& [n, shared] : neighbours_[g]) {
+    for (const auto& [n, shared] : neighbours(g)) {
         if (shared <= longest || !groups_[n].is_analytic ||
             mesh_[groups_[n].facets.front()].label != groups_[n].surface)
             continue;
-        const auto lies = [&](std::uint32_t i) {
-            const Facet& facet = mesh_[i];
-            const double most = errors * std::max(facet.error_mm, error_of(n));
-            return mesh_.fits(facet, surface_of(n), most, kMostTurnOfNeighbours);
-        };
-        if (!std::ranges::all_of(groups_[g].facets, lies)) continue;
+        if (!lies_on(g, n, errors)) continue;
         longest = shared;
         best = n;
     }
@@ -107,19 +174,45 @@ bool Groups::absorb(std::uint32_t g, double errors) {
     return true;
 }
 
-bool Groups::relabel(const Failures& failures) {
+// Within so many errors.
+bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors) const {
+    return std::ranges::all_of(groups_[g].facets, [&](std::uint32_t i) {
+        const Facet& facet = mesh_[i];
+        const double most = errors * std::max(facet.error_mm, error_of(n));
+        return mesh_.fits(facet, surface_of(n), most, kMostTurnOfNeighbours);
+    });
+}
+
+bool Groups::relabel(const Failures& failures, Patience patience) {
     bool any = false;
     std::set<std::uint32_t> done;
-    for (const auto& around : failures) {
+    for (const Failure& failure : failures) {
         // The smallest that can be changed.
-        std::vector<std::uint32_t> order = around;
+        std::vector<std::uint32_t> order = failure.around;
         std::erase_if(order, [&](std::uint32_t g) { return !groups_[g].is_analytic; });
         std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::pair(groups_[a].area, a) < std::pair(groups_[b].area, b);
         });
         order.erase(std::unique(order.begin(), order.end()), order.end());
         if (order.empty()) continue;
-        if (std::ranges::any_of(order, [&](std::uint32_t g) { return done.contains(g); })) {
+        const auto has_changed = [&](std::uint32_t g) { return done.contains(g); };
+        const auto is_beside_changed = [&](std::uint32_t g) {
+            return has_changed(g) || std::ranges::any_of(neighbours(g), [&](const auto& beside) {
+                       return has_changed(beside.first);
+                   });
+        };
+        if (!failure.is_of_corner && std::ranges::any_of(failure.around, is_beside_changed)) {
+            any = true;
+            continue;
+        }
+        if (patience == Patience::None) {
+            done.insert(order.begin(), order.end());
+            for (const std::uint32_t g : order)
+                give_up(g, true);
+            any = true;
+            continue;
+        }
+        if (std::ranges::any_of(order, has_changed)) {
             any = true;
             continue;
         }
@@ -132,7 +225,7 @@ bool Groups::relabel(const Failures& failures) {
         if (absorbed) continue;
         const std::uint32_t g = order.front();
         done.insert(g);
-        give_up(g);
+        give_up(g, patience == Patience::Little);
     }
     return any;
 }
@@ -143,14 +236,16 @@ bool Groups::may_be_absorbed(std::uint32_t g) const {
     return 2.0 * groups_[g].area < width * perimeter(g);
 }
 
-void Groups::give_up(std::uint32_t g) {
-    for (const std::uint32_t i : groups_[g].facets)
+void Groups::give_up(std::uint32_t g, bool for_good) {
+    for (const std::uint32_t i : groups_[g].facets) {
         mesh_.label(i, mesh_[i].own);
+        if (for_good) mesh_.settle(i);
+    }
 }
 
 double Groups::perimeter(std::uint32_t g) const {
     double sum = 0.0;
-    for (const auto& [n, shared] : neighbours_[g])
+    for (const auto& [n, shared] : neighbours(g))
         sum += shared;
     return sum;
 }

@@ -8,13 +8,21 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep {
 
-/// What went wrong: for each time the groups around it.
-using Failures = std::vector<std::vector<std::uint32_t>>;
+/// What went wrong, and the groups around it.
+struct Failure {
+    std::vector<std::uint32_t> around;
+    /// Of a corner. Of edges and faces it may be because something else went wrong beside them.
+    bool is_of_corner = false;
+};
+using Failures = std::vector<Failure>;
+
+enum class Patience { Much, Little, None };
 
 struct Group {
     std::uint32_t surface = 0;
@@ -29,21 +37,28 @@ public:
 
     /// From the labels, anew.
     void gather();
-    /// Neighbours whose surfaces differ by what programs round are one; so are a facet that stands
+    /// Neighbours whose surfaces differ by what programs round are one; so are what a ball leaves
+    /// where its way bends so little that nobody can tell, and a neighbour; and a facet that stands
     /// for nothing and a neighbour within its error. True: labels have changed.
     bool unify();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
     /// lose the face: rings have no facets beside them. True: labels have changed.
     bool give_up_rings();
-    /// What went wrong joins a neighbour, or goes back to facets. True: labels have changed.
-    bool relabel(const Failures& failures);
+    /// What went wrong joins a neighbour, or goes back to facets: the smallest group; with little
+    /// patience for good; with none, so do all that are around. True: labels have changed.
+    bool relabel(const Failures& failures, Patience patience);
+
+    /// By how much the lunes at bends that joined a neighbour are lower than what is in their
+    /// place, at most, mm.
+    double mitred_mm() const { return mitred_mm_; }
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(groups_.size()); }
     const Group& operator[](std::uint32_t g) const { return groups_[g]; }
-    /// How long each of its neighbours meets it, mm.
-    const std::map<std::uint32_t, double>& neighbours(std::uint32_t g) const {
-        return neighbours_[g];
+    /// Each of its neighbours, ascending, and how long they meet, mm.
+    std::span<const std::pair<std::uint32_t, double>> neighbours(std::uint32_t g) const {
+        return std::span(neighbours_).subspan(first_[g], first_[g + 1] - first_[g]);
     }
+    double perimeter(std::uint32_t g) const;  ///< mm
     const Surface& surface_of(std::uint32_t g) const { return mesh_.surface(groups_[g].surface); }
     const Form& form_of(std::uint32_t g) const { return surface_of(g).form; }
     double error_of(std::uint32_t g) const { return mesh_[groups_[g].facets.front()].error_mm; }
@@ -60,16 +75,20 @@ public:
     std::uint32_t next_boundary(std::uint32_t h) const;
 
 private:
+    void meet();
+    bool join_lunes();
     void relabel(std::uint32_t g, std::uint32_t surface);
-    void give_up(std::uint32_t g);
+    void give_up(std::uint32_t g, bool for_good);
     bool absorb(std::uint32_t g, double errors);
+    bool lies_on(std::uint32_t g, std::uint32_t n, double errors) const;
     bool may_be_absorbed(std::uint32_t g) const;
-    double perimeter(std::uint32_t g) const;
 
     FacetMesh& mesh_;
     std::vector<Group> groups_;
-    std::vector<std::uint32_t> group_of_;                      // of each facet
-    std::vector<std::map<std::uint32_t, double>> neighbours_;  // of each group: how long they meet
+    std::vector<std::uint32_t> group_of_;  // of each facet
+    std::vector<std::uint32_t> first_;     // of each group, in neighbours_
+    std::vector<std::pair<std::uint32_t, double>> neighbours_;
+    double mitred_mm_ = 0.0;
 };
 
 /// Of the tools that round off what is small, mm.

@@ -19,14 +19,16 @@
 #include "contact.h"
 #include "facet_mesh.h"
 #include "groups.h"
+#include "known_faces.h"
 #include "nesting.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace ncsim::brep {
@@ -35,7 +37,7 @@ namespace {
 
 using cda::dot;
 
-constexpr int kMostRounds = 40;
+constexpr int kPatientRounds = 8, kLastPatience = 20, kMostRounds = 60;
 constexpr double kNoWidth = 1e-3;  // mm
 
 class ShellRecogniser {
@@ -48,19 +50,31 @@ public:
     std::optional<Part> operator()() {
         if (mesh_.is_broken()) return std::nullopt;
         for (int round = 0; round < kMostRounds; ++round) {
-            groups_.gather();
             failures_.clear();
-            if (groups_.unify() || groups_.give_up_rings()) continue;
+            do
+                groups_.gather();
+            while (groups_.unify() || groups_.give_up_rings());
             chains_.trace();
-            chains_.solve();
+            // What is wrong with edges and faces is often due to corners that are.
+            const bool is_patient = round < kPatientRounds;
+            chains_.solve(is_patient);
             Part part;
-            if (failures_.empty()) part = build();
-            if (groups_.relabel(failures_)) continue;
+            if (failures_.empty() || !is_patient) part = build();
+            const Patience patience = is_patient              ? Patience::Much
+                                      : round < kLastPatience ? Patience::Little
+                                                              : Patience::None;
+            if (groups_.relabel(failures_, patience)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
+            keep_apart(part);
+            if (!are_facets_sound(part)) return std::nullopt;
             return part;
         }
         return std::nullopt;
     }
+
+    // As the last attempt left it.
+    std::size_t given_up() const { return mesh_.given_up(); }
+    double mitred_mm() const { return groups_.mitred_mm(); }
 
 private:
     Part build() {
@@ -70,54 +84,166 @@ private:
         for (const Chain& chain : chains_.all()) {
             if (chain.has_vanished) same.unite(chain.from, chain.to);
         }
+        const std::set<std::uint32_t> crossings = join_crossings(same);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
         for (const Chain& chain : chains_.all())
             part.edges.push_back({same.find(chain.from), same.find(chain.to), chain.curve});
         auto all = chains_.loops();
+        const auto is_sound = [&](std::uint32_t g) {
+            return std::ranges::none_of(all[g], [&](const Loop& loop) {
+                return std::ranges::any_of(
+                    loop, [&](const EdgeUse& use) { return chains_.all()[use.edge].has_failed; });
+            });
+        };
         std::vector<std::uint32_t> group_of_face;
+        std::vector<KnownFaces::Known*> known;  // of each face
+        std::vector<bool> has_gone(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (all[g].empty()) {
+                has_gone[g] = true;
                 vanish(g);
                 continue;
             }
-            Face face;
-            face.surface = groups_.surface_of(g);
-            face.loops = std::move(all[g]);
-            name(face, g);
-            face.is_facet = groups_.is_facet(g);
-            face.frame = frame_for(part, face);
-            if (std::holds_alternative<Plane>(face.surface.form)) outline_first(part, face);
-            part.faces.push_back(std::move(face));
-            group_of_face.push_back(g);
+            if (!is_sound(g)) continue;
+            std::uint32_t number = 0;
+            for (std::vector<Loop>& loops : faces_with(part, std::move(all[g]), crossings)) {
+                Face face;
+                face.surface = groups_.surface_of(g);
+                face.loops = std::move(loops);
+                name(face, g);
+                face.is_facet = groups_.is_facet(g);
+                const std::size_t facet = number++ % groups_[g].facets.size();
+                auto& found = known_.look_at(part, face, groups_[g].facets[facet]);
+                const bool is_thin = is_wanted(g) && 2.0 * std::abs(found.measure.area) <
+                                                         kNoWidth * found.measure.length;
+                if (is_thin && !has_gone[g]) vanish(g);
+                has_gone[g] = has_gone[g] || is_thin;
+                part.faces.push_back(std::move(face));
+                group_of_face.push_back(g);
+                known.push_back(&found);
+            }
         }
-        if (!failures_.empty()) return part;
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             const std::uint32_t g = group_of_face[f];
-            const Measure m = measure(part, part.faces[f], part.faces[f].frame.origin);
-            if (2.0 * std::abs(m.area) < kNoWidth * m.length) vanish(g);
-        }
-        // Before they have gone, they are folds of their neighbours.
-        if (!failures_.empty()) return part;
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            const std::uint32_t g = group_of_face[f];
+            // Before they have gone, they are folds of their neighbours.
+            const bool is_beside_gone =
+                has_gone[g] || std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
+                    return has_gone[beside.first];
+                });
+            if (is_beside_gone || !is_wanted(g)) continue;
             double error = 0.0;
             if (groups_.is_facet(g)) error = groups_.error_of(g);
             for (const auto& [n, shared] : groups_.neighbours(g)) {
                 if (groups_.is_facet(n)) error = std::max(error, groups_.error_of(n));
             }
             const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
+            // Readers lay edges that are off a curved surface down on it, each in its own way.
+            const bool is_flat = std::holds_alternative<Plane>(groups_.form_of(g));
+            const double clear = error > 0.0 && !is_flat ? 0.01 * tolerance : kClear;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
-            if (faults_of(part, f, tolerance, miss).empty()) continue;
+            if (!is_too_large(g, known[f]->measure.area) &&
+                !KnownFaces::is_faulty(*known[f], part, f, tolerance, clear, miss))
+                continue;
             std::vector<std::uint32_t> around{g};
             // A plane is right as a rule; what meets it is not.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
                 for (const auto& [n, shared] : groups_.neighbours(g))
                     around.push_back(n);
             }
-            failures_.push_back(std::move(around));
+            failures_.push_back({std::move(around)});
         }
         return part;
+    }
+
+    // Where pipes cross, one of them hangs together in the polyhedron, as if by a thread: in truth
+    // there is one corner, and on each of its sides a face.
+    std::set<std::uint32_t> join_crossings(cda::DisjointSets& same) const {
+        const auto& vertices = chains_.vertices();
+        std::vector<std::uint32_t> crossings;
+        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+            if (vertices[v].is_crossing) crossings.push_back(v);
+        }
+        const auto key = [&](std::uint32_t v) {
+            const Vec3 p = vertices[v].at;
+            return std::tuple(p.x, p.y, p.z, v);
+        };
+        std::ranges::sort(crossings, {}, key);
+        constexpr double kOne = 1e-7;
+        for (std::size_t i = 0; i < crossings.size(); ++i) {
+            for (std::size_t j = i + 1; j < crossings.size(); ++j) {
+                const Vec3 a = vertices[crossings[i]].at, b = vertices[crossings[j]].at;
+                if (b.x - a.x > kOne) break;
+                if (cda::norm(b - a) <= kOne) same.unite(crossings[i], crossings[j]);
+            }
+        }
+        std::set<std::uint32_t> joined;
+        for (const std::uint32_t v : crossings)
+            joined.insert(same.find(v));
+        return joined;
+    }
+
+    // Loops that come to a crossing twice, together, go on there the other way, each around a face
+    // of its own.
+    static std::vector<std::vector<Loop>> faces_with(const Part& part, std::vector<Loop> loops,
+                                                     const std::set<std::uint32_t>& crossings) {
+        Loop uses;
+        std::vector<std::size_t> next;
+        std::map<std::uint32_t, std::vector<std::size_t>> from;  // of each crossing: uses before it
+        for (const Loop& loop : loops) {
+            const std::size_t first = uses.size();
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Edge& edge = part.edges[loop[i].edge];
+                const std::uint32_t end = loop[i].is_forward ? edge.to : edge.from;
+                if (crossings.contains(end)) from[end].push_back(first + i);
+                uses.push_back(loop[i]);
+                next.push_back(first + (i + 1) % loop.size());
+            }
+        }
+        bool any = false;
+        for (const auto& [vertex, before] : from) {
+            if (before.size() != 2) continue;
+            std::swap(next[before[0]], next[before[1]]);
+            any = true;
+        }
+        if (!any) return {std::move(loops)};
+        std::vector<std::vector<Loop>> faces;
+        std::vector<bool> is_done(uses.size(), false);
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (is_done[i]) continue;
+            Loop& loop = faces.emplace_back().emplace_back();
+            for (std::size_t k = i; !is_done[k]; k = next[k]) {
+                is_done[k] = true;
+                loop.push_back(uses[k]);
+            }
+        }
+        return faces;
+    }
+
+    // What the polyhedron had, with its corners where they were, is as good as it was.
+    bool is_wanted(std::uint32_t g) const {
+        return groups_[g].is_analytic ||
+               std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
+                   return groups_[beside.first].is_analytic;
+               });
+    }
+
+    // Facets among facets, at last.
+    static bool are_facets_sound(const Part& part) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            constexpr double kAnywhere = 1.0;  // mm; where they are is known
+            double miss = 0.0;
+            if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
+                return false;
+        }
+        return true;
+    }
+
+    // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
+    // it, by as much at each edge.
+    bool is_too_large(std::uint32_t g, double area) const {
+        const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
+        return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
     }
 
     // A group without a width on the true surfaces.
@@ -127,7 +253,7 @@ private:
             for (const auto& [n, shared] : groups_.neighbours(g))
                 around.push_back(n);
         }
-        failures_.push_back(std::move(around));
+        failures_.push_back({std::move(around)});
     }
 
     void name(Face& face, std::uint32_t g) const {
@@ -139,22 +265,6 @@ private:
         face.origins.erase(std::unique(face.origins.begin(), face.origins.end()),
                            face.origins.end());
         face.origin = face.origins.empty() ? cda::kStockOrigin : face.origins.front();
-    }
-
-    // The loop around all others is the one with the largest area.
-    static void outline_first(const Part& part, Face& face) {
-        std::size_t best = 0;
-        double largest = -std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < face.loops.size(); ++i) {
-            Face alone = face;
-            alone.loops = {face.loops[i]};
-            const double area = measure(part, alone, face.frame.origin).area;
-            if (area <= largest) continue;
-            largest = area;
-            best = i;
-        }
-        std::swap(face.loops[0], face.loops[best]);
-        face.frame = frame_for(part, face);
     }
 
     bool has_the_volume(const Part& part) const {
@@ -174,6 +284,7 @@ private:
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
+    KnownFaces known_;
 };
 
 // Adds what `from` has to `to`; the numbers of its faces there. Vertices and edges that are not
@@ -233,6 +344,11 @@ Part flat_shell(const Facets& facets, const std::vector<std::uint32_t>& faces,
     return part;
 }
 
+bool is_mostly_facets(const Part& part) {
+    const auto facets = std::ranges::count_if(part.faces, &Face::is_facet);
+    return 2 * static_cast<std::size_t>(facets) > part.faces.size();
+}
+
 }  // namespace
 
 Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
@@ -242,14 +358,21 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     std::optional<Facets> flat;
     std::vector<std::vector<std::uint32_t>> flat_shells;
     const auto add = [&](std::uint32_t s) {
-        if (auto part = ShellRecogniser(facets, sources, shells[s])())
-            return append(result.part, *part);
-        ++result.shells_kept;
+        ShellRecogniser recogniser(facets, sources, shells[s]);
+        const auto part = recogniser();
+        result.facets_given_up += recogniser.given_up();
+        if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
+        if (part && !is_mostly_facets(*part)) return append(result.part, *part);
         if (!flat) {
             flat = kept();
             flat_shells = shells_of(flat->boundary);
         }
         const bool is_there = s < flat_shells.size() && !flat_shells[s].empty();
+        // Facets of different motions stay apart for recognition: joined, they may be fewer than
+        // what came out.
+        if (part && (!is_there || part->faces.size() <= flat_shells[s].size()))
+            return append(result.part, *part);
+        ++result.shells_kept;
         return append(result.part, is_there ? flat_shell(*flat, flat_shells[s], sources)
                                             : flat_shell(facets, shells[s], sources));
     };

@@ -86,6 +86,14 @@ std::string solid_text(const SolidFacts& solid) {
     // Nobody measures less.
     constexpr double kLeast = 1e-9;
     text += fmt::format("; edges within {:.2g} mm\n", std::max(solid.miss_mm, kLeast));
+    if (solid.refined_mm) {
+        text += fmt::format("          from a cut with round tools within {:g} mm, made for it\n",
+                            *solid.refined_mm);
+    }
+    if (solid.mitred_mm > kLeast) {
+        text += fmt::format("          without lunes at bends of balls, up to {:.2g} mm high\n",
+                            solid.mitred_mm);
+    }
     if (solid.facets_kept == 0) return text;
     text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
                         solid.facets_kept == 1 ? "is a facet" : "are facets");
@@ -197,7 +205,9 @@ void write_report(std::ostream& out, const RunFacts& run) {
                         {"edges_within_mm", run.solid->miss_mm},
                         {"facets_kept", run.solid->facets_kept},
                         {"facets_within_mm", run.solid->facet_miss_mm},
-                        {"lines_of_facets", run.solid->facet_lines}};
+                        {"lines_of_facets", run.solid->facet_lines},
+                        {"left_out_at_bends_mm", run.solid->mitred_mm}};
+        if (run.solid->refined_mm) json["step"]["refined_to_mm"] = *run.solid->refined_mm;
     }
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);

@@ -66,4 +66,35 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
                            [&] { return facets(nullptr); });
 }
 
+namespace {
+
+bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simulation) {
+    constexpr std::size_t kMostFacets = 20'000, kFew = 100;
+    return simulation.boundary->faces.size() <= kMostFacets &&
+           solid.facets_given_up * kFew > solid.part.faces.size();
+}
+
+}  // namespace
+
+Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
+                    double tolerance_mm, int most_refinements) {
+    Solid best{solid_of(plan, survey, simulation, tolerance_mm), simulation.provenance,
+               plan.tool_tolerance};
+    bool is_coarse = are_facets_too_large(best.recognised, simulation);
+    Plan finer = plan;
+    finer.keep_boundary = true;
+    finer.keep_paths = finer.keep_carved = finer.block_volumes = finer.hull_times = false;
+    for (int i = 0; i < most_refinements && is_coarse; ++i) {
+        finer.tool_tolerance *= 0.25;
+        Verification nothing;
+        nothing.keep_cuts = true;
+        Simulation again = simulate(finer, survey, nothing, {});
+        brep::Recognised solid = solid_of(finer, survey, again, tolerance_mm);
+        is_coarse = are_facets_too_large(solid, again);
+        if (solid.facets_kept >= best.recognised.facets_kept) continue;
+        best = {std::move(solid), std::move(again.provenance), finer.tool_tolerance};
+    }
+    return best;
+}
+
 }  // namespace ncsim::simulation

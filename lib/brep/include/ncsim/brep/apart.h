@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a surface hangs together by less than readers can tell from nothing.
+// Where corners are nearer to each other than readers can tell from nothing.
 #pragma once
 
 #include "ncsim/brep/part.h"
 
 namespace ncsim::brep {
 
-/// Edges shorter than 3e-7 mm, of a part that has planes alone, become 1e-5 mm long: readers take
-/// what is nearer than 1e-7 mm for one point, and find the surface open there. Faces are flat
-/// within less than simplify() leaves them.
+/// Where planes alone meet, in lines: edges shorter than 1e-5 mm become points, if nothing hangs
+/// together by them; those of the others that are shorter than 3e-7 mm become 1e-5 mm long. Readers
+/// take what is nearer than 1e-7 mm for one point, and find the surface open there. Edges that are
+/// no longer used stay behind; edges there and back one after the other, between which nothing is,
+/// are not used. O(n log n) for n edges.
 void keep_apart(Part& part);
 
 }  // namespace ncsim::brep

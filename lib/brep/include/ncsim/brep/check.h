@@ -30,12 +30,15 @@ struct Fault {
     std::string what;
 };
 
-/// Of edges on the surface of the face within `tolerance_mm`; of loops that neither cross nor touch
-/// themselves or each other, go round the face on the side where it is, and one of them around all
-/// others on planes. Also what the edges miss: `miss_mm` is raised to it. O(n log n) for n edges
-/// that are spread evenly.
+/// Nearer than this, readers take two points for one, mm.
+inline constexpr double kClear = 2e-6;
+
+/// Of edges on the surface of the face within `tolerance_mm`; of loops that neither cross nor come
+/// nearer to themselves or each other than `clear_mm`, go round the face on the side where it is,
+/// and one of them around all others on planes. Also what the edges miss: `miss_mm` is raised to
+/// it. O(n log n) for n edges that are spread evenly.
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face, double tolerance_mm,
-                             double& miss_mm);
+                             double& miss_mm, double clear_mm = kClear);
 
 /// Of all faces; and each edge is used twice, in opposite directions. Sets part.miss_mm.
 std::vector<Fault> check(Part& part, double tolerance_mm);

@@ -13,16 +13,20 @@ namespace ncsim::brep {
 
 using cda::Vec3;
 
-struct Line {};
+struct Line {
+    bool operator==(const Line&) const = default;
+};
 /// The edge runs counter-clockwise about `axis` (unit).
 struct Circle {
     Vec3 centre, axis;
     double radius = 0.0;
+    bool operator==(const Circle&) const = default;
 };
 /// The edge runs counter-clockwise about `axis`. `major` is a unit vector at right angles to it.
 struct Ellipse {
     Vec3 centre, axis, major;
     double major_radius = 0.0, minor_radius = 0.0;
+    bool operator==(const Ellipse&) const = default;
 };
 /// A cubic B-spline. Of the knots, each different, the first and the last count four times, the
 /// others twice: there are twice as many control points as knots. It ends in its first and last
@@ -30,6 +34,7 @@ struct Ellipse {
 struct Spline {
     std::vector<Vec3> points;
     std::vector<double> knots;
+    bool operator==(const Spline&) const = default;
 };
 
 using Curve = std::variant<Line, Circle, Ellipse, Spline>;

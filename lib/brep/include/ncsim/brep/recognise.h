@@ -21,6 +21,12 @@ struct Recognised {
     std::size_t facets_kept = 0;           ///< Faces that were not recognised.
     std::vector<cda::Origin> of_facets{};  ///< Who cut them, ascending.
     std::size_t shells_kept = 0;           ///< Shells all of whose faces are facets.
+    /// Facets of the polyhedron that fit a surface of theirs, but not what is beside them: with
+    /// smaller ones they might. Of shells that are kept, those of the last attempt.
+    std::size_t facets_given_up = 0;
+    /// Lunes that balls leave where their way bends were left out, so much lower than what is in
+    /// their place, at most.
+    double mitred_mm = 0.0;
 };
 
 /// The part whose facets are `facets`, made of the surfaces of `sources` (an origin that has none

@@ -17,4 +17,19 @@ namespace ncsim::simulation {
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                           double tolerance_mm);
 
+struct Solid {
+    brep::Recognised recognised;
+    exporter::Provenance provenance;  ///< For its origins.
+    /// Of the round tools whose polyhedron said which surfaces meet where; that of the plan, unless
+    /// it was refined.
+    double tool_tolerance_mm = 0.0;
+};
+
+/// The same. Where more than one in a hundred faces are facets that were too large for what is
+/// beside them, the program is simulated once more with a quarter of the tool tolerance, up to
+/// `most_refinements` times, parts of more than 20,000 facets not at all; what has the fewest
+/// facets counts.
+Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
+                    double tolerance_mm, int most_refinements);
+
 }  // namespace ncsim::simulation

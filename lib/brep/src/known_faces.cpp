@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "known_faces.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+// The loop around all others is the one with the largest area.
+std::size_t outline_of(const Part& part, const Face& face) {
+    if (face.loops.size() < 2 || !std::holds_alternative<Plane>(face.surface.form)) return 0;
+    std::size_t best = 0;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < face.loops.size(); ++i) {
+        Face alone = face;
+        alone.loops = {face.loops[i]};
+        const double area = measure(part, alone, face.frame.origin).area;
+        if (area <= largest) continue;
+        largest = area;
+        best = i;
+    }
+    return best;
+}
+
+}  // namespace
+
+KnownFaces::Known& KnownFaces::look_at(const Part& part, Face& face, std::uint32_t name) {
+    std::vector<std::vector<Known::Piece>> loops;
+    for (const Loop& loop : face.loops) {
+        auto& pieces = loops.emplace_back();
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            pieces.push_back(
+                {part.vertices[edge.from], part.vertices[edge.to], edge.curve, use.is_forward});
+        }
+    }
+    Known& known = known_[name];
+    if (known.surface != face.surface || known.loops != loops) {
+        known = {};
+        known.surface = face.surface;
+        known.loops = std::move(loops);
+        face.frame = frame_for(part, face);
+        known.outline = outline_of(part, face);
+        std::swap(face.loops.front(), face.loops[known.outline]);
+        if (known.outline != 0) face.frame = frame_for(part, face);
+        known.frame = face.frame;
+        known.measure = measure(part, face, face.frame.origin);
+        return known;
+    }
+    std::swap(face.loops.front(), face.loops[known.outline]);
+    face.frame = known.frame;
+    return known;
+}
+
+bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, double tolerance_mm,
+                           double clear_mm, double& miss_mm) {
+    if (known.tolerance_mm != tolerance_mm) {
+        known.tolerance_mm = tolerance_mm;
+        known.miss_mm = 0.0;
+        known.is_faulty = !faults_of(part, face, tolerance_mm, known.miss_mm, clear_mm).empty();
+    }
+    miss_mm = std::max(miss_mm, known.miss_mm);
+    return known.is_faulty;
+}
+
+}  // namespace ncsim::brep

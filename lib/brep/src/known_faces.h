@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Round by round most faces stay what they are. What was found out about one stays true as long as
+// its surface and its edges are the same.
+#pragma once
+
+#include "ncsim/brep/check.h"
+#include "ncsim/brep/part.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace ncsim::brep {
+
+class KnownFaces {
+public:
+    struct Known {
+        Measure measure;  ///< About the origin of its frame.
+        /// Of the last check: within what, was anything found, and what do its edges miss?
+        std::optional<double> tolerance_mm;
+        bool is_faulty = false;
+        double miss_mm = 0.0;
+
+    private:
+        friend class KnownFaces;
+        struct Piece {
+            Vec3 from, to;
+            Curve curve;
+            bool is_forward;
+            bool operator==(const Piece&) const = default;
+        };
+        Surface surface;
+        std::vector<std::vector<Piece>> loops;
+        std::size_t outline = 0;
+        Frame frame;
+    };
+
+    /// Gives the face its frame, and of a plane the outline as its first loop. `name` tells faces
+    /// apart, from round to round. What is known of it stays where it is.
+    Known& look_at(const Part& part, Face& face, std::uint32_t name);
+    /// Are there faults, and what do its edges miss? As faults_of(), of which a face is asked with
+    /// one clearance for a tolerance.
+    static bool is_faulty(Known& known, const Part& part, std::uint32_t face, double tolerance_mm,
+                          double clear_mm, double& miss_mm);
+
+private:
+    std::unordered_map<std::uint32_t, Known> known_;
+};
+
+}  // namespace ncsim::brep
