@@ -75,17 +75,14 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
     const machine::Chain chain = machine.chain.placed(machine.zero, motion.length.mm());
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     const Polar p = arc ? polar(*arc) : Polar{};
-    const auto degrees = [](gcode::Angle a, gcode::Angle b) {
-        return std::abs((b - a).degrees());
-    };
+    const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
     constexpr double kStep = 0.25;
     constexpr double kMost = 100'000;
     const double turn = degrees(from->a, to->a) + degrees(from->b, to->b) +
                         degrees(from->c, to->c) + std::abs(p.sweep_degrees);
     const double steps = std::clamp(std::ceil(turn / kStep), 1.0, kMost);
     for (double i = 0.0; i <= steps; ++i) {
-        const Position at =
-            arc ? on_arc(*arc, p, i / steps) : between(*from, *to, i / steps);
+        const Position at = arc ? on_arc(*arc, p, i / steps) : between(*from, *to, i / steps);
         const auto values = machine::values_for(chain, linear_axes(at), values_of(at));
         if (!values) return {};
         box.add(cda::Vec3{(*values)[0], (*values)[1], (*values)[2]});
