@@ -235,20 +235,6 @@ TEST(Recognise, PipesThatCrossAreCutInTheirCrossing) {
     }
 }
 
-TEST(Recognise, GroovesThatCrossAreCutInTheirCrossing) {
-    const Golden golden{"cross",
-                        "T3 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\nG0 X40 Y-10\nG1 Z-3\n"
-                        "G1 Y70\nG0 Z5\n",
-                        {},
-                        0.0};
-    const Made made = make(golden, 0.05);
-    EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 4, 0, 0, 0}));
-    const auto distance = [](double x, double y) {
-        return std::min(std::abs(x - 40.0), std::abs(y - 30.0));
-    };
-    EXPECT_NEAR(volume(made.solid.part), kBlock - removed_by_ball(3.0, distance), 0.1);
-}
-
 // Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
 // miss their common corner by almost a micrometre, and cross beside it.
 TEST(Recognise, ArcsEndInTheirCorners) {

@@ -318,11 +318,9 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
 std::optional<Vec3> crossing_of(const Form& a, const Form& b, Vec3 p) {
     const auto first = pipe_of(a), second = pipe_of(b);
     if (!first || !second || !near(first->radius, second->radius)) return std::nullopt;
-    // Where a way bends, one ellipse goes on through it.
-    const auto* one = std::get_if<Cylinder>(&a);
-    const auto* another = std::get_if<Cylinder>(&b);
-    constexpr double kBend = 0.8;  // cosine
-    if (one && another && std::abs(dot(one->axis, another->axis)) > kBend) return std::nullopt;
+    // Cylinders that cross meet in ellipses, which pass through it.
+    if (std::holds_alternative<Cylinder>(a) && std::holds_alternative<Cylinder>(b))
+        return std::nullopt;
     // From the one to the other, and back, until both are one point.
     constexpr int kMostSteps = 100;
     constexpr double kLeastAngle = 0.1, kDone = 1e-12;
