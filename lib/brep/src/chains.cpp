@@ -76,16 +76,6 @@ void Chains::trace() {
         boundary.push_back(h);
         ++degree[mesh_.edges()[h].from];
     }
-    std::vector<std::uint32_t> one_from(mesh_.corners(), kNone);
-    for (const std::uint32_t h : boundary) {
-        const std::uint32_t v = mesh_.edges()[h].from;
-        if (degree[v] != 2) continue;
-        if (one_from[v] == kNone) {
-            one_from[v] = h;
-        } else if (is_crossing(one_from[v], h)) {
-            degree[v] = kTip;
-        }
-    }
     for (const std::uint32_t h : boundary) {
         const std::uint32_t v = mesh_.edges()[h].from;
         if (degree[v] == 2 && (is_tip(h) || is_beside_facet(h))) degree[v] = kTip;
@@ -132,20 +122,6 @@ void Chains::trace() {
 
 bool Chains::is_beside_facet(std::uint32_t h) const {
     return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.group_beyond(h));
-}
-
-// Both edges go on from one corner, between two pipes: is it the nearest to where they cross?
-bool Chains::is_crossing(std::uint32_t h, std::uint32_t other) const {
-    const std::uint32_t left = groups_.group_at(h), right = groups_.group_beyond(h);
-    if (!groups_[left].is_analytic || !groups_[right].is_analytic) return false;
-    const Vec3 p = mesh_.point(mesh_.edges()[h].from);
-    const auto at = crossing_of(groups_.form_of(left), groups_.form_of(right), p);
-    if (!at) return false;
-    const double far = norm(p - *at);
-    const double error = std::max(groups_.error_of(left), groups_.error_of(right));
-    return far <= norm(mesh_.point(mesh_.to(h)) - *at) &&
-           far <= norm(mesh_.point(mesh_.to(other)) - *at) &&
-           far <= std::max(mesh_.length(h), mesh_.length(other)) + 4.0 * error;
 }
 
 // Where a surface passes through the apex of a cone, their edge has a corner.
@@ -197,15 +173,6 @@ bool Chains::solve_vertex(Vertex& v) const {
     for (const std::uint32_t n : numbers)
         forms.push_back(&mesh_.surface(n).form);
     const std::size_t count = forms.size();
-    if (count == 2) {
-        const auto crossing = crossing_of(*forms[0], *forms[1], v.at);
-        if (crossing && norm(*crossing - v.at) <= reach(v.groups)) {
-            v.at = *crossing;
-            v.miss = farthest(numbers, v.at);
-            v.is_crossing = true;
-            return true;
-        }
-    }
     std::vector<Form> touching;
     touching.reserve(count * count);
     for (std::size_t i = 0; i < count; ++i) {

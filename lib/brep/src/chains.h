@@ -30,8 +30,7 @@ struct Vertex {
     Vec3 at;
     std::vector<std::uint32_t> groups;
     double miss = 0.0;
-    bool is_touch = false;     ///< Of surfaces that touch.
-    bool is_crossing = false;  ///< Of pipes: more than one may be there.
+    bool is_touch = false;  ///< Of surfaces that touch.
     bool has_failed = false;
 };
 
@@ -58,7 +57,6 @@ private:
     std::uint32_t vertex_at(std::uint32_t v);
     bool is_beside_facet(std::uint32_t h) const;
     bool is_tip(std::uint32_t h) const;
-    bool is_crossing(std::uint32_t h, std::uint32_t other) const;
     double reach(const std::vector<std::uint32_t>& around) const;
     bool solve_vertex(Vertex& v) const;
     bool flip_reversed();

@@ -205,30 +205,6 @@ bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
     return std::abs(distance(one, p)) < std::abs(distance(other, p));
 }
 
-// What a ball leaves: a tube about a line or a circle.
-struct Pipe {
-    double radius;
-};
-
-std::optional<Pipe> pipe_of(const Form& form) {
-    if (const auto* f = std::get_if<Cylinder>(&form)) return Pipe{f->radius};
-    if (const auto* f = std::get_if<Torus>(&form)) return Pipe{f->minor};
-    return std::nullopt;
-}
-
-// The point of its middle that is nearest, and which way it goes on there.
-Vec3 foot_on(const Form& form, Vec3 p) {
-    if (const auto* f = std::get_if<Cylinder>(&form))
-        return f->origin + dot(p - f->origin, f->axis) * f->axis;
-    const auto& f = std::get<Torus>(form);
-    return f.centre + f.major * normalized(away(f.centre, f.axis, p));
-}
-Vec3 along(const Form& form, Vec3 p) {
-    if (const auto* f = std::get_if<Cylinder>(&form)) return f->axis;
-    const auto& f = std::get<Torus>(form);
-    return normalized(cross(f.axis, p - f.centre));
-}
-
 bool is_ruled(const Form& form) {
     return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
            std::holds_alternative<Cone>(form);
@@ -313,32 +289,6 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     if (!planes) return std::nullopt;
     const auto& [one, other] = *planes;
     return is_nearer(one, other, p) ? one : other;
-}
-
-std::optional<Vec3> crossing_of(const Form& a, const Form& b, Vec3 p) {
-    const auto first = pipe_of(a), second = pipe_of(b);
-    if (!first || !second || !near(first->radius, second->radius)) return std::nullopt;
-    // Where a way bends, one ellipse goes on through it.
-    const auto* one = std::get_if<Cylinder>(&a);
-    const auto* another = std::get_if<Cylinder>(&b);
-    constexpr double kBend = 0.8;  // cosine
-    if (one && another && std::abs(dot(one->axis, another->axis)) > kBend) return std::nullopt;
-    // From the one to the other, and back, until both are one point.
-    constexpr int kMostSteps = 100;
-    constexpr double kLeastAngle = 0.1, kDone = 1e-12;
-    Vec3 at = foot_on(a, p), other = foot_on(b, at);
-    for (int i = 0; i < kMostSteps; ++i) {
-        const Vec3 next = foot_on(a, other);
-        const double step = norm(next - at);
-        at = next;
-        other = foot_on(b, at);
-        if (step < kDone) break;
-    }
-    if (!(norm(other - at) < kTouchMm)) return std::nullopt;
-    const Vec3 across = cross(along(a, at), along(b, other));
-    if (norm(across) < kLeastAngle) return std::nullopt;
-    const double side = dot(p - at, across) < 0.0 ? -1.0 : 1.0;
-    return 0.5 * (at + other) + (side * first->radius) * normalized(across);
 }
 
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {

@@ -23,11 +23,6 @@ std::optional<Form> touch(const Form& a, const Form& b);
 /// Of two pipes that bend into each other: the plane near `p` in which they meet.
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 
-/// Two pipes (cylinders, rings) of one radius whose middles cross have a point in common on either
-/// side of that in which they touch: the curves in which they meet cross there. The one on the side
-/// of `p`, if Newton's way from there leads to it.
-std::optional<Vec3> crossing_of(const Form& a, const Form& b, Vec3 p);
-
 /// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then
 /// the curve through `p`, which is on both; `q` is another point of it, and it passes by `near_to`.
 /// Nothing: a spline has to be laid through it.

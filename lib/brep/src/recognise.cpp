@@ -24,11 +24,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
-#include <tuple>
 #include <utility>
 
 namespace ncsim::brep {
@@ -84,7 +83,6 @@ private:
         for (const Chain& chain : chains_.all()) {
             if (chain.has_vanished) same.unite(chain.from, chain.to);
         }
-        const std::set<std::uint32_t> crossings = join_crossings(same);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
         for (const Chain& chain : chains_.all())
@@ -106,23 +104,18 @@ private:
                 continue;
             }
             if (!is_sound(g)) continue;
-            std::uint32_t number = 0;
-            for (std::vector<Loop>& loops : faces_with(part, std::move(all[g]), crossings)) {
-                Face face;
-                face.surface = groups_.surface_of(g);
-                face.loops = std::move(loops);
-                name(face, g);
-                face.is_facet = groups_.is_facet(g);
-                const std::size_t facet = number++ % groups_[g].facets.size();
-                auto& found = known_.look_at(part, face, groups_[g].facets[facet]);
-                const bool is_thin = is_wanted(g) && 2.0 * std::abs(found.measure.area) <
-                                                         kNoWidth * found.measure.length;
-                if (is_thin && !has_gone[g]) vanish(g);
-                has_gone[g] = has_gone[g] || is_thin;
-                part.faces.push_back(std::move(face));
-                group_of_face.push_back(g);
-                known.push_back(&found);
-            }
+            Face face;
+            face.surface = groups_.surface_of(g);
+            face.loops = std::move(all[g]);
+            name(face, g);
+            face.is_facet = groups_.is_facet(g);
+            auto& found = known_.look_at(part, face, groups_[g].facets.front());
+            has_gone[g] = is_wanted(g) &&
+                          2.0 * std::abs(found.measure.area) < kNoWidth * found.measure.length;
+            if (has_gone[g]) vanish(g);
+            part.faces.push_back(std::move(face));
+            group_of_face.push_back(g);
+            known.push_back(&found);
         }
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             const std::uint32_t g = group_of_face[f];
@@ -154,70 +147,6 @@ private:
             failures_.push_back({std::move(around)});
         }
         return part;
-    }
-
-    // Where pipes cross, one of them hangs together in the polyhedron, as if by a thread: in truth
-    // there is one corner, and on each of its sides a face.
-    std::set<std::uint32_t> join_crossings(cda::DisjointSets& same) const {
-        const auto& vertices = chains_.vertices();
-        std::vector<std::uint32_t> crossings;
-        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            if (vertices[v].is_crossing) crossings.push_back(v);
-        }
-        const auto key = [&](std::uint32_t v) {
-            const Vec3 p = vertices[v].at;
-            return std::tuple(p.x, p.y, p.z, v);
-        };
-        std::ranges::sort(crossings, {}, key);
-        constexpr double kOne = 1e-7;
-        for (std::size_t i = 0; i < crossings.size(); ++i) {
-            for (std::size_t j = i + 1; j < crossings.size(); ++j) {
-                const Vec3 a = vertices[crossings[i]].at, b = vertices[crossings[j]].at;
-                if (b.x - a.x > kOne) break;
-                if (cda::norm(b - a) <= kOne) same.unite(crossings[i], crossings[j]);
-            }
-        }
-        std::set<std::uint32_t> joined;
-        for (const std::uint32_t v : crossings)
-            joined.insert(same.find(v));
-        return joined;
-    }
-
-    // Loops that come to a crossing twice, together, go on there the other way, each around a face
-    // of its own.
-    static std::vector<std::vector<Loop>> faces_with(const Part& part, std::vector<Loop> loops,
-                                                     const std::set<std::uint32_t>& crossings) {
-        Loop uses;
-        std::vector<std::size_t> next;
-        std::map<std::uint32_t, std::vector<std::size_t>> from;  // of each crossing: uses before it
-        for (const Loop& loop : loops) {
-            const std::size_t first = uses.size();
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                const Edge& edge = part.edges[loop[i].edge];
-                const std::uint32_t end = loop[i].is_forward ? edge.to : edge.from;
-                if (crossings.contains(end)) from[end].push_back(first + i);
-                uses.push_back(loop[i]);
-                next.push_back(first + (i + 1) % loop.size());
-            }
-        }
-        bool any = false;
-        for (const auto& [vertex, before] : from) {
-            if (before.size() != 2) continue;
-            std::swap(next[before[0]], next[before[1]]);
-            any = true;
-        }
-        if (!any) return {std::move(loops)};
-        std::vector<std::vector<Loop>> faces;
-        std::vector<bool> is_done(uses.size(), false);
-        for (std::size_t i = 0; i < uses.size(); ++i) {
-            if (is_done[i]) continue;
-            Loop& loop = faces.emplace_back().emplace_back();
-            for (std::size_t k = i; !is_done[k]; k = next[k]) {
-                is_done[k] = true;
-                loop.push_back(uses[k]);
-            }
-        }
-        return faces;
     }
 
     // What the polyhedron had, with its corners where they were, is as good as it was.
