@@ -85,6 +85,18 @@ TEST(SinCos, TakesTurnsAwayExactly) {
     }
 }
 
+TEST(Rotate, TurnsCounterclockwiseAndQuartersExactly) {
+    double x = 3.0;
+    double y = 0.1;
+    rotate(x, y, 90.0);
+    EXPECT_EQ(x, -0.1);
+    EXPECT_EQ(y, 3.0);
+    rotate(x, y, -90.0);
+    rotate(x, y, 30.0);
+    EXPECT_DOUBLE_EQ(x, 3.0 * std::sqrt(0.75) - 0.05);
+    EXPECT_DOUBLE_EQ(y, 1.5 + 0.1 * std::sqrt(0.75));
+}
+
 TEST(AngleOf, IsExactOnAxesAndDiagonals) {
     EXPECT_EQ(angle_of(0, 0), 0.0);
     EXPECT_EQ(angle_of(3, 0), 0.0);

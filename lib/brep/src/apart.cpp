@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/apart.h"
 
+#include "none.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,6 @@ namespace ncsim::brep {
 namespace {
 
 constexpr double kShort = 3e-7, kLeast = 1e-5;  // mm
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using Numbers = std::vector<std::uint32_t>;
 

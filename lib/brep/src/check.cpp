@@ -149,12 +149,12 @@ double turn(const Local& p, Vec3 step) {
 template <typename B>
 Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
     Measure sum;
-    constexpr double kTip = 1e-12;
+    constexpr double kAtTip = 1e-12;
     for_edges(part, face, [&](const Track& track, double sign) {
         integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
             const Local p = axes(at);
             sum.length += weight * norm(derivative);
-            if (p.away <= kTip) return;
+            if (p.away <= kAtTip) return;
             const double turned = sign * weight * turn(p, axes.turned(derivative));
             const Below b = below(p);
             sum.area -= turned * b.area;

@@ -8,17 +8,16 @@
 #include "ncsim/brep/surface.h"
 #include "ncsim/brep/swept.h"
 
+#include "none.h"
 #include "surface_set.h"
 
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <span>
 #include <vector>
 
 namespace ncsim::brep {
 
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Where planes of a simplified boundary meet, mm.
 inline constexpr double kFlat = 1e-4;
 

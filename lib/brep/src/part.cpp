@@ -78,8 +78,8 @@ Round round_of(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 ax
             const double far = norm(v);
             if (far > 0.0) round.nearest = std::min(round.nearest, away / far);
             // A tip has no angle.
-            constexpr double kTip = 1e-6;
-            if (away > kTip) take(trig::angle_of(u, w));
+            constexpr double kAtTip = 1e-6;
+            if (away > kAtTip) take(trig::angle_of(u, w));
         }
         if (first) take(*first);
         round.goes_round = round.goes_round || std::abs(sum) > 180.0;

@@ -75,6 +75,14 @@ SinCos sin_cos(double degrees) {
     }
 }
 
+void rotate(double& x, double& y, double degrees) {
+    if (degrees == 0.0) return;
+    const SinCos r = sin_cos(degrees);
+    const double turned = x * r.cos - y * r.sin;
+    y = x * r.sin + y * r.cos;
+    x = turned;
+}
+
 double tangent(double degrees) {
     const SinCos v = sin_cos(degrees);
     return v.sin / v.cos;

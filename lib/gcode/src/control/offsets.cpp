@@ -13,14 +13,6 @@ namespace {
 
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 
-void rotate(double& x, double& y, double degrees) {
-    if (degrees == 0.0) return;
-    const trig::SinCos r = trig::sin_cos(degrees);
-    const double turned = x * r.cos - y * r.sin;
-    y = x * r.sin + y * r.cos;
-    x = turned;
-}
-
 /// mm to the active units, rotary axes left alone.
 Axes from_mm(const Axes& mm, double unit) {
     Axes out = mm;
@@ -37,7 +29,7 @@ double mm_of(double value, std::size_t axis, double unit) {
 
 Axes Machine::machine_position() const {
     Axes m = out_of_plane(state_, state_.position);
-    rotate(m[kX], m[kY], state_.rotation);
+    trig::rotate(m[kX], m[kY], state_.rotation);
     for (std::size_t i = 0; i < m.size(); ++i)
         m[i] += state_.work_offset[i] + state_.tool_offset[i];
     for (std::size_t i = 0; state_.carried && i < 3; ++i)
@@ -51,7 +43,7 @@ Axes Machine::from_machine(const Axes& machine) const {
         p[i] -= state_.work_offset[i] + state_.tool_offset[i];
     for (std::size_t i = 0; state_.carried && i < 3; ++i)
         p[i] -= (*state_.carried)[i];
-    rotate(p[kX], p[kY], -state_.rotation);
+    trig::rotate(p[kX], p[kY], -state_.rotation);
     if (state_.plane_frame) {
         const auto& outer = state_.outer_92;
         std::ranges::copy(
@@ -221,7 +213,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
     // L20: the place of now shall have these coordinates.
     double x = machine[kX] - state_.tool_offset[kX] - offset.origin[kX] / unit;
     double y = machine[kY] - state_.tool_offset[kY] - offset.origin[kY] / unit;
-    rotate(x, y, -offset.rotation);
+    trig::rotate(x, y, -offset.rotation);
     double wanted_x = x;
     double wanted_y = y;
     for (std::size_t i = 0; i < kAxisNames.size(); ++i) {
@@ -241,7 +233,7 @@ bool Machine::set_work_data(const Command& command, int index, bool from_positio
         }
     }
     if (from_position && command.has_any(letters('X', 'Y'))) {
-        rotate(wanted_x, wanted_y, offset.rotation);
+        trig::rotate(wanted_x, wanted_y, offset.rotation);
         offset.origin[kX] = unit * (machine[kX] - state_.tool_offset[kX] - wanted_x);
         offset.origin[kY] = unit * (machine[kY] - state_.tool_offset[kY] - wanted_y);
     }
@@ -478,7 +470,7 @@ Axes Machine::programmed_to(const Axes& programmed) const {
         const PlaneAxes axes = axes_of(t.plane);
         double x = p[axes.first] - t.centre_1;
         double y = p[axes.second] - t.centre_2;
-        rotate(x, y, t.angle);
+        trig::rotate(x, y, t.angle);
         p[axes.first] = t.centre_1 + x;
         p[axes.second] = t.centre_2 + y;
     }
@@ -492,7 +484,7 @@ Axes Machine::programmed_from(const Axes& position) const {
         const PlaneAxes axes = axes_of(t.plane);
         double x = p[axes.first] - t.centre_1;
         double y = p[axes.second] - t.centre_2;
-        rotate(x, y, -t.angle);
+        trig::rotate(x, y, -t.angle);
         p[axes.first] = t.centre_1 + x;
         p[axes.second] = t.centre_2 + y;
     }

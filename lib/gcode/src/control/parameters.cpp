@@ -112,8 +112,8 @@ namespace {
 /// here: nobody can know their values from the program.
 std::optional<double> predefined(std::string_view name, const MachineView& view) {
     const MachineState& s = *view.state;
-    constexpr std::string_view kAxisNames = "xyzabcuvw";
-    const auto axis_of = [&](char c) { return kAxisNames.find(c); };
+    constexpr std::string_view kNames = "xyzabcuvw";
+    const auto axis_of = [&](char c) { return kNames.find(c); };
     if (name.size() == 2 && name[0] == '_' && axis_of(name[1]) != std::string_view::npos) {
         return s.position[axis_of(name[1])];
     }

@@ -17,14 +17,6 @@ constexpr double kFullCircleStrict = 1e-12;
 /// A program that has not cut after so many motions has chosen its coordinate system.
 constexpr std::size_t kMostHeld = 10'000;
 
-void rotate(double& x, double& y, double degrees) {
-    if (degrees == 0.0) return;
-    const trig::SinCos r = trig::sin_cos(degrees);
-    const double turned = x * r.cos - y * r.sin;
-    y = x * r.sin + y * r.cos;
-    x = turned;
-}
-
 ProgramFrame frame_of(const MachineState& state) {
     ProgramFrame frame;
     frame.inches = state.inches;
@@ -46,7 +38,7 @@ WorkOffset zero_of(const Axes& work_offset, const Axes& zero_92, double rotation
     zero.rotation = rotation;
     double x = zero_92[kX];
     double y = zero_92[kY];
-    rotate(x, y, rotation);
+    trig::rotate(x, y, rotation);
     for (std::size_t i = 0; i < zero.origin.size(); ++i) {
         const double shift = i == kX ? x : i == kY ? y : zero_92[i];
         zero.origin[i] = (work_offset[i] + shift) * (is_rotary(i) ? 1.0 : unit);
@@ -81,7 +73,7 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMas
     const double mm = state.unit_mm();
     double x = p[kX];
     double y = p[kY];
-    rotate(x, y, state.rotation);
+    trig::rotate(x, y, state.rotation);
     const auto& g5x = state.work_offset;
     Place out;
     Position& at = out.machine;
@@ -101,7 +93,7 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMas
     }
     double zero_x = state.zero_92[kX];
     double zero_y = state.zero_92[kY];
-    rotate(zero_x, zero_y, state.rotation);
+    trig::rotate(zero_x, zero_y, state.rotation);
     out.zero = {mm * (g5x[kX] + zero_x), mm * (g5x[kY] + zero_y),
                 mm * (g5x[kZ] + state.zero_92[kZ])};
     out.rotation = state.rotation;
@@ -125,7 +117,7 @@ Position Path::in_workpiece(const Place& place) const {
     Position at = place.machine;
     double x = at.x.mm() - zero[kX];
     double y = at.y.mm() - zero[kY];
-    rotate(x, y, -rotation);
+    trig::rotate(x, y, -rotation);
     at.x = Length::from_mm(x);
     at.y = Length::from_mm(y);
     at.z = Length::from_mm(at.z.mm() - zero[kZ]);

@@ -23,6 +23,9 @@ SinCos sin_cos(double degrees);
 /// 1 for 45 degrees. Requires cos != 0.
 double tangent(double degrees);
 
+/// Turns (x, y) about the zero, counterclockwise.
+void rotate(double& x, double& y, double degrees);
+
 /// The angle of (x, y) against the x axis in degrees, in (-180, 180]; exact for multiples of
 /// 45 degrees, else within 4e-14. 0 for the zero vector.
 double angle_of(double x, double y);
