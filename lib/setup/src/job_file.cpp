@@ -11,6 +11,7 @@
 #include "ncsim/verify/setup.h"
 
 #include "toml_reader.h"
+#include "toml_text.h"
 #include "tool_keys.h"
 
 #include <fmt/format.h>
@@ -281,14 +282,6 @@ private:
 };
 
 // --- Writing ---
-
-// JSON's strings are TOML's basic strings, but for the two characters that only TOML escapes.
-std::string quoted(const std::string& text) {
-    std::string result = report::json_string(text);
-    for (std::size_t at = 0; (at = result.find('\x7f', at)) != std::string::npos;)
-        result.replace(at, 1, "\\u007F");
-    return result;
-}
 
 // As few digits as read back to the same number; always a TOML float.
 std::string number(double value) {

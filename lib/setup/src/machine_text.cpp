@@ -3,6 +3,8 @@
 
 #include "ncsim/setup/coordinate_systems.h"
 
+#include "toml_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,16 +36,6 @@ std::string_view name_of(RotaryWay way) {
 
 std::string_view name_of(Coordinates coordinates) {
     return coordinates == Coordinates::Tip ? "tip" : "axes";
-}
-
-// A text of TOML on one line.
-std::string quoted(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return out + '"';
 }
 
 // The joints that turn before any moves straight carry the part; the nearest to it first.
