@@ -49,7 +49,13 @@ machine::Values values_of(const std::string& pose) {
 std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pose) {
     if (!file.kinematics)
         throw std::runtime_error("--pose: the file does not tell how the machine turns");
-    const machine::Pose X_WT = file.kinematics->chain.placed({}, 0.0).pose(values_of(pose));
+    const machine::Values values = values_of(pose);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const char letter = machine::kLetters[i];
+        if (values[i] != 0.0 && !file.kinematics->chain.find(letter))
+            throw std::runtime_error(fmt::format("--pose: the machine has no axis {}", letter));
+    }
+    const machine::Pose X_WT = file.kinematics->chain.placed({}, 0.0).pose(values);
     const cda::Vec3 axis = axis_of(X_WT), tip = X_WT.translation;
     return fmt::format(
         "  at {}: spindle nose at X{:.6g} Y{:.6g} Z{:.6g} of the part, whose zero is that of the "
@@ -82,6 +88,11 @@ int run(const MachineOptions& options) {
     const auto view = exporter::parse_view(options.view);
     if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
     const setup::MachineFile file = setup::read_machine(options.machine, inputs);
+    if (const std::string lost = setup::not_in_machine_toml(file);
+        !options.save.empty() && !lost.empty()) {
+        throw std::runtime_error(fmt::format("--save: {} of '{}' would be lost; it stays as it is",
+                                             lost, options.machine));
+    }
     std::string text = setup::machine_sheet(file);
     if (!options.pose.empty()) text += sheet_of_pose(file, options.pose);
     put_text(text, outputs.takes_standard_output());

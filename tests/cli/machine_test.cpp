@@ -418,6 +418,69 @@ TEST(Machine, IsShownAndSaved) {
     EXPECT_NE(unknown.err.find("c.ini:2: KINEMATICS"), std::string::npos) << unknown.err;
 }
 
+// A file that says less than the one it was made of would let pass what that one refuses.
+TEST(Machine, IsSavedWholeOrNotAtAll) {
+    Folder folder;
+    folder.write("m.toml",
+                 "name = \"mill\"\nbelow_stock = 5\nfixture = []\n[spindle]\nmin = 100\nmax = "
+                 "12000\n[feed]\nmax = 8000\n[position]\nhome = [0, 0, 1]\ntool_change = [0, 0, "
+                 "2]\nstart = [0, 0, 3]\nwork_zero = [4, 5, 6]\n[time]\ntool_change = 6\n"
+                 "junction_deviation = 0.02\n");
+    EXPECT_EQ(folder.run({"machine", "m.toml", "--save", "s.toml"}).exit_code, 0);
+    const std::string saved = folder.read("s.toml");
+    for (const char* line :
+         {"below_stock = 5\n", "fixture = []\n", "[spindle]\nmin = 100\nmax = 12000\n",
+          "[feed]\nmax = 8000\n", "home = [0, 0, 1]\n", "tool_change = [0, 0, 2]\n",
+          "start = [0, 0, 3]\n", "G54\" = [4, 5, 6]\n", "tool_change = 6\n",
+          "junction_deviation = 0.02\n"})
+        EXPECT_NE(saved.find(line), std::string::npos) << line << saved;
+    EXPECT_EQ(folder.run({"machine", "s.toml", "--save", "t.toml"}).exit_code, 0);
+    EXPECT_EQ(folder.read("t.toml"), saved);
+    folder.write("v.toml", "[[fixture]]\nname = \"vice\"\nbox = [[0, 0, 0], [9, 9, 9]]\n");
+    folder.write("l.toml", "[[tool]]\nnumber = 1\nmax_depth = 2\n");
+    for (const auto& [file, what] :
+         {std::pair{"v.toml", "1 fixture"}, {"l.toml", "limits of tools"}}) {
+        const Ran ran = folder.run({"machine", file, "--save", "n.toml"});
+        EXPECT_EQ(ran.exit_code, 2) << file;
+        EXPECT_NE(ran.err.find(what), std::string::npos) << ran.err;
+        EXPECT_FALSE(folder.has("n.toml"));
+    }
+}
+
+// What a file of another program leaves open stays a doubt in what is saved of it.
+TEST(Machine, SavesWhatWasAssumedAsAssumed) {
+    Folder folder;
+    folder.write("m.fcm",
+                 R"({"machine": {"name": "m", "axes": {
+        "X": {"role": "table_linear", "joint": {"axis": [1, 0, 0]}},
+        "Y": {"role": "table_linear", "joint": {"axis": [0, 1, 0]}},
+        "Z": {"role": "head_linear", "joint": {"axis": [0, 0, 1]}},
+        "A": {"role": "table_rotary", "joint": {"axis": [1, 0, 0], "origin": [0, 1, 2]}}},
+        "toolheads": [{"max_rpm": 9000}]}})");
+    const Ran first = folder.run({"machine", "m.fcm", "--save", "s.toml"});
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_NE(first.out.find("assumed: "), std::string::npos) << first.out;
+    EXPECT_NE(folder.read("s.toml").find("max = 9000"), std::string::npos);
+    const Ran again = folder.run({"machine", "s.toml", "--save", "t.toml"});
+    EXPECT_EQ(again.out, first.out) << again.err;
+    EXPECT_EQ(folder.read("t.toml"), folder.read("s.toml"));
+    folder.write("a.nc",
+                 std::string(kSlot).insert(std::string(kSlot).find("G0 X-30."), "G0 A90.\n"));
+    for (const char* file : {"m.fcm", "s.toml"}) {
+        const Ran checked = folder.run({"check", "a.nc", "--machine", file});
+        EXPECT_NE(checked.out.find("right hand"), std::string::npos) << file << checked.out;
+        EXPECT_NE(checked.out.find("[kinematics-guess]"), std::string::npos) << file;
+    }
+}
+
+TEST(Machine, HasNoPoseOfAxesThatItHasNot) {
+    Folder folder;
+    folder.write("m.toml", "preset = \"xyzac-trt\"\npivot = { A = [0, 0, 0], C = [0, 0, 0] }\n");
+    const Ran ran = folder.run({"machine", "m.toml", "--pose", "A30,B20"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_NE(ran.err.find("no axis B"), std::string::npos) << ran.err;
+}
+
 // A closed box as text.
 std::string box_stl(const std::array<double, 3>& low, const std::array<double, 3>& high) {
     std::string stl = "solid box\n";

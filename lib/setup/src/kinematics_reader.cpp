@@ -177,6 +177,10 @@ void KinematicsReader::take_clamps(const toml::node& node, const std::string& ke
     }
 }
 
+void KinematicsReader::take_assumed(const toml::node& node, const std::string& key) {
+    assumed_ = Name{&node, r_.text(node, key)};
+}
+
 void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
     travels_node_ = &node;
     travels_[letter] = travel(node, key);
@@ -350,6 +354,7 @@ ToldKinematics KinematicsReader::of_links() const {
 // What presets and links have in common.
 void KinematicsReader::finish(ToldKinematics& told) const {
     told.prefer = prefer_;
+    if (assumed_) told.guess = assumed_->name;
     for (const auto& [letter, range] : travels_) {
         if (!turns(letter)) continue;
         if (!told.chain.find(letter))
@@ -407,6 +412,7 @@ std::optional<ToldKinematics> KinematicsReader::kinematics() const {
         finish(told);
         return told;
     }
+    if (assumed_) r_.fail(*assumed_->node, "'assumed' needs to know how the machine turns");
     if (travels_node_)
         r_.fail(*travels_node_, "'travel' of a rotary axis needs to know how the machine turns");
     if (control_node_) {

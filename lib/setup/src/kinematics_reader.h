@@ -28,6 +28,7 @@ public:
     void take_preset(const toml::node& node, const std::string& key);
     void take_pivots(const toml::node& node, const std::string& key);
     void take_control(const toml::node& node, const std::string& key);
+    void take_assumed(const toml::node& node, const std::string& key);
     void take_link(const toml::node& node, const std::string& key);
     void take_part(const toml::node& node, const std::string& key);
     void take_spindle_link(const toml::node& node, const std::string& key);
@@ -77,6 +78,7 @@ private:
     std::vector<Link> links_;
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;
+    std::optional<Name> assumed_;
     std::array<gcode::RotaryWay, 3> ways_{};  // of A, B and C
     std::vector<gcode::RotaryClamp> clamps_;
     machine::Travels travels_;

@@ -92,6 +92,26 @@ std::string control_toml(const MachineFile& file) {
     return fmt::format("control = {{ {} }}\n", fmt::join(keys, ", "));
 }
 
+std::string clamps_toml(const MachineFile& file) {
+    if (file.clamps.empty()) return {};
+    std::string clamps;
+    for (const gcode::RotaryClamp& c : file.clamps) {
+        clamps += fmt::format("{}{} = [\"M{}\", \"M{}\"]", clamps.empty() ? "" : ", ", c.letter,
+                              c.clamp, c.release);
+    }
+    return fmt::format("clamps = {{ {} }}\n", clamps);
+}
+
+std::string ways_toml(const MachineFile& file) {
+    std::string ways;
+    for (std::size_t i = 0; i < file.rotary_ways.size(); ++i) {
+        if (file.rotary_ways[i] == RotaryWay::Linear) continue;
+        ways += fmt::format("{}{} = \"{}\"", ways.empty() ? "" : ", ", "ABC"[i],
+                            name_of(file.rotary_ways[i]));
+    }
+    return ways.empty() ? ways : fmt::format("way = {{ {} }}\n", ways);
+}
+
 }  // namespace
 
 std::string machine_sheet(const MachineFile& file) {
@@ -148,10 +168,27 @@ std::string machine_sheet(const MachineFile& file) {
     return text;
 }
 
+std::string not_in_machine_toml(const MachineFile& file) {
+    std::vector<std::string> lost;
+    const std::size_t fixtures = file.machine.fixtures.size();
+    if (fixtures > 0)
+        lost.push_back(fmt::format("{} fixture{}", fixtures, fixtures == 1 ? "" : "s"));
+    if (!file.bodies.empty()) lost.emplace_back("meshes of links");
+    if (!file.tools.empty()) lost.emplace_back("limits of tools");
+    return fmt::format("{}", fmt::join(lost, ", "));
+}
+
 std::string machine_toml(const MachineFile& file) {
+    // Keys of their own come first: behind a table they would be part of it.
+    const verify::MachineDescription& m = file.machine;
     std::string text;
-    if (!file.machine.name.empty()) text += fmt::format("name = {}\n", quoted(file.machine.name));
-    std::string links;
+    if (!m.name.empty()) text += fmt::format("name = {}\n", quoted(m.name));
+    if (file.kinematics && !file.kinematics->guess.empty())
+        text += fmt::format("assumed = {}\n", quoted(file.kinematics->guess));
+    if (m.below_stock != 0.0) text += fmt::format("below_stock = {}\n", m.below_stock);
+    if (m.fixtures_told && m.fixtures.empty()) text += "fixture = []\n";
+    text += clamps_toml(file);
+    std::string spindle, links;
     if (file.kinematics) {
         text += control_toml(file);
         const machine::Chain& chain = file.kinematics->chain;
@@ -167,25 +204,33 @@ std::string machine_toml(const MachineFile& file) {
             tool = chain.joints[i].letter;
         }
         text += fmt::format("part = {{ link = \"{}\" }}\n", part);
-        if (!file.clamps.empty()) {
-            text += "clamps = { ";
-            const char* comma = "";
-            for (const gcode::RotaryClamp& c : file.clamps) {
-                text +=
-                    fmt::format("{}{} = [\"M{}\", \"M{}\"]", comma, c.letter, c.clamp, c.release);
-                comma = ", ";
-            }
-            text += " }\n";
-        }
-        links = fmt::format("[spindle]\nlink = \"{}\"\n", tool) + links;
+        spindle = fmt::format("link = \"{}\"\n", tool);
+    } else {
+        text += ways_toml(file);
     }
     const auto range = [](const verify::AxisRange& r) {
         return fmt::format("[{}, {}]", r.min, r.max);
     };
     const auto number = [](double v) { return fmt::format("{}", v); };
-    add_axes(text, "travel", file.machine.travel, range);
-    add_axes(text, "rapid", file.machine.rapid, number);
-    add_axes(text, "acceleration", file.machine.acceleration, number);
+    const auto line = [](const char* key, const auto& value, const auto& print) {
+        return value ? fmt::format("{} = {}\n", key, print(*value)) : std::string();
+    };
+    const auto add_table = [&text](const char* name, const std::string& lines) {
+        if (!lines.empty()) text += fmt::format("[{}]\n{}", name, lines);
+    };
+    add_axes(text, "travel", m.travel, range);
+    add_axes(text, "rapid", m.rapid, number);
+    add_axes(text, "acceleration", m.acceleration, number);
+    add_table("spindle", spindle + line("min", m.min_rpm, number) + line("max", m.max_rpm, number));
+    add_table("feed", line("max", m.max_feed, number));
+    add_table("position", line("home", m.home, vector) +
+                              line("tool_change", m.tool_change, vector) +
+                              line("start", file.start, vector));
+    std::optional<double> junction;
+    if (m.junction_deviation != verify::MachineDescription().junction_deviation)
+        junction = m.junction_deviation;
+    add_table("time", line("tool_change", m.tool_change_seconds, number) +
+                          line("junction_deviation", junction, number));
     if (!file.offsets.empty()) text += "[offsets]\n";
     for (const auto& [system, origin] : file.offsets)
         text += fmt::format("\"{}\" = {}\n", name_of_system(system), vector(origin));

@@ -60,10 +60,10 @@
 //                                    # two ways to a direction the one with the joint that counts
 //                                    # first at 0 or above; "negative", "shortest" (default).
 //                                    # kinematics = ["tip", "axes"]: of LinuxCNC's G12.1 P0, P1
-//     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), which
-//     is
-//                                    # the default, "shortest" (+20, roll-over), "positive", "sign"
+//     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), the
+//                                    # default; "shortest" (+20, roll-over), "positive", "sign"
 //                                    # (the size is the place, the sign the way)
+//     assumed = "…"                  # what nobody told, in words: a doubt until it is taken out
 //     clamps = { B = ["M10", "M11"] }   # M10 holds B, M11 lets it go
 //     part = { link = "platter" }
 //     [spindle]
@@ -75,9 +75,8 @@
 //     turns_about = [1, 0, 0]        # or moves_along
 //     through = [0, 20, 10]
 //     travel = [-110, 30]
-//     mesh = "cradle.stl"            # beside this file: STL or GLB, closed, mm, as it stands in
-//     the
-//                                    # machine with all axes at 0
+//     mesh = "cradle.stl"            # beside this file: STL or GLB, closed, mm, as it stands with
+//                                    # all axes at 0
 //     colour = "#c08040"
 //     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
 #pragma once

@@ -13,8 +13,12 @@ namespace ncsim::setup {
 /// told.
 std::string machine_sheet(const MachineFile& file);
 
-/// TOML that read_machine_file() reads: links, travels, rates, offsets and control; fixtures and
-/// limits of tools are not written.
+/// What a machine.toml made of it would not say, in words: "2 fixtures, limits of tools"; empty:
+/// nothing.
+std::string not_in_machine_toml(const MachineFile& file);
+
+/// TOML that read_machine_file() reads to the same, but for not_in_machine_toml(). What was assumed
+/// stays so: the key `assumed` makes verdicts doubt it until somebody takes it out.
 std::string machine_toml(const MachineFile& file);
 
 }  // namespace ncsim::setup
