@@ -402,6 +402,10 @@ TEST(Cylinder, HasArcsOfItsCircumference) {
     EXPECT_TRUE(run("G7.1 C0.0000001\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G7.1 C-5\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G19 G7.1 C25\nG2 Z-5 C10 J5\n", Dialect::Fanuc, false).says("plane-form"));
+    // More chords than are made of one arc would be needed.
+    const std::string start = "G0 X30 Z0 C0\nG19 G7.1 C25\nG1 X24 F100\nG2 C10 ";
+    EXPECT_FALSE(run(start + "Z-1900. R1000.\n", Dialect::Fanuc, false).says("plane-form"));
+    EXPECT_TRUE(run(start + "Z-190000. R100000.\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G17 G7.1 C25\nG2 Z-5 C10 R9\n", Dialect::Fanuc, false).says("plane-form"));
     EXPECT_TRUE(run("G107 C25\n", Dialect::Haas, false).result.stopped);
 }

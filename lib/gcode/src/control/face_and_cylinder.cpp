@@ -207,7 +207,9 @@ bool Machine::arc_on_cylinder(const Command& command, bool clockwise) {
     const double step =
         std::sqrt(8.0 * kOff / (radius * state_.unit_mm())) * 180.0 / std::numbers::pi;
     constexpr double kMostChords = 5'000.0;
-    const double count = std::clamp(std::ceil(std::abs(sweep) / step), 2.0, kMostChords);
+    const double count = std::max(std::ceil(std::abs(sweep) / step), 2.0);
+    if (!(count <= kMostChords))
+        return fail(Message::CylinderArc, command.span, {name, "a smaller radius"});
     const Axes from = state_.position;
     for (double i = 1.0; i <= count; ++i) {
         Axes at = end;
