@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <set>
 
 namespace ncsim::app {
@@ -241,17 +242,24 @@ std::set<std::string> given_to(const CLI::App& command) {
 }
 
 std::optional<OptionKind> kind_of_check_option(const std::string& name) {
-    static const std::set<std::string, std::less<>> kOfOneRun{"help", "no-project", "notes",
-                                                              "quiet", "save-job"};
-    CLI::App app;
-    CheckOptions ignored;
-    const CLI::Option* option = add_check(app, ignored)->get_option_no_throw("--" + name);
-    const bool is_limit = name == "max-time" || name == "max-memory";
-    if (!option || kOfOneRun.contains(name) || (!decides_verdicts(name) && !is_limit))
-        return std::nullopt;
-    const std::string type = option->get_type_name();
-    return OptionKind{option->get_expected_max() == 0,
-                      type.starts_with("FILE") || type.starts_with("DIR")};
+    static const std::map<std::string, OptionKind> kKinds = [] {
+        const std::set<std::string, std::less<>> of_one_run{"help", "notes", "quiet", "save-job"};
+        const std::set<std::string, std::less<>> limits{"max-time", "max-memory"};
+        CLI::App app;
+        CheckOptions ignored;
+        std::map<std::string, OptionKind> kinds;
+        for (const CLI::Option* option : add_check(app, ignored)->get_options()) {
+            const std::string known = long_name(*option);
+            if (of_one_run.contains(known)) continue;
+            if (!decides_verdicts(known) && !limits.contains(known)) continue;
+            const std::string type = option->get_type_name();
+            kinds[known] = {option->get_expected_max() == 0,
+                            type.starts_with("FILE") || type.starts_with("DIR")};
+        }
+        return kinds;
+    }();
+    const auto found = kKinds.find(name);
+    return found == kKinds.end() ? std::nullopt : std::optional(found->second);
 }
 
 CLI::App* add_rules(CLI::App& app, RulesOptions& options) {

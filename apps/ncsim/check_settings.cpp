@@ -129,7 +129,7 @@ std::string SettingsOfPrograms::key() const {
 const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& program) {
     const std::string folder = std::filesystem::path(program).parent_path().string();
     const auto [above, is_new] = project_above_.try_emplace(folder);
-    if (is_new) above->second = setup::find_project_file(program, inputs_);
+    if (is_new) above->second = setup::find_project_file(program);
     if (!above->second) return nullptr;
     const auto known = projects_.find(*above->second);
     if (known != projects_.end()) return &known->second;

@@ -84,6 +84,10 @@ TEST(Project, TellsWhereItIsWrong) {
         {"tolerance = 99", "ncsim.toml:2:13: --tolerance: expected 0.0001 to 10 mm"},
         {"tool = [1.5, [2]]", "ncsim.toml:2:14: 'tool': expected a text, a number, true, false"},
         {"[[program]]\nmachine = \"m\"", "ncsim.toml:2:1: expected files"},
+        {"[[program]]\nfiles = [\"a/**\", \"/a/**\"]",
+         "ncsim.toml:3:18: '/a/**': expected a path below"},
+        {"[[program]]\nfiles = [\"../a.nc\"]", "ncsim.toml:3:10: '../a.nc': expected a path below"},
+        {"[[program]]\nfiles = [\"./a.nc\"]", "ncsim.toml:3:10: './a.nc': expected a path below"},
         {"program = 3", "ncsim.toml:2:11: write [[program]]"},
         {"strict = ", "ncsim.toml:2:"},
         {"machine = \"none.toml\"", "cannot read 'none.toml'"},
@@ -100,6 +104,22 @@ TEST(Project, TellsWhereItIsWrong) {
     folder.write("ncsim.toml", "strict = true\n");
     EXPECT_TRUE(folder.run({"check", "a.nc"})
                     .err.starts_with("ncsim: ncsim.toml:1:1: expected version = 1"));
+}
+
+// What somebody told and cannot be read is no reason to go on without it.
+TEST(Project, ThatCannotBeReadIsNotPassedOver) {
+    const Repository folder("");
+    const auto file = folder.path() / "ncsim.toml";
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink("nowhere.toml", file);
+    EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 2);
+    EXPECT_EQ(folder.run({"check", "plain", "--no-project"}).exit_code, 0);
+    std::filesystem::remove(file);
+    std::filesystem::create_directory(file);
+    EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 2);
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink("/dev/zero", file);
+    EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 2);
 }
 
 TEST(Project, IsNotWrittenOver) {

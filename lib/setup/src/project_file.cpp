@@ -16,6 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string next_name(std::string_view& path) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    std::string name(path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
+    return name;
+}
+
+std::vector<std::string> names_of(std::string_view path) {
+    std::vector<std::string> names;
+    while (!path.empty())
+        names.push_back(next_name(path));
+    return names;
+}
+
 class Reader {
 public:
     explicit Reader(const TomlReader& reader) : r_(reader) {}
@@ -47,6 +61,8 @@ private:
             const std::string name(key.str());
             if (name == "files") {
                 section.files = r_.texts(value, name);
+                for (const toml::node& pattern : r_.list(value, name))
+                    check_pattern(pattern);
             } else {
                 section.settings.push_back(setting(name, value));
             }
@@ -54,6 +70,17 @@ private:
         if (section.files.empty())
             r_.fail(node, "expected files, the programs that this is about: files = [\"a/**\"]");
         return section;
+    }
+
+    // One that could match nothing is a mistake.
+    void check_pattern(const toml::node& node) const {
+        const std::string pattern = r_.text(node, "files");
+        const auto is_no_name = [](const std::string& name) {
+            return name.empty() || name == "." || name == "..";
+        };
+        const std::vector<std::string> names = names_of(pattern);
+        if (names.empty() || std::ranges::any_of(names, is_no_name))
+            r_.fail(node, fmt::format("'{}': expected a path below this file", pattern));
     }
 
     ProjectSetting setting(const std::string& name, const toml::node& node) {
@@ -81,20 +108,6 @@ private:
 
     const TomlReader& r_;
 };
-
-std::string next_name(std::string_view& path) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    std::string name(path.substr(0, end));
-    path.remove_prefix(std::min(end + 1, path.size()));
-    return name;
-}
-
-std::vector<std::string> names_of(std::string_view path) {
-    std::vector<std::string> names;
-    while (!path.empty())
-        names.push_back(next_name(path));
-    return names;
-}
 
 // Does the pattern, a row of parts of which some stand for any number of things, match? Wherever
 // such a part may end is kept: no way is tried twice.
@@ -129,16 +142,17 @@ fs::path place_of(const std::string& program) {
 
 }  // namespace
 
-std::optional<std::string> find_project_file(const std::string& program, InputSet& inputs) {
+std::optional<std::string> find_project_file(const std::string& program) {
     fs::path folder = place_of(program).parent_path();
     const fs::path here = fs::current_path();
     while (true) {
         const fs::path file = folder / kProjectFileName;
-        if (inputs.is_there(file.string())) {
+        std::error_code ignored;
+        // Also one that leads nowhere: whoever reads it says so.
+        if (fs::symlink_status(file, ignored).type() != fs::file_type::not_found) {
             const bool is_absolute = program != "-" && fs::path(program).is_absolute();
             return is_absolute ? file.string() : file.lexically_relative(here).string();
         }
-        std::error_code ignored;
         if (fs::exists(folder / ".git", ignored) || folder == folder.parent_path())
             return std::nullopt;
         folder = folder.parent_path();

@@ -35,7 +35,7 @@ struct ProjectFile {
 
 /// The nearest ncsim.toml in the folder of a program or above it, no farther up than the folder
 /// that holds .git. Relative where the program is. "-" stands for a program in the current folder.
-std::optional<std::string> find_project_file(const std::string& program, InputSet& inputs);
+std::optional<std::string> find_project_file(const std::string& program);
 
 /// Throws std::runtime_error with file, line and column. Which options there are is not known here.
 ProjectFile read_project_file(const std::string& path, InputSet& inputs);
