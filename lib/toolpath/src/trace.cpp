@@ -179,11 +179,11 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& lib
 }
 
 bool has_known_start(const gcode::Motion& motion) {
-    return motion.known_start.x && motion.known_start.y && motion.known_start.z;
+    return motion.known_start.all();
 }
 
 bool has_known_end(const gcode::Motion& motion) {
-    return motion.known_end.x && motion.known_end.y && motion.known_end.z && !motion.start_assumed;
+    return motion.known_end.all() && !motion.start_assumed;
 }
 
 }  // namespace ncsim::toolpath

@@ -172,8 +172,7 @@ void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
     motion_.known_start = state.known;
     const Knowledge end = after_move(state, mask, machine_coordinates_);
     motion_.known_end = end.known;
-    const auto any = [](const KnownAxes& axes) { return axes.x || axes.y || axes.z; };
-    motion_.start_assumed = any(state.relative) || any(end.relative);
+    motion_.start_assumed = state.relative.any() || end.relative.any();
     motion_.machine_coordinates = machine_coordinates_;
     motion_.turns_clamped = false;
     motion_.spindle_in_doubt = state.spindle_in_doubt;

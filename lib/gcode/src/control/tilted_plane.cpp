@@ -13,14 +13,6 @@ namespace {
 constexpr KnownAxes kNothing{false, false, false};
 constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
 
-bool all(const KnownAxes& axes) {
-    return axes.x && axes.y && axes.z;
-}
-
-bool any(const KnownAxes& axes) {
-    return axes.x || axes.y || axes.z;
-}
-
 PlaneDialect dialect_of(Code code, const Rules& rules) {
     if (code == Code::G268) return PlaneDialect::Haas;
     return rules.linuxcnc_planes ? PlaneDialect::LinuxCnc : PlaneDialect::Fanuc;
@@ -56,9 +48,9 @@ double Machine::length_mm() const {
 
 /// What is known of X, Y and Z that became others, each of them out of all three.
 void Machine::mix_knowledge() {
-    if (!all(state_.known)) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
+    if (!state_.known.all()) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     const auto all_or_none = [](const KnownAxes& axes) {
-        return any(axes) ? KnownAxes{} : kNothing;
+        return axes.any() ? KnownAxes{} : kNothing;
     };
     set_knowledge(state_,
                   Knowledge{{}, all_or_none(state_.relative), all_or_none(state_.of_machine)});

@@ -81,7 +81,7 @@ void print_manner(std::string& out, const Motion& motion) {
     if (motion.tool != 0) print_word(out, "T", motion.tool);
     if (motion.machine_coordinates) out += " machine";
     const KnownAxes& known = motion.known_start;
-    if (!known.x || !known.y || !known.z) {
+    if (!known.all()) {
         out += " from-unknown-";
         if (!known.x) out += 'x';
         if (!known.y) out += 'y';

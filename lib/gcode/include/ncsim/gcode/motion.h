@@ -106,6 +106,8 @@ enum class Coordinates : std::uint8_t {
 /// where a move begins. A move whose start is unknown in an axis must not cut a phantom path.
 struct KnownAxes {
     bool x = true, y = true, z = true;
+    bool all() const { return x && y && z; }
+    bool any() const { return x || y || z; }
     bool operator==(const KnownAxes&) const = default;
 };
 
