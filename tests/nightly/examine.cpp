@@ -95,7 +95,8 @@ private:
             // (tool_polytope.h).
             const double tolerance = program_.tool_tolerance_mm;
             const double r = program_.tools[i].radius();
-            if (tolerance < std::max(r / 1000, 2 * std::sqrt(r * stated_.unit))) continue;
+            const double units = program_.tools[i].is_whole_ball() ? 4 : 2;
+            if (tolerance < std::max(r / 1000, units * std::sqrt(r * stated_.unit))) continue;
             require(stated_.tool_error[i] <= tolerance, "a tool is coarser than its tolerance");
         }
     }

@@ -41,6 +41,7 @@ public:
     double sharpest_half_angle() const;
     /// Has it a ball or a rounded corner?
     bool is_rounded() const { return !arcs_.empty(); }
+    bool is_whole_ball() const { return is_rounded() && top_.r == 0.0; }
     /// Is it a cylinder?
     bool is_upright() const { return bottom_.r == radius_ && top_.r == radius_; }
     /// Of the surface; `along` and `around` in [0, 1).

@@ -463,6 +463,22 @@ TEST(ToolPolytope, OfRandomToolsHoldsThemOrIsHeldWithinTheErrorThatItTells) {
     }
 }
 
+// Of 127 units, a prime, no ring is an exact part.
+TEST(ToolPolytope, OfWholeBallsOfAFewUnitsIsAsFineAsTheLatticeAllows) {
+    for (int units = 4; units < 400; ++units) {
+        for (const double over : {2.0, 2.6}) {
+            const double r = (units - 0.4) * kLattice.unit_mm;
+            const double tolerance = over * 2 * std::sqrt(r * kLattice.unit_mm);
+            for (const Side side : {Side::Circumscribed, Side::Inscribed, Side::Fair}) {
+                const Tool ball = lollipop_mill(2 * r);
+                const PiecePolytope p = approximate(ball.pieces[0], kLattice, {tolerance, side});
+                EXPECT_LE(p.error_mm, tolerance) << units << " units, tolerance " << tolerance
+                                                 << ", side " << static_cast<int>(side);
+            }
+        }
+    }
+}
+
 // A polygon that is wider than the ring, since its radius has to be a multiple, has corners that
 // stand out by that share more.
 TEST(ToolPolytope, CornersOfAConeStandOutByNoMoreThanItTells) {

@@ -71,7 +71,8 @@ BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, doub
     std::pair<std::int64_t, std::int64_t> nearest_here{kFarthest, 1};
     std::int64_t begin = low;
     const auto end_size = [&] {
-        if (nearest_here.first < low) candidates.more.push_back(nearest_here.second);
+        if (static_cast<double>(nearest_here.first) < root / 2)
+            candidates.more.push_back(nearest_here.second);
         nearest_here.first = kFarthest;
     };
     for (std::int64_t b = low; b <= high; ++b) {

@@ -39,7 +39,7 @@ struct PiecePolytope {
 /// whose radii are multiples of one number b between √r/2 and 2√r units (or r/200, if that is
 /// more), where r is the largest radius. Where no such b divides r, or none is fine enough for the
 /// other radii, the four sides lie a few units farther out, always less than √r/2. Forms of three
-/// radii and more may need twice the least tolerance.
+/// radii and more, and whole balls (lollipops) of a few units, may need twice the least tolerance.
 ///
 /// Rings around rounded corners have fewer sides where they are smaller: of the largest polygon
 /// every second, third … in a multiple of four; azimuth and profile share the tolerance. A ball of
