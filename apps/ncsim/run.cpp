@@ -79,8 +79,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
                   [&](std::ostream& out) { exporter::write_gltf(out, *mesh, s.provenance); });
     outputs.write(o.vrml,
                   [&](std::ostream& out) { exporter::write_vrml(out, polygons(), s.provenance); });
-    outputs.write(o.stl,
-                  [&](std::ostream& out) { exporter::write_stl(out, cda::triangulate(*mesh)); });
+    outputs.write(o.stl, [&](std::ostream& out) {
+        exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads));
+    });
     outputs.write(o.ply,
                   [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
     outputs.write(o.threemf,

@@ -52,7 +52,7 @@ TEST(Stitch, TellsThatFacesAreMissing) {
     std::vector<Fragment> sides{side(x, y, far, z), side(y, z, far, x), side(z, x, far, y),
                                 side(far, x, y, z)};
     const auto stitched = [&] {
-        Stitcher stitcher(kLattice);
+        Stitcher stitcher(kLattice, 1);
         stitcher.take(outlines_of(sides));
         return stitcher.finish();
     };

@@ -79,6 +79,27 @@ TEST(TreeCda, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
+// Enough faces and lines for several tasks of each step of stitching.
+TEST(TreeCda, DoesNotDependOnTheNumberOfThreadsWhereThereAreManyFaces) {
+    const auto milled_by = [](std::uint32_t threads) {
+        TreeCda part(mm_box(0, 0, 0, 128, 128, 4), kLattice, {.threads = threads});
+        std::int32_t motion = 0;
+        for (int i = 0; i < 32; ++i) {
+            for (int j = 0; j < 32; ++j) {
+                // Every third meets its neighbour.
+                const int more = j % 3 == 0 ? 2 : 0;
+                part.subtract_unmeasured(mm_box(4 * i + 1, 4 * j + 1, 1 + (i + j) % 2, 4 * i + 3,
+                                                4 * j + 3 + more, 5, Origin{motion++}));
+            }
+        }
+        return part.boundary();
+    };
+    const Boundary one = milled_by(1);
+    EXPECT_GT(one.faces.size(), 4000U);
+    for (const std::uint32_t threads : {2U, 5U})
+        expect_same(milled_by(threads), one);
+}
+
 TEST(TreeCda, DoesNotDependOnTheOrderOfCuts) {
     auto cuts = random_cuts(78, 60, 60000);
     const Boundary expected = milled(TreeCda(kStock, kLattice), cuts);

@@ -173,5 +173,75 @@ TEST(Triangulate, NarrowBandsStayNarrow) {
     }
 }
 
+// Corners on an ellipse, and some between them: no circle around a triangle has another in it.
+TEST(Triangulate, ConvexFacesAreDelaunay) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int trial = 0; trial < 300; ++trial) {
+        std::vector<double> angles(3 + trial % 12);
+        for (double& angle : angles)
+            angle = 6.283 * unit(random);
+        std::sort(angles.begin(), angles.end());
+        std::vector<Vec3> corners;
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            const auto at = [&](double t) { return Vec3{5 * std::cos(t), 2 * std::sin(t), 0.0}; };
+            const Vec3 here = at(angles[i]);
+            const Vec3 next = at(angles[(i + 1) % angles.size()]);
+            corners.push_back(here);
+            if (i % 3 == 1) corners.push_back(0.5 * (here + next));
+        }
+        Plate plate({corners});
+        plate.boundary.faces.resize(1);  // both would have the same diagonals
+        const TriangleMesh mesh = triangulate(plate.boundary);
+        ASSERT_EQ(mesh.triangles.size(), corners.size() - 2);
+        for (const auto& [a, b, c] : mesh.triangles) {
+            EXPECT_GT(
+                cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]).z,
+                0.0);
+            for (const Vec3& d : corners) {
+                const auto row = [&](std::uint32_t v) {
+                    const Vec3 off = mesh.vertices[v] - d;
+                    return Vec3{off.x, off.y, dot(off, off)};
+                };
+                // Positive where d is in the circle through a, b and c.
+                EXPECT_LE(dot(row(a), cross(row(b), row(c))), 1e-9) << "trial " << trial;
+            }
+        }
+    }
+}
+
+// Faces of all kinds, in several tasks; some take new vertices, which are numbered in order.
+TEST(Triangulate, DoesNotDependOnTheNumberOfThreads) {
+    Boundary all;
+    const auto add = [&](const std::vector<std::vector<Vec3>>& loops, double at) {
+        const Plate plate(loops);
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        for (const Vec3& p : plate.boundary.vertices)
+            all.vertices.push_back(p + Vec3{at, 0, 0});
+        for (BoundaryFace face : plate.boundary.faces) {
+            for (Loop& loop : face.loops) {
+                for (std::uint32_t& v : loop)
+                    v += first;
+            }
+            all.faces.push_back(face);
+        }
+    };
+    for (int i = 0; i < 600; ++i) {
+        const double at = 10.0 * i;
+        add({{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}}}, at);
+        add({{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 3, 0}}}, at);
+        if (i % 50 == 7) add({{{0, 0, 0}, {4, 3, 0}, {4, 0, 0}, {0, 3, 0}}}, at);  // crosses itself
+    }
+    const TriangleMesh one = triangulate(all, 1);
+    EXPECT_GT(one.vertices.size(), all.vertices.size());
+    EXPECT_TRUE(std::is_sorted(one.face.begin(), one.face.begin() + 2000));
+    for (const std::size_t threads : {2U, 5U}) {
+        const TriangleMesh other = triangulate(all, threads);
+        EXPECT_EQ(other.vertices, one.vertices);
+        EXPECT_EQ(other.triangles, one.triangles);
+        EXPECT_EQ(other.face, one.face);
+    }
+}
+
 }  // namespace
 }  // namespace ncsim::cda

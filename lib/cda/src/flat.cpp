@@ -308,7 +308,7 @@ Boundary FlatCda::boundary() const {
             add(negative_[n], {CellKind::Negative, n, i}, negative_remainders_[n][i]);
         }
     }
-    Stitcher stitcher(lattice_);
+    Stitcher stitcher(lattice_, 1);
     stitcher.take(outlines_of(fragments));
     return stitcher.finish();
 }

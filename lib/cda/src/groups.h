@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "parallel.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -31,21 +33,42 @@ public:
     std::span<Item> of(std::size_t group) {
         return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
     }
+    std::span<const Item> of(std::size_t group) const {
+        return std::span(items_).subspan(begin_[group], begin_[group + 1] - begin_[group]);
+    }
     std::span<const Item> all() const { return items_; }
-    /// Replaces each list by what `change(group, list, result)` adds to `result`, which must not be
-    /// more.
-    template <class Change>
-    void replace(Change change) {
-        std::vector<Item> result;
+    /// Replaces each list by what change(group, list, result) adds to `result`, which must not be
+    /// more. All threads work on runs of groups, each with a `change` of its own from
+    /// make_change().
+    template <class MakeChange>
+    void replace(const Runs& runs, std::size_t threads, const MakeChange& make_change) {
+        // In place, run by run; then runs move up.
+        std::vector<std::size_t> end(runs.tasks());
+        in_parallel(threads, runs.tasks(), [&](std::size_t task) {
+            auto change = make_change();
+            std::vector<Item> result;
+            std::size_t to = begin_[runs.begin(task)];
+            for (std::size_t group = runs.begin(task); group < runs.end(task); ++group) {
+                const std::span<Item> list = of(group);
+                result.clear();
+                change(static_cast<std::uint32_t>(group), list, result);
+                assert(result.size() <= list.size());
+                // The first one's is read by whoever has the run before it.
+                if (group != runs.begin(task)) begin_[group] = to;
+                std::ranges::copy(result, items_.begin() + static_cast<std::ptrdiff_t>(to));
+                to += result.size();
+            }
+            end[task] = to;
+        });
         std::size_t to = 0;
-        for (std::size_t group = 0; group + 2 < begin_.size(); ++group) {
-            const std::span<Item> list = of(group);
-            result.clear();
-            change(group, list, result);
-            assert(result.size() <= list.size());
-            begin_[group] = to;
-            std::ranges::copy(result, items_.begin() + static_cast<std::ptrdiff_t>(to));
-            to += result.size();
+        for (std::size_t task = 0; task < runs.tasks(); ++task) {
+            const std::size_t from = begin_[runs.begin(task)];
+            std::copy(items_.begin() + static_cast<std::ptrdiff_t>(from),
+                      items_.begin() + static_cast<std::ptrdiff_t>(end[task]),
+                      items_.begin() + static_cast<std::ptrdiff_t>(to));
+            for (std::size_t group = runs.begin(task); group < runs.end(task); ++group)
+                begin_[group] -= from - to;
+            to += end[task] - from;
         }
         begin_[begin_.size() - 2] = to;
         items_.resize(to);

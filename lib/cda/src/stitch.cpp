@@ -20,10 +20,11 @@
 
 #include "chunks.h"
 #include "groups.h"
+#include "half_edges.h"
 #include "loops.h"
 #include "naming.h"
 #include "none.h"
-#include "numbering.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -53,236 +54,25 @@ int dot_sign(const Direction& a, const Direction& b) {
     return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
-struct HalfEdge {
-    std::uint32_t tail, head;  // points
-    std::uint32_t owner;
-    std::uint32_t line : 30;
-    std::uint32_t forward : 1;
-    std::uint32_t crowded : 1;  // more than two faces meet here
-    std::uint32_t partner = kNone;
-    std::uint32_t next = kNone;
-};
+// Owners that a thread works on before it asks for more.
+constexpr std::size_t kRun = 512;
 
 }  // namespace
 
 class Stitcher::Impl {
 public:
-    explicit Impl(const Lattice& lattice) : lattice_(lattice) {}
+    Impl(const Lattice& lattice, std::size_t threads) : lattice_(lattice), threads_(threads) {}
 
     void take(const Outlines& part) { names_.take(part); }
 
     Boundary finish() {
-        Groups<Interval> covers = names_.finish();
-        covers.replace(
-            [&](std::size_t line, std::span<Interval> here, std::vector<Interval>& left) {
-                cancel(static_cast<std::uint32_t>(line), here, left);
-            });
-        find_corners(covers);
-        for (std::uint32_t i = 0; i < names_.lines(); ++i)
-            break_up(i, covers.of(i));
-        covers = Groups<Interval>(0);
-        asked_ = {};
-        ends_ = Groups<std::uint32_t>(0);
+        half_edges_ = pair_half_edges(names_, names_.finish(), threads_);
         trace();
         names_.forget_directions();
         return write_faces();
     }
 
 private:
-    // 2. Where a forward and a backward piece of one owner lie on each other, they cancel; what is
-    // left is covered. Where a cover ends, a piece does: there are no more of them.
-    void cancel(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
-        if (here.size() == 2 && here[0].tail == here[1].tail && here[0].head == here[1].head) {
-            if (here[0].owner == here[1].owner) return;
-            covers.insert(covers.end(), here.begin(), here.end());
-            return;
-        }
-        rank_stops(line, here);
-        std::sort(here.begin(), here.end(), [&](const Interval& a, const Interval& b) {
-            return std::tuple(a.owner, position(a.tail)) < std::tuple(b.owner, position(b.tail));
-        });
-        for (std::size_t begin = 0; begin < here.size();) {
-            std::size_t end = begin + 1;
-            while (end < here.size() && here[end].owner == here[begin].owner)
-                ++end;
-            if (end == begin + 1) {
-                covers.push_back(here[begin]);
-                begin = end;
-                continue;
-            }
-            breaks_.clear();
-            for (std::size_t i = begin; i < end; ++i)
-                breaks_.insert(breaks_.end(), {position(here[i].tail), position(here[i].head)});
-            std::sort(breaks_.begin(), breaks_.end());
-            breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
-            active_.clear();
-            std::size_t next = begin;
-            for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
-                std::erase_if(active_,
-                              [&](const Interval* c) { return position(c->head) <= breaks_[b]; });
-                while (next < end && position(here[next].tail) <= breaks_[b])
-                    active_.push_back(&here[next++]);
-                // Pieces of one owner have no inner points in common: one a direction at most.
-                if (active_.size() != 1) continue;
-                covers.push_back({stops_[breaks_[b]], stops_[breaks_[b + 1]], here[begin].owner,
-                                  active_[0]->forward});
-            }
-            begin = end;
-        }
-    }
-
-    // The points on a line in order, and the position of each.
-    template <class Intervals>
-    void rank_stops(std::uint32_t line, const Intervals& here) {
-        stops_.clear();
-        for (const Interval& i : here)
-            stops_.insert(stops_.end(), {i.tail, i.head});
-        std::sort(stops_.begin(), stops_.end());
-        stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
-        by_number_.clear();
-        for (const std::uint32_t stop : stops_)
-            by_number_.emplace_back(stop, 0U);
-        std::sort(stops_.begin(), stops_.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return names_.comes_before(line, a, b);
-        });
-        for (std::uint32_t i = 0; i < stops_.size(); ++i) {
-            std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{stops_[i], 0U})
-                ->second = i;
-        }
-    }
-    std::uint32_t position(std::uint32_t point) const {
-        return std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{point, 0U})->second;
-    }
-
-    // 3. Two covers of an owner that follow each other are one edge, unless the owner has a corner
-    // between them: another edge of it begins or ends there.
-    void find_corners(Groups<Interval>& covers) {
-        asked_.assign(names_.points(), kNone);
-        std::uint32_t count = 0;
-        for (std::size_t line = 0; line < names_.lines(); ++line) {
-            const std::span<Interval> here = covers.of(line);
-            for (std::size_t i = 1; i < here.size(); ++i) {
-                std::uint32_t& asked = asked_[here[i].tail];
-                if (asked == kNone && follows(here[i - 1], here[i])) asked = count++;
-            }
-        }
-        ends_ = Groups<std::uint32_t>(count);
-        const auto for_each_end = [&](auto take) {
-            for (const Interval& c : covers.all()) {
-                for (const std::uint32_t end : {c.tail, c.head}) {
-                    if (asked_[end] != kNone) take(asked_[end], c.owner);
-                }
-            }
-        };
-        for_each_end([&](std::uint32_t asked, std::uint32_t) { ends_.count(asked); });
-        ends_.reserve();
-        for_each_end([&](std::uint32_t asked, std::uint32_t owner) { ends_.add(asked, owner); });
-    }
-    // Whether nothing of the owner but two covers ends there; asked only of points that are asked_.
-    bool is_passed(std::uint32_t owner, std::uint32_t point) {
-        const std::span<const std::uint32_t> owners = ends_.of(asked_[point]);
-        return std::count(owners.begin(), owners.end(), owner) == 2;
-    }
-    static bool follows(const Interval& first, const Interval& second) {
-        return first.owner == second.owner && first.head == second.tail &&
-               first.forward == second.forward;
-    }
-
-    // 4. All owners at a line are cut wherever one of them has a corner.
-    void break_up(std::uint32_t line, std::span<Interval> here) {
-        joined_.clear();
-        for (const Interval& c : here) {
-            if (!joined_.empty() && follows(joined_.back(), c) && is_passed(c.owner, c.tail)) {
-                joined_.back().head = c.head;
-            } else {
-                joined_.push_back(c);
-            }
-        }
-        if (joined_.size() == 2 && joined_[0].tail == joined_[1].tail &&
-            joined_[0].head == joined_[1].head && joined_[0].forward != joined_[1].forward) {
-            const auto h = static_cast<std::uint32_t>(half_edges_.size());
-            for (const Interval& c : joined_)
-                add_half_edge(c, c.tail, c.head, line);
-            half_edges_[h].partner = h + 1;
-            half_edges_[h + 1].partner = h;
-            return;
-        }
-        if (joined_.empty()) return;
-        rank_stops(line, joined_);
-        std::sort(joined_.begin(), joined_.end(), [&](const Interval& a, const Interval& b) {
-            return std::tuple(position(a.tail), a.owner) < std::tuple(position(b.tail), b.owner);
-        });
-        active_.clear();
-        std::size_t next = 0;
-        for (std::uint32_t b = 0; b + 1 < stops_.size(); ++b) {
-            std::erase_if(active_, [&](const Interval* c) { return position(c->head) <= b; });
-            while (next < joined_.size() && position(joined_[next].tail) <= b)
-                active_.push_back(&joined_[next++]);
-            here_.clear();
-            for (const Interval* c : active_) {
-                here_.push_back(static_cast<std::uint32_t>(half_edges_.size()));
-                add_half_edge(*c, stops_[b], stops_[b + 1], line);
-            }
-            if (!here_.empty()) pair(names_.direction(line), here_);
-        }
-    }
-
-    void add_half_edge(const Interval& c, std::uint32_t low, std::uint32_t high,
-                       std::uint32_t line) {
-        half_edges_.push_back({c.forward ? low : high, c.forward ? high : low, c.owner,
-                               line & kMostLines, c.forward, false});
-    }
-
-    // 5.
-    // Around the line, counter-clockwise about D: a half-edge against D has its material on the
-    // counter-clockwise side, one along D on the clockwise side; neighbours with nothing but
-    // material between them belong together. The angle of a face is that of its normal n for one
-    // along D, of −n for one against it, less a quarter turn for both.
-    void pair(const Direction& direction, std::vector<std::uint32_t>& here) {
-        const auto link = [&](std::uint32_t a, std::uint32_t b) {
-            half_edges_[a].partner = b;
-            half_edges_[b].partner = a;
-        };
-        if (here.size() == 2 && half_edges_[here[0]].forward != half_edges_[here[1]].forward) {
-            return link(here[0], here[1]);
-        }
-        const auto normal = [&](std::uint32_t h) {
-            const Plane& p = names_.owners()[half_edges_[h].owner].first;
-            const int sign = half_edges_[h].forward ? 1 : -1;
-            return Direction{sign * std::int64_t{p.nx}, sign * std::int64_t{p.ny},
-                             sign * std::int64_t{p.nz}};
-        };
-        // Angles from the first one on: the half turn [0, π) before [π, 2π).
-        const Direction zero = normal(here[0]);
-        const auto cross_sign = [&](const Direction& a, const Direction& b) {
-            // (a × b) · D with a, b of 24 bits and D of 50.
-            const auto c = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
-                return static_cast<Int128>(p) * s - static_cast<Int128>(q) * r;
-            };
-            const Int128 v = c(a.y, a.z, b.y, b.z) * direction.x +
-                             c(a.z, a.x, b.z, b.x) * direction.y +
-                             c(a.x, a.y, b.x, b.y) * direction.z;
-            return v > 0 ? 1 : v < 0 ? -1 : 0;
-        };
-        const auto is_second_half = [&](const Direction& v) {
-            const int s = cross_sign(zero, v);
-            return s < 0 || (s == 0 && dot_sign(zero, v) < 0);
-        };
-        std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const Direction va = normal(a);
-            const Direction vb = normal(b);
-            const bool ha = is_second_half(va);
-            const bool hb = is_second_half(vb);
-            return ha != hb ? hb : cross_sign(va, vb) > 0;
-        });
-        for (std::size_t i = 0; i < here.size(); ++i) {
-            const std::uint32_t a = here[i];
-            const std::uint32_t b = here[(i + 1) % here.size()];
-            half_edges_[a].crowded = true;
-            if (!half_edges_[a].forward && half_edges_[b].forward) link(a, b);
-        }
-    }
-
     Direction direction_of(const HalfEdge& h) const {
         const Direction d = names_.direction(h.line);
         return h.forward ? d : -d;
@@ -297,32 +87,37 @@ private:
         by_owner_.reserve();
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h)
             by_owner_.add(half_edges_[h].owner, h);
-        for (std::size_t owner = 0; owner < names_.owners().size(); ++owner) {
-            const std::span<std::uint32_t> here = by_owner_.of(owner);
-            const Plane& plane = names_.owners()[owner].first;
-            const auto tail = [&](std::uint32_t h) { return half_edges_[h].tail; };
-            std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return std::pair{tail(a), a} < std::pair{tail(b), b};
-            });
-            for (const std::uint32_t number : here) {
-                HalfEdge& h = half_edges_[number];
-                auto it = std::partition_point(here.begin(), here.end(),
-                                               [&](std::uint32_t e) { return tail(e) < h.head; });
-                if (it == here.end() || tail(*it) != h.head) continue;
-                h.next = *it;
-                const Direction back = -direction_of(h);
-                // Clockwise angle from `back`, in [0, 2π): the smaller half turn first.
-                const auto half = [&](const Direction& v) {
-                    const int s = turn_sign(back, v, plane);
-                    return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
-                };
-                for (++it; it != here.end() && tail(*it) == h.head; ++it) {
-                    const Direction best = direction_of(half_edges_[h.next]);
-                    const Direction v = direction_of(half_edges_[*it]);
-                    const int hv = half(v);
-                    const int hb = half(best);
-                    if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) h.next = *it;
-                }
+        const Runs runs(names_.owners().size(), kRun);
+        in_parallel(threads_, runs.tasks(), [&](std::size_t task) {
+            for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner)
+                trace(owner);
+        });
+    }
+    void trace(std::size_t owner) {
+        const std::span<std::uint32_t> here = by_owner_.of(owner);
+        const Plane& plane = names_.owners()[owner].first;
+        const auto tail = [&](std::uint32_t h) { return half_edges_[h].tail; };
+        std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return std::pair{tail(a), a} < std::pair{tail(b), b};
+        });
+        for (const std::uint32_t number : here) {
+            HalfEdge& h = half_edges_[number];
+            auto it = std::partition_point(here.begin(), here.end(),
+                                           [&](std::uint32_t e) { return tail(e) < h.head; });
+            if (it == here.end() || tail(*it) != h.head) continue;
+            h.next = *it;
+            const Direction back = -direction_of(h);
+            // Clockwise angle from `back`, in [0, 2π): the smaller half turn first.
+            const auto half = [&](const Direction& v) {
+                const int s = turn_sign(back, v, plane);
+                return s < 0 ? 0 : s == 0 && dot_sign(back, v) < 0 ? 1 : 2;
+            };
+            for (++it; it != here.end() && tail(*it) == h.head; ++it) {
+                const Direction best = direction_of(half_edges_[h.next]);
+                const Direction v = direction_of(half_edges_[*it]);
+                const int hv = half(v);
+                const int hb = half(best);
+                if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) h.next = *it;
             }
         }
     }
@@ -338,6 +133,11 @@ private:
     struct Face {
         const Loop* outline;
         std::vector<const Loop*> holes;
+    };
+
+    struct FacesOfOwner {
+        std::vector<Loop> loops;
+        std::vector<Face> faces;  // of these
     };
 
     // Half-edges by their tails, then by their heads; no two of an owner have both.
@@ -376,8 +176,11 @@ private:
     // Faces in the order of their least corners. A hole belongs to the innermost outline around
     // it: the one of those around it that begins last. Asked of the middle of an edge of the hole,
     // which is not on an outline: the two meet in corners at most.
-    std::vector<Face> faces_of(const std::vector<Loop>& loops, const Plane& plane) const {
-        std::vector<Face> faces;
+    FacesOfOwner faces_of(std::size_t number) {
+        FacesOfOwner result{loops_of(number), {}};
+        const std::vector<Loop>& loops = result.loops;
+        const Plane& plane = names_.owners()[number].first;
+        std::vector<Face>& faces = result.faces;
         for (const Loop& loop : loops) {
             if (!loop.is_hole) faces.push_back({&loop, {}});
         }
@@ -390,7 +193,7 @@ private:
             if (owner == faces.rend()) throw std::logic_error("a hole without an outline");
             owner->holes.push_back(&loop);
         }
-        return faces;
+        return result;
     }
 
     // 7. Corners of faces (tails of half-edges) that are the same corner of the surface: one turns
@@ -469,21 +272,31 @@ private:
             }
             return ring;
         };
-        for (std::size_t owner = 0; owner < names_.owners().size(); ++owner) {
-            const auto& [plane, origin] = names_.owners()[owner];
-            const Vec3 normal = unit_normal(plane);
-            const std::vector<Loop> loops = loops_of(owner);
-            for (const Face& face : faces_of(loops, plane)) {
-                BoundaryFace out;
-                out.normal = normal;
-                out.offset = offset_mm(plane, lattice_);
-                out.origin = origin;
-                out.loops.push_back(ring_of(*face.outline));
-                for (const Loop* hole : face.holes)
-                    out.loops.push_back(ring_of(*hole));
-                boundary.faces.push_back(std::move(out));
-            }
-        }
+        const Runs runs(names_.owners().size(), kRun);
+        make_in_parallel(
+            threads_, runs.tasks(),
+            [&](std::size_t task) {
+                std::vector<FacesOfOwner> made;
+                for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner)
+                    made.push_back(faces_of(owner));
+                return made;
+            },
+            [&](std::size_t task, const std::vector<FacesOfOwner>& made) {
+                for (std::size_t i = 0; i < made.size(); ++i) {
+                    const auto& [plane, origin] = names_.owners()[runs.begin(task) + i];
+                    const Vec3 normal = unit_normal(plane);
+                    for (const Face& face : made[i].faces) {
+                        BoundaryFace out;
+                        out.normal = normal;
+                        out.offset = offset_mm(plane, lattice_);
+                        out.origin = origin;
+                        out.loops.push_back(ring_of(*face.outline));
+                        for (const Loop* hole : face.holes)
+                            out.loops.push_back(ring_of(*hole));
+                        boundary.faces.push_back(std::move(out));
+                    }
+                }
+            });
         number_shells(boundary, face_of);
         return boundary;
     }
@@ -503,19 +316,13 @@ private:
     }
 
     Lattice lattice_;
+    std::size_t threads_;
     Naming names_;
-    std::vector<std::uint32_t> asked_;  // for each point its number among those asked about
-    Groups<std::uint32_t> ends_{0};     // at those, the owner of each cover that ends there
     Chunks<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
-    std::vector<bool> done_;
+    std::vector<std::uint8_t> done_;  // bytes, since threads write to neighbours
     const LoopPoints loop_points_{[this](std::uint32_t p) { return names_.point(p); },
                                   [this](std::uint32_t p) { return names_.exact(p); }};
-    // Of one line, kept for their memory.
-    std::vector<std::uint32_t> stops_, breaks_, here_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
-    std::vector<const Interval*> active_;
-    std::vector<Interval> joined_;
 };
 
 Outlines outlines_of(const std::vector<Fragment>& fragments) {
@@ -538,7 +345,8 @@ Outlines outlines_of(const std::vector<Fragment>& fragments) {
     return outlines;
 }
 
-Stitcher::Stitcher(const Lattice& lattice) : impl_(std::make_unique<Impl>(lattice)) {}
+Stitcher::Stitcher(const Lattice& lattice, std::size_t threads)
+    : impl_(std::make_unique<Impl>(lattice, threads)) {}
 Stitcher::~Stitcher() = default;
 
 void Stitcher::take(const Outlines& part) {

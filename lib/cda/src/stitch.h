@@ -36,7 +36,8 @@ Outlines outlines_of(const std::vector<Fragment>& fragments);
 /// each surface gets vertices of its own.
 class Stitcher {
 public:
-    explicit Stitcher(const Lattice& lattice);
+    /// 0 threads: as many as the machine has. The result does not depend on how many.
+    Stitcher(const Lattice& lattice, std::size_t threads);
     ~Stitcher();
 
     /// Expected O(pieces).

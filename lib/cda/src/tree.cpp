@@ -7,21 +7,19 @@
 #include "block_tree.h"
 #include "covering.h"
 #include "evaluation.h"
+#include "parallel.h"
 #include "query_point.h"
 #include "stitch.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
-#include <exception>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 namespace ncsim::cda {
@@ -235,7 +233,8 @@ void TreeCda::settle_all() const {
         for (Block* block : changing)
             settle(*block);
     } else if (!changing.empty()) {
-        for_each(changing.size(), [&](std::size_t i) { settle(*changing[i]); });
+        in_parallel(parameters_.threads, changing.size(),
+                    [&](std::size_t i) { settle(*changing[i]); });
     }
     waiting_ = 0;
     close_books();
@@ -325,31 +324,6 @@ Account TreeCda::account() const {
     return result;
 }
 
-void TreeCda::for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const {
-    const std::size_t wanted =
-        parameters_.threads > 0 ? parameters_.threads : std::thread::hardware_concurrency();
-    const std::size_t count = std::clamp<std::size_t>(wanted, 1, tasks);
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr failure;
-    std::mutex failure_mutex;
-    const auto worker = [&] {
-        try {
-            for (std::size_t i = next++; i < tasks; i = next++)
-                work(i);
-        } catch (...) {
-            const std::lock_guard lock(failure_mutex);
-            failure = std::current_exception();
-            next = tasks;
-        }
-    };
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < count; ++i)
-        others.emplace_back(worker);
-    worker();
-    others.clear();  // joins
-    if (failure) std::rethrow_exception(failure);
-}
-
 Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
     Evaluation sum;
     std::vector<Plane> window;
@@ -430,7 +404,7 @@ double TreeCda::volume() const {
     const Asked asked(asking_.mutex);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
-    for_each(blocks_.size(), [&](std::size_t i) {
+    in_parallel(parameters_.threads, blocks_.size(), [&](std::size_t i) {
         const Block& block = blocks_[i];
         if (!block.volume) block.volume = evaluate(*block.tree, input).volume;
     });
@@ -440,37 +414,23 @@ double TreeCda::volume() const {
     return sum * lattice_.cubic_unit_mm3();
 }
 
-// Blocks are evaluated by all threads; their outlines are taken in order, by whichever thread is
-// there when the next one is ready: then few of them have to be kept.
 Boundary TreeCda::boundary() const {
     const Asked asked(asking_.mutex);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     counts_.leaves = counts_.facets_tested = counts_.facets_alive = counts_.pieces = 0;
-    Stitcher stitcher(lattice_);
-    std::mutex mutex;
-    std::vector<std::optional<Outlines>> ready(blocks_.size());
-    std::size_t next = 0;
-    bool is_taking = false;
-    for_each(blocks_.size(), [&](std::size_t i) {
-        Evaluation result = evaluate(*blocks_[i].tree, input);
-        blocks_[i].volume = result.volume;
-        std::unique_lock lock(mutex);
-        counts_.leaves += result.leaves;
-        counts_.facets_tested += result.facets_tested;
-        counts_.facets_alive += result.facets_alive;
-        counts_.pieces += result.outlines.pieces().size();
-        ready[i] = std::move(result.outlines);
-        if (is_taking) return;
-        is_taking = true;
-        for (; next < ready.size() && ready[next]; ++next) {
-            const Outlines part = *std::exchange(ready[next], std::nullopt);
-            lock.unlock();
-            stitcher.take(part);
-            lock.lock();
-        }
-        is_taking = false;
-    });
+    Stitcher stitcher(lattice_, parameters_.threads);
+    make_in_parallel(
+        parameters_.threads, blocks_.size(),
+        [&](std::size_t i) { return evaluate(*blocks_[i].tree, input); },
+        [&](std::size_t i, const Evaluation& result) {
+            blocks_[i].volume = result.volume;
+            counts_.leaves += result.leaves;
+            counts_.facets_tested += result.facets_tested;
+            counts_.facets_alive += result.facets_alive;
+            counts_.pieces += result.outlines.pieces().size();
+            stitcher.take(result.outlines);
+        });
     return stitcher.finish();
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Faces to triangles. The usual face goes through CGAL's constrained Delaunay triangulation,
-// whose triangles are as round as the corners allow. Where rounding to doubles has made edges of
+// Faces to triangles, as round as the corners allow: convex faces of few corners corner by corner,
+// others by CGAL's constrained Delaunay triangulation. Where rounding to doubles has made edges of
 // a face cross or corners coincide, edges are first cut where they meet (Chains).
 #include "ncsim/cda/mesh.h"
 
 #include "none.h"
+#include "parallel.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -126,7 +127,9 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     std::vector<Delaunay::Vertex_handle> handles;
     for (const auto& loop : face.loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
-            handles.push_back(cdt.insert(view(boundary.vertices[loop[i]])));
+            const Delaunay::Face_handle near =
+                handles.empty() ? Delaunay::Face_handle() : handles.back()->face();
+            handles.push_back(cdt.insert(view(boundary.vertices[loop[i]]), near));
             handles.back()->info() = {loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]};
         }
     }
@@ -169,6 +172,68 @@ std::optional<std::vector<Triangle>> delaunay(const Boundary& boundary, const Bo
     if (triangles.size() + 2 != corners + 2 * (face.loops.size() - 1)) return std::nullopt;
     return triangles;
 }
+
+// The Delaunay triangulation of a face without holes that is convex as it is rounded, corners on
+// its edges allowed: most are, and most have four corners. Nothing where it is not, or has many
+// corners. O(corners²).
+class ConvexFace {
+public:
+    ConvexFace(const Boundary& boundary, const BoundaryFace& face) : loop_(face.loops[0]) {
+        constexpr std::size_t kMost = 32;
+        if (face.loops.size() != 1 || loop_.size() > kMost) return;
+        const Projection view(face.normal);
+        for (const std::uint32_t v : loop_)
+            corners_.push_back(view(boundary.vertices[v]));
+    }
+
+    bool append(std::vector<Triangle>& triangles) {
+        if (!is_convex()) return false;
+        below(0, corners_.size() - 1, triangles);
+        return true;
+    }
+
+private:
+    // All corners turn left or go straight on, and the way goes around once.
+    bool is_convex() const {
+        const std::size_t n = corners_.size();
+        if (n < 3) return false;
+        int maxima = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const Point2& a = corners_[i];
+            const Point2& b = corners_[(i + 1) % n];
+            const Point2& c = corners_[(i + 2) % n];
+            const CGAL::Orientation turn = CGAL::orientation(a, b, c);
+            if (turn == CGAL::RIGHT_TURN) return false;
+            if (turn == CGAL::COLLINEAR &&
+                !CGAL::collinear_are_strictly_ordered_along_line(a, b, c))
+                return false;
+            maxima += a < b && c < b ? 1 : 0;
+        }
+        return maxima == 1;
+    }
+
+    // What lies between the edge from the last to the first corner and the way from the first to
+    // the last. The third corner of its triangle is the one whose circle with the edge has no
+    // other in it. Where several lie on one circle it is the first.
+    void below(std::size_t first, std::size_t last, std::vector<Triangle>& triangles) {
+        if (last - first < 2) return;
+        std::size_t third = last;
+        for (std::size_t k = first + 1; k < last; ++k) {
+            if (CGAL::orientation(corners_[last], corners_[first], corners_[k]) != CGAL::LEFT_TURN)
+                continue;
+            if (third == last ||
+                CGAL::side_of_oriented_circle(corners_[last], corners_[first], corners_[third],
+                                              corners_[k]) == CGAL::ON_POSITIVE_SIDE)
+                third = k;
+        }
+        triangles.push_back({loop_[last], loop_[first], loop_[third]});
+        below(first, third, triangles);
+        below(third, last, triangles);
+    }
+
+    const std::vector<std::uint32_t>& loop_;
+    std::vector<Point2> corners_;
+};
 
 // Drops pairs of triangles with the same corners that turn opposite ways: together they enclose
 // nothing, and pass each of their edges there and back.
@@ -430,25 +495,64 @@ private:
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;
 };
 
+// What becomes of a run of faces. Those that take new vertices are left to whoever numbers them.
+struct Part {
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> face;
+    struct Left {
+        std::uint32_t face;
+        std::size_t before;  // as many triangles of the run come before its own
+    };
+    std::vector<Left> left;
+};
+
+Part part_of(const Boundary& boundary, std::size_t begin, std::size_t end) {
+    Part part;
+    for (std::size_t f = begin; f < end; ++f) {
+        const BoundaryFace& face = boundary.faces[f];
+        const auto number = static_cast<std::uint32_t>(f);
+        if (!ConvexFace(boundary, face).append(part.triangles)) {
+            if (const auto round = delaunay(boundary, face)) {
+                part.triangles.insert(part.triangles.end(), round->begin(), round->end());
+            } else {
+                part.left.push_back({number, part.triangles.size()});
+            }
+        }
+        part.face.resize(part.triangles.size(), number);
+    }
+    return part;
+}
+
+void append(const Boundary& boundary, const Part& part, TriangleMesh& mesh) {
+    std::size_t done = 0;
+    const auto append_up_to = [&](std::size_t end) {
+        const auto from = static_cast<std::ptrdiff_t>(std::exchange(done, end));
+        const auto to = static_cast<std::ptrdiff_t>(end);
+        mesh.triangles.insert(mesh.triangles.end(), part.triangles.begin() + from,
+                              part.triangles.begin() + to);
+        mesh.face.insert(mesh.face.end(), part.face.begin() + from, part.face.begin() + to);
+    };
+    for (const Part::Left& left : part.left) {
+        append_up_to(left.before);
+        std::vector<Triangle> triangles = Chains(mesh, boundary.faces[left.face]).run();
+        cancel_opposites(triangles);
+        mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+        mesh.face.insert(mesh.face.end(), triangles.size(), left.face);
+    }
+    append_up_to(part.triangles.size());
+}
+
 }  // namespace
 
-TriangleMesh triangulate(const Boundary& boundary) {
+TriangleMesh triangulate(const Boundary& boundary, std::size_t threads) {
+    constexpr std::size_t kRun = 512;
     TriangleMesh mesh;
     mesh.vertices = boundary.vertices;
-    for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-        const BoundaryFace& face = boundary.faces[f];
-        std::vector<Triangle> triangles;
-        if (face.loops.size() == 1 && face.loops[0].size() == 3) {
-            triangles.push_back({face.loops[0][0], face.loops[0][1], face.loops[0][2]});
-        } else if (auto round = delaunay(boundary, face)) {
-            triangles = std::move(*round);
-        } else {
-            triangles = Chains(mesh, face).run();
-            cancel_opposites(triangles);
-        }
-        mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
-        mesh.face.insert(mesh.face.end(), triangles.size(), f);
-    }
+    const Runs runs(boundary.faces.size(), kRun);
+    make_in_parallel(
+        threads, runs.tasks(),
+        [&](std::size_t task) { return part_of(boundary, runs.begin(task), runs.end(task)); },
+        [&](std::size_t, const Part& part) { append(boundary, part, mesh); });
     RepeatedDiagonals(mesh).split();
     return mesh;
 }

@@ -6,6 +6,7 @@
 #include "ncsim/cda/boundary.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct TriangleMesh {
 /// Cuts every face into triangles between its own vertices, so the mesh is closed if the boundary
 /// is. Vertices are those of the boundary, in order, none moved; a few may follow: where edges of
 /// one face cross by rounding, and in the middle of diagonals that would otherwise stand twice.
-/// Expected O(n log n) per face.
-TriangleMesh triangulate(const Boundary& boundary);
+/// Expected O(n log n) per face. All `threads` work on it (0: as many as the machine has); the mesh
+/// is the same for any number.
+TriangleMesh triangulate(const Boundary& boundary, std::size_t threads = 1);
 
 }  // namespace ncsim::cda

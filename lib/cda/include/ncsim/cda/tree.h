@@ -114,7 +114,6 @@ private:
     bool takes_all_of(const Cell& cell) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
-    void for_each(std::size_t tasks, const std::function<void(std::size_t)>& work) const;
 
     TreeParameters parameters_;
     Lattice lattice_;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Steps 2 to 5 of stitching (stitch.cpp): from pieces of outlines on lines to pairs of half-edges.
+// Each line is worked on by itself, so all threads can.
+#pragma once
+
+#include "chunks.h"
+#include "groups.h"
+#include "naming.h"
+#include "none.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ncsim::cda {
+
+/// An edge of a face with its direction; the face lies on its left. Points, owners and lines by
+/// number.
+struct HalfEdge {
+    std::uint32_t tail, head;
+    std::uint32_t owner;
+    std::uint32_t line : 30;
+    std::uint32_t forward : 1;  ///< Along the line?
+    std::uint32_t crowded : 1;  ///< More than two faces meet here.
+    std::uint32_t partner = kNone;
+    std::uint32_t next = kNone;  ///< Of the face; step 6.
+};
+
+/// All half-edges in the order of their lines, each with its partner. Expected O(n log n), most of
+/// it O(n), for n pieces.
+Chunks<HalfEdge> pair_half_edges(const Naming& names, Groups<Interval> pieces, std::size_t threads);
+
+}  // namespace ncsim::cda
