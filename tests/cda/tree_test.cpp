@@ -83,7 +83,7 @@ TEST(TreeCda, DoesNotDependOnTheNumberOfThreads) {
 TEST(TreeCda, DoesNotDependOnTheNumberOfThreadsWhereThereAreManyFaces) {
     const auto milled_by = [](std::uint32_t threads) {
         TreeCda part(mm_box(0, 0, 0, 128, 128, 4), kLattice, {.threads = threads});
-        std::int32_t motion = 0;
+        std::uint32_t motion = 0;
         for (int i = 0; i < 32; ++i) {
             for (int j = 0; j < 32; ++j) {
                 // Every third meets its neighbour.
