@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_program.h"
 
-#include "ncsim/cda/models.h"
+#include "ncsim/simulation/models.h"
 
 #include "plan_options.h"
 
@@ -36,7 +36,7 @@ int check_program(report::Checked& checked, const std::string& path, const Check
         ProgramOptions program = options;
         program.program = path;
         simulation::Plan plan = plan_for(program, options, inputs);
-        if (plan.model.empty()) plan.model = cda::verifying_model().name;
+        if (plan.model.empty()) plan.model = simulation::verifying_model().name;
         plan.threads = threads;
         plan.budget.stop_with(std::move(stop));
         simulation::check(std::move(plan), questions, checked);

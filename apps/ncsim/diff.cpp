@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "diff.h"
 
-#include "ncsim/cda/models.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/difference.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/simulation/compare_parts.h"
+#include "ncsim/simulation/models.h"
 #include "ncsim/simulation/take_machine.h"
 
 #include "console.h"
@@ -35,7 +35,7 @@ Side read_side(const DiffOptions& diff, const std::string& path,
     side.plan = plan_for(options, diff, inputs);
     if (!diff.machine.empty())
         simulation::take_machine(side.plan, setup::read_machine(diff.machine, inputs));
-    if (side.plan.model.empty()) side.plan.model = cda::verifying_model().name;
+    if (side.plan.model.empty()) side.plan.model = simulation::verifying_model().name;
     side.survey = simulation::survey(side.plan);
     return side;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture.h"
 
-#include "ncsim/cda/models.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
@@ -9,6 +8,7 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
+#include "ncsim/simulation/models.h"
 
 #include "machine_picture.h"
 #include "tool_body.h"
@@ -141,7 +141,7 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     const simulation::Simulation& s = *outcome.simulation;
     const exporter::RenderOptions options = render_options(outcome, view);
     // By its masks, as the thesis does it.
-    if (cda::find_model(outcome.plan.model)->shows_cells)
+    if (simulation::find_model(outcome.plan.model)->shows_cells)
         return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
     return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome));
 }

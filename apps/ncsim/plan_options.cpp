@@ -19,6 +19,7 @@ simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions
 simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
     simulation::Plan plan = plan_for(options, options, inputs);
     plan.draft = options.draft;
+    plan.resolution = options.resolution;
     plan.at_line = options.at_line;
     plan.keep_boundary = needs_surface(options);
     plan.keep_paths = options.shows_path;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program_options.h"
 
-#include "ncsim/cda/models.h"
 #include "ncsim/setup/stock_file.h"
+#include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/stock.h"
 
 #include <fmt/format.h>
@@ -96,15 +96,15 @@ bool read_inches(const std::string& unit) {
 }
 
 void read_model(const std::string& model) {
-    if (!cda::find_model(model)) {
-        throw Refusal{fmt::format("--model '{}': expected {}", model, cda::model_names())};
+    if (!simulation::find_model(model)) {
+        throw Refusal{fmt::format("--model '{}': expected {}", model, simulation::model_names())};
     }
 }
 
 std::string models_told() {
     std::string text = "Workpiece model:";
-    for (const cda::ModelInfo& model : cda::models()) {
-        const bool is_first = &model == cda::models().data();
+    for (const simulation::ModelInfo& model : simulation::models()) {
+        const bool is_first = &model == simulation::models().data();
         text += fmt::format("{} {}, {}", is_first ? "" : ";", model.name, model.what);
     }
     return text;
@@ -113,12 +113,13 @@ std::string models_told() {
 }  // namespace
 
 void require_verifying(const SimulationOptions& options) {
-    if (options.model.empty() || cda::find_model(options.model)->verifies) return;
+    if (options.model.empty() || simulation::find_model(options.model)->verifies) return;
     throw Refusal{fmt::format(
         "--model {}: it shows how a part is made; programs are verified, and parts compared, with "
         "{}",
-        options.model,
-        cda::model_names([](const cda::ModelInfo& model) { return model.verifies; }))};
+        options.model, simulation::model_names([](const simulation::ModelInfo& model) {
+            return model.verifies;
+        }))};
 }
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {

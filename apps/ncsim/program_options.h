@@ -37,7 +37,7 @@ struct ProgramOptions : setup::JobOptions {
 
 /// What commands that simulate are told as well. Lengths in mm.
 struct SimulationOptions {
-    std::string model;             ///< Of cda::models(); empty: the one that suits.
+    std::string model;             ///< Of simulation::models(); empty: the one that suits.
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
     bool tolerance_told = false, tool_tolerance_told = false;

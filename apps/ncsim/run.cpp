@@ -135,6 +135,7 @@ int run(Options options) {
     simulation::Survey survey = simulation::survey(plan);
     if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
     simulation::coarsen(plan, survey, o.tolerance_told, o.tool_tolerance_told);
+    simulation::choose_resolution(plan, survey);
     // Of a program that is not read, there is nothing to assume.
     if (!o.quiet && !survey.interpretation.refused)
         say(report::assumption_sheet(plan.job.program.name, survey,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_options.h"
 
-#include "ncsim/cda/models.h"
+#include "ncsim/simulation/models.h"
 
 #include <fmt/format.h>
 
@@ -82,15 +82,29 @@ double read_simplify(double tolerance) {
 // The thesis' model where its own views are asked for, else the one that scales.
 void choose_model(Options& o) {
     const bool needs_cells = !o.stats.empty() || !o.xml.empty();
-    const auto shows = [](const cda::ModelInfo& model) { return model.shows_cells; };
+    const auto shows = [](const simulation::ModelInfo& model) { return model.shows_cells; };
     if (o.model.empty()) {
-        o.model = needs_cells ? std::ranges::find_if(cda::models(), shows)->name
-                              : cda::models().front().name;
+        o.model = needs_cells ? std::ranges::find_if(simulation::models(), shows)->name
+                              : simulation::models().front().name;
     }
-    if (needs_cells && !cda::find_model(o.model)->shows_cells) {
-        throw Refusal{
-            fmt::format("--stats and --xml show the cells of --model {}", cda::model_names(shows))};
+    if (needs_cells && !simulation::find_model(o.model)->shows_cells) {
+        throw Refusal{fmt::format("--stats and --xml show the cells of --model {}",
+                                  simulation::model_names(shows))};
     }
+    const simulation::ModelInfo& model = *simulation::find_model(o.model);
+    if (o.resolution > 0.0 && !model.has_resolution) {
+        throw Refusal{fmt::format(
+            "--resolution is that of --model {}",
+            simulation::model_names([](const auto& known) { return known.has_resolution; }))};
+    }
+    const auto is_exact = [](const simulation::ModelInfo& known) { return known.exact; };
+    const auto refuse = [&](std::string_view what) {
+        throw Refusal{fmt::format("{}: what --model {} tells is not exact; take {}", what, o.model,
+                                  simulation::model_names(is_exact))};
+    };
+    if (!model.exact && !o.step.empty()) refuse("--step");
+    if (!model.exact && o.block_volumes) refuse("--block-volumes");
+    if (!model.exact && !o.save_stock.empty()) refuse("--save-stock");
 }
 
 }  // namespace
@@ -107,7 +121,7 @@ std::vector<std::string> outputs_of(const Options& o) {
 
 bool needs_surface(const Options& o) {
     const bool pictures = !o.png.empty() || !o.gif.empty() || !o.frames.empty();
-    const cda::ModelInfo* model = cda::find_model(o.model);
+    const simulation::ModelInfo* model = simulation::find_model(o.model);
     const bool draws_itself = model && model->shows_cells;
     return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
            !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.report.empty();
@@ -199,6 +213,10 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_flag("--block-volumes", o.block_volumes,
                   "Report what each block removed, too: more work")
         ->needs(report);
+    run->add_option("--resolution", o.resolution,
+                    "Between the rays of --model dexel, mm [the stock's longest side / 250]")
+        ->type_name("MM")
+        ->check(CLI::Range(1e-4, 1e4));
     run->add_flag("--draft", o.draft,
                   "A first look: guess tools that nobody describes, say so in the picture, and be "
                   "quick");

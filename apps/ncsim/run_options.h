@@ -44,6 +44,7 @@ struct Options : ProgramOptions, SimulationOptions {
     int step_refine = 2;       ///< So many times finer tools are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
+    double resolution = 0.0;  ///< Of a model that has one, mm; 0: the one that suits.
     bool quiet = false;
     /// A first look: tools that nobody describes are guessed, round shapes are coarser.
     bool draft = false;

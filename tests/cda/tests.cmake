@@ -20,7 +20,6 @@ ncsim_add_test(cda
     lattice_quickhull_test.cpp
     lattice_test.cpp
     loops_test.cpp
-    models_test.cpp
     normal_table_test.cpp
     numbering_test.cpp
     outlines_test.cpp

@@ -160,8 +160,27 @@ TEST(Options, NameTheModelThatDoesNotVerifyAndThoseThatDo) {
         EXPECT_NE(text.find("--model cda-flat"), std::string::npos) << text;
         EXPECT_NE(text.find("with cda"), std::string::npos) << text;
     }
-    EXPECT_NE(refusal({"run", "a.nc", "--model", "voxel"}).find("expected cda or cda-flat"),
+    EXPECT_NE(refusal({"run", "a.nc", "--model", "voxel"}).find("expected cda, cda-flat or dexel"),
               std::string::npos);
+}
+
+// What rays tell is never exact: who needs that is told which models do.
+TEST(Options, RefuseRaysWhereOnlyAnExactModelWillDo) {
+    for (const std::vector<std::string>& asked : {std::vector<std::string>{"--step", "a.step"},
+                                                  {"--save-stock", "a.ncstock"},
+                                                  {"--report", "a.json", "--block-volumes"}}) {
+        std::vector<std::string> arguments{"run", "a.nc", "--model", "dexel"};
+        arguments.insert(arguments.end(), asked.begin(), asked.end());
+        const std::string text = refusal(arguments);
+        EXPECT_NE(text.find(asked.back() == "--block-volumes" ? asked.back() : asked.front()),
+                  std::string::npos)
+            << text;
+        EXPECT_NE(text.find("take cda or cda-flat"), std::string::npos) << text;
+    }
+    EXPECT_NE(refusal({"run", "a.nc", "--resolution", "0.1"}).find("--model dexel"),
+              std::string::npos);
+    EXPECT_FALSE(refusal({"run", "a.nc", "--model", "dexel", "--resolution", "0"}).empty());
+    EXPECT_NE(refusal({"check", "a.nc", "--model", "dexel"}).find("with cda"), std::string::npos);
 }
 
 // "$MACHINE" where nobody set it.

@@ -438,6 +438,29 @@ TEST(Run, WritesMeshesThatAreClosedForThoseWhoHaveNothingButTheFile) {
     }
 }
 
+// A quick look: everything is written, the volume is near, and it is told that nothing is exact.
+TEST(Run, LooksAtTheSlotWithRays) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran =
+        folder.run({"run", "slot.nc", "--model", "dexel", "--resolution", "0.2", "--png", "a.png",
+                    "--stl", "a.stl", "--gltf", "a.glb", "--report", "a.json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("nothing is exact"), std::string::npos) << ran.err;
+    const json report = json::parse(folder.read("a.json"));
+    EXPECT_NEAR(report["volume_mm3"]["part"].get<double>(), 11200.0, 40.0);
+    EXPECT_GT(report["model"]["resolution_mm"].get<double>(), 0.0);
+    EXPECT_GT(folder.read("a.stl").size(), 1000U);
+    const Ran again = folder.run({"run", "slot.nc", "-q", "--model", "dexel", "--resolution", "0.2",
+                                  "--threads", "3", "--stl", "b.stl"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(folder.read("a.stl") == folder.read("b.stl"));
+    // Sixteen million rays of a direction are the most.
+    const Ran fine = folder.run({"run", "slot.nc", "--model", "dexel", "--resolution", "0.001"});
+    EXPECT_EQ(fine.exit_code, 2) << fine.err;
+    EXPECT_NE(fine.err.find("too fine for this stock"), std::string::npos) << fine.err;
+}
+
 TEST(Run, WritesTheSameBytesWithBothModelsWhenToolsTurn) {
     Folder folder;
     const test::NcProgram program = test::random_program(97, true);

@@ -4,6 +4,7 @@ set(layers
   "trig:"
   "gcode:    trig"
   "cda:"
+  "dexel:    cda"
   "machine:  cda trig"
   "toolpath: gcode machine cda trig"
   "verify:   gcode toolpath machine cda trig"
@@ -11,12 +12,12 @@ set(layers
   "export:   cda brep trig"
   "report:   gcode toolpath machine cda verify"
   "setup:    gcode toolpath machine cda trig verify report"
-  "simulation: gcode toolpath machine cda verify brep export report setup"
+  "simulation: gcode toolpath machine cda dexel verify brep export report setup"
   "app:      gcode toolpath machine cda verify brep export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
 set(folders_app apps/ncsim)
-foreach(library trig gcode cda machine toolpath verify brep export report setup simulation)
+foreach(library trig gcode cda dexel machine toolpath verify brep export report setup simulation)
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 
@@ -29,5 +30,5 @@ set(known_circles)
 
 # Rooms in which every source has a header of its own name, so that what a header declares is where
 # its name says, and no circle hides in "declared here, defined there". Others are to follow.
-set(paired report setup simulation app)
+set(paired dexel report setup simulation app)
 set(unpaired app/main)

@@ -2,6 +2,7 @@ ncsim_add_test(simulation
   LIBRARIES ncsim::simulation
   SOURCES
     messages_test.cpp
+    models_test.cpp
     orientation_test.cpp
     simulation_test.cpp)
 # The table of messages is private to the library.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "parallel.h"
+#include "ncsim/cda/parallel.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "half_edges.h"
 
-#include "parallel.h"
+#include "ncsim/cda/parallel.h"
 
 #include <algorithm>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "parallel.h"
+#include "ncsim/cda/parallel.h"
 
 #include <atomic>
 #include <exception>

@@ -17,6 +17,7 @@
 
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/disjoint_sets.h"
+#include "ncsim/cda/parallel.h"
 
 #include "chunks.h"
 #include "groups.h"
@@ -24,7 +25,6 @@
 #include "loops.h"
 #include "naming.h"
 #include "none.h"
-#include "parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,12 @@
 #include "ncsim/cda/tree.h"
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/parallel.h"
 #include "ncsim/cda/polytope.h"
 
 #include "block_tree.h"
 #include "covering.h"
 #include "evaluation.h"
-#include "parallel.h"
 #include "query_point.h"
 #include "stitch.h"
 

@@ -4,9 +4,9 @@
 // others by CGAL's constrained Delaunay triangulation. Where rounding to doubles has made edges of
 // a face cross or corners coincide, edges are first cut where they meet (Chains).
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/parallel.h"
 
 #include "none.h"
-#include "parallel.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>

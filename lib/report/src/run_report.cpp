@@ -116,6 +116,10 @@ std::string summary(const RunFacts& run) {
         const PartFacts& s = *run.part;
         append(text, "part      {} of {}; {} removed in {} hulls\n", volume_text(s.part_volume),
                volume_text(s.stock_volume), volume_text(s.stock_volume - s.part_volume), s.hulls);
+        if (s.part_volume_error > 0.0) {
+            append(text, "          rays along X, Y and Z differ by {} from their mean\n",
+                   volume_text(s.part_volume_error));
+        }
         for (const auto& [number, used] : run.program->tools) {
             const auto removed = s.removed_by_tool.find(number);
             append(text, "  T{:<7} {} removed\n", number,
@@ -176,6 +180,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         json["model"] = {{"name", run.cutting.model},
                          {"lattice_unit_mm", s.lattice.unit_mm},
                          {"hulls", s.hulls}};
+        if (run.cutting.resolution > 0.0) json["model"]["resolution_mm"] = run.cutting.resolution;
         json["accuracy_mm"] = {{"chord_tolerance", run.cutting.tolerance},
                                {"tool_tolerance", run.cutting.tool_tolerance},
                                {"missed", tidy(s.bounds.missed_mm)},
@@ -183,6 +188,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         json["volume_mm3"] = {{"stock", tidy(s.stock_volume)},
                               {"part", tidy(s.part_volume)},
                               {"removed", tidy(s.stock_volume - s.part_volume)}};
+        if (s.part_volume_error > 0.0) json["volume_mm3"]["error"] = tidy(s.part_volume_error);
     }
     if (run.boundary) {
         json["part"] = {{"extents", to_json(cda::bounds(*run.boundary))},

@@ -96,6 +96,10 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
         }
         sheet.line("model", "{}, lattice unit {:g} nm", cutting.model,
                    toolpath::stock_lattice(*program.stock).unit_mm * 1e6);
+        if (cutting.resolution > 0.0) {
+            sheet.line("", "rays {:.3g} mm apart: what is thinner may be missing, nothing is exact",
+                       cutting.resolution);
+        }
     }
     sheet.line("tolerance",
                "arcs {:g} mm; round tools {:g} mm; turning tools {:g} mm missed, {:g} mm gained",

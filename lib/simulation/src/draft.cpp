@@ -1,13 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/simulation/draft.h"
 
+#include "ncsim/dexel/dexel.h"
+#include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/tool.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace ncsim::simulation {
+
+void choose_resolution(Plan& plan, const Survey& survey) {
+    const ModelInfo* model = find_model(plan.model);
+    if (!model || !model->has_resolution || !survey.is_ready()) return;
+    const cda::Vec3 size = survey.stock->box.size();
+    const double finest = dexel::finest_resolution(size);
+    if (plan.resolution > 0.0 && plan.resolution < finest) {
+        throw std::runtime_error(fmt::format(
+            "a resolution of {:g} mm is too fine for this stock: {:.2g} mm is the finest",
+            plan.resolution, finest));
+    }
+    if (plan.resolution == 0.0)
+        plan.resolution = dexel::default_resolution(std::max({size.x, size.y, size.z}));
+}
 
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told) {
     if (!plan.draft || !survey.is_ready()) return;

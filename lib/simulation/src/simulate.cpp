@@ -5,9 +5,9 @@
 #include "ncsim/simulation/simulate.h"
 
 #include "ncsim/cda/cell.h"
-#include "ncsim/cda/models.h"
 #include "ncsim/cda/shape.h"
 #include "ncsim/report/file_names.h"
+#include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
@@ -31,7 +31,8 @@ double now_in_seconds() {
 }
 
 std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan) {
-    return cda::make_model(plan.model, {plan.threads, plan.hull_times ? &now_in_seconds : nullptr});
+    return make_model(plan.model,
+                      {plan.threads, plan.hull_times ? &now_in_seconds : nullptr, plan.resolution});
 }
 
 toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
@@ -67,6 +68,7 @@ public:
           tolerance_mm_(plan.tolerance),
           machine_(plan.placed),
           volume_(result.stock_volume) {
+        if (result.part->takes_sweeps()) walk_.leave_round();
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};
@@ -99,7 +101,7 @@ public:
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
                 if (++result_.steps > most_steps_) throw StepLimit{};
                 follow(motion, step);
-                met_stock |= !step.cells.empty();
+                met_stock |= !step.cells.empty() || !step.sweeps.empty();
                 if (verifier) verifier->look(step, *result_.part);
                 const double removed = cut(step);
                 if (verifier) verifier->look_back(step, *result_.part, removed);
@@ -139,6 +141,7 @@ public:
         change_tool(0);
         result_.standing = standing;
         result_.part_volume = verifier_ ? result_.part->volume() : volume_;
+        result_.part_volume_error = result_.part->volume_error();
         if (!places_) return;
         for (const auto& [origin, taken] : result_.part->account()) {
             const auto place = places_->find(origin);
@@ -163,6 +166,10 @@ private:
     // Takes the cells of the step away. How much that was, mm³, if it is measured.
     double cut(const toolpath::Step& step) {
         double removed = 0.0;
+        for (const cda::RoundSweep& sweep : step.sweeps) {
+            ++result_.hulls;
+            result_.part->subtract_sweep(sweep);
+        }
         for (const cda::Cell& cell : step.cells) {
             ++result_.hulls;
             if (keeps_cells_) result_.carved.push_back(cell);

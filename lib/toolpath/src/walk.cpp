@@ -31,6 +31,30 @@ cda::Box grown(cda::Box box, double by_mm) {
     return box;
 }
 
+// Where all that cuts is cylinders, one with a half ball below at most: these, at the tip. Else
+// nothing.
+std::vector<cda::RoundSweep> round_of(const Tool& tool) {
+    std::vector<cda::RoundSweep> all;
+    for (const ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        if (piece.profile.size() != 2) return {};
+        const ProfilePoint& low = piece.profile[0];
+        const ProfilePoint& high = piece.profile[1];
+        const bool is_ball = low.fillet == low.radius;
+        const double height = high.height - low.height;
+        if (low.radius != high.radius || high.fillet != 0.0 || height < low.fillet ||
+            (low.fillet != 0.0 && !is_ball) || low.radius == 0.0)
+            return {};
+        cda::RoundSweep sweep;
+        sweep.radius = low.radius;
+        sweep.height = height;
+        sweep.is_ball = is_ball;
+        sweep.from = sweep.to = {0, 0, low.height};
+        all.push_back(sweep);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
@@ -94,7 +118,7 @@ const Cutter& Walk::add_tool(int number, const Tool& tool) {
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting && watch_.shanks) followed.pieces.push_back(extent_of(piece));
     }
-    return tools_.try_emplace(number, Known{std::move(cutter), std::move(followed)})
+    return tools_.try_emplace(number, Known{std::move(cutter), std::move(followed), round_of(tool)})
         .first->second.cutter;
 }
 
@@ -103,11 +127,27 @@ const Cutter* Walk::cutter(int number) const {
     return found == tools_.end() ? nullptr : &found->second.cutter;
 }
 
-// Into cells_: what may meet the stock.
-void Walk::trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+// Into cells_ or sweeps_: what may meet the stock.
+void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                  const Liberties& liberties) {
+    Cutter& cutter = tool.cutter;
     cells_.clear();
+    sweeps_.clear();
     if (!stock_.overlaps(cutter.bounds(X_WA, X_WB, liberties))) return;
+    const cda::Vec3 up{0, 0, 1};
+    if (leaves_round_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
+        for (cda::RoundSweep sweep : tool.round) {
+            sweep.origin = origin;
+            for (const auto& [end, pose] : {std::pair{&sweep.from, &X_WA}, {&sweep.to, &X_WB}}) {
+                *end = pose->translation + *end;
+                const double r = sweep.radius;
+                sweep.bounds.add(*end - cda::Vec3{r, r, 0});
+                sweep.bounds.add(*end + cda::Vec3{r, r, sweep.height});
+            }
+            if (stock_.overlaps(sweep.bounds)) sweeps_.push_back(sweep);
+        }
+        return;
+    }
     cutter.trace(X_WA, X_WB, origin, cells_, liberties);
     std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
@@ -118,8 +158,8 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     const gcode::Position* end = end_of(motion);
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = Poses(told_.get(), motion).at(*end);
-    trace(found->second.cutter, X_WT, X_WT, origin, {});
-    step({X_WT, X_WT, cells_, {}, {}});
+    trace(found->second, X_WT, X_WT, origin, {});
+    step({X_WT, X_WT, cells_, sweeps_, {}, {}});
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
@@ -148,8 +188,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             const Pose& X_WB = samples.poses[i];
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
-            trace(cutter, X_WA, X_WB, origin, liberties);
-            step({X_WA, X_WB, cells_, samples.bounds, samples.turning});
+            trace(found->second, X_WA, X_WB, origin, liberties);
+            step({X_WA, X_WB, cells_, sweeps_, samples.bounds, samples.turning});
         }
     };
 

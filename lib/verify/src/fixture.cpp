@@ -3,7 +3,7 @@
 
 #include "ncsim/cda/collision.h"
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/models.h"
+#include "ncsim/cda/tree.h"
 #include "ncsim/cda/polytope.h"
 
 #include <algorithm>
@@ -36,9 +36,9 @@ FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup
         all.add(grown(f.box, f.clearance_mm + 1.0));
     if (all.is_empty()) return;
     lattice_ = cda::Lattice::for_stock(all);
-    const auto model = cda::make_model(cda::verifying_model().name);
+    const cda::TreeCda model{cda::TreeParameters{}};
     for (const Fixture& f : fixtures_)
-        boxes_.push_back(model->create(cell_of(f.box, lattice_), lattice_));
+        boxes_.push_back(model.create(cell_of(f.box, lattice_), lattice_));
     for (const auto& [number, facts] : setup.tools) {
         for (const toolpath::ToolPiece& piece : facts.tool.pieces) {
             tools_[number].emplace_back(piece, lattice_, setup.accuracy);

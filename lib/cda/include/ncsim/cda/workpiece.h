@@ -8,6 +8,7 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
+#include "ncsim/cda/sweep.h"
 #include "ncsim/cda/vec.h"
 
 #include <iosfwd>
@@ -81,6 +82,12 @@ public:
             subtract(cell);
     }
     void subtract_unmeasured(const Cell& cell) { subtract_unmeasured(std::span(&cell, 1)); }
+    /// Does it take round tools as they are? Then it is given these where they are upright and go
+    /// straight ahead, and cells where not.
+    virtual bool takes_sweeps() const { return false; }
+    virtual void subtract_sweep(const RoundSweep&) {
+        throw CannotAnswer(name(), "what a round tool takes away");
+    }
     /// From now on it is booked what the cells of each origin take away.
     virtual void keep_account() {}
     /// What is in the books; less than 1e-15 of the stock is told as 0.
@@ -91,6 +98,8 @@ public:
 
     /// Volume of what is left, in mm³.
     virtual double volume() const = 0;
+    /// How much that may be off to either side, as far as the model itself can tell; exact: 0.
+    virtual double volume_error() const { return 0.0; }
     /// The surface of what is left.
     virtual Boundary boundary() const = 0;
     /// Is the point in the part? Points of the surface count as inside. Exact for the point rounded

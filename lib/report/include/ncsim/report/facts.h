@@ -48,6 +48,7 @@ struct ProgramFacts {
 /// How it is cut.
 struct CuttingFacts {
     std::string model;
+    double resolution = 0.0;      ///< Of a model that has one, mm; else 0.
     double tolerance = 0.0;       ///< Of chords and of turning tools, mm.
     double tool_tolerance = 0.0;  ///< Of round tools, mm.
     /// Moves in a row within this of a line are one, mm; 0: none are joined.
@@ -69,6 +70,7 @@ struct PartFacts {
     cda::Lattice lattice;
     double stock_volume = 0.0;  ///< mm³
     double part_volume = 0.0;
+    double part_volume_error = 0.0;  ///< Of models that are not exact.
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
     std::map<int, double> removed_by_tool;  ///< mm³; not where a program is verified.
     /// mm³. Only where it was asked for.

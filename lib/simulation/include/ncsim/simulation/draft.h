@@ -13,4 +13,8 @@ namespace ncsim::simulation {
 /// are no drafts.
 void coarsen(Plan& plan, const Survey& survey, bool tolerance_told, bool tool_tolerance_told);
 
+/// Where the model has a resolution that nobody told: the one that suits the stock. Throws
+/// std::runtime_error if one that was told is too fine for it.
+void choose_resolution(Plan& plan, const Survey& survey);
+
 }  // namespace ncsim::simulation

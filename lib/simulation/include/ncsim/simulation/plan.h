@@ -19,7 +19,8 @@ namespace ncsim::simulation {
 /// Lengths in mm.
 struct Plan {
     setup::Job job;
-    std::string model = "cda";     ///< Of cda::models().
+    std::string model = "cda";     ///< Of models().
+    double resolution = 0.0;       ///< Of a model that has one; 0: the one that suits the stock.
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
     /// Moves in a row become one where they stay that near to a line; 0: none do.

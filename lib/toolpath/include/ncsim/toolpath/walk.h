@@ -7,6 +7,7 @@
 
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
+#include "ncsim/cda/sweep.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool_polytope.h"
@@ -40,6 +41,8 @@ struct Step {
     const Pose& X_WB;
     /// Of the cutting pieces; only those that may meet the stock. Often none.
     std::span<const cda::Cell> cells;
+    /// Or of these, where the walk leaves round tools as they are.
+    std::span<const cda::RoundSweep> sweeps;
     SampleBounds bounds;  ///< Of the motion the step belongs to.
     Turning turning;      ///< And how the tool turns in it: for other parts of the tool.
 };
@@ -59,6 +62,9 @@ public:
          const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {},
          std::shared_ptr<const Kinematics> told = nullptr);
 
+    /// From now on cylinders and ball noses that stand upright and go straight ahead are swept as
+    /// they are, whatever the accuracy.
+    void leave_round() { leaves_round_ = true; }
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
     /// Null if there is none of this number.
@@ -78,8 +84,10 @@ private:
     struct Known {
         Cutter cutter;
         ToolExtent followed;
+        std::vector<cda::RoundSweep>
+            round;  ///< Its cutting pieces, if all can be swept as they are.
     };
-    void trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+    void trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                const Liberties& liberties);
 
     cda::Lattice lattice_;
@@ -92,7 +100,9 @@ private:
     std::shared_ptr<const Kinematics> told_;
     cda::Box place_;  // that matters: the stock and what is watched
     std::map<int, Known> tools_;
-    std::vector<cda::Cell> cells_;  // of one step, kept for its memory
+    bool leaves_round_ = false;
+    std::vector<cda::Cell> cells_;         // of one step, kept for its memory
+    std::vector<cda::RoundSweep> sweeps_;  // likewise
 };
 
 }  // namespace ncsim::toolpath

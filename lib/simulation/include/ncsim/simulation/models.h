@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace ncsim::cda {
+namespace ncsim::simulation {
 
 /// What people and callers are told about a model.
 struct ModelInfo {
@@ -20,6 +20,7 @@ struct ModelInfo {
     bool exact = false;     ///< Its parts are the aggregate's, corner for corner.
     /// Answers contact() and common_volume() at a price that a question a motion can have.
     bool verifies = false;
+    bool has_resolution = false;  ///< What is smaller may be missing.
     /// Answers write_statistics() and write_cells(), and is drawn by its masks, so that its
     /// pictures need no boundary.
     bool shows_cells = false;
@@ -39,10 +40,11 @@ std::string model_names(bool (*suits)(const ModelInfo&) = nullptr);
 struct ModelParameters {
     unsigned threads = 0;         ///< 0: as many as the machine has.
     double (*clock)() = nullptr;  ///< Seconds; where given, what hulls cost is measured.
+    double resolution_mm = 0.0;   ///< Of a model that has one; 0: it chooses.
 };
 
 /// An empty prototype. Throws std::invalid_argument if there is no such model.
-std::unique_ptr<WorkpieceModel> make_model(std::string_view name,
-                                           const ModelParameters& parameters = {});
+std::unique_ptr<cda::WorkpieceModel> make_model(std::string_view name,
+                                                const ModelParameters& parameters = {});
 
-}  // namespace ncsim::cda
+}  // namespace ncsim::simulation

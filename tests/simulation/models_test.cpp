@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of models: what it says of a model is so.
-#include "ncsim/cda/models.h"
+#include "ncsim/simulation/models.h"
 
 #include "support/oracle.h"
 #include "support/random_shapes.h"
@@ -12,9 +12,14 @@
 #include <stdexcept>
 #include <string>
 
-namespace ncsim::cda {
+namespace ncsim::simulation {
 namespace {
 
+using cda::Boundary;
+using cda::CannotAnswer;
+using cda::Cell;
+using cda::Origin;
+using cda::WorkpieceModel;
 using test::kLattice;
 using test::mm_box;
 
@@ -93,9 +98,9 @@ TEST(Models, AreAllInTheReadme) {
 }
 
 TEST(Models, AreListedAsPeopleDo) {
-    EXPECT_EQ(model_names(), "cda or cda-flat");
+    EXPECT_EQ(model_names(), "cda, cda-flat or dexel");
     EXPECT_EQ(model_names([](const ModelInfo& model) { return model.shows_cells; }), "cda-flat");
 }
 
 }  // namespace
-}  // namespace ncsim::cda
+}  // namespace ncsim::simulation

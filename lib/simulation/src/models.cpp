@@ -1,41 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/cda/models.h"
+#include "ncsim/simulation/models.h"
 
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/tree.h"
+#include "ncsim/dexel/dexel.h"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
 
-namespace ncsim::cda {
+namespace ncsim::simulation {
 
 namespace {
 
-using Maker = std::unique_ptr<WorkpieceModel> (*)(const ModelParameters&);
+using Maker = std::unique_ptr<cda::WorkpieceModel> (*)(const ModelParameters&);
 
-std::unique_ptr<WorkpieceModel> make_tree(const ModelParameters& parameters) {
-    TreeParameters tree;
+std::unique_ptr<cda::WorkpieceModel> make_tree(const ModelParameters& parameters) {
+    cda::TreeParameters tree;
     tree.threads = parameters.threads;
-    return std::make_unique<TreeCda>(tree);
+    return std::make_unique<cda::TreeCda>(tree);
 }
 
-std::unique_ptr<WorkpieceModel> make_flat(const ModelParameters& parameters) {
-    return std::make_unique<FlatCda>(parameters.clock);
+std::unique_ptr<cda::WorkpieceModel> make_flat(const ModelParameters& parameters) {
+    return std::make_unique<cda::FlatCda>(parameters.clock);
+}
+
+std::unique_ptr<cda::WorkpieceModel> make_dexel(const ModelParameters& parameters) {
+    return std::make_unique<dexel::Dexel>(
+        dexel::DexelParameters{parameters.threads, parameters.resolution_mm});
 }
 
 constexpr std::array kModels = {
-    ModelInfo{.name = TreeCda::kName,
+    ModelInfo{.name = cda::TreeCda::kName,
               .what = "a tree of aggregates, for programs of any length",
               .exact = true,
               .verifies = true},
-    ModelInfo{.name = FlatCda::kName,
+    ModelInfo{.name = cda::FlatCda::kName,
               .what = "the aggregate of the thesis, to be looked at: --stats, --xml",
               .exact = true,
               .shows_cells = true},
+    ModelInfo{.name = dexel::Dexel::kName,
+              .what = "rays, for a quick look at long programs: what is thinner than --resolution "
+                      "may be missing",
+              .has_resolution = true},
 };
-constexpr std::array<Maker, kModels.size()> kMakers = {make_tree, make_flat};
+constexpr std::array<Maker, kModels.size()> kMakers = {make_tree, make_flat, make_dexel};
 
 }  // namespace
 
@@ -65,11 +75,11 @@ std::string model_names(bool (*suits)(const ModelInfo&)) {
     return text;
 }
 
-std::unique_ptr<WorkpieceModel> make_model(std::string_view name,
-                                           const ModelParameters& parameters) {
+std::unique_ptr<cda::WorkpieceModel> make_model(std::string_view name,
+                                                const ModelParameters& parameters) {
     const ModelInfo* model = find_model(name);
     if (!model) throw std::invalid_argument("there is no model " + std::string(name));
     return kMakers[static_cast<std::size_t>(model - kModels.data())](parameters);
 }
 
-}  // namespace ncsim::cda
+}  // namespace ncsim::simulation

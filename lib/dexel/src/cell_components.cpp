@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_components.h"
+
+#include <numeric>
+#include <vector>
+
+namespace ncsim::dexel {
+
+namespace {
+
+bool is_in(std::uint8_t inside, int corner) {
+    return (inside >> corner & 1) != 0;
+}
+
+// The four corners of a face across `axis`, around it.
+std::array<int, 4> corners_of_face(int axis, int side) {
+    const int u = 1 << (axis + 1) % 3;
+    const int v = 1 << (axis + 2) % 3;
+    const int first = side << axis;
+    return {first, first + u, first + u + v, first + v};
+}
+
+int edge_between(int a, int b) {
+    const int low = a < b ? a : b;
+    const int along = a ^ b;
+    return edge_from(low, along == 1 ? 0 : along == 2 ? 1 : 2);
+}
+
+CellComponents find_components(std::uint8_t inside) {
+    std::array<int, 12> set{};
+    std::iota(set.begin(), set.end(), 0);
+    const auto find = [&](int e) {
+        while (set[static_cast<std::size_t>(e)] != e)
+            e = set[static_cast<std::size_t>(e)];
+        return e;
+    };
+    const auto join = [&](int e, int f) {
+        e = find(e);
+        f = find(f);
+        set[static_cast<std::size_t>(e > f ? e : f)] = e > f ? f : e;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int side = 0; side < 2; ++side) {
+            const auto corners = corners_of_face(axis, side);
+            std::array<int, 4> edges{};  // from each corner to the next
+            std::vector<int> crossed;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const int next = corners[(i + 1) % 4];
+                edges[i] = edge_between(corners[i], next);
+                if (is_in(inside, corners[i]) != is_in(inside, next)) crossed.push_back(edges[i]);
+            }
+            if (crossed.size() == 2) join(crossed[0], crossed[1]);
+            if (crossed.size() < 4) continue;
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (is_in(inside, corners[i])) join(edges[i], edges[(i + 3) % 4]);
+            }
+        }
+    }
+    CellComponents result;
+    result.of_edge.fill(CellComponents::kNone);
+    for (int e = 0; e < 12; ++e) {
+        const int a = first_corner(e);
+        if (is_in(inside, a) == is_in(inside, a + (1 << e / 4))) continue;
+        const int root = find(e);
+        auto& number = result.of_edge[static_cast<std::size_t>(e)];
+        number = root == e ? result.count++ : result.of_edge[static_cast<std::size_t>(root)];
+    }
+    return result;
+}
+
+}  // namespace
+
+int first_corner(int edge) {
+    const int axis = edge / 4;
+    return (edge & 1) << (axis + 1) % 3 | (edge >> 1 & 1) << (axis + 2) % 3;
+}
+
+int edge_from(int corner, int axis) {
+    return 4 * axis + (corner >> (axis + 1) % 3 & 1) + 2 * (corner >> (axis + 2) % 3 & 1);
+}
+
+const CellComponents& components_of(std::uint8_t inside) {
+    static const std::array<CellComponents, 256> kAll = [] {
+        std::array<CellComponents, 256> all;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = find_components(static_cast<std::uint8_t>(i));
+        return all;
+    }();
+    return kAll[inside];
+}
+
+}  // namespace ncsim::dexel

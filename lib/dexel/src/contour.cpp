@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. mark     corners of the grid in the material, a bit each, and cells that have both kinds
+//  2. place    the corners of the surface, cell by cell
+//  3. facets   around each crossed edge of the grid, from the cell whose first corner it is at
+#include "contour.h"
+
+#include "ncsim/cda/disjoint_sets.h"
+#include "ncsim/cda/parallel.h"
+
+#include "cell_components.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace ncsim::dexel {
+
+namespace {
+
+using cda::Vec3;
+using Triangle = std::array<std::uint32_t, 3>;
+using Place = std::array<std::size_t, 3>;  // of a corner of the grid, or the cell that begins there
+
+// A bit for each corner of the grid, columns along z one after the other.
+class Signs {
+public:
+    Signs(const Grid& grid, const Rays& along_z, std::size_t threads)
+        : columns_y_(grid.axes[1].corners()),
+          words_((grid.axes[2].corners() + 63) / 64),
+          bits_(grid.axes[0].corners() * columns_y_ * words_, 0) {
+        const cda::Runs runs(grid.axes[0].corners(), 8);
+        cda::in_parallel(threads, runs.tasks(), [&](std::size_t task) {
+            for (std::size_t x = runs.begin(task); x < runs.end(task); ++x) {
+                for (std::size_t y = 0; y < columns_y_; ++y)
+                    mark(along_z(x, y), grid.axes[2], &bits_[(x * columns_y_ + y) * words_]);
+            }
+        });
+    }
+
+    std::size_t words() const { return words_; }
+    const std::uint64_t* column(std::size_t x, std::size_t y) const {
+        return &bits_[(x * columns_y_ + y) * words_];
+    }
+    bool operator()(const Place& p) const {
+        return (column(p[0], p[1])[p[2] / 64] >> p[2] % 64 & 1) != 0;
+    }
+
+private:
+    static void mark(const Ray& ray, const GridAxis& z, std::uint64_t* bits) {
+        ray.for_each([&](const Interval& interval) {
+            const std::size_t end = z.from(interval.high.at);
+            for (std::size_t k = z.from(interval.low.at); k < end; ++k)
+                bits[k / 64] |= std::uint64_t{1} << k % 64;
+        });
+    }
+
+    std::size_t columns_y_, words_;
+    std::vector<std::uint64_t> bits_;
+};
+
+// The surface on an edge of the grid.
+struct Crossing {
+    double at = 0.0;  // along the edge, units
+    Vec3 normal;
+    cda::Origin origin = cda::kStockOrigin;
+};
+
+// Nearest to the planes, and to the mean of the points for what they leave open.
+class Nearest {
+public:
+    void add(Vec3 point, Vec3 normal) {
+        points_.push_back(point);
+        normals_.push_back(normal);
+    }
+    Vec3 solve() const {
+        Vec3 mean;
+        for (const Vec3& p : points_)
+            mean = mean + p;
+        mean = (1.0 / static_cast<double>(points_.size())) * mean;
+        // (Σ n nᵀ + w) x = Σ n (n · p), about the mean.
+        constexpr double kWeight = 1e-3;
+        double xx = kWeight, xy = 0, xz = 0, yy = kWeight, yz = 0, zz = kWeight;
+        Vec3 b;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const Vec3& n = normals_[i];
+            xx += n.x * n.x, xy += n.x * n.y, xz += n.x * n.z;
+            yy += n.y * n.y, yz += n.y * n.z, zz += n.z * n.z;
+            b = b + cda::dot(n, points_[i] - mean) * n;
+        }
+        const Vec3 r0{xx, xy, xz}, r1{xy, yy, yz}, r2{xz, yz, zz};
+        const double det = cda::dot(r0, cda::cross(r1, r2));
+        return mean + (1.0 / det) * (b.x * cda::cross(r1, r2) + b.y * cda::cross(r2, r0) +
+                                     b.z * cda::cross(r0, r1));
+    }
+
+private:
+    std::vector<Vec3> points_, normals_;
+};
+
+class Contouring {
+public:
+    Contouring(const Grid& grid, const std::array<Rays, 3>& rays, std::size_t threads)
+        : grid_(grid), rays_(rays), threads_(threads), signs_(grid, rays[2], threads) {}
+
+    void run() {
+        place_corners();
+        for (std::size_t x = 0; x < grid_.axes[0].cells(); ++x) {
+            for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
+                for (std::size_t i = column_[column(x, y)]; i < column_[column(x, y) + 1]; ++i)
+                    add_facets({x, y, cells_[i].z}, cells_[i].inside);
+            }
+        }
+    }
+
+    std::vector<Vec3> points;  // units
+    std::vector<Triangle> triangles;
+    std::vector<cda::Origin> origins;  // of triangles
+
+private:
+    struct MixedCell {
+        std::uint32_t z;
+        std::uint32_t first_point;
+        std::uint8_t inside;
+    };
+
+    std::size_t column(std::size_t x, std::size_t y) const { return x * grid_.axes[1].cells() + y; }
+
+    // --- 2 ---
+
+    struct Slab {
+        std::vector<MixedCell> cells;
+        std::vector<std::size_t> counts;  // of each column
+        std::vector<Vec3> points;
+    };
+
+    void place_corners() {
+        column_.assign(grid_.axes[0].cells() * grid_.axes[1].cells() + 1, 0);
+        cda::make_in_parallel(
+            threads_, grid_.axes[0].cells(), [&](std::size_t x) { return slab(x); },
+            [&](std::size_t x, const Slab& slab) {
+                for (std::size_t y = 0; y < slab.counts.size(); ++y)
+                    column_[column(x, y) + 1] = column_[column(x, y)] + slab.counts[y];
+                for (MixedCell cell : slab.cells) {
+                    cell.first_point += static_cast<std::uint32_t>(points.size());
+                    cells_.push_back(cell);
+                }
+                points.insert(points.end(), slab.points.begin(), slab.points.end());
+            });
+    }
+
+    Slab slab(std::size_t x) const {
+        Slab slab;
+        for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
+            const std::size_t before = slab.cells.size();
+            const std::array<const std::uint64_t*, 4> columns{
+                signs_.column(x, y), signs_.column(x + 1, y), signs_.column(x, y + 1),
+                signs_.column(x + 1, y + 1)};
+            std::uint64_t any_below = 0, all_below = 0;  // of the word before, its last corner
+            for (std::size_t w = 0; w < signs_.words(); ++w) {
+                const std::uint64_t any =
+                    columns[0][w] | columns[1][w] | columns[2][w] | columns[3][w];
+                const std::uint64_t all =
+                    columns[0][w] & columns[1][w] & columns[2][w] & columns[3][w];
+                // Bit k: of the cell whose upper corners are the k-th of the word.
+                const std::uint64_t has_some = any | any << 1 | any_below;
+                const std::uint64_t has_all = all & (all << 1 | all_below);
+                for (std::uint64_t mixed = has_some & ~has_all; mixed != 0; mixed &= mixed - 1) {
+                    const std::size_t upper =
+                        64 * w + static_cast<std::size_t>(std::countr_zero(mixed));
+                    if (upper > 0 && upper < grid_.axes[2].corners())
+                        add_cell(slab, {x, y, upper - 1});
+                }
+                any_below = any >> 63;
+                all_below = all >> 63;
+            }
+            slab.counts.push_back(slab.cells.size() - before);
+        }
+        return slab;
+    }
+
+    void add_cell(Slab& slab, const Place& at) const {
+        std::uint8_t inside = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            if (signs_(corner_at(at, corner)))
+                inside = static_cast<std::uint8_t>(inside | 1 << corner);
+        }
+        const CellComponents& components = components_of(inside);
+        slab.cells.push_back({static_cast<std::uint32_t>(at[2]),
+                              static_cast<std::uint32_t>(slab.points.size()), inside});
+        for (std::uint8_t piece = 0; piece < components.count; ++piece) {
+            Nearest nearest;
+            for (int e = 0; e < 12; ++e) {
+                if (components.of_edge[static_cast<std::size_t>(e)] != piece) continue;
+                const auto axis = static_cast<std::size_t>(e / 4);
+                const Place from = corner_at(at, first_corner(e));
+                const Crossing crossing = crossing_at(from, axis);
+                Vec3 point = point_of(from);
+                point[e / 4] = crossing.at;
+                nearest.add(point, crossing.normal);
+            }
+            slab.points.push_back(clamped(nearest.solve(), at));
+        }
+    }
+
+    static Place corner_at(const Place& cell, int corner) {
+        return {cell[0] + static_cast<std::size_t>(corner & 1),
+                cell[1] + static_cast<std::size_t>(corner >> 1 & 1),
+                cell[2] + static_cast<std::size_t>(corner >> 2 & 1)};
+    }
+    Vec3 point_of(const Place& corner) const {
+        return {grid_.axes[0].at[corner[0]], grid_.axes[1].at[corner[1]],
+                grid_.axes[2].at[corner[2]]};
+    }
+
+    // Not to its very walls: corners of two cells are never in one place.
+    Vec3 clamped(Vec3 p, const Place& cell) const {
+        constexpr double kMargin = 1e-3;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            const double low = grid_.axes[a].at[cell[a]];
+            const double high = grid_.axes[a].at[cell[a] + 1];
+            const double margin = kMargin * (high - low);
+            p[axis] = std::clamp(p[axis], low + margin, high - margin);
+        }
+        return p;
+    }
+
+    // On the edge from this corner along the axis, one end of which is in the material. Where the
+    // rays along it do not have it, since all are rounded: in the middle.
+    Crossing crossing_at(const Place& from, std::size_t axis) const {
+        const std::vector<double>& at = grid_.axes[axis].at;
+        const double low = at[from[axis]];
+        const double high = at[from[axis] + 1];
+        const bool enters = !signs_(from);  // going up
+        const Rays& rays = rays_[axis];
+        std::optional<End> found;
+        rays(from[rays.u_axis()], from[rays.v_axis()]).for_each([&](const Interval& interval) {
+            const End& end = enters ? interval.low : interval.high;
+            if (low < end.at && end.at < high && (!found || !enters)) found = end;
+        });
+        if (found) return {static_cast<double>(found->at), found->normal.unpacked(), found->origin};
+        Crossing crossing{0.5 * (low + high), {}, cda::kStockOrigin};
+        crossing.normal[static_cast<int>(axis)] = enters ? -1.0 : 1.0;
+        return crossing;
+    }
+
+    // --- 3 ---
+
+    const MixedCell& cell_at(const Place& at) const {
+        const auto begin =
+            cells_.begin() + static_cast<std::ptrdiff_t>(column_[column(at[0], at[1])]);
+        const auto end =
+            cells_.begin() + static_cast<std::ptrdiff_t>(column_[column(at[0], at[1]) + 1]);
+        return *std::lower_bound(begin, end, at[2],
+                                 [](const MixedCell& c, std::size_t z) { return c.z < z; });
+    }
+
+    void add_facets(const Place& at, std::uint8_t inside) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const bool from_in = (inside & 1) != 0;
+            const bool to_in = (inside >> (1 << axis) & 1) != 0;
+            if (from_in == to_in) continue;
+            add_facet(at, axis, from_in);
+        }
+    }
+
+    // The four cells around the edge, counter-clockwise about its axis; the surface faces along the
+    // axis where its beginning is in the material.
+    void add_facet(const Place& corner, std::size_t axis, bool faces_along) {
+        const std::size_t u = (axis + 1) % 3;
+        const std::size_t v = (axis + 2) % 3;
+        // Of each cell, which of its corners the edge begins at.
+        constexpr std::array<std::pair<int, int>, 4> kOffsets{std::pair{0, 0}, std::pair{1, 0},
+                                                              std::pair{1, 1}, std::pair{0, 1}};
+        std::array<Place, 4> cells;
+        std::array<std::uint32_t, 4> vertices{};
+        for (std::size_t i = 0; i < 4; ++i) {
+            cells[i] = corner;
+            cells[i][u] -= static_cast<std::size_t>(kOffsets[i].first);
+            cells[i][v] -= static_cast<std::size_t>(kOffsets[i].second);
+            const MixedCell& cell = cell_at(cells[i]);
+            const int begins = kOffsets[i].first << u | kOffsets[i].second << v;
+            const auto edge = static_cast<std::size_t>(edge_from(begins, static_cast<int>(axis)));
+            vertices[i] = cell.first_point + components_of(cell.inside).of_edge[edge];
+        }
+        std::vector<std::uint32_t> loop;
+        std::size_t first_middle = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t next = (i + 1) % 4;
+            loop.push_back(vertices[i]);
+            const auto middle =
+                middle_of(corner, axis, cells[i], cells[next], vertices[i], vertices[next]);
+            if (!middle) continue;
+            if (first_middle == 0) first_middle = loop.size();
+            loop.push_back(*middle);
+        }
+        // Triangles from there: none has the two corners as an edge that it is between.
+        std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(first_middle));
+        if (!faces_along) std::reverse(loop.begin() + 1, loop.end());
+        const cda::Origin origin = crossing_at(corner, axis).origin;
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+            triangles.push_back({loop[a], loop[b], loop[c]});
+            origins.push_back(origin);
+        };
+        if (loop.size() > 4) {
+            for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+                add(0, i, i + 1);
+            return;
+        }
+        const double here = cda::norm(points[loop[2]] - points[loop[0]]);
+        const double there = cda::norm(points[loop[3]] - points[loop[1]]);
+        if (here <= there) {
+            add(0, 1, 2);
+            add(0, 2, 3);
+        } else {
+            add(1, 2, 3);
+            add(1, 3, 0);
+        }
+    }
+
+    // Where all four edges of the face between two cells are crossed, and all end in the same two
+    // corners of the surface: the corner between these for the two edges that this one goes with.
+    std::optional<std::uint32_t> middle_of(const Place& corner, std::size_t axis, const Place& a,
+                                           const Place& b, std::uint32_t vertex_a,
+                                           std::uint32_t vertex_b) {
+        // The face is across the axis in which the cells differ; the edge lies in it.
+        std::size_t across = 0;
+        while (a[across] == b[across])
+            ++across;
+        const std::size_t other = 3 - axis - across;
+        Place first = a;  // of the face
+        first[across] = std::max(a[across], b[across]);
+        std::array<bool, 4> in{};  // first, along axis, along other, both
+        for (std::size_t i = 0; i < 4; ++i) {
+            Place p = first;
+            p[axis] += i & 1;
+            p[other] += i >> 1;
+            in[i] = signs_(p);
+        }
+        if (in[0] != in[3] || in[1] != in[2] || in[0] == in[1]) return std::nullopt;
+        const auto all_are = [&](const Place& at, std::uint32_t vertex) {
+            const MixedCell& cell = cell_at(at);
+            const int side = at[across] == first[across] ? 0 : 1 << across;
+            const CellComponents& components = components_of(cell.inside);
+            const int x = static_cast<int>(axis), y = static_cast<int>(other);
+            for (const int edge : {edge_from(side, x), edge_from(side + (1 << y), x),
+                                   edge_from(side, y), edge_from(side + (1 << x), y)}) {
+                if (cell.first_point + components.of_edge[static_cast<std::size_t>(edge)] != vertex)
+                    return false;
+            }
+            return true;
+        };
+        if (!all_are(a, vertex_a) || !all_are(b, vertex_b)) return std::nullopt;
+        // The corner in the material that the edge begins or ends at tells the pair.
+        Place inner = corner;
+        if (!signs_(inner)) ++inner[axis];
+        const auto [at, is_new] = middles_.try_emplace(
+            {std::min(vertex_a, vertex_b), std::max(vertex_a, vertex_b), inner},
+            static_cast<std::uint32_t>(points.size()));
+        if (is_new) {
+            const Vec3 between = 0.5 * (points[vertex_a] + points[vertex_b]);
+            points.push_back(between + 0.25 * (point_of(inner) - between));
+        }
+        return at->second;
+    }
+
+    const Grid& grid_;
+    const std::array<Rays, 3>& rays_;
+    std::size_t threads_;
+    Signs signs_;
+    std::vector<std::size_t> column_;  // where in cells_ its own begin
+    std::vector<MixedCell> cells_;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, Place>, std::uint32_t> middles_;
+};
+
+}  // namespace
+
+Contour::Contour(const Grid& grid, const std::array<Rays, 3>& rays, const cda::Lattice& lattice,
+                 std::size_t threads)
+    : grid_(grid), rays_(rays), lattice_(lattice), threads_(threads) {}
+
+cda::Boundary Contour::boundary() const {
+    Contouring contouring(grid_, rays_, threads_);
+    contouring.run();
+    cda::Boundary boundary;
+    boundary.vertices.reserve(contouring.points.size());
+    for (const Vec3& p : contouring.points)
+        boundary.vertices.push_back(lattice_.to_mm(p));
+    cda::DisjointSets shells(contouring.points.size());
+    for (const auto& [a, b, c] : contouring.triangles) {
+        shells.unite(a, b);
+        shells.unite(b, c);
+    }
+    constexpr auto kUnnumbered = ~std::uint32_t{0};
+    std::vector<std::uint32_t> number(contouring.points.size(), kUnnumbered);
+    boundary.faces.reserve(contouring.triangles.size());
+    for (std::size_t t = 0; t < contouring.triangles.size(); ++t) {
+        const auto& [a, b, c] = contouring.triangles[t];
+        const Vec3 n = cda::cross(boundary.vertices[b] - boundary.vertices[a],
+                                  boundary.vertices[c] - boundary.vertices[a]);
+        cda::BoundaryFace face;
+        face.normal = cda::norm(n) > 0.0 ? cda::normalized(n) : Vec3{0, 0, 1};
+        face.offset = cda::dot(face.normal, boundary.vertices[a]);
+        face.origin = contouring.origins[t];
+        face.loops = {{a, b, c}};
+        std::uint32_t& shell = number[shells.find(a)];
+        if (shell == kUnnumbered) shell = boundary.shells++;
+        face.shell = shell;
+        boundary.faces.push_back(std::move(face));
+    }
+    return boundary;
+}
+
+}  // namespace ncsim::dexel

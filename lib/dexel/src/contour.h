@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The surface between the ends of rays: dual contouring.
+#pragma once
+
+#include "ncsim/cda/boundary.h"
+#include "ncsim/cda/lattice.h"
+
+#include "rays.h"
+
+#include <array>
+#include <cstddef>
+
+namespace ncsim::dexel {
+
+/// Which corners of the grid are in the material is told by the rays along z; where edges of the
+/// grid cross the surface, and how it lies there, by the ends of rays along them. Each cell that is
+/// crossed gets a corner of the surface for each piece of it (cell_components.h), which is nearest
+/// to the planes at these ends and in the cell; around each crossed edge, the cells' corners are a
+/// facet. Where two pieces that meet in a face of a cell have the same corners on both sides of it,
+/// each gets one of its own between, so that all edges have two facets.
+///
+/// Ju, Losasso, Schaefer, Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Expected
+/// O(corners of the grid / 64 + surface).
+class Contour {
+public:
+    Contour(const Grid& grid, const std::array<Rays, 3>& rays, const cda::Lattice& lattice,
+            std::size_t threads);
+
+    cda::Boundary boundary() const;
+
+private:
+    const Grid& grid_;
+    const std::array<Rays, 3>& rays_;
+    cda::Lattice lattice_;
+    std::size_t threads_;
+};
+
+}  // namespace ncsim::dexel

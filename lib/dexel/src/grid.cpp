@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace ncsim::dexel {
+
+GridAxis::GridAxis(double min, double max, double wanted) {
+    const double count = std::max(1.0, std::ceil((max - min) / std::max(2.0, wanted) - 1e-9));
+    if (!(count < kMostRays)) throw std::invalid_argument("the resolution is too fine");
+    pitch = (max - min) / count;
+    const auto n = static_cast<std::size_t>(count);
+    at.reserve(n + 2);
+    for (std::size_t i = 0; i < n + 2; ++i)
+        at.push_back(std::floor(min + (static_cast<double>(i) - 0.5) * pitch) + 0.5);
+    // Of stock thinner than the least pitch.
+    at.front() = std::min(at.front(), min - 0.5);
+    at.back() = std::max(at.back(), max + 0.5);
+}
+
+std::size_t GridAxis::from(double place) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(at, place) - at.begin());
+}
+
+Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)
+    : axes{GridAxis(min.x, max.x, pitch), GridAxis(min.y, max.y, pitch),
+           GridAxis(min.z, max.z, pitch)} {
+    for (std::size_t d = 0; d < 3; ++d) {
+        const double rays = static_cast<double>(axes[(d + 1) % 3].corners()) *
+                            static_cast<double>(axes[(d + 2) % 3].corners());
+        if (!(rays <= kMostRays)) throw std::invalid_argument("the resolution is too fine");
+    }
+}
+
+GridBox::GridBox(const cda::Box& bounds, const cda::Lattice& lattice, const Grid& grid) {
+    constexpr double kRoom = 2.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        low[a] = bounds.min[axis] / lattice.unit_mm - kRoom;
+        high[a] = bounds.max[axis] / lattice.unit_mm + kRoom;
+        begin[a] = grid.axes[a].from(low[a]);
+        end[a] = grid.axes[a].from(high[a]);
+    }
+}
+
+}  // namespace ncsim::dexel

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_components.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace ncsim::dexel {
+namespace {
+
+TEST(CellComponents, EdgesAndCornersAgree) {
+    for (int edge = 0; edge < 12; ++edge)
+        EXPECT_EQ(edge_from(first_corner(edge), edge / 4), edge);
+}
+
+TEST(CellComponents, CrossedEdgesHaveAPieceAndOthersNone) {
+    for (int inside = 0; inside < 256; ++inside) {
+        const CellComponents& c = components_of(static_cast<std::uint8_t>(inside));
+        for (int edge = 0; edge < 12; ++edge) {
+            const int a = first_corner(edge);
+            const int b = a + (1 << edge / 4);
+            const bool crossed = (inside >> a & 1) != (inside >> b & 1);
+            EXPECT_EQ(c.of_edge[static_cast<std::size_t>(edge)] != CellComponents::kNone, crossed);
+        }
+    }
+}
+
+TEST(CellComponents, ASingleCornerIsOnePieceAndCornersAtADiagonalAreTwo) {
+    EXPECT_EQ(components_of(0).count, 0);
+    EXPECT_EQ(components_of(255).count, 0);
+    EXPECT_EQ(components_of(0b00000001).count, 1);
+    EXPECT_EQ(components_of(0b00001001).count, 2);  // of a face
+    EXPECT_EQ(components_of(0b10000001).count, 2);  // of the cell
+    EXPECT_EQ(components_of(0b01101001).count, 4);  // every other one
+    EXPECT_EQ(components_of(0b00001111).count, 1);
+}
+
+// What is turned with its cell stays as it is: no axis is special.
+TEST(CellComponents, DoNotDependOnHowTheCellLies) {
+    const auto turned = [](int corner) {
+        return (corner >> 2 & 1) | (corner & 1) << 1 | (corner >> 1 & 1) << 2;
+    };
+    for (int inside = 0; inside < 256; ++inside) {
+        int other = 0;
+        for (int corner = 0; corner < 8; ++corner)
+            other |= (inside >> corner & 1) << turned(corner);
+        EXPECT_EQ(components_of(static_cast<std::uint8_t>(inside)).count,
+                  components_of(static_cast<std::uint8_t>(other)).count)
+            << inside;
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::dexel

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/dexel/dexel.h"
+
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/tree.h"
+
+#include "support/random.h"
+#include "support/random_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace ncsim::dexel {
+namespace {
+
+using cda::Boundary;
+using cda::Cell;
+using cda::Vec3;
+using test::kLattice;
+using test::mm_box;
+
+std::unique_ptr<cda::WorkpieceModel> block(double resolution, std::size_t threads = 1) {
+    return Dexel({threads, resolution}).create(mm_box(0, 0, 0, 10, 10, 6), kLattice);
+}
+
+void expect_closed(const Boundary& boundary) {
+    EXPECT_TRUE(cda::check(boundary).is_closed());
+}
+
+TEST(Dexel, ABlockIsItself) {
+    const auto part = block(0.3);
+    EXPECT_NEAR(part->volume(), 600.0, 1e-9);
+    const Boundary boundary = part->boundary();
+    expect_closed(boundary);
+    EXPECT_EQ(boundary.shells, 1U);
+    // Normals are off by 1e-4, so corners by that share of a cell.
+    EXPECT_NEAR(cda::volume(boundary), 600.0, 0.05);
+    const cda::Box bounds = cda::bounds(boundary);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(bounds.min[axis], 0.0, 1e-3);
+        EXPECT_NEAR(bounds.max[axis], axis == 2 ? 6.0 : 10.0, 1e-3);
+    }
+}
+
+TEST(Dexel, ASlotHasItsWallsAndItsEdges) {
+    const auto part = block(0.3);
+    part->subtract_unmeasured(mm_box(-1, 3, 4, 11, 6, 7, cda::Origin{7}));
+    EXPECT_NEAR(part->volume(), 600.0 - 60.0, 3.0);
+    const Boundary boundary = part->boundary();
+    expect_closed(boundary);
+    EXPECT_NEAR(cda::volume(boundary), 540.0, 0.1);
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        if (face.origin != cda::Origin{7}) continue;
+        for (const std::uint32_t v : face.loops[0]) {
+            EXPECT_GE(boundary.vertices[v].y, 3.0 - 0.31);
+            EXPECT_LE(boundary.vertices[v].y, 6.0 + 0.31);
+        }
+    }
+}
+
+// Walls and slots of a third of a pitch to three, and bodies that lie anyhow: some are missed, and
+// the surface is closed.
+TEST(Dexel, IsClosedWhateverIsCut) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        const auto part = block(0.5);
+        for (int i = 0; i < 25; ++i) {
+            const std::int64_t x = static_cast<std::int64_t>(random.next() % 10);
+            const std::int64_t y = static_cast<std::int64_t>(random.next() % 10);
+            const std::int64_t z = static_cast<std::int64_t>(random.next() % 6);
+            const auto half = [&](std::int64_t most) {
+                return 1 +
+                       static_cast<std::int64_t>(random.next() % static_cast<std::uint64_t>(most));
+            };
+            Cell cell = mm_box(x, y, z, x + half(4), y + half(4), z + half(3));
+            if (random.one_in(2)) {
+                std::vector<cda::LatticePoint> points;
+                for (int k = 0; k < 6; ++k)
+                    points.push_back(kLattice.round(
+                        {random.within(-1, 11), random.within(-1, 11), random.within(-1, 7)}));
+                if (const auto hull = cda::convex_hull(points, kLattice, cda::Origin{3}))
+                    cell = *hull;
+            }
+            part->subtract_unmeasured(cell);
+        }
+        expect_closed(part->boundary());
+    }
+}
+
+// Every other one of cells as large as the grid's: corners of the grid at all diagonals, where
+// surfaces touch in edges.
+TEST(Dexel, IsClosedWhereCellsMeetInEdgesAndCorners) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(1000 + seed);
+        const auto part = block(1.0);
+        for (std::int64_t x = 0; x < 10; ++x) {
+            for (std::int64_t y = 0; y < 10; ++y) {
+                for (std::int64_t z = 0; z < 6; ++z) {
+                    if (random.one_in(2))
+                        part->subtract_unmeasured(mm_box(x, y, z, x + 1, y + 1, z + 1));
+                }
+            }
+        }
+        expect_closed(part->boundary());
+    }
+}
+
+// The exact model knows better: how much there is, and what is farther than a pitch from where they
+// may differ.
+TEST(Dexel, HasWhatTheExactPartHas) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(2000 + seed);
+        const double pitch = 0.2;
+        const auto part = block(pitch, 2);
+        cda::TreeCda exact(mm_box(0, 0, 0, 10, 10, 6), kLattice);
+        for (int i = 0; i < 12; ++i) {
+            std::vector<cda::LatticePoint> points;
+            const Vec3 middle{random.within(0, 10), random.within(0, 10), random.within(0, 6)};
+            for (int k = 0; k < 8; ++k)
+                points.push_back(
+                    kLattice.round(middle + Vec3{random.within(-3, 3), random.within(-3, 3),
+                                                 random.within(-3, 3)}));
+            const auto hull = cda::convex_hull(points, kLattice, cda::Origin{1});
+            if (!hull) continue;
+            part->subtract_unmeasured(*hull);
+            exact.subtract_unmeasured(*hull);
+        }
+        const Boundary surface = exact.boundary();
+        EXPECT_NEAR(part->volume(), exact.volume(), 0.02 * pitch * cda::area(surface));
+        EXPECT_NEAR(cda::volume(part->boundary()), exact.volume(),
+                    0.02 * pitch * cda::area(surface));
+        for (int i = 0; i < 500; ++i) {
+            const Vec3 p{random.within(0, 10), random.within(0, 10), random.within(0, 6)};
+            const bool expected = exact.contains(p);
+            // Where the exact part is the same as far as the nearest ray is, so is this one.
+            bool is_near = false;
+            for (int x = -6; x <= 6; ++x) {
+                for (int y = -6; y <= 6; ++y)
+                    is_near |=
+                        exact.contains(p + Vec3{x * 0.1 * pitch, y * 0.1 * pitch, 0}) != expected;
+            }
+            if (!is_near) {
+                EXPECT_EQ(part->contains(p), expected);
+            }
+        }
+    }
+}
+
+std::vector<Cell> some_cuts(std::uint64_t seed) {
+    test::Random random(seed);
+    std::vector<Cell> cuts;
+    for (int i = 0; i < 60; ++i) {
+        const auto x = static_cast<std::int64_t>(random.next() % 9);
+        const auto y = static_cast<std::int64_t>(random.next() % 9);
+        cuts.push_back(mm_box(x, y, 1 + static_cast<std::int64_t>(random.next() % 5), x + 2, y + 1,
+                              7, cda::Origin{static_cast<std::uint32_t>(i + 1)}));
+    }
+    return cuts;
+}
+
+TEST(Dexel, DoesNotDependOnThreads) {
+    const auto cuts = some_cuts(5);
+    const auto one = block(0.3, 1);
+    one->subtract_unmeasured(cuts);
+    const Boundary expected = one->boundary();
+    for (const std::size_t threads : {2U, 8U}) {
+        const auto many = block(0.3, threads);
+        many->subtract_unmeasured(cuts);
+        const Boundary boundary = many->boundary();
+        EXPECT_EQ(boundary.vertices, expected.vertices);
+        ASSERT_EQ(boundary.faces.size(), expected.faces.size());
+        for (std::size_t i = 0; i < boundary.faces.size(); ++i) {
+            EXPECT_EQ(boundary.faces[i].loops, expected.faces[i].loops);
+            EXPECT_EQ(boundary.faces[i].origin, expected.faces[i].origin);
+        }
+        EXPECT_EQ(many->volume(), one->volume());
+    }
+}
+
+TEST(Dexel, DoesNotDependOnTheOrderOfCuts) {
+    auto cuts = some_cuts(6);
+    const auto there = block(0.3);
+    there->subtract_unmeasured(cuts);
+    std::reverse(cuts.begin(), cuts.end());
+    const auto back = block(0.3);
+    back->subtract_unmeasured(cuts);
+    EXPECT_EQ(there->volume(), back->volume());
+    EXPECT_EQ(there->boundary().vertices, back->boundary().vertices);
+}
+
+TEST(Dexel, ACopyIsItsOwn) {
+    const auto part = block(0.5);
+    part->subtract_unmeasured(mm_box(-1, -1, 3, 11, 5, 7));
+    const auto copy = part->clone();
+    copy->subtract_unmeasured(mm_box(-1, 4, 3, 11, 11, 7));
+    EXPECT_NEAR(part->volume(), 600 - 150, 1e-9);
+    EXPECT_NEAR(copy->volume(), 300, 1e-9);
+}
+
+TEST(Dexel, RefusesWhatItCannotDo) {
+    EXPECT_THROW(block(1e-4), std::invalid_argument);  // 10^10 rays
+    EXPECT_THROW(Dexel().create(mm_box(0, 0, 0, 0, 1, 1), kLattice), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(block(1)->account()), cda::CannotAnswer);
+}
+
+// A ball over a plane, round as it is: the groove's bottom to a unit.
+TEST(Dexel, ABallLeavesAGrooveOfItsOwnRadius) {
+    const auto part = block(0.2);
+    cda::RoundSweep sweep;
+    sweep.radius = 2;
+    sweep.height = 10;
+    sweep.is_ball = true;
+    sweep.from = {-3, 5, 4};
+    sweep.to = {13, 5, 4};
+    sweep.origin = cda::Origin{1};
+    sweep.bounds.add(Vec3{-5, 3, 4}), sweep.bounds.add(Vec3{15, 7, 14});
+    part->subtract_sweep(sweep);
+    const double half_circle = 4 * std::acos(0.0);
+    EXPECT_NEAR(part->volume(), 600 - 10 * half_circle, 0.4);
+    for (const Vec3& v : part->boundary().vertices) {
+        if (v.z > 5.99 || v.z < 0.01 || v.x < 0.3 || v.x > 9.7 || v.y < 0.3 || v.y > 9.7) continue;
+        EXPECT_NEAR(std::hypot(v.y - 5, v.z - 6), 2.0, 0.01);
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::dexel

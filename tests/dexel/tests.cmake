@@ -1,0 +1,7 @@
+ncsim_add_test(dexel
+  LIBRARIES ncsim::dexel
+  SOURCES
+    cell_components_test.cpp
+    dexel_test.cpp
+    round_sweep_test.cpp)
+target_include_directories(ncsim_dexel_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/dexel/src)
