@@ -174,6 +174,7 @@ std::string not_in_machine_toml(const MachineFile& file) {
     if (fixtures > 0)
         lost.push_back(fmt::format("{} fixture{}", fixtures, fixtures == 1 ? "" : "s"));
     if (!file.bodies.empty()) lost.emplace_back("meshes of links");
+    if (!file.ignored.empty() || !file.asked.empty()) lost.emplace_back("which links are asked");
     if (!file.tools.empty()) lost.emplace_back("limits of tools");
     return fmt::format("{}", fmt::join(lost, ", "));
 }

@@ -45,6 +45,19 @@ constexpr std::array kRules = {
          true,
          needs_fixtures,
          judge_fixture_clearance},
+    Rule{
+        {"machine-collision", Category::Collision, Severity::Error,
+         "A head in the table costs a spindle, and months.",
+         "Lead the tool around it, or clamp the part elsewhere; parts that touch by design: ignore "
+         "in the machine file."},
+        true,
+        needs_links,
+        judge_machine_collision},
+    Rule{{"machine-near-miss", Category::Collision, Severity::Warning,
+          "Hoses, covers and cables are in no mesh.", "Keep the stated distance from the link."},
+         true,
+         needs_clearance,
+         judge_machine_near_miss},
 
     Rule{{"below-stock", Category::Collision, Severity::Warning,
           "Below the stock is the table, or nothing; the program does not know.",
