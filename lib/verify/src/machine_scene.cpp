@@ -21,8 +21,8 @@ using machine::Values;
 
 namespace {
 
-// Depths that are measured, each as dear as ten that are only found: one fault has a number,
-// thousands of the same have its largest.
+// Depths of a pair that are measured, each as dear as ten that are only found: one fault has a
+// number, thousands of the same have its largest.
 constexpr std::uint64_t kMostMeasured = 16;
 
 // How much finer a tool is looked at where it matters.
@@ -272,7 +272,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
         near = come_near(on_leg, *observer, *other, lattice_, pair.clearance_mm);
         if (near.closeness == Closeness::Clear) return;
     }
-    Encounter met = meet(on_leg, *observer, *other, lattice_, measured_ < kMostMeasured);
+    Encounter met = meet(on_leg, *observer, *other, lattice_, pair.measured < kMostMeasured);
     // Where the accuracy of the tool leaves it open, a finer one may decide.
     if (met.closeness == Closeness::Open && members_[pair.body].is_tool) {
         const RigidBody* finer = this->tool(leg.motion.tool, *length.gauge_mm, kFiner);
@@ -281,7 +281,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     const bool touches = met.closeness != Closeness::Clear;
     if (!touches && near.closeness == Closeness::Clear) return;
     note(pair, touches ? met : near, touches, contacts);
-    measured_ += met.closeness == Closeness::Certain ? 1 : 0;
+    pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
 }
 
 void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
@@ -344,10 +344,10 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
 void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
     if (!part) return;
     for (const Open& open : open_) {
-        const Pair& pair = pairs_[open.pair];
+        Pair& pair = pairs_[open.pair];
         const Leg& leg = legs_[open.leg];
         const RigidBody& body = *members_[pair.body].body;
-        const bool measured = measured_ < kMostMeasured;
+        const bool measured = pair.measured < kMostMeasured;
         const auto ask = [&](double clearance_mm) {
             return meet_part(on_leg(pair, leg), *part, stock_, zero_, body, clearance_mm, measured);
         };
@@ -362,7 +362,7 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
             met.values = leg.to.value_or(Values{});
         }
         note(pair, met, touches, contacts);
-        measured_ += met.closeness == Closeness::Certain ? 1 : 0;
+        pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
     }
 }
 

@@ -62,6 +62,7 @@ private:
         // Where the joints on the way stood, and the tool, when it was asked last.
         std::optional<machine::Values> asked_at;
         const RigidBody* asked_with = nullptr;
+        std::uint64_t measured = 0;  // times that its depth was
     };
     struct Leg {
         gcode::Motion motion;
@@ -95,7 +96,6 @@ private:
     // By number, gauge length, and how much finer than their accuracy they are.
     std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;
     bool misses_length_ = false;
-    std::uint64_t measured_ = 0;  // contacts whose depth was
     // Of the motion at hand.
     std::vector<Leg> legs_;
     double length_mm_ = 0.0;
