@@ -248,6 +248,17 @@ TEST(MachineCollision, SaysWhatWasNotAsked) {
               "where the work zero (G54) lies in the machine is not told");
 }
 
+TEST(MachineCollision, LinksCanBeRequired) {
+    LinkBodies told = tilting();
+    verify::Setup setup = setup_of(told);
+    setup.required = {"links"};
+    EXPECT_FALSE(doubts_of(verdict_of(kLength, setup)).contains("required"));
+    told.links.push_back({"saddle", {}, {{kX}}});
+    setup = setup_of(told);
+    setup.required = {"links"};
+    EXPECT_TRUE(doubts_of(verdict_of(kLength, setup)).contains("required"));
+}
+
 TEST(MachineCollision, ALengthThatNobodyToldIsADoubt) {
     const auto verdict =
         verdict_of("G21 G90\nT1 M6\nG43 H1\nG0 X0 Y0 Z100\nG0 A10\n", setup_of(tilting()));
@@ -287,6 +298,23 @@ TEST(MachineCollision, TheWayOfTheAxesUnderTipControlCounts) {
     ASSERT_TRUE(values);
     EXPECT_NEAR(std::abs((*values)[1]), 120.0 * std::sqrt(3.0) / 2.0, 1e-9);
     EXPECT_NEAR((*values)[2], -320.0 + 60.0 + 80.0, 1e-9);
+}
+
+// The axis is 20 mm below the tip, which goes around it on an arc.
+TEST(PathDeviation, IsTheSagittaOfATurn) {
+    verify::Setup setup = setup_of(tilting());
+    const std::string turn = "G0 X120 Y0 Z50\nZ0\nG1 A60 F500\n";
+    EXPECT_EQ(skipped_because(verdict_of(kLength + turn, setup), "path-deviation"),
+              "nobody tells how far the tip may leave its line (machine.toml, path_deviation)");
+    const double sagitta = 20.0 * (1.0 - std::cos(std::numbers::pi / 6));
+    setup.machine.path_deviation = sagitta + 0.01;
+    EXPECT_TRUE(findings_of(verdict_of(kLength + turn, setup), "path-deviation").empty());
+    setup.machine.path_deviation = sagitta - 0.01;
+    const Finding f = only(verdict_of(kLength + turn, setup), "path-deviation");
+    expect_at(f, 6, sagitta, 1e-3);
+    // Rapid moves cut nothing.
+    const std::string rapid = "G0 X120 Y0 Z50\nZ0\nG0 A60\n";
+    EXPECT_TRUE(findings_of(verdict_of(kLength + rapid, setup), "path-deviation").empty());
 }
 
 // Random bodies on random ways, against the same bodies at hundreds of times.

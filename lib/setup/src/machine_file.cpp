@@ -224,6 +224,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
                             const std::string& k) { file.offsets.merge(read_offsets(r, n, k)); }},
             {"below_stock",
              [&](const auto& n, const auto& k) { m.below_stock = r.not_negative(n, k); }},
+            {"path_deviation",
+             [&](const auto& n, const auto& k) { m.path_deviation = r.positive(n, k); }},
             {"time",
              [&](const toml::node& n, const std::string& k) {
                  r.each(r.table(n, k), k,

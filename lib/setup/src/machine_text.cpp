@@ -187,6 +187,7 @@ std::string machine_toml(const MachineFile& file) {
     if (file.kinematics && !file.kinematics->guess.empty())
         text += fmt::format("assumed = {}\n", quoted(file.kinematics->guess));
     if (m.below_stock != 0.0) text += fmt::format("below_stock = {}\n", m.below_stock);
+    if (m.path_deviation) text += fmt::format("path_deviation = {}\n", *m.path_deviation);
     if (m.fixtures_told && m.fixtures.empty()) text += "fixture = []\n";
     text += clamps_toml(file);
     std::string spindle, links;

@@ -52,6 +52,7 @@ std::optional<std::string> needs_air_cuts(const Setup& setup);
 std::optional<std::string> needs_stock(const Setup& setup);
 std::optional<std::string> needs_links(const Setup& setup);
 std::optional<std::string> needs_clearance(const Setup& setup);
+std::optional<std::string> needs_path_deviation(const Setup& setup);
 
 void judge_rapid_in_material(const Setup&, const Move&, FindingLog&);
 void judge_spindle_off(const Setup&, const Move&, FindingLog&);
@@ -70,6 +71,7 @@ void judge_over_travel(const Setup&, const Move&, FindingLog&);
 void judge_rotary_over_travel(const Setup&, const Move&, FindingLog&);
 void judge_clamps(const Setup&, const Move&, FindingLog&);
 void judge_singular_pose(const Setup&, const Move&, FindingLog&);
+void judge_path_deviation(const Setup&, const Move&, FindingLog&);
 void judge_start_unknown(const Setup&, const Move&, FindingLog&);
 void judge_path_accuracy(const Setup&, const Move&, FindingLog&);
 void judge_below_stock(const Setup&, const Move&, FindingLog&);

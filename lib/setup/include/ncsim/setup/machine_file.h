@@ -33,6 +33,7 @@
 //     tool_change = 6.0              # s
 //     junction_deviation = 0.01      # mm
 //     below_stock = 5                # mm free below the stock; stands before the first [table]
+//     path_deviation = 0.05          # mm that the tip may leave the line of a feed move that turns
 //     [[fixture]]                    # where the stock is, mm; fixture = []: there is none
 //     name = "vice"
 //     offset = "G55"                 # in this system, if it is not that of the first cut
