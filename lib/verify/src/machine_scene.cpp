@@ -204,8 +204,15 @@ bool MachineScene::moves(const Pair& pair, const Leg& leg) const {
 }
 
 PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
-    return {*leg.path,          leg.from, leg.to, leg.missed_mm, pair.way, pair.of_part_and_tool,
-            {0, 0, -length_mm_}};
+    constexpr std::uint64_t kOften = 50;
+    return {*leg.path,
+            leg.from,
+            leg.to,
+            leg.missed_mm,
+            pair.way,
+            pair.of_part_and_tool,
+            {0, 0, -length_mm_},
+            pair.not_clear < kOften ? kMostStretches : kFewStretches};
 }
 
 Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
@@ -281,6 +288,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     const bool touches = met.closeness != Closeness::Clear;
     if (!touches && near.closeness == Closeness::Clear) return;
     note(pair, touches ? met : near, touches, contacts);
+    ++pair.not_clear;
     pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
 }
 
@@ -309,7 +317,6 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
     }
     const RigidBody* tool = length.gauge_mm ? this->tool(motion.tool, *length.gauge_mm) : nullptr;
     const bool lacks_gauge = motion.tool != 0 && !length.gauge_mm;
-    const bool cuts_free = !ascends(legs_.front().motion, *setup_->kinematics);
     const Chain& tool_moved_by = setup_->bodies->told().tool_moved_by;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         Pair& pair = pairs_[i];
@@ -325,7 +332,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
         }
         if (!part) continue;
         const RigidBody& body = *members_[pair.body].body;
-        const bool follows = cuts_free && members_[pair.body].moved_by == tool_moved_by;
+        const bool is_on_tool = members_[pair.body].moved_by == tool_moved_by;
         for (std::size_t k = 0; k < legs_.size(); ++k) {
             const Leg& leg = legs_[k];
             if (pair.asked_with == &body && !moves(pair, leg)) continue;
@@ -336,6 +343,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
                                  false)
                            .closeness == Closeness::Clear;
             };
+            const bool follows = is_on_tool && !ascends(leg.motion, *setup_->kinematics);
             if (follows || !is_clear()) open_.push_back({i, k, follows});
         }
     }
@@ -362,6 +370,7 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
             met.values = leg.to.value_or(Values{});
         }
         note(pair, met, touches, contacts);
+        ++pair.not_clear;
         pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
     }
 }

@@ -62,7 +62,8 @@ private:
         // Where the joints on the way stood, and the tool, when it was asked last.
         std::optional<machine::Values> asked_at;
         const RigidBody* asked_with = nullptr;
-        std::uint64_t measured = 0;  // times that its depth was
+        std::uint64_t measured = 0;   // times that its depth was
+        std::uint64_t not_clear = 0;  // motions in which it was not
     };
     struct Leg {
         gcode::Motion motion;

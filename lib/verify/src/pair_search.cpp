@@ -27,9 +27,6 @@ using machine::Values;
 
 namespace {
 
-// Stretches of one pair and leg. More are open: a slide of a metre at a hair's breadth takes some
-// hundred.
-constexpr std::size_t kMostStretches = 4000;
 // While a way may be off by more than this, mm, its hulls say nothing worth looking for.
 constexpr double kCoarseMm = 5.0;
 
@@ -105,6 +102,15 @@ std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const 
     return ball;
 }
 
+// The same for the observer, as the body sees it.
+std::optional<Ball> ball_of_observer(const PairOnLeg& pair, const RigidBody& observer,
+                                     const Stretch& s) {
+    const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
+    if (!going) return std::nullopt;
+    return moved(machine::seen_from(pair.way, {}), *going,
+                 {observer.centre(), observer.radius(), 0.0, 0.0});
+}
+
 // `far`: are all places in a ball clear? `list`: what of the stretch is not clear, into `open`.
 // `find`: is it certain at a time?
 template <class Far, class List, class Find>
@@ -134,7 +140,7 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
         }
         if (far(*ball)) continue;
         const double missed_mm = ball->bend / 8.0 + pair.missed_mm;
-        const bool is_last = ball->speed <= kUndecidedMm || looked >= kMostStretches;
+        const bool is_last = ball->speed <= kUndecidedMm || looked >= pair.most_stretches;
         if (missed_mm <= kCoarseMm || is_last) {
             const Span place{pose_of(pair.way, s.from), pose_of(pair.way, s.to),
                              missed_mm + rounding_mm};
@@ -193,6 +199,24 @@ void list_near(const RigidBody& observer, const RigidBody& body, const Span& pla
     }
 }
 
+// Pieces whose boxes come near a box.
+std::vector<std::uint32_t> pieces_near(const RigidBody& body, const Span& place, const Box& box) {
+    std::vector<std::uint32_t> near;
+    std::vector<std::uint32_t> open{0};  // nodes
+    while (!open.empty()) {
+        const RigidBody::Node& node = body.nodes()[open.back()];
+        open.pop_back();
+        if (!box.overlaps(swept(place, node.box))) continue;
+        if (node.left != 0) {
+            open.push_back(node.right);
+            open.push_back(node.left);
+            continue;
+        }
+        near.insert(near.end(), body.order().begin() + node.begin, body.order().begin() + node.end);
+    }
+    return near;
+}
+
 class Pair {
 public:
     Pair(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
@@ -219,12 +243,25 @@ public:
         if (!s.is_listed) list_near(observer_, body_, place, s.open);
         s.is_listed = true;
         const std::int64_t width = units_up(place.grow_mm, lattice_);
+        std::optional<Span> other_way;  // how the observer goes, if that is asked
         std::erase_if(s.open, [&](const PiecePair& pieces) {
             const Box& box = observer_.boxes()[pieces.first];
             if (!box.overlaps(swept(place, body_.boxes()[pieces.second]))) return true;
-            const auto a = points_of(observer_.pieces()[pieces.first].outer, {}, lattice_);
-            const auto b = points_of(body_.pieces()[pieces.second].outer, place, lattice_);
-            return cda::nearness(a, b, width).is_apart;
+            const std::vector<Vec3>& one = observer_.pieces()[pieces.first].outer;
+            const std::vector<Vec3>& other = body_.pieces()[pieces.second].outer;
+            if (cda::nearness(points_of(one, {}, lattice_), points_of(other, place, lattice_),
+                              width)
+                    .is_apart) {
+                return true;
+            }
+            // A hull of two places has what lies between the ends of a long piece that turned:
+            // less, where the shorter one is taken to go.
+            if (place.X_0.rows == place.X_1.rows) return false;
+            if (!other_way) other_way = as_seen_from_body(place, clearance_mm, s);
+            return cda::nearness(points_of(other, {}, lattice_),
+                                 points_of(one, *other_way, lattice_),
+                                 units_up(other_way->grow_mm, lattice_))
+                .is_apart;
         });
     }
 
@@ -271,6 +308,14 @@ public:
     }
 
 private:
+    Span as_seen_from_body(const Span& place, double clearance_mm, const Stretch& s) const {
+        // Not known: as far off as no pieces are apart.
+        constexpr double kFar = 1e5;
+        const auto ball = ball_of_observer(pair_, observer_, s);
+        const double missed_mm = ball ? ball->bend / 8.0 + pair_.missed_mm : kFar;
+        return {inverse(place.X_0), inverse(place.X_1), missed_mm + rounding_mm_ + clearance_mm};
+    }
+
     static double depth_mm(const ConvexPiece& one, const ConvexPiece& other, const Pose& X) {
         std::vector<Vec3> corners;
         for (const Vec3& p : other.inner)
@@ -381,7 +426,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
     const auto list = [&](const Span& told, Stretch& s) {
         const Span place{in_W(told.X_0), in_W(told.X_1), told.grow_mm};
         if (!s.is_listed) {
-            for (std::uint32_t i = 0; i < body.pieces().size(); ++i)
+            for (const std::uint32_t i : pieces_near(body, place, place_of_part))
                 s.open.emplace_back(0, i);
         }
         s.is_listed = true;
@@ -396,10 +441,9 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
     const auto find = [&](const Values& values, Encounter& found) {
         const Pose X = in_W(pose_of(pair.way, values));
         bool is_found = false;
-        for (std::uint32_t i = 0; i < body.pieces().size(); ++i) {
+        for (const std::uint32_t i : pieces_near(body, {X, X, 0.0}, place_of_part)) {
             const ConvexPiece& piece = body.pieces()[i];
-            const bool is_near = place_of_part.overlaps(placed(X, body.boxes()[i]));
-            if (piece.inner.empty() || !is_near) continue;
+            if (piece.inner.empty()) continue;
             const auto points = points_of(piece.inner, {X, X, 0.0}, lattice);
             const auto cell =
                 cda::convex_hull(points, lattice, cda::kStockOrigin, cda::Rounding::Inward);

@@ -11,6 +11,7 @@
 
 #include "rigid_body.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -21,6 +22,11 @@ namespace ncsim::verify {
 inline constexpr double kUndecidedMm = 0.001;
 
 enum class Closeness : std::uint8_t { Clear, Open, Certain };
+
+/// Stretches of a pair in one leg, after which it is open: pieces of 200 mm that pass each other at
+/// a hundredth of a millimetre take some hundred. And where that has been open or certain often:
+/// what touches by design does so in every motion.
+inline constexpr std::size_t kMostStretches = 4000, kFewStretches = 100;
 
 /// What came of it. Where it is not clear:
 struct Encounter {
@@ -43,6 +49,7 @@ struct PairOnLeg {
     /// at 0: the way of the tip bounds theirs, too.
     bool of_part_and_tool = false;
     cda::Vec3 tip;
+    std::size_t most_stretches = kMostStretches;
 };
 
 /// Do they meet? Certain ones are deep in each other by more than rounding. `measured`: how deep,
