@@ -72,7 +72,7 @@ std::string known_requirement(const char* option, const std::string& name) {
     if (std::ranges::find(verify::kRequirements, name) != std::end(verify::kRequirements))
         return name;
     throw Refusal{
-        fmt::format("{} '{}': expected holder, fixtures, travels or offsets", option, name)};
+        fmt::format("{} '{}': expected holder, fixtures, travels, offsets or links", option, name)};
 }
 
 // Lists may be given with commas and more than once.
@@ -168,7 +168,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
                  for (const std::string& name : names)
                      o.accept.push_back(known_reason("--accept", name));
              });
-    add_list(*check, "--require", "THINGS", "What has to be told: holder,fixtures,travels,offsets",
+    add_list(*check, "--require", "THINGS", "What has to be told: holder,fixtures,travels,offsets,links",
              [&o](const auto& names) {
                  for (const std::string& name : names)
                      o.require.push_back(known_requirement("--require", name));

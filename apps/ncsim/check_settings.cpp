@@ -165,7 +165,10 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     }
     setup::RecordedInput read(inputs_);
     simulation::Questions& questions = made.questions;
-    if (!options.machine.empty()) questions.machine = setup::read_machine(options.machine, read);
+    if (!options.machine.empty()) {
+        questions.machine = setup::read_machine(options.machine, read);
+        questions.bodies = simulation::bodies_of(questions.machine);
+    }
     if (!options.design.empty()) {
         made.design = simulation::Design{setup::name_of_input(options.design),
                                          setup::read_mesh_file(options.design, read),

@@ -129,6 +129,38 @@ TEST(ShapeOf, ManyTriangles) {
     EXPECT_FALSE(part->contains({20, 0, 6.0001}));
 }
 
+// Together they are the body: no volume twice, none missing, none beyond it.
+TEST(ConvexPieces, FillTheBodyOnce) {
+    std::size_t most = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        const TreeCda part = cut_block(seed, seed % 2 == 1);
+        if (part.volume() == 0.0) continue;
+        const TriangleMesh mesh = triangulate(part.boundary());
+        const auto pieces = convex_pieces(mesh, kLattice);
+        TreeCda rest(part);
+        double sum = 0.0;
+        for (const ConvexPolytope& piece : pieces) {
+            sum += piece.volume() * kLattice.cubic_unit_mm3();
+            Cell cell;
+            for (const auto& facet : piece.facets())
+                cell.planes.push_back(facet.plane);
+            cell.bounds = {kLattice.to_mm(piece.bounds().min), kLattice.to_mm(piece.bounds().max)};
+            rest.subtract(cell);
+        }
+        const double sliver = 2e-5 * area(mesh);
+        EXPECT_NEAR(sum, part.volume(), sliver);
+        EXPECT_LE(rest.volume(), sliver);
+        most = std::max(most, pieces.size());
+    }
+    EXPECT_GT(most, 5U);
+}
+
+TEST(ConvexPieces, AConvexBodyIsOne) {
+    const TreeCda block(mm_box(1, 2, 3, 4, 6, 8), kLattice);
+    EXPECT_EQ(convex_pieces(triangulate(block.boundary()), kLattice).size(), 1U);
+}
+
 TEST(ShapeOf, RefusesASurfaceWithoutVolume) {
     TriangleMesh flat;
     flat.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

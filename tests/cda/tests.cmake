@@ -26,9 +26,18 @@ ncsim_add_test(cda
     plane_store_test.cpp
     polytope_test.cpp
     predicates_test.cpp
+    separation_test.cpp
     shape_test.cpp
     tree_test.cpp
     triangulate_test.cpp
     wide_test.cpp
     workpiece_test.cpp)
 target_include_directories(ncsim_cda_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/cda/src)
+
+# Convex pairs against another library, which brings Eigen: a program of its own.
+find_package(fcl CONFIG REQUIRED)
+add_executable(ncsim_cda_fcl_tests cda/fcl_pairs_test.cpp)
+target_compile_features(ncsim_cda_fcl_tests PRIVATE cxx_std_20)
+target_include_directories(ncsim_cda_fcl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(ncsim_cda_fcl_tests PRIVATE ncsim::cda fcl GTest::gtest_main)
+gtest_discover_tests(ncsim_cda_fcl_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)

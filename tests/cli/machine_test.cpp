@@ -327,6 +327,15 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
         {ends + linear + cradle(about) + "[[link]]\nname = \"b\"\nturns_about = [1, 0, 0]\n",
          "a link that moves needs its axis"},
         {"preset = \"4axis-a\"\n" + ends + linear + cradle(about), "not both"},
+        {"ignore = 3\n" + ends + linear + cradle(about), "expected a list of pairs"},
+        {"ignore = [[\"cradle\"]]\n" + ends + linear + cradle(about), "m.toml:1:"},
+        {"ignore = [[\"cradle\", \"colum\"]]\n" + ends + linear + cradle(about),
+         "there is no link or fixture 'colum'"},
+        {"ask = [[\"z\", \"heap\"]]\n" + ends + linear + cradle(about),
+         "there is no link or fixture 'heap'"},
+        {ends + linear + cradle(about + "clearance = 2\n"),
+         "link 'cradle' has no mesh: no clearance"},
+        {"path_deviation = -1\n", "'path_deviation'"},
     };
     Folder folder;
     folder.write("a.nc", kSlot);

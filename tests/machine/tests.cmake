@@ -3,4 +3,5 @@ ncsim_add_test(machine
   SOURCES
     chain_test.cpp
     inverse_test.cpp
-    orient_test.cpp)
+    orient_test.cpp
+    relative_test.cpp)

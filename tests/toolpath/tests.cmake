@@ -1,6 +1,7 @@
 ncsim_add_test(toolpath
   LIBRARIES ncsim::toolpath ncsim::trig
   SOURCES
+    joint_path_test.cpp
     kinematics_test.cpp
     machine_test.cpp
     messages_test.cpp

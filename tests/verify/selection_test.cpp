@@ -93,7 +93,7 @@ TEST(Rules, HaveStableNamesAReasonAndARemedy) {
         for (const char c : rule.id)
             EXPECT_TRUE((c >= 'a' && c <= 'z') || c == '-') << rule.id;
     }
-    EXPECT_EQ(verify::rules_named("travel").size(), 6U);
+    EXPECT_EQ(verify::rules_named("travel").size(), 7U);
     EXPECT_TRUE(verify::rules_named("no-such-rule").empty());
 }
 

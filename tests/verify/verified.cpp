@@ -25,7 +25,7 @@ verify::Setup setup_with_holder() {
 
 void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& verifier,
           toolpath::Walk& walk, cda::TreeCda* part) {
-    verifier.begin(motion);
+    verifier.begin(motion, part);
     if (part) {
         walk.take(motion, origin, [&](const toolpath::Step& step) {
             verifier.look(step, *part);
@@ -42,7 +42,7 @@ void take(const gcode::Motion& motion, cda::Origin origin, verify::Verifier& ver
         walk.arrive(motion, origin,
                     [&](const toolpath::Step& step) { verifier.arrive(step, *part); });
     }
-    verifier.end();
+    verifier.end(part);
 }
 
 verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
@@ -52,7 +52,8 @@ verify::Verdict verdict_of(const std::string& program, verify::Setup setup) {
     setup.suppressions = verify::Suppressions(source);
     cda::TreeCda part(cda::box_cell(lattice.round(kBlock.min), lattice.round(kBlock.max), lattice),
                       lattice);
-    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid, verify::watch_of(setup));
+    toolpath::Walk walk(lattice, kBlock, setup.accuracy, {}, setup.rapid, verify::watch_of(setup),
+                        setup.kinematics);
     for (const auto& [number, facts] : setup.tools)
         walk.add_tool(number, facts.tool);
     const double stock_mm3 = part.volume();

@@ -249,6 +249,17 @@ std::optional<ConvexPolytope> intersect(const ConvexPolytope& a, const Cell& cel
                             costs, clock);
 }
 
+namespace {
+
+Vec3 middle_of_corners(const ConvexPolytope& polytope) {
+    Vec3 sum;
+    for (const ExactPoint& v : polytope.vertices())
+        sum = sum + v.approx;
+    return (1.0 / static_cast<double>(polytope.vertices().size())) * sum;
+}
+
+}  // namespace
+
 std::optional<Vec3> common_point(const ConvexPolytope& a, const ConvexPolytope& b) {
     const Box box = common_box(a.bounds(), b.bounds());
     if (!has_volume(box)) return std::nullopt;
@@ -256,10 +267,22 @@ std::optional<Vec3> common_point(const ConvexPolytope& a, const ConvexPolytope& 
     if (const auto point = proven_interior_point(planes, halfspaces_of(planes), box)) return point;
     const auto polytope = intersect_exact(a, b);
     if (!polytope) return std::nullopt;
-    Vec3 sum;
-    for (const ExactPoint& v : polytope->vertices())
-        sum = sum + v.approx;
-    return (1.0 / static_cast<double>(polytope->vertices().size())) * sum;
+    return middle_of_corners(*polytope);
+}
+
+std::optional<Vec3> point_inside(const std::vector<Plane>& told, const Box& box) {
+    const std::vector<Plane> planes = joint_planes(told, {});
+    if (!has_volume(box)) return std::nullopt;
+    if (const auto point = proven_interior_point(planes, halfspaces_of(planes), box)) return point;
+    Cell cell;
+    cell.planes = planes;
+    const Lattice lattice;
+    cell.bounds = {lattice.to_mm(box.min), lattice.to_mm(box.max)};
+    const auto polytope = ConvexPolytope::of(cell, lattice);
+    if (!polytope) return std::nullopt;
+    const Vec3 middle = middle_of_corners(*polytope);
+    // Of slivers that doubles cannot tell from planes it may lie beside them.
+    return is_strictly_inside(middle, planes) ? std::optional(middle) : std::nullopt;
 }
 
 }  // namespace ncsim::cda

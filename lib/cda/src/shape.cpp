@@ -172,8 +172,10 @@ std::pair<Piece, Piece> split(const Piece& piece, const Plane& plane) {
 
 class Carver {
 public:
-    Carver(const std::vector<Plane>& planes, const Lattice& lattice, std::vector<Cell>& carved)
-        : planes_(planes), lattice_(lattice), carved_(carved) {}
+    /// `kept`: where the parts inside of the surface go; null: nobody wants them.
+    Carver(const std::vector<Plane>& planes, const Lattice& lattice, std::vector<Cell>& carved,
+           std::vector<ConvexPolytope>* kept)
+        : planes_(planes), lattice_(lattice), carved_(carved), kept_(kept) {}
 
     void carve(const ConvexPolytope& part, std::vector<Piece> pieces) {
         const std::optional<Plane> median =
@@ -195,6 +197,8 @@ public:
                 carve(*half, std::move(its_pieces));
             } else if (median ? is_outside(*half, pieces) : is_above) {
                 add(*half);
+            } else if (kept_) {
+                kept_->push_back(*half);
             }
         }
     }
@@ -327,12 +331,11 @@ private:
     const std::vector<Plane>& planes_;
     const Lattice& lattice_;
     std::vector<Cell>& carved_;
+    std::vector<ConvexPolytope>* kept_;
     double volume_ = 0.0;
 };
 
-}  // namespace
-
-Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice) {
+Shape carve(const TriangleMesh& mesh, const Lattice& lattice, std::vector<ConvexPolytope>* kept) {
     Shape shape;
     shape.lattice = lattice;
     std::vector<LatticePoint> points;
@@ -365,7 +368,8 @@ Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice) {
             });
         if (!is_in_hull) pieces.push_back(std::move(piece));
     }
-    Carver carver(planes.all(), lattice, shape.carved);
+    Carver carver(planes.all(), lattice, shape.carved, kept);
+    if (pieces.empty() && kept) kept->push_back(*body);
     if (!pieces.empty()) carver.carve(*body, std::move(pieces));
 
     // Where bodies overlap or a surface crosses itself, "in front of a facet" is not "outside", and
@@ -383,6 +387,18 @@ Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice) {
         throw std::invalid_argument("its surface crosses itself, or bodies of it overlap");
     }
     return shape;
+}
+
+}  // namespace
+
+Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice) {
+    return carve(mesh, lattice, nullptr);
+}
+
+std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattice& lattice) {
+    std::vector<ConvexPolytope> pieces;
+    carve(mesh, lattice, &pieces);
+    return pieces;
 }
 
 std::unique_ptr<WorkpieceModel> create(const WorkpieceModel& prototype, const Shape& shape) {

@@ -63,6 +63,13 @@ Vec3 moved(const Joint& joint, double value, Vec3 p) {
     return times(rotation(joint.direction, value), p - joint.through) + joint.through;
 }
 
+Pose pose_of(const Joint& joint, double value) {
+    Pose X;
+    if (joint.turns && value != 0.0) X.rows = rotation(joint.direction, value);
+    X.translation = moved(joint, value, {});
+    return X;
+}
+
 Vec3 turned(const Joint& joint, double value, Vec3 direction) {
     if (!joint.turns || value == 0.0) return direction;
     return times(rotation(joint.direction, value), direction);

@@ -194,6 +194,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     std::optional<bool> turns_part;
     std::optional<machine::Travel> range;
     std::optional<gcode::RotaryWay> told_way;
+    const toml::node* clearance_at = nullptr;
     const auto direction = [this](std::optional<Vec3>& into) {
         return [this, &into](const toml::node& n, const std::string& k) {
             into = r_.vector(n, k);
@@ -222,6 +223,11 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
                   link.colour = colour_named(r_.text(n, k));
                   if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
               }},
+             {"clearance",
+              [&](const auto& n, const auto& k) {
+                  clearance_at = &n;
+                  link.clearance_mm = r_.not_negative(n, k);
+              }},
              {"way", [&](const auto& n, const auto& k) { told_way = way(n, k); }},
              {"positive", [&](const toml::node& n, const std::string& k) {
                   const std::string which = r_.text(n, k);
@@ -231,6 +237,8 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
               }}});
     if (link.name.empty() || link.name == kBed || find(link.name))
         r_.fail(node, "a link needs a name of its own, which is not \"bed\"");
+    if (clearance_at && !link.mesh)
+        r_.fail(*clearance_at, fmt::format("link '{}' has no mesh: no clearance", link.name));
     if (links_.size() >= kMostLinks) r_.fail(node, fmt::format("more than {} links", kMostLinks));
     if (letter) {
         const bool rotary = turns(*letter);
@@ -384,18 +392,31 @@ machine::Chain KinematicsReader::part_moved_by() const {
     return part_ && !links_.empty() ? moved_by(*part_) : machine::Chain();
 }
 
-std::vector<MachineBody> KinematicsReader::bodies() const {
+machine::Chain KinematicsReader::tool_moved_by() const {
+    return tool_ && !links_.empty() ? moved_by(*tool_) : machine::Chain();
+}
+
+std::vector<MachineBody> KinematicsReader::links_that(bool have_a_mesh) const {
     std::vector<MachineBody> bodies;
     for (const Link& link : links_) {
-        if (!link.mesh) continue;
+        if (link.mesh.has_value() != have_a_mesh) continue;
         MachineBody body;
         body.link = link.name;
-        body.mesh = *link.mesh;
+        if (link.mesh) body.mesh = *link.mesh;
         if (link.colour) body.colour = *link.colour;
         body.moved_by = moved_by({link.node, link.name});
+        body.clearance_mm = link.clearance_mm;
         bodies.push_back(std::move(body));
     }
     return bodies;
+}
+
+std::vector<MachineBody> KinematicsReader::bodies() const {
+    return links_that(true);
+}
+
+std::vector<MachineBody> KinematicsReader::other_links() const {
+    return links_that(false);
 }
 
 std::optional<ToldKinematics> KinematicsReader::kinematics() const {

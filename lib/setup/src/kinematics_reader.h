@@ -39,8 +39,10 @@ public:
 
     // When all is read, and belongs together.
     std::optional<ToldKinematics> kinematics() const;
-    std::vector<MachineBody> bodies() const;
+    std::vector<MachineBody> bodies() const;       ///< Of links that have a mesh,
+    std::vector<MachineBody> other_links() const;  ///< and of those that have none.
     machine::Chain part_moved_by() const;
+    machine::Chain tool_moved_by() const;
     const gcode::TipControl& tip_control() const { return control_; }
     const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
     const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
@@ -55,6 +57,7 @@ private:
         bool is_placed = false;
         std::optional<cda::TriangleMesh> mesh;
         std::optional<std::array<std::uint8_t, 3>> colour;
+        double clearance_mm = 0.0;
     };
     struct Name {
         const toml::node* node;
@@ -64,6 +67,7 @@ private:
     ToldKinematics of_links() const;
     std::vector<const Link*> way_up(const Name& from) const;
     machine::Chain moved_by(const Name& link) const;
+    std::vector<MachineBody> links_that(bool have_a_mesh) const;
     const Link* find(const std::string& name) const;
     gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
     machine::Travel travel(const toml::node& node, const std::string& key) const;

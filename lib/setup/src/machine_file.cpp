@@ -121,6 +121,38 @@ void read_tool_limits(const TomlReader& r, const toml::node& node, const std::st
     }
 }
 
+// [["table", "column"], …]
+std::vector<verify::NamePair> read_pairs(const TomlReader& r, const toml::node& node,
+                                         const std::string& key) {
+    std::vector<verify::NamePair> pairs;
+    const toml::array* all = node.as_array();
+    if (!all) r.fail(node, fmt::format("'{}': expected a list of pairs, [[\"a\", \"b\"]]", key));
+    for (const toml::node& element : *all) {
+        const toml::array& two = r.list(element, key, 2);
+        pairs.emplace_back(r.text(two[0], key), r.text(two[1], key));
+    }
+    return pairs;
+}
+
+// Who names what is not there ignores nothing.
+void check_names(const TomlReader& r, const toml::node& node, const MachineFile& file) {
+    std::set<std::string> names{"tool", "part"};
+    for (const auto* links : {&file.bodies, &file.other_links}) {
+        for (const MachineBody& link : *links)
+            names.insert(link.link);
+    }
+    for (const verify::Fixture& fixture : file.machine.fixtures)
+        names.insert(fixture.name);
+    for (const auto* pairs : {&file.ignored, &file.asked}) {
+        for (const verify::NamePair& pair : *pairs) {
+            for (const std::string& name : {pair.first, pair.second}) {
+                if (!names.contains(name))
+                    r.fail(node, fmt::format("there is no link or fixture '{}'", name));
+            }
+        }
+    }
+}
+
 }  // namespace
 
 MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
@@ -133,6 +165,12 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
     };
     KinematicsReader kinematics(r, folder, inputs);
+    const toml::node* pairs_at = nullptr;
+    const auto take_pairs = [&](std::vector<verify::NamePair>& into, const toml::node& n,
+                                const std::string& k) {
+        pairs_at = &n;
+        into = read_pairs(r, n, k);
+    };
     r.each(r.root(), "",
            {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
             {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
@@ -141,6 +179,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
             {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
             {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
             {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},
+            {"ignore", [&](const auto& n, const auto& k) { take_pairs(file.ignored, n, k); }},
+            {"ask", [&](const auto& n, const auto& k) { take_pairs(file.asked, n, k); }},
             {"link",
              [&](const toml::node& n, const std::string& k) {
                  r.each_of(n, k, [&](const toml::node& element, const std::string& key) {
@@ -184,6 +224,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
                             const std::string& k) { file.offsets.merge(read_offsets(r, n, k)); }},
             {"below_stock",
              [&](const auto& n, const auto& k) { m.below_stock = r.not_negative(n, k); }},
+            {"path_deviation",
+             [&](const auto& n, const auto& k) { m.path_deviation = r.positive(n, k); }},
             {"time",
              [&](const toml::node& n, const std::string& k) {
                  r.each(r.table(n, k), k,
@@ -209,7 +251,10 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
              }}});
     file.kinematics = kinematics.kinematics();
     file.bodies = kinematics.bodies();
+    file.other_links = kinematics.other_links();
     file.part_moved_by = kinematics.part_moved_by();
+    file.tool_moved_by = kinematics.tool_moved_by();
+    if (pairs_at) check_names(r, *pairs_at, file);
     file.tip_control = kinematics.tip_control();
     file.rotary_ways = kinematics.ways();
     file.clamps = kinematics.clamps();

@@ -174,6 +174,7 @@ std::string not_in_machine_toml(const MachineFile& file) {
     if (fixtures > 0)
         lost.push_back(fmt::format("{} fixture{}", fixtures, fixtures == 1 ? "" : "s"));
     if (!file.bodies.empty()) lost.emplace_back("meshes of links");
+    if (!file.ignored.empty() || !file.asked.empty()) lost.emplace_back("which links are asked");
     if (!file.tools.empty()) lost.emplace_back("limits of tools");
     return fmt::format("{}", fmt::join(lost, ", "));
 }
@@ -186,6 +187,7 @@ std::string machine_toml(const MachineFile& file) {
     if (file.kinematics && !file.kinematics->guess.empty())
         text += fmt::format("assumed = {}\n", quoted(file.kinematics->guess));
     if (m.below_stock != 0.0) text += fmt::format("below_stock = {}\n", m.below_stock);
+    if (m.path_deviation) text += fmt::format("path_deviation = {}\n", *m.path_deviation);
     if (m.fixtures_told && m.fixtures.empty()) text += "fixture = []\n";
     text += clamps_toml(file);
     std::string spindle, links;

@@ -129,6 +129,7 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.ledger = questions.ledger || questions.look;
     setup.rapid = rapid_path(questions);
     setup.kinematics = plan.placed;
+    setup.bodies = questions.bodies ? questions.bodies : bodies_of(questions.machine);
     setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns,
                                        !survey.interpretation.asked_for_places);
     setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, false);
@@ -209,6 +210,20 @@ std::string_view verdict_word(verify::Outcome outcome) {
 
 }  // namespace
 
+std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile& machine) {
+    if (machine.bodies.empty() && machine.other_links.empty()) return nullptr;
+    verify::LinkBodies told;
+    for (const auto* links : {&machine.bodies, &machine.other_links}) {
+        for (const setup::MachineBody& link : *links)
+            told.links.push_back({link.link, link.mesh, link.moved_by, link.clearance_mm});
+    }
+    told.part_moved_by = machine.part_moved_by;
+    told.tool_moved_by = machine.tool_moved_by;
+    told.ignored = machine.ignored;
+    told.asked = machine.asked;
+    return std::make_shared<const verify::MachineBodies>(std::move(told));
+}
+
 void check(Plan plan, const Questions& questions, report::Checked& checked) {
     require_verifying(plan);
     checked.path = plan.job.program.name;
@@ -242,6 +257,11 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
     };
     verify::Verifier verifier(std::move(setup), stock, lattice);
     verifier.add(survey.diagnostics);
+    if (!questions.machine.bodies.empty() && !told.machine.work_zero) {
+        verifier.add_doubt(
+            "told-not-used",
+            "meshes of links: where the work zero (G54) lies in the machine is not told");
+    }
     for (std::string& what : not_used)
         verifier.add_doubt("told-not-used", std::move(what));
     for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {

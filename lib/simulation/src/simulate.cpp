@@ -96,7 +96,7 @@ public:
         bool met_stock = false;
         verify::Verifier* const verifier =
             !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
-        if (verifier) verifier->begin(motion);
+        if (verifier) verifier->begin(motion, result_.part.get());
         const toolpath::SampleBounds bounds =
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
                 if (++result_.steps > most_steps_) throw StepLimit{};
@@ -111,7 +111,7 @@ public:
             walk_.arrive(motion, origin, [&](const toolpath::Step& step) {
                 verifier->arrive(step, *result_.part);
             });
-            verifier->end();
+            verifier->end(result_.part.get());
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             tell_missed(motion, bounds.missed_mm);
         }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/machine.h"
 
 #include <cstddef>
 #include <vector>
@@ -13,9 +14,6 @@ namespace ncsim::toolpath {
 inline double lerp(double a, double b, double t) {
     return a + t * (b - a);
 }
-
-/// All axes in step, t from 0 to 1; the ends come out exactly.
-gcode::Position between(const gcode::Position& a, const gcode::Position& b, double t);
 
 /// An arc in polar coordinates about its centre: radius and angle run from start to end in step.
 struct Polar {

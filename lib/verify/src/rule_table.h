@@ -50,6 +50,9 @@ std::optional<std::string> needs_engagement_limit(const Setup& setup);
 std::optional<std::string> needs_removal_limit(const Setup& setup);
 std::optional<std::string> needs_air_cuts(const Setup& setup);
 std::optional<std::string> needs_stock(const Setup& setup);
+std::optional<std::string> needs_links(const Setup& setup);
+std::optional<std::string> needs_clearance(const Setup& setup);
+std::optional<std::string> needs_path_deviation(const Setup& setup);
 
 void judge_rapid_in_material(const Setup&, const Move&, FindingLog&);
 void judge_spindle_off(const Setup&, const Move&, FindingLog&);
@@ -68,9 +71,12 @@ void judge_over_travel(const Setup&, const Move&, FindingLog&);
 void judge_rotary_over_travel(const Setup&, const Move&, FindingLog&);
 void judge_clamps(const Setup&, const Move&, FindingLog&);
 void judge_singular_pose(const Setup&, const Move&, FindingLog&);
+void judge_path_deviation(const Setup&, const Move&, FindingLog&);
 void judge_start_unknown(const Setup&, const Move&, FindingLog&);
 void judge_path_accuracy(const Setup&, const Move&, FindingLog&);
 void judge_below_stock(const Setup&, const Move&, FindingLog&);
+void judge_machine_collision(const Setup&, const Move&, FindingLog&);
+void judge_machine_near_miss(const Setup&, const Move&, FindingLog&);
 void judge_length_offset(const Setup&, const Move&, FindingLog&);
 
 /// The rule that a diagnostic of this code belongs to; empty: another rule tells it better.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/verify/verifier.h"
 
+#include "ncsim/gcode/state.h"
 #include "ncsim/toolpath/extent.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
@@ -14,6 +15,7 @@
 #include "finding_log.h"
 #include "fixture.h"
 #include "ledger_book.h"
+#include "machine_scene.h"
 #include "measuring.h"
 #include "rule_table.h"
 #include "watched.h"
@@ -94,6 +96,7 @@ public:
           lattice_(lattice),
           log_(setup_),
           scene_(setup_),
+          machine_(setup_, stock_),
           clock_(setup_.machine),
           volumes_(needs_volumes(setup_)),
           books_(setup_.ledger && !volumes_),
@@ -126,7 +129,7 @@ public:
         frame_ = frame;
     }
 
-    void begin(const gcode::Motion& motion) {
+    void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
         move_ = {};
         ledger_book_.begin();
         move_.motion = &motion;
@@ -150,6 +153,12 @@ public:
             motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
         move_.volume_known = move_.asked && (volumes_ || is_fault);
         doubt_what_is_guessed();
+        if (machine_.is_empty()) return;
+        machine_.begin(motion, tool_length(motion), part, move_.machine);
+        if (machine_.misses_length()) doubt_length(motion);
+        if (is_turned(motion) && !setup_.axes_guess.empty())
+            log_.doubt("kinematics-guess",
+                       "links are where they are taken to be: " + setup_.axes_guess, place());
     }
 
     void look(const Step& step, const cda::WorkpieceModel& part) {
@@ -209,7 +218,8 @@ public:
         if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
     }
 
-    void end() {
+    void end(const cda::WorkpieceModel* part) {
+        if (!machine_.is_empty() && move_.is_move) machine_.end(part, move_.machine);
         if (setup_.second_look) measuring_.look_closer();
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
@@ -291,6 +301,25 @@ public:
     }
 
 private:
+    // As the control counts it, and as the tool is.
+    ToolLength tool_length(const gcode::Motion& motion) const {
+        const bool is_active = frame_.length_register != gcode::kNoLength;
+        const bool is_told = is_active && frame_.length_told;
+        ToolLength length;
+        length.nose_known = is_active ? is_told : setup_.uses_length_offsets;
+        length.gauge_mm = frame_.tool_length;
+        if (!length.gauge_mm && is_told) length.gauge_mm = motion.length.mm();
+        return length;
+    }
+
+    void doubt_length(const gcode::Motion& motion) {
+        log_.doubt("length-offset",
+                   fmt::format("how far T{} reaches below the spindle nose is not told: not all "
+                               "links of the machine were asked",
+                               motion.tool),
+                   place());
+    }
+
     bool is_suppressed(std::string_view rule) const {
         return move_.motion->file == 0 && setup_.suppressions.covers(move_.motion->span.line, rule);
     }
@@ -555,6 +584,7 @@ private:
     cda::Lattice lattice_;
     FindingLog log_;
     FixtureScene scene_;
+    MachineScene machine_;
     Clock clock_;
     std::vector<void (*)(const Setup&, const Move&, FindingLog&)> judges_;
     std::vector<Skipped> skipped_;
@@ -606,8 +636,8 @@ void Verifier::set_frame(const gcode::ProgramFrame& frame) {
     impl_->set_frame(frame);
 }
 
-void Verifier::begin(const gcode::Motion& motion) {
-    impl_->begin(motion);
+void Verifier::begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
+    impl_->begin(motion, part);
 }
 
 void Verifier::look(const Step& step, const cda::WorkpieceModel& part) {
@@ -622,8 +652,8 @@ void Verifier::arrive(const Step& step, const cda::WorkpieceModel& part) {
     impl_->arrive(step, part);
 }
 
-void Verifier::end() {
-    impl_->end();
+void Verifier::end(const cda::WorkpieceModel* part) {
+    impl_->end(part);
 }
 
 bool Verifier::measures_all() const {

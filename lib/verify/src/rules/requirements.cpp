@@ -32,6 +32,10 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
         return all ? "travels: where the workpiece lies in the machine is not told"
                    : "travels: not told of every axis";
     }
+    if (requirement == "links") {
+        if (auto missing = needs_links(setup)) return "links: " + *missing;
+        return std::nullopt;
+    }
     if (setup.machine.work_zero) return std::nullopt;
     return "offsets: where the workpiece lies in the machine is not told";
 }

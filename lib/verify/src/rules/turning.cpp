@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How rotary axes turn: clamps that hold them, directions near those of joints.
+#include "ncsim/cda/triangle_tree.h"
 #include "ncsim/toolpath/machine.h"
 
 #include "finding_log.h"
 #include "rule_table.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +46,45 @@ void judge_singular_pose(const Setup& setup, const Move& move, FindingLog& log) 
     s.quantity = Quantity{"by", turn, "degrees"};
     s.box = move.path;
     log.add("singular-pose", move, std::move(s));
+}
+
+std::optional<std::string> needs_path_deviation(const Setup& setup) {
+    if (!setup.kinematics || setup.machine.path_deviation) return std::nullopt;
+    return "nobody tells how far the tip may leave its line (machine.toml, path_deviation)";
+}
+
+// Every quarter of a degree: between them it is out by 2.4 um a metre from the axis.
+void judge_path_deviation(const Setup& setup, const Move& move, FindingLog& log) {
+    const gcode::Motion& motion = *move.motion;
+    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    if (!line || !setup.kinematics || !setup.machine.path_deviation || !move.is_traced ||
+        motion.kind != gcode::MoveKind::Feed || motion.coordinates != gcode::Coordinates::Axes) {
+        return;
+    }
+    const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
+    const double turn = degrees(line->from.a, line->to.a) + degrees(line->from.b, line->to.b) +
+                        degrees(line->from.c, line->to.c);
+    if (turn == 0.0) return;
+    constexpr double kStep = 0.25, kMost = 100'000;
+    const double steps = std::clamp(std::ceil(turn / kStep), 2.0, kMost);
+    const toolpath::Poses poses(setup.kinematics.get(), motion);
+    const cda::Vec3 from = poses.at(line->from).translation, to = poses.at(line->to).translation;
+    double farthest = 0.0;
+    for (double i = 1.0; i < steps; ++i) {
+        const cda::Vec3 tip =
+            poses.at(toolpath::between(line->from, line->to, i / steps)).translation;
+        farthest = std::max(farthest, cda::distance_to_segment(tip, from, to));
+    }
+    if (farthest <= *setup.machine.path_deviation) return;
+    Sighting s{fmt::format("the tip leaves the straight line of its move by more than {:.6g} mm",
+                           *setup.machine.path_deviation)};
+    s.quantity = Quantity{"by", farthest, "mm"};
+    s.box = move.path;
+    s.rests_on = guesses_of(setup, move);
+    std::erase_if(s.rests_on, [](std::string_view reason) {
+        return reason == "stock-guess" || reason == "tool-guess";
+    });
+    log.add("path-deviation", move, std::move(s));
 }
 
 }  // namespace ncsim::verify

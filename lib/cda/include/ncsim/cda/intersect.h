@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace ncsim::cda {
 
@@ -44,5 +45,9 @@ std::optional<ConvexPolytope> intersect_exact(const ConvexPolytope& a, const Con
 /// A point strictly inside both, in lattice units, or nothing if their intersection has no
 /// volume: the certificate of a collision (thesis 5.2).
 std::optional<Vec3> common_point(const ConvexPolytope& a, const ConvexPolytope& b);
+
+/// A point strictly inside all halfspaces, in lattice units, or nothing if there is none; `box` is
+/// not smaller than what they have in common. Exact.
+std::optional<Vec3> point_inside(const std::vector<Plane>& planes, const Box& box);
 
 }  // namespace ncsim::cda

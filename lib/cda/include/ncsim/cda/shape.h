@@ -7,6 +7,7 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/polytope.h"
 
 #include <array>
 #include <cstdint>
@@ -36,6 +37,12 @@ struct Shape {
 /// Source: Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures",
 /// SIGGRAPH 1980, after halving space at medians. Expected O(n log n) for n triangles.
 Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice);
+
+/// The inside of a closed surface, as shape_of() has it, in convex pieces: they fill it without gap
+/// or overlap, but for two units at its surface. A convex surface is one piece. Requires and throws
+/// what shape_of() does. At most as many pieces as planes of the surface cut each other; in parts
+/// with few curves far fewer than triangles.
+std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattice& lattice);
 
 /// The shape as a workpiece of the model's kind.
 std::unique_ptr<WorkpieceModel> create(const WorkpieceModel& prototype, const Shape& shape);

@@ -65,6 +65,8 @@ struct Chain {
 
 /// Turns `p` by `degrees` about the axis of the joint, or moves it along by `value`.
 cda::Vec3 moved(const Joint& joint, double value, cda::Vec3 p);
+/// The same as a pose.
+Pose pose_of(const Joint& joint, double value);
 /// A direction turned by the joint; one that does not turn leaves it.
 cda::Vec3 turned(const Joint& joint, double value, cda::Vec3 direction);
 

@@ -11,13 +11,14 @@
 
 namespace ncsim::setup {
 
-/// A link of a machine that has a shape.
+/// A link of a machine; one without triangles has a name only.
 struct MachineBody {
     std::string link;
     cda::TriangleMesh mesh;  ///< Closed; machine coordinates with all joints at 0, mm.
     std::array<std::uint8_t, 3> colour{170, 178, 190};  ///< sRGB.
     /// What moves it, from the bed on: each joint as it moves the link itself.
     machine::Chain moved_by;
+    double clearance_mm = 0.0;  ///< All else is to stay this far away.
 };
 
 /// Its corners with the joints at `values`, machine coordinates.

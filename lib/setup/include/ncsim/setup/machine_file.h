@@ -33,6 +33,7 @@
 //     tool_change = 6.0              # s
 //     junction_deviation = 0.01      # mm
 //     below_stock = 5                # mm free below the stock; stands before the first [table]
+//     path_deviation = 0.05          # mm that the tip may leave the line of a feed move that turns
 //     [[fixture]]                    # where the stock is, mm; fixture = []: there is none
 //     name = "vice"
 //     offset = "G55"                 # in this system, if it is not that of the first cut
@@ -66,6 +67,9 @@
 //     assumed = "…"                  # what nobody told, in words: a doubt until it is taken out
 //     clamps = { B = ["M10", "M11"] }   # M10 holds B, M11 lets it go
 //     part = { link = "platter" }
+//     ignore = [["table", "way cover"]]   # not asked whether they meet: links, fixtures, "tool",
+//                                    # "part". Links next to each other are not asked, but for
+//     ask = [["cradle", "platter"]]  # these
 //     [spindle]
 //     link = "head"
 //     [[link]]
@@ -78,6 +82,7 @@
 //     mesh = "cradle.stl"            # beside this file: STL or GLB, closed, mm, as it stands with
 //                                    # all axes at 0
 //     colour = "#c08040"
+//     clearance = 2                  # mm that all else is to stay away
 //     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
 #pragma once
 
@@ -102,8 +107,12 @@ struct MachineFile {
     std::map<int, cda::Vec3> offsets;  ///< By MachineState::system, machine coordinates, mm.
     std::optional<cda::Vec3> start;    ///< Machine coordinates.
     std::optional<ToldKinematics> kinematics;
-    std::vector<MachineBody> bodies;  ///< Of links that have a mesh.
-    machine::Chain part_moved_by;     ///< What moves the part, as MachineBody::moved_by.
+    std::vector<MachineBody> bodies;       ///< Of links that have a mesh.
+    std::vector<MachineBody> other_links;  ///< Those that have none.
+    /// What moves the part and the tool, as MachineBody::moved_by.
+    machine::Chain part_moved_by, tool_moved_by;
+    /// Who is not asked whether they meet, and who is though they are neighbours.
+    std::vector<verify::NamePair> ignored, asked;
     gcode::TipControl tip_control;
     std::array<gcode::RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
     std::vector<gcode::RotaryClamp> clamps;

@@ -7,7 +7,10 @@
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/verify/machine_bodies.h"
 #include "ncsim/verify/selection.h"
+
+#include <memory>
 
 namespace ncsim::simulation {
 
@@ -15,6 +18,8 @@ namespace ncsim::simulation {
 struct Questions {
     verify::Selection selection;
     setup::MachineFile machine;
+    /// Its links in pieces, which takes a while; null: check() makes them, for each program anew.
+    std::shared_ptr<const verify::MachineBodies> bodies;
     const Design* design = nullptr;  ///< What the part is to be; null: nobody tells.
     bool dog_leg = false;            ///< Rapid moves go axis by axis.
     bool cut_free = false;           ///< Look for pieces that are cut free.
@@ -25,6 +30,9 @@ struct Questions {
     /// Tools in the options of the job are this program's: one that it does not move is a doubt.
     bool tools_are_meant = true;
 };
+
+/// The links of a machine, ready to be asked; null if it has none.
+std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile& machine);
 
 /// The result depends on `plan` and `questions` only. Throws std::invalid_argument if plan.model
 /// does not verify, std::runtime_error if plan.budget is used up, or a picture cannot be drawn.

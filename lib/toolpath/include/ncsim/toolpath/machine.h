@@ -49,6 +49,9 @@ private:
     bool of_tip_ = false;
 };
 
+/// All axes in step, t from 0 to 1; the ends come out exactly.
+gcode::Position between(const gcode::Position& a, const gcode::Position& b, double t);
+
 /// X + U, Y + V, Z + W in mm.
 cda::Vec3 linear_axes(const gcode::Position& position);
 

@@ -56,6 +56,8 @@ struct MachineDescription {
     std::vector<Fixture> fixtures;
     bool fixtures_told = false;  ///< Also if there is none.
     double below_stock = 0.0;    ///< What may be cut into below the stock.
+    /// How far the tip may leave the straight line of a feed move that turns it, mm.
+    std::optional<double> path_deviation;
 };
 
 }  // namespace ncsim::verify

@@ -6,11 +6,13 @@
 
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
+#include "ncsim/machine/chain.h"
 #include "ncsim/verify/finding.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ncsim::verify {
@@ -32,6 +34,19 @@ struct FixtureContact {
     bool touches = false;     ///< The fixture itself, not only the clearance around it.
     Certainty certainty = Certainty::Within;
     cda::Box box;
+};
+
+/// Two things that a machine moves, and one of them a link.
+struct MachineContact {
+    std::string first, second;  ///< "the link 'cradle'"
+    bool touches = false;       ///< Else they only come nearer than `clearance_mm`.
+    Certainty certainty = Certainty::Within;
+    double amount_mm = 0.0;  ///< Deep in each other; or apart. 0 where it was not measured.
+    double clearance_mm = 0.0;
+    machine::Values values{};        ///< Of the joints then, machine coordinates.
+    std::optional<cda::Vec3> point;  ///< In W; where it is certain.
+    bool assumed = false;            ///< Nobody told all of what meets there.
+    std::vector<std::string> hulls;  ///< Meshes that count as their hulls, and why.
 };
 
 struct Move {
@@ -81,6 +96,7 @@ struct Move {
     double path_error_mm = 0.0;
     std::vector<BodyContact> bodies;
     std::vector<FixtureContact> fixtures;
+    std::vector<MachineContact> machine;
 };
 
 }  // namespace ncsim::verify

@@ -7,6 +7,7 @@
 #include "ncsim/toolpath/tool_polytope.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/machine.h"
+#include "ncsim/verify/machine_bodies.h"
 #include "ncsim/verify/selection.h"
 #include "ncsim/verify/suppression.h"
 
@@ -63,6 +64,8 @@ struct Setup {
     toolpath::RapidPath rapid;
     /// How the machine turns; null: nobody tells it.
     std::shared_ptr<const toolpath::Kinematics> kinematics;
+    /// Its links, as far as they are told; null: nobody tells any.
+    std::shared_ptr<const MachineBodies> bodies;
     /// What of that is assumed nevertheless, in words: where the program tells places of the tip,
     /// and where it tells those of axes.
     std::string tip_guess, axes_guess = "A, B and C turn about the program origin";
@@ -88,12 +91,13 @@ struct Setup {
     SecondLook second_look;       ///< Empty: what is open stays open.
     /// Reasons for doubt that do not count, by id: somebody decided so.
     std::set<std::string, std::less<>> accepted;
-    /// What must be told: "holder", "fixtures", "travels", "offsets".
+    /// What must be told: those of kRequirements.
     std::set<std::string, std::less<>> required;
 };
 
 /// The words that `required` knows.
-inline constexpr std::string_view kRequirements[] = {"holder", "fixtures", "travels", "offsets"};
+inline constexpr std::string_view kRequirements[] = {"holder", "fixtures", "travels", "offsets",
+                                                     "links"};
 
 /// Does any selected rule look at the part?
 bool needs_part(const Setup& setup);

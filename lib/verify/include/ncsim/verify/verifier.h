@@ -4,13 +4,13 @@
 // are taken away, and changes nothing.
 //
 //     if (verifier.needs_account()) part.keep_account();  // before the first cell
-//     verifier.begin(motion);  // each motion its own origin
+//     verifier.begin(motion, &part);  // each motion its own origin
 //     walk.take(motion, origin, [&](const toolpath::Step& step) {
 //         verifier.look(step, part);
 //         for (const cda::Cell& cell : step.cells) part.subtract(cell);
 //         verifier.look_back(step, part, removed);
 //     });
-//     verifier.end();
+//     verifier.end(&part);
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
@@ -38,7 +38,8 @@ public:
 
     /// The frame that the next motion is programmed in: where its tool length is taken from.
     void set_frame(const gcode::ProgramFrame& frame);
-    void begin(const gcode::Motion& motion);
+    /// `part` is as it is before the motion; null if nothing is simulated.
+    void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part = nullptr);
     /// Before the cells of the step are taken away from `part`, which is of a model that verifies.
     void look(const toolpath::Step& step, const cda::WorkpieceModel& part);
     /// After that. `removed` is the volume they took (mm³), where measures_all().
@@ -46,7 +47,8 @@ public:
                    double removed = 0.0);
     /// The tool at rest where a motion ends that came from nobody knows where.
     void arrive(const toolpath::Step& step, const cda::WorkpieceModel& part);
-    void end();
+    /// And as it is after it.
+    void end(const cda::WorkpieceModel* part = nullptr);
     /// Wants it the volume of every step?
     bool measures_all() const;
     /// Else: wants it the part to keep an account of all of them?

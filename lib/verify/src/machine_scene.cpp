@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machine_scene.h"
+
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/polytope.h"
+#include "ncsim/toolpath/tool_polytope.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::verify {
+
+using cda::Box;
+using cda::Vec3;
+using machine::Chain;
+using machine::Values;
+
+namespace {
+
+// Depths of a pair that are measured, each as dear as ten that are only found: one fault has a
+// number, thousands of the same have its largest.
+constexpr std::uint64_t kMostMeasured = 16;
+
+// How much finer a tool is looked at where it matters.
+constexpr double kFiner = 16.0;
+
+// The corners of a polytope on the lattice, and of one inside of it.
+ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccuracy accuracy,
+                          Vec3 tip) {
+    constexpr cda::Lattice kFinest;
+    const auto corners = [&](toolpath::Side side) {
+        accuracy.side = side;
+        return toolpath::approximate(told, kFinest, accuracy).points_T;
+    };
+    ConvexPiece piece;
+    for (const cda::LatticePoint& p : corners(toolpath::Side::Circumscribed))
+        piece.outer.push_back(kFinest.to_mm(p) + tip);
+    const auto inner = corners(toolpath::Side::Inscribed);
+    for (const cda::LatticePoint& p : inner)
+        piece.inner.push_back(kFinest.to_mm(p) + tip);
+    // Of round tools facets tell how deep they are: their edges are nearly parallel to them.
+    if (const auto hull = cda::convex_hull(inner, kFinest, cda::kStockOrigin)) {
+        for (const cda::Plane& plane : hull->planes)
+            piece.directions.normals.push_back(unit_normal(plane));
+    }
+    return piece;
+}
+
+RigidBody body_of(const Fixture& fixture, Vec3 shift) {
+    cda::TriangleMesh mesh = fixture.mesh;
+    for (Vec3& p : mesh.vertices)
+        p = p + shift;
+    if (!mesh.triangles.empty()) {
+        try {
+            return body_in_pieces(mesh);
+        } catch (const std::invalid_argument&) {
+            return {{ConvexPiece{mesh.vertices, {}, {}, false}}, 0.0};
+        }
+    }
+    const Vec3 half = 0.5 * fixture.box.size();
+    const cda::Lattice lattice = cda::Lattice::for_stock({-half, half});
+    const cda::Cell cell = cda::box_cell(lattice.round(-half), lattice.round(half), lattice);
+    const auto polytope = cda::ConvexPolytope::of(cell, lattice);
+    return {{piece_of(*polytope, lattice, fixture.box.centre() + shift)}, lattice.unit_mm};
+}
+
+// Goes the tool straight up along itself? Else it cuts free what follows it, as it does for shanks.
+bool ascends(const gcode::Motion& motion, const toolpath::Kinematics& machine) {
+    const toolpath::Poses poses(&machine, motion);
+    const toolpath::Pose from = poses.at(*gcode::start_of(motion));
+    const toolpath::Pose to = poses.at(*gcode::end_of(motion));
+    return from.rows == to.rows && dot(to.translation - from.translation, axis_of(from)) > 0.0;
+}
+
+}  // namespace
+
+MachineScene::MachineScene(const Setup& setup, const Box& stock) : setup_(&setup), stock_(stock) {
+    const bool asked = setup.selection.includes("machine-collision") ||
+                       setup.selection.includes("machine-near-miss");
+    if (!setup.bodies || !setup.bodies->has_meshes() || !setup.kinematics ||
+        !setup.machine.work_zero || !asked) {
+        return;
+    }
+    zero_ = *setup.machine.work_zero;
+    const LinkBodies& told = setup.bodies->told();
+    double longest = 0.0;
+    const auto add = [&](Member member) {
+        if (member.body) longest = std::max(longest, member.body->longest());
+        members_.push_back(std::move(member));
+    };
+    // The part and fixtures first: they are what looks.
+    if (!stock_.is_empty())
+        add({"part", "the part", told.part_moved_by, nullptr, 0.0, false, true, false});
+    for (const Fixture& fixture : setup.machine.fixtures) {
+        fixtures_.push_back(std::make_unique<const RigidBody>(body_of(fixture, zero_)));
+        add({fixture.name, fmt::format("the fixture '{}'", fixture.name), told.part_moved_by,
+             fixtures_.back().get(), fixture.clearance_mm, false, false, false});
+    }
+    // Then what is fixed to the part, at last what is fixed to the tool.
+    const auto rank = [&told](const LinkBody& link) {
+        return link.moved_by == told.part_moved_by   ? 0
+               : link.moved_by == told.tool_moved_by ? 2
+                                                     : 1;
+    };
+    for (const int wanted : {0, 1, 2}) {
+        for (std::size_t i = 0; i < told.links.size(); ++i) {
+            const LinkBody& link = told.links[i];
+            if (!setup.bodies->body(i) || rank(link) != wanted) continue;
+            add({link.name, fmt::format("the link '{}'", link.name), link.moved_by,
+                 setup.bodies->body(i), link.clearance_mm, false, false, true});
+        }
+    }
+    add({"tool", "the tool", told.tool_moved_by, nullptr, 0.0, true, false, false});
+    // Twice the longest piece in 25 bits: it may lie to either side of a place.
+    for (const auto& [number, facts] : setup.tools)
+        longest = std::max(longest, toolpath::height_of(facts.tool));
+    const Vec3 reach{2.0 * longest, 2.0 * longest, 2.0 * longest};
+    lattice_ = cda::Lattice::for_stock({-reach, reach});
+    add_pairs();
+}
+
+bool MachineScene::is_told(const std::vector<NamePair>& pairs, const Member& a,
+                           const Member& b) const {
+    return std::ranges::any_of(pairs, [&](const NamePair& pair) {
+        return (pair.first == a.name && pair.second == b.name) ||
+               (pair.first == b.name && pair.second == a.name);
+    });
+}
+
+void MachineScene::add_pairs() {
+    const LinkBodies& told = setup_->bodies->told();
+    const Chain whole = machine::seen_from(told.part_moved_by, told.tool_moved_by);
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        for (std::size_t k = i + 1; k < members_.size(); ++k) {
+            const Member& a = members_[i];
+            const Member& b = members_[k];
+            // Tools have rules of their own for the part and for fixtures.
+            if (!a.is_link && !b.is_link) continue;
+            Pair pair{i,
+                      k,
+                      machine::seen_from(a.moved_by, b.moved_by),
+                      std::max(a.clearance_mm, b.clearance_mm),
+                      false,
+                      {},
+                      nullptr};
+            if (pair.way.joints.empty() || is_told(told.ignored, a, b)) continue;
+            const bool are_neighbours = a.is_link && b.is_link && pair.way.joints.size() == 1;
+            if (are_neighbours && !is_told(told.asked, a, b)) continue;
+            pair.of_part_and_tool = pair.way == whole;
+            pairs_.push_back(std::move(pair));
+        }
+    }
+}
+
+// Up to the spindle nose, where the spindle begins.
+const RigidBody* MachineScene::tool(int number, double gauge_mm, double finer) {
+    const auto key = std::tuple(number, gauge_mm, finer);
+    const auto known = tools_.find(key);
+    if (known != tools_.end()) return known->second.get();
+    const auto facts = setup_->tools.find(number);
+    std::vector<ConvexPiece> pieces;
+    double accuracy_mm = 0.0;
+    if (facts != setup_->tools.end()) {
+        for (const toolpath::ToolPiece& whole : facts->second.tool.pieces) {
+            const double top = whole.profile.back().height;
+            const toolpath::ToolPiece piece =
+                top <= gauge_mm ? whole : toolpath::slice(whole, 0.0, gauge_mm);
+            if (piece.profile.empty()) continue;
+            toolpath::ToolAccuracy accuracy = setup_->accuracy;
+            accuracy.tolerance_mm /= finer;
+            pieces.push_back(piece_of_tool(piece, accuracy, {0, 0, -gauge_mm}));
+            pieces.back().assumed = whole.assumed || facts->second.is_guess;
+        }
+        accuracy_mm = 2.0 * cda::Lattice{}.unit_mm;
+    }
+    auto body = pieces.empty() ? nullptr
+                               : std::make_unique<const RigidBody>(std::move(pieces), accuracy_mm);
+    return tools_.emplace(key, std::move(body)).first->second.get();
+}
+
+// The joints on its way would be elsewhere with a tool of another length.
+bool MachineScene::needs_length(const Pair& pair) const {
+    const bool of_tip = legs_.front().motion.coordinates == gcode::Coordinates::Tip;
+    const bool all = of_tip && setup_->kinematics->chain.has_head();
+    return std::ranges::any_of(pair.way.joints, [&](const machine::Joint& joint) {
+        return !joint.turns && (all || joint.letter == 'Z');
+    });
+}
+
+// Since it was asked last.
+bool MachineScene::moves(const Pair& pair, const Leg& leg) const {
+    if (!leg.from || !leg.to || !pair.asked_at) return true;
+    const bool is_curved = !std::holds_alternative<gcode::Linear>(leg.motion.what) ||
+                           leg.motion.coordinates == gcode::Coordinates::Tip;
+    return std::ranges::any_of(pair.way.joints, [&](const machine::Joint& joint) {
+        const std::size_t i = *machine::index_of(joint.letter);
+        return (*leg.from)[i] != (*leg.to)[i] || (*leg.from)[i] != (*pair.asked_at)[i] ||
+               (is_curved && !joint.turns);
+    });
+}
+
+PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
+    constexpr std::uint64_t kOften = 50;
+    return {*leg.path,
+            leg.from,
+            leg.to,
+            leg.missed_mm,
+            pair.way,
+            pair.of_part_and_tool,
+            {0, 0, -length_mm_},
+            pair.not_clear < kOften ? kMostStretches : kFewStretches};
+}
+
+Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
+    const Vec3 p_M = pose_of(members_[pair.observer].moved_by, encounter.values) * encounter.point;
+    const machine::Pose X_MP = pose_of(setup_->bodies->told().part_moved_by, encounter.values);
+    return inverse(X_MP) * p_M - zero_;
+}
+
+void MachineScene::note(const Pair& pair, const Encounter& encounter, bool touches,
+                        std::vector<MachineContact>& contacts) const {
+    MachineContact contact;
+    contact.first = members_[pair.observer].what;
+    contact.second = members_[pair.body].what;
+    contact.touches = touches;
+    const bool is_certain = encounter.closeness == Closeness::Certain;
+    contact.certainty = is_certain ? Certainty::Certain : Certainty::Within;
+    contact.amount_mm = encounter.amount_mm;
+    contact.clearance_mm = pair.clearance_mm;
+    contact.assumed = encounter.assumed;
+    contact.values = encounter.values;
+    if (is_certain) contact.point = in_W(pair, encounter);
+    for (std::size_t i = 0; i < setup_->bodies->told().links.size(); ++i) {
+        const std::string& why = setup_->bodies->taken_as_hull(i);
+        const std::string& name = setup_->bodies->told().links[i].name;
+        const bool is_one =
+            (members_[pair.observer].is_link && members_[pair.observer].name == name) ||
+            (members_[pair.body].is_link && members_[pair.body].name == name);
+        if (is_one && !why.empty())
+            contact.hulls.push_back(
+                fmt::format("the mesh of '{}' counts as its hull: {}", name, why));
+    }
+    const auto old = std::ranges::find_if(contacts, [&](const MachineContact& c) {
+        return c.first == contact.first && c.second == contact.second;
+    });
+    if (old == contacts.end()) {
+        contacts.push_back(std::move(contact));
+        return;
+    }
+    // Of several legs the worst counts.
+    const auto weight = [](const MachineContact& c) {
+        return std::pair(c.touches, c.certainty == Certainty::Certain);
+    };
+    const bool is_worse =
+        weight(contact) > weight(*old) ||
+        (weight(contact) == weight(*old) &&
+         (touches ? contact.amount_mm > old->amount_mm : contact.amount_mm < old->amount_mm));
+    if (is_worse) *old = std::move(contact);
+}
+
+void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
+                       std::vector<MachineContact>& contacts) {
+    const auto body = [&](std::size_t member) {
+        return members_[member].is_tool ? tool : members_[member].body;
+    };
+    const RigidBody* observer = body(pair.observer);
+    const RigidBody* other = body(pair.body);
+    if (!observer || !other) return;
+    if (pair.asked_with == other && !moves(pair, leg)) return;
+    pair.asked_at = leg.to;
+    pair.asked_with = other;
+    const PairOnLeg on_leg = this->on_leg(pair, leg);
+    Encounter near;
+    if (pair.clearance_mm > 0.0) {
+        near = come_near(on_leg, *observer, *other, lattice_, pair.clearance_mm);
+        if (near.closeness == Closeness::Clear) return;
+    }
+    Encounter met = meet(on_leg, *observer, *other, lattice_, pair.measured < kMostMeasured);
+    // Where the accuracy of the tool leaves it open, a finer one may decide.
+    if (met.closeness == Closeness::Open && members_[pair.body].is_tool) {
+        const RigidBody* finer = this->tool(leg.motion.tool, *length.gauge_mm, kFiner);
+        met = meet(on_leg, *observer, *finer, lattice_, false);
+    }
+    const bool touches = met.closeness != Closeness::Clear;
+    if (!touches && near.closeness == Closeness::Clear) return;
+    note(pair, touches ? met : near, touches, contacts);
+    ++pair.not_clear;
+    pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
+}
+
+void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
+                         const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
+    legs_.clear();
+    open_.clear();
+    misses_length_ = false;
+    if (pairs_.empty() || !gcode::start_of(motion) || !toolpath::has_known_end(motion)) return;
+    toolpath::Legs legs;
+    if (toolpath::has_known_start(motion)) {
+        legs = toolpath::legs_of(motion, setup_->rapid);
+    } else {
+        // It comes from nobody knows where: certain is where it ends.
+        legs.motions.push_back(motion);
+        const gcode::Position end = *gcode::end_of(motion);
+        legs.motions.back().what = gcode::Linear{end, end};
+    }
+    length_mm_ = motion.length.mm();
+    for (gcode::Motion& leg : legs.motions)
+        legs_.push_back({std::move(leg), legs.missed_mm});
+    for (Leg& leg : legs_) {
+        leg.path.emplace(*setup_->kinematics, leg.motion);
+        leg.from = leg.path->at(0.0);
+        leg.to = leg.path->at(1.0);
+    }
+    const RigidBody* tool = length.gauge_mm ? this->tool(motion.tool, *length.gauge_mm) : nullptr;
+    const bool lacks_gauge = motion.tool != 0 && !length.gauge_mm;
+    const Chain& tool_moved_by = setup_->bodies->told().tool_moved_by;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        Pair& pair = pairs_[i];
+        const bool is_of_tool = members_[pair.body].is_tool;
+        if ((!length.nose_known && needs_length(pair)) || (is_of_tool && lacks_gauge)) {
+            misses_length_ = true;
+            continue;
+        }
+        if (!members_[pair.observer].is_part) {
+            for (const Leg& leg : legs_)
+                ask(pair, leg, tool, length, contacts);
+            continue;
+        }
+        if (!part) continue;
+        const RigidBody& body = *members_[pair.body].body;
+        const bool is_on_tool = members_[pair.body].moved_by == tool_moved_by;
+        for (std::size_t k = 0; k < legs_.size(); ++k) {
+            const Leg& leg = legs_[k];
+            if (pair.asked_with == &body && !moves(pair, leg)) continue;
+            pair.asked_at = leg.to;
+            pair.asked_with = &body;
+            const auto is_clear = [&] {
+                return meet_part(on_leg(pair, leg), *part, stock_, zero_, body, pair.clearance_mm,
+                                 false)
+                           .closeness == Closeness::Clear;
+            };
+            const bool follows = is_on_tool && !ascends(leg.motion, *setup_->kinematics);
+            if (follows || !is_clear()) open_.push_back({i, k, follows});
+        }
+    }
+}
+
+void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
+    if (!part) return;
+    for (const Open& open : open_) {
+        Pair& pair = pairs_[open.pair];
+        const Leg& leg = legs_[open.leg];
+        const RigidBody& body = *members_[pair.body].body;
+        const bool measured = pair.measured < kMostMeasured;
+        const auto ask = [&](double clearance_mm) {
+            return meet_part(on_leg(pair, leg), *part, stock_, zero_, body, clearance_mm, measured);
+        };
+        Encounter met = ask(0.0);
+        bool touches = met.closeness != Closeness::Clear;
+        if (!touches && pair.clearance_mm > 0.0) met = ask(pair.clearance_mm);
+        if (met.closeness == Closeness::Clear) {
+            if (open.follows) continue;
+            // Before the motion it was in the way: who was there first nobody knows.
+            touches = pair.clearance_mm == 0.0;
+            met.closeness = Closeness::Open;
+            met.values = leg.to.value_or(Values{});
+        }
+        note(pair, met, touches, contacts);
+        ++pair.not_clear;
+        pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
+    }
+}
+
+}  // namespace ncsim::verify

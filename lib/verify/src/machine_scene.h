@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All that a machine moves, and who of it is asked about whom: links, fixtures, the tool, what is
+// left of the stock.
+#pragma once
+
+#include "ncsim/cda/workpiece.h"
+#include "ncsim/toolpath/joint_path.h"
+#include "ncsim/verify/move.h"
+#include "ncsim/verify/setup.h"
+
+#include "pair_search.h"
+#include "rigid_body.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace ncsim::verify {
+
+/// How long the tool is, as far as it was told.
+struct ToolLength {
+    bool nose_known = false;  ///< Where the spindle nose is when the program says where the tip is.
+    std::optional<double> gauge_mm;  ///< Of the tool in the spindle, from the nose to its tip.
+};
+
+class MachineScene {
+public:
+    /// `setup` must outlive it. `stock` in W, mm; empty: nothing is cut.
+    MachineScene(const Setup& setup, const cda::Box& stock);
+
+    /// Is there nothing to ask?
+    bool is_empty() const { return pairs_.empty(); }
+    /// Asks links, fixtures and the tool about each other, and links about `part`, as it is before
+    /// the motion; null: nothing is cut. Adds to `contacts`.
+    void begin(const gcode::Motion& motion, const ToolLength& length,
+               const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
+    /// And about the part as it is after it, where that was open.
+    void end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
+    /// What was not asked in this motion, because nobody tells how long its tool is.
+    bool misses_length() const { return misses_length_; }
+
+private:
+    // One body, or what takes its place with each tool.
+    struct Member {
+        std::string name;  // as pairs tell it
+        std::string what;  // "the link 'cradle'"
+        machine::Chain moved_by;
+        const RigidBody* body = nullptr;  // null: the tool, the part
+        double clearance_mm = 0.0;
+        bool is_tool = false, is_part = false, is_link = false;
+    };
+    struct Pair {
+        std::size_t observer = 0, body = 0;  // of members_
+        machine::Chain way;
+        double clearance_mm = 0.0;
+        bool of_part_and_tool = false;
+        // Where the joints on the way stood, and the tool, when it was asked last.
+        std::optional<machine::Values> asked_at;
+        const RigidBody* asked_with = nullptr;
+        std::uint64_t measured = 0;   // times that its depth was
+        std::uint64_t not_clear = 0;  // motions in which it was not
+    };
+    struct Leg {
+        gcode::Motion motion;
+        double missed_mm = 0.0;
+        std::optional<toolpath::JointPath> path = std::nullopt;
+        std::optional<machine::Values> from = std::nullopt, to = std::nullopt;  // at its ends
+    };
+    struct Open {
+        std::size_t pair = 0, leg = 0;
+        bool follows = false;  // where the tool has cut
+    };
+    void add_pairs();
+    bool is_told(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
+    const RigidBody* tool(int number, double gauge_mm, double finer = 1.0);
+    PairOnLeg on_leg(const Pair& pair, const Leg& leg) const;
+    bool moves(const Pair& pair, const Leg& leg) const;
+    bool needs_length(const Pair& pair) const;
+    void ask(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
+             std::vector<MachineContact>& contacts);
+    void note(const Pair& pair, const Encounter& encounter, bool touches,
+              std::vector<MachineContact>& contacts) const;
+    cda::Vec3 in_W(const Pair& pair, const Encounter& encounter) const;
+
+    const Setup* setup_;
+    cda::Box stock_;
+    cda::Vec3 zero_;
+    cda::Lattice lattice_;
+    std::vector<Member> members_;
+    std::vector<std::unique_ptr<const RigidBody>> fixtures_;
+    std::vector<Pair> pairs_;
+    // By number, gauge length, and how much finer than their accuracy they are.
+    std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;
+    bool misses_length_ = false;
+    // Of the motion at hand.
+    std::vector<Leg> legs_;
+    double length_mm_ = 0.0;
+    std::vector<Open> open_;  // pairs with the part
+};
+
+}  // namespace ncsim::verify

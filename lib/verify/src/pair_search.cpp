@@ -1,0 +1,481 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pair_search.h"
+
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/separation.h"
+#include "ncsim/trig/angles.h"
+
+#include "body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ncsim::verify {
+
+using cda::Box;
+using cda::LatticePoint;
+using cda::Vec3;
+using machine::Ball;
+using machine::Pose;
+using machine::Values;
+
+namespace {
+
+// While a way may be off by more than this, mm, its hulls say nothing worth looking for.
+constexpr double kCoarseMm = 5.0;
+
+using PiecePair = std::pair<std::uint32_t, std::uint32_t>;  // of the observer, of the body
+
+struct Stretch {
+    double begin = 0.0, end = 1.0;
+    Values from{}, to{};
+    std::vector<PiecePair> open;  // what may meet; where it is listed
+    bool is_listed = false;
+};
+
+// Where a body is in a stretch.
+struct Span {
+    Pose X_0, X_1;         // observer to body, at both ends
+    double grow_mm = 0.0;  // nothing of it is farther from the straight way between them
+};
+
+Box grown(const Box& box, double by) {
+    return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
+}
+
+// Around the box as it is turned.
+Box placed(const Pose& X, const Box& box) {
+    const Vec3 centre = X * box.centre();
+    const Vec3 half = 0.5 * box.size();
+    Vec3 reach;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& row = X.rows[static_cast<std::size_t>(i)];
+        reach[i] = std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z;
+    }
+    return {centre - reach, centre + reach};
+}
+
+Box swept(const Span& place, const Box& box) {
+    Box both = placed(place.X_0, box);
+    both.add(placed(place.X_1, box));
+    return grown(both, place.grow_mm);
+}
+
+void add_points(std::vector<LatticePoint>& points, const std::vector<Vec3>& corners, const Pose& X,
+                const cda::Lattice& lattice) {
+    for (const Vec3& p : corners)
+        points.push_back(lattice.round(X * p));
+}
+
+std::vector<LatticePoint> points_of(const std::vector<Vec3>& corners, const Span& place,
+                                    const cda::Lattice& lattice) {
+    std::vector<LatticePoint> points;
+    add_points(points, corners, place.X_0, lattice);
+    if (place.X_0 != place.X_1) add_points(points, corners, place.X_1, lattice);
+    return points;
+}
+
+std::int64_t units_up(double mm, const cda::Lattice& lattice) {
+    return static_cast<std::int64_t>(std::ceil(std::max(0.0, mm) / lattice.unit_mm));
+}
+
+// How the body goes in a stretch: all of it stays in the ball.
+std::optional<Ball> ball_of(const PairOnLeg& pair, const RigidBody& body, const Stretch& s) {
+    const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
+    if (!going) return std::nullopt;
+    Ball ball = moved(pair.way, *going, {body.centre(), body.radius(), 0.0, 0.0});
+    const auto tip = pair.of_part_and_tool ? pair.path.tip(s.begin, s.end) : std::nullopt;
+    if (!tip) return ball;
+    // x = tip(t) + R(t) r, and |R'' r| <= (Σθ)² |r| for any number of axes.
+    double turn = 0.0;
+    for (std::size_t i = 3; i < 6; ++i)
+        turn += trig::kRadiansPerDegree * std::abs(s.to[i] - s.from[i]);
+    const double reach = norm(body.centre() - pair.tip) + body.radius();
+    ball.speed = std::min(ball.speed, tip->speed + turn * reach);
+    ball.bend = std::min(ball.bend, tip->bend + turn * turn * reach);
+    return ball;
+}
+
+// The same for the observer, as the body sees it.
+std::optional<Ball> ball_of_observer(const PairOnLeg& pair, const RigidBody& observer,
+                                     const Stretch& s) {
+    const auto going = pair.path.going(s.begin, s.from, s.end, s.to);
+    if (!going) return std::nullopt;
+    return moved(machine::seen_from(pair.way, {}), *going,
+                 {observer.centre(), observer.radius(), 0.0, 0.0});
+}
+
+// `far`: are all places in a ball clear? `list`: what of the stretch is not clear, into `open`.
+// `find`: is it certain at a time?
+template <class Far, class List, class Find>
+Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_mm, const Far& far,
+                 const List& list, const Find& find) {
+    Encounter result;
+    const auto leave_open = [&](double time, const Values& values) {
+        if (result.closeness != Closeness::Clear) return;
+        result.closeness = Closeness::Open;
+        result.time = time;
+        result.values = values;
+        result.point = pose_of(pair.way, values) * body.centre();
+    };
+    if (!pair.from || !pair.to) {
+        leave_open(0.0, {});
+        return result;
+    }
+    std::deque<Stretch> waiting;
+    waiting.push_back({0.0, 1.0, *pair.from, *pair.to, {}, false});
+    for (std::size_t looked = 0; !waiting.empty(); ++looked) {
+        Stretch s = std::move(waiting.front());
+        waiting.pop_front();
+        const auto ball = ball_of(pair, body, s);
+        if (!ball) {
+            leave_open(s.begin, s.from);
+            break;
+        }
+        if (far(*ball)) continue;
+        const double missed_mm = ball->bend / 8.0 + pair.missed_mm;
+        const bool is_last = ball->speed <= kUndecidedMm || looked >= pair.most_stretches;
+        if (missed_mm <= kCoarseMm || is_last) {
+            const Span place{pose_of(pair.way, s.from), pose_of(pair.way, s.to),
+                             missed_mm + rounding_mm};
+            list(place, s);
+            if (s.open.empty()) continue;
+        }
+        const double middle = 0.5 * (s.begin + s.end);
+        const auto between = pair.path.at(middle);
+        if (!between) {
+            leave_open(s.begin, s.from);
+            break;
+        }
+        const auto is_certain = [&](double time, const Values& values) {
+            Encounter found;
+            if (!find(values, found)) return false;
+            result = found;
+            result.time = time;
+            return true;
+        };
+        const bool is_whole = s.begin == 0.0 && s.end == 1.0;
+        if (is_whole && (is_certain(0.0, s.from) || is_certain(1.0, s.to))) return result;
+        if (is_certain(middle, *between)) return result;
+        if (is_last) {
+            leave_open(middle, *between);
+            continue;
+        }
+        waiting.push_back({s.begin, middle, s.from, *between, s.open, s.is_listed});
+        waiting.push_back({middle, s.end, *between, s.to, std::move(s.open), s.is_listed});
+    }
+    return result;
+}
+
+// Pairs of pieces whose boxes are near each other.
+void list_near(const RigidBody& observer, const RigidBody& body, const Span& place,
+               std::vector<PiecePair>& pairs) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};  // nodes
+    while (!open.empty()) {
+        const auto [a, b] = open.back();
+        open.pop_back();
+        const RigidBody::Node& one = observer.nodes()[a];
+        const RigidBody::Node& other = body.nodes()[b];
+        if (!one.box.overlaps(swept(place, other.box))) continue;
+        if (one.left == 0 && other.left == 0) {
+            for (std::uint32_t i = one.begin; i < one.end; ++i) {
+                for (std::uint32_t k = other.begin; k < other.end; ++k)
+                    pairs.emplace_back(observer.order()[i], body.order()[k]);
+            }
+        } else if (other.left == 0 ||
+                   (one.left != 0 && norm(one.box.size()) > norm(other.box.size()))) {
+            open.emplace_back(one.right, b);
+            open.emplace_back(one.left, b);
+        } else {
+            open.emplace_back(a, other.right);
+            open.emplace_back(a, other.left);
+        }
+    }
+}
+
+// Pieces whose boxes come near a box.
+std::vector<std::uint32_t> pieces_near(const RigidBody& body, const Span& place, const Box& box) {
+    std::vector<std::uint32_t> near;
+    std::vector<std::uint32_t> open{0};  // nodes
+    while (!open.empty()) {
+        const RigidBody::Node& node = body.nodes()[open.back()];
+        open.pop_back();
+        if (!box.overlaps(swept(place, node.box))) continue;
+        if (node.left != 0) {
+            open.push_back(node.right);
+            open.push_back(node.left);
+            continue;
+        }
+        near.insert(near.end(), body.order().begin() + node.begin, body.order().begin() + node.end);
+    }
+    return near;
+}
+
+class Pair {
+public:
+    Pair(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+         const cda::Lattice& lattice)
+        : pair_(pair),
+          observer_(observer),
+          body_(body),
+          lattice_(lattice),
+          // Corners go to the lattice, half a unit an axis each.
+          rounding_mm_(observer.accuracy_mm() + body.accuracy_mm() + 2.0 * lattice.unit_mm) {}
+
+    double rounding_mm() const { return rounding_mm_; }
+    const PairOnLeg& on_leg() const { return pair_; }
+    const RigidBody& body() const { return body_; }
+
+    bool is_far(const Ball& ball, double clearance_mm) const {
+        return norm(ball.centre - observer_.centre()) >
+               observer_.radius() + ball.radius + pair_.missed_mm + rounding_mm_ + clearance_mm;
+    }
+
+    void list(const Span& tight, double clearance_mm, Stretch& s) const {
+        Span place = tight;
+        place.grow_mm += clearance_mm;
+        if (!s.is_listed) list_near(observer_, body_, place, s.open);
+        s.is_listed = true;
+        const std::int64_t width = units_up(place.grow_mm, lattice_);
+        std::optional<Span> other_way;  // how the observer goes, if that is asked
+        std::erase_if(s.open, [&](const PiecePair& pieces) {
+            const Box& box = observer_.boxes()[pieces.first];
+            if (!box.overlaps(swept(place, body_.boxes()[pieces.second]))) return true;
+            const std::vector<Vec3>& one = observer_.pieces()[pieces.first].outer;
+            const std::vector<Vec3>& other = body_.pieces()[pieces.second].outer;
+            if (cda::nearness(points_of(one, {}, lattice_), points_of(other, place, lattice_),
+                              width)
+                    .is_apart) {
+                return true;
+            }
+            // A hull of two places has what lies between the ends of a long piece that turned:
+            // less, where the shorter one is taken to go.
+            if (place.X_0.rows == place.X_1.rows) return false;
+            if (!other_way) other_way = as_seen_from_body(place, clearance_mm, s);
+            return cda::nearness(points_of(other, {}, lattice_),
+                                 points_of(one, *other_way, lattice_),
+                                 units_up(other_way->grow_mm, lattice_))
+                .is_apart;
+        });
+    }
+
+    // Two pieces that meet at one time; `measured`: the deepest, and how deep.
+    bool find_overlap(const Values& values, bool measured, Encounter& found) const {
+        return for_each_near(values, 0.0, [&](const PiecePair& p, const Pose& X) {
+            const ConvexPiece& one = observer_.pieces()[p.first];
+            const ConvexPiece& other = body_.pieces()[p.second];
+            const bool is_known = found.closeness == Closeness::Certain;
+            if (one.inner.empty() || other.inner.empty() || (is_known && !measured)) return false;
+            const auto a = points_of(one.inner, {}, lattice_);
+            const auto b = points_of(other.inner, {X, X, 0.0}, lattice_);
+            if (cda::nearness(a, b, 0).is_apart) return false;
+            const auto point = cda::common_point(a, b, units_up(rounding_mm_, lattice_));
+            if (!point) return false;
+            const double amount_mm = measured ? depth_mm(one, other, X) : 0.0;
+            if (is_known && amount_mm <= found.amount_mm) return false;
+            found = {Closeness::Certain,     0.0,       values,
+                     lattice_.to_mm(*point), amount_mm, one.assumed || other.assumed};
+            return true;
+        });
+    }
+
+    // The nearest two pieces at one time, if they are nearer than that.
+    bool find_near(const Values& values, double clearance_mm, Encounter& found) const {
+        const double limit = clearance_mm - rounding_mm_;
+        return for_each_near(values, clearance_mm, [&](const PiecePair& p, const Pose& X) {
+            const auto a = points_of(observer_.pieces()[p.first].outer, {}, lattice_);
+            const auto b = points_of(body_.pieces()[p.second].outer, {X, X, 0.0}, lattice_);
+            const cda::Nearness near = cda::nearness(a, b, units_up(limit, lattice_));
+            const double apart = near.distance * lattice_.unit_mm;
+            if (near.is_apart || apart > limit) return false;
+            if (found.closeness == Closeness::Certain && apart >= found.amount_mm) return false;
+            const bool assumed =
+                observer_.pieces()[p.first].assumed || body_.pieces()[p.second].assumed;
+            found = {Closeness::Certain,
+                     0.0,
+                     values,
+                     X * body_.boxes()[p.second].centre(),
+                     apart,
+                     assumed};
+            return true;
+        });
+    }
+
+private:
+    Span as_seen_from_body(const Span& place, double clearance_mm, const Stretch& s) const {
+        // Not known: as far off as no pieces are apart.
+        constexpr double kFar = 1e5;
+        const auto ball = ball_of_observer(pair_, observer_, s);
+        const double missed_mm = ball ? ball->bend / 8.0 + pair_.missed_mm : kFar;
+        return {inverse(place.X_0), inverse(place.X_1), missed_mm + rounding_mm_ + clearance_mm};
+    }
+
+    static double depth_mm(const ConvexPiece& one, const ConvexPiece& other, const Pose& X) {
+        std::vector<Vec3> corners;
+        for (const Vec3& p : other.inner)
+            corners.push_back(X * p);
+        const auto turned = [&X](const std::vector<Vec3>& directions) {
+            std::vector<Vec3> result;
+            for (const Vec3& d : directions)
+                result.push_back({dot(X.rows[0], d), dot(X.rows[1], d), dot(X.rows[2], d)});
+            return result;
+        };
+        const cda::Directions of_other{turned(other.directions.normals),
+                                       turned(other.directions.edges)};
+        return cda::depth(one.inner, one.directions, corners, of_other);
+    }
+
+    template <class Ask>
+    bool for_each_near(const Values& values, double clearance_mm, const Ask& ask) const {
+        const Pose X = pose_of(pair_.way, values);
+        std::vector<PiecePair> near;
+        list_near(observer_, body_, {X, X, rounding_mm_ + clearance_mm}, near);
+        bool found = false;
+        for (const PiecePair& pieces : near)
+            found |= ask(pieces, X);
+        return found;
+    }
+
+    const PairOnLeg& pair_;
+    const RigidBody& observer_;
+    const RigidBody& body_;
+    cda::Lattice lattice_;
+    double rounding_mm_;
+};
+
+// How deep it is at the worst: at some times of the leg, and from the worst one on ever closer.
+template <class Find>
+void find_worst(const PairOnLeg& pair, const Find& find, Encounter& worst) {
+    constexpr int kTimes = 16, kCloser = 40;
+    const auto ask = [&](double t) {
+        const auto values = pair.path.at(t);
+        Encounter found;
+        if (!values || !find(*values, found) || found.amount_mm <= worst.amount_mm) return false;
+        worst = found;
+        worst.time = t;
+        return true;
+    };
+    for (int i = 0; i <= kTimes; ++i)
+        ask(static_cast<double>(i) / kTimes);
+    double width = 1.0 / kTimes;
+    for (int i = 0; i < kCloser; ++i) {
+        const double middle = worst.time;
+        const bool is_deeper =
+            ask(std::max(0.0, middle - width)) || ask(std::min(1.0, middle + width));
+        if (!is_deeper) width *= 0.5;
+    }
+}
+
+}  // namespace
+
+Encounter meet(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+               const cda::Lattice& lattice, bool measured) {
+    const Pair both(pair, observer, body, lattice);
+    Encounter result = search(
+        pair, body, both.rounding_mm(), [&](const Ball& ball) { return both.is_far(ball, 0.0); },
+        [&](const Span& place, Stretch& s) { both.list(place, 0.0, s); },
+        [&](const Values& values, Encounter& found) {
+            return both.find_overlap(values, false, found);
+        });
+    if (measured && result.closeness == Closeness::Certain) {
+        find_worst(
+            pair,
+            [&](const Values& values, Encounter& found) {
+                return both.find_overlap(values, true, found);
+            },
+            result);
+    }
+    return result;
+}
+
+Encounter come_near(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
+                    const cda::Lattice& lattice, double clearance_mm) {
+    const Pair both(pair, observer, body, lattice);
+    return search(
+        pair, body, both.rounding_mm(),
+        [&](const Ball& ball) { return both.is_far(ball, clearance_mm); },
+        [&](const Span& place, Stretch& s) { both.list(place, clearance_mm, s); },
+        [&](const Values& values, Encounter& found) {
+            return both.find_near(values, clearance_mm, found);
+        });
+}
+
+Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, const Box& stock,
+                    Vec3 zero, const RigidBody& body, double clearance_mm, bool measured) {
+    const cda::Lattice& lattice = part.lattice();
+    // Corners, and the planes of hulls of turned ones.
+    const double rounding_mm = body.accuracy_mm() + 4.0 * lattice.unit_mm;
+    const Box place_of_part = grown(stock, clearance_mm);
+    const auto in_W = [zero](Pose X) {
+        X.translation = X.translation - zero;
+        return X;
+    };
+    const auto far = [&](const Ball& ball) {
+        const Vec3 centre = ball.centre - zero;
+        Vec3 nearest;
+        for (int i = 0; i < 3; ++i)
+            nearest[i] = std::clamp(centre[i], place_of_part.min[i], place_of_part.max[i]);
+        return norm(centre - nearest) > ball.radius + pair.missed_mm + rounding_mm;
+    };
+    const auto list = [&](const Span& told, Stretch& s) {
+        const Span place{in_W(told.X_0), in_W(told.X_1), told.grow_mm};
+        if (!s.is_listed) {
+            for (const std::uint32_t i : pieces_near(body, place, place_of_part))
+                s.open.emplace_back(0, i);
+        }
+        s.is_listed = true;
+        std::erase_if(s.open, [&](const PiecePair& pieces) {
+            if (!place_of_part.overlaps(swept(place, body.boxes()[pieces.second]))) return true;
+            const auto points = points_of(body.pieces()[pieces.second].outer, place, lattice);
+            const auto cell = cda::convex_hull(points, lattice, cda::kStockOrigin);
+            const double grow_mm = place.grow_mm + clearance_mm;
+            return !cell || !part.contact(shrunk(*cell, -grow_mm, lattice));
+        });
+    };
+    const auto find = [&](const Values& values, Encounter& found) {
+        const Pose X = in_W(pose_of(pair.way, values));
+        bool is_found = false;
+        for (const std::uint32_t i : pieces_near(body, {X, X, 0.0}, place_of_part)) {
+            const ConvexPiece& piece = body.pieces()[i];
+            if (piece.inner.empty()) continue;
+            const auto points = points_of(piece.inner, {X, X, 0.0}, lattice);
+            const auto cell =
+                cda::convex_hull(points, lattice, cda::kStockOrigin, cda::Rounding::Inward);
+            if (!cell) continue;
+            // Smaller by `less` all around; larger where it is negative.
+            const auto contact = [&](double less) {
+                return part.contact(shrunk(*cell, less, lattice));
+            };
+            double low = rounding_mm - clearance_mm;
+            const auto point = contact(low);
+            if (!point) continue;
+            is_found = true;
+            double high = clearance_mm > 0.0 ? 0.0 : 2.0 * low;
+            while (measured && clearance_mm == 0.0 && high < body.longest() && contact(high)) {
+                low = high;
+                high *= 2.0;
+            }
+            while (measured && high - low > kUndecidedMm) {
+                const double middle = 0.5 * (low + high);
+                (contact(middle) ? low : high) = middle;
+            }
+            // Deep, or apart.
+            const double amount_mm = measured ? std::abs(low) : 0.0;
+            const bool is_known = found.closeness == Closeness::Certain;
+            const bool is_worse =
+                clearance_mm > 0.0 ? amount_mm < found.amount_mm : amount_mm > found.amount_mm;
+            if (is_known && !is_worse) continue;
+            found = {Closeness::Certain, 0.0, values, *point + zero, amount_mm, piece.assumed};
+        }
+        return is_found;
+    };
+    return search(pair, body, rounding_mm, far, list, find);
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/joint_path.h"
+
+#include "ncsim/machine/presets.h"
+
+#include "../support/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace ncsim::toolpath {
+namespace {
+
+using cda::Vec3;
+using gcode::Angle;
+using gcode::Length;
+using gcode::Motion;
+using gcode::Position;
+using test::Random;
+
+Position place(double x, double y, double z, double a = 0.0, double b = 0.0, double c = 0.0) {
+    Position p;
+    p.x = Length::from_mm(x), p.y = Length::from_mm(y), p.z = Length::from_mm(z);
+    p.a = Angle::from_degrees(a), p.b = Angle::from_degrees(b), p.c = Angle::from_degrees(c);
+    return p;
+}
+
+Motion straight(const Position& from, const Position& to, bool of_tip) {
+    Motion motion;
+    motion.what = gcode::Linear{from, to};
+    motion.coordinates = of_tip ? gcode::Coordinates::Tip : gcode::Coordinates::Axes;
+    motion.length = Length::from_mm(80.0);
+    return motion;
+}
+
+Kinematics machine_of(std::string_view name, Vec3 pivot = {}) {
+    Kinematics machine{*machine::preset(name), {10, 20, -300}};
+    for (machine::Joint& joint : machine.chain.joints) {
+        if (joint.turns) joint.through = pivot;
+    }
+    return machine;
+}
+
+TEST(JointPath, IsThePlaceOfTheNoseInTheMachine) {
+    const Kinematics machine = machine_of("xyzac-trt");
+    const Motion motion = straight(place(1, 2, 3), place(5, 6, 7), false);
+    const auto values = JointPath(machine, motion).at(1.0);
+    ASSERT_TRUE(values);
+    EXPECT_EQ((*values)[0], 15.0);
+    EXPECT_EQ((*values)[1], 26.0);
+    EXPECT_EQ((*values)[2], 7.0 - 300.0 + 80.0);
+}
+
+TEST(JointPath, BringsTheTipWhereItIsProgrammed) {
+    for (const std::string_view name : {"xyzac-trt", "bridge-cb", "head-b-table-c"}) {
+        SCOPED_TRACE(name);
+        const Kinematics machine = machine_of(name, {0, 20, -310});
+        const Motion motion =
+            straight(place(1, 2, 3, 10, 20, 30), place(40, -6, 7, -20, 35, 90), true);
+        const JointPath path(machine, motion);
+        const machine::Chain placed = machine.chain.placed(machine.zero, 80.0);
+        for (const double t : {0.0, 0.3, 1.0}) {
+            auto values = path.at(t);
+            ASSERT_TRUE(values);
+            for (int i = 0; i < 3; ++i)
+                (*values)[static_cast<std::size_t>(i)] -= machine.zero[i];
+            (*values)[2] -= 80.0;
+            const Vec3 tip = placed.pose(*values).translation;
+            const Vec3 wanted = Vec3{1, 2, 3} + t * Vec3{39, -8, 4};
+            EXPECT_LT(norm(tip - wanted), 1e-8);
+        }
+    }
+}
+
+// Straight, on arcs, and with tip control, which bends the ways of all axes.
+TEST(JointPath, TheAxesKeepTheirBounds) {
+    Random random(5);
+    double closest = 0.0;
+    for (int i = 0; i < 1200; ++i) {
+        SCOPED_TRACE(i);
+        constexpr std::string_view kNames[] = {"xyzac-trt", "xyzbc-trt", "bridge-cb",
+                                               "head-b-table-c", "hmc-b"};
+        const Kinematics machine =
+            machine_of(kNames[i % 5], {random.within(-50, 50), random.within(-50, 50), -320});
+        const auto any = [&] {
+            const auto mm = [&] { return random.within(-80, 80); };
+            const auto degrees = [&] { return random.within(-40, 40); };
+            return place(mm(), mm(), mm(), degrees(), degrees(), degrees());
+        };
+        Motion motion = straight(any(), any(), !random.one_in(3));
+        if (random.one_in(3)) {
+            gcode::Arc arc;
+            arc.from = *gcode::start_of(motion);
+            arc.to = *gcode::end_of(motion);
+            arc.turns = random.one_in(2) ? 1 : -1;
+            motion.what = arc;
+        }
+        const JointPath path(machine, motion);
+        const double low = random.within(0.0, 0.5), high = random.within(0.5, 1.0);
+        const auto from = path.at(low), to = path.at(high);
+        ASSERT_TRUE(from && to);
+        const auto going = path.going(low, *from, high, *to);
+        ASSERT_TRUE(going);
+        const auto xyz = [](const machine::Values& v) { return Vec3{v[0], v[1], v[2]}; };
+        for (int k = 1; k < 16; ++k) {
+            const double t = k / 16.0;
+            const auto now = path.at(low + t * (high - low));
+            ASSERT_TRUE(now);
+            const Vec3 gone = xyz(*now) - xyz(*from);
+            for (int axis = 0; axis < 3; ++axis)
+                ASSERT_LE(std::abs(gone[axis]),
+                          going->speed[static_cast<std::size_t>(axis)] + 1e-8);
+            ASSERT_LE(norm(gone), going->all_speed + 1e-8);
+            const double bent = norm(gone - t * (xyz(*to) - xyz(*from)));
+            ASSERT_LE(bent, going->bend / 8.0 + 1e-8);
+            if (going->bend > 0.0) closest = std::max(closest, 8.0 * bent / going->bend);
+            const Vec3 straight_turn{(*now)[3], (*now)[4], (*now)[5]};
+            const Vec3 wanted =
+                Vec3{(*from)[3], (*from)[4], (*from)[5]} +
+                t * Vec3{(*to)[3] - (*from)[3], (*to)[4] - (*from)[4], (*to)[5] - (*from)[5]};
+            ASSERT_LT(norm(straight_turn - wanted), 1e-9);
+        }
+    }
+    EXPECT_GT(closest, 0.8);
+}
+
+TEST(JointPath, DogLegsAreLegs) {
+    Motion motion = straight(place(0, 0, 0), place(10, 20, 0), false);
+    motion.kind = gcode::MoveKind::Rapid;
+    EXPECT_EQ(legs_of(motion, RapidPath{}).motions.size(), 1U);
+    RapidPath dog_leg;
+    dog_leg.dog_leg = true;
+    EXPECT_EQ(legs_of(motion, dog_leg).motions.size(), 2U);
+    motion.what = gcode::Dwell{};
+    EXPECT_TRUE(legs_of(motion, RapidPath{}).motions.empty());
+}
+
+}  // namespace
+}  // namespace ncsim::toolpath

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Links that meet each other, the part, fixtures and the tool: by a hundredth of a millimetre, and
+// not by one; along whole motions, and not where nobody can tell.
+#include "ncsim/cda/hull.h"
+#include "ncsim/cda/separation.h"
+#include "ncsim/verify/machine_bodies.h"
+
+#include "pair_search.h"
+#include "support/random.h"
+#include "verify/expected.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace ncsim::verify_test {
+namespace {
+
+using cda::Vec3;
+using machine::Chain;
+using machine::Joint;
+using machine::joint_of;
+using machine::Positive;
+using verify::Certainty;
+using verify::Finding;
+using verify::LinkBodies;
+using verify::LinkBody;
+using verify::Setup;
+
+cda::TriangleMesh box(Vec3 a, Vec3 b) {
+    cda::TriangleMesh mesh;
+    for (int i = 0; i < 8; ++i)
+        mesh.vertices.push_back({i & 1 ? b.x : a.x, i & 2 ? b.y : a.y, i & 4 ? b.z : a.z});
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+// Both, as one closed surface of two shells.
+cda::TriangleMesh both(cda::TriangleMesh a, const cda::TriangleMesh& b) {
+    const auto first = static_cast<std::uint32_t>(a.vertices.size());
+    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+    for (const auto& t : b.triangles)
+        a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    return a;
+}
+
+const Joint kX = joint_of('X', false, {1, 0, 0}), kY = joint_of('Y', false, {0, 1, 0}),
+            kZ = joint_of('Z', false, {0, 0, 1});
+// The cradle turns about X, 20 mm below the program's zero.
+const Vec3 kAxis{0, 0, -320};
+
+// A table that tilts (A), a head that goes along X, Y and Z. The program's zero is at (0, 0, -300)
+// of the machine, T1 is 80 mm long: the nose is at Z - 220.
+LinkBodies tilting() {
+    const Chain cradle{{joint_of('A', true, {1, 0, 0}, kAxis)}};  // by the right hand
+    LinkBodies told;
+    told.part_moved_by = cradle;
+    told.tool_moved_by = {{kX, kY, kZ}};
+    // Corners 50 mm aside and 30 mm below the axis; its top is the bottom of the block.
+    told.links.push_back({"cradle", box({-100, -50, -350}, {100, 50, -310}), cradle});
+    told.links.push_back({"head", box({-40, -40, 0}, {40, 40, 100}), told.tool_moved_by});
+    told.links.push_back({"column", box({-200, 200, -500}, {200, 240, 100}), {}});
+    return told;
+}
+
+Setup setup_of(LinkBodies told) {
+    verify::Setup setup = plain_setup();
+    toolpath::Kinematics machine;
+    for (Joint joint : told.part_moved_by.joints) {
+        joint.direction = -joint.direction;
+        machine.chain.joints.insert(machine.chain.joints.begin(), joint);
+    }
+    for (const Joint& joint : told.tool_moved_by.joints)
+        machine.chain.joints.push_back(joint);
+    machine.zero = {0, 0, -300};
+    setup.kinematics = std::make_shared<const toolpath::Kinematics>(machine);
+    setup.axes_guess.clear();
+    setup.machine.work_zero = machine.zero;
+    setup.bodies = std::make_shared<const verify::MachineBodies>(std::move(told));
+    setup.uses_length_offsets = true;
+    setup.selection.ignored = {"over-travel", "spindle-off", "rapid-in-material"};
+    return setup;
+}
+
+// T1 has 80 mm.
+const std::string kLength = "G21 G90 G10 L1 P1 Z80\nT1 M6\nG43 H1\n";
+
+std::vector<Finding> collisions(const std::string& program, const Setup& setup) {
+    return findings_of(verdict_of(kLength + program, setup), "machine-collision");
+}
+
+std::string at_height(double z) {
+    return "G0 X120 Y0 Z" + std::to_string(z) + "\n";
+}
+
+// The corner of the cradle that is highest on the way: sqrt(50² + 30²) above the axis.
+const double kCorner = std::sqrt(50.0 * 50.0 + 30.0 * 30.0);
+// The Z of the program with which the nose is there.
+const double kTouching = kAxis.z + kCorner + 300.0 - 80.0;
+
+TEST(MachineCollision, AHundredthOfAMillimetreIsFound) {
+    // The top of the way is within the motion, and at neither end.
+    const auto found =
+        collisions(at_height(100) + at_height(kTouching - 0.01) + "G0 A180\n", setup_of(tilting()));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].certainty, Certainty::Certain);
+    EXPECT_EQ(found[0].message, "the link 'head' meets the link 'cradle'");
+    EXPECT_EQ(found[0].place.span.line, 6U);
+    ASSERT_TRUE(found[0].quantity);
+    EXPECT_NEAR(found[0].quantity->value, 0.01, 1e-4);
+    ASSERT_TRUE(found[0].point);
+}
+
+TEST(MachineCollision, AHundredthOfAMillimetreBesideIsNone) {
+    const auto verdict = verdict_of(
+        kLength + at_height(100) + at_height(kTouching + 0.01) + "G0 A180\n", setup_of(tilting()));
+    EXPECT_TRUE(findings_of(verdict, "machine-collision").empty());
+    EXPECT_FALSE(doubts_of(verdict).contains("uncertain-contact"));
+}
+
+TEST(MachineCollision, WhatNobodyCanTellIsOpen) {
+    const auto verdict = verdict_of(kLength + at_height(100) + at_height(kTouching) + "G0 A180\n",
+                                    setup_of(tilting()));
+    const auto found = findings_of(verdict, "machine-collision");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].certainty, Certainty::Within);
+    EXPECT_TRUE(doubts_of(verdict).contains("uncertain-contact"));
+}
+
+TEST(MachineCollision, IsFoundAtFeedAndAtRapid) {
+    const std::string down = at_height(100) + at_height(kTouching - 1.0);
+    for (const std::string turn : {"G0 A180\n", "G1 A180 F500\n", "G1 G93 A180 F2\n"}) {
+        SCOPED_TRACE(turn);
+        EXPECT_EQ(collisions(down + turn, setup_of(tilting())).size(), 1U);
+    }
+}
+
+TEST(MachineCollision, TheHeadMeetsTheColumnOnItsWayAndNotBeforeIt) {
+    // Its side is 40 mm aside of the nose, the column at Y200.
+    const std::string up = "G0 X0 Y0 Z200\n";
+    EXPECT_TRUE(collisions(up + "G0 Y159.99\n", setup_of(tilting())).empty());
+    const auto found = collisions(up + "G0 Y160.02\nY0\n", setup_of(tilting()));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the link 'head' meets the link 'column'");
+    EXPECT_NEAR(found[0].quantity->value, 0.02, 1e-4);
+    // Along the column, a hair's breadth before it.
+    EXPECT_TRUE(collisions(up + "G0 Y159.99\nX100\nZ-100\nX-100\n", setup_of(tilting())).empty());
+}
+
+TEST(MachineCollision, NeighboursAreAskedWhereThatIsTold) {
+    // The column stands on the bed, and so does the cradle's bearing.
+    LinkBodies told = tilting();
+    told.links[2].mesh = box({-200, 45, -500}, {200, 240, -330});
+    const std::string program = "G0 X0 Y-100 Z200\nG0 A5\n";
+    EXPECT_TRUE(collisions(program, setup_of(told)).empty());
+    told.asked = {{"column", "cradle"}};
+    EXPECT_EQ(collisions(program, setup_of(told)).size(), 1U);
+    told.ignored = told.asked;
+    EXPECT_TRUE(collisions(program, setup_of(told)).empty());
+}
+
+TEST(MachineCollision, TheToolMeetsTheCradle) {
+    // T1 has a radius of 5 mm; the cradle ends at X100, 10 mm below the program's zero.
+    const std::string aside = "G0 X120 Y0 Z20\nZ-15\n";
+    EXPECT_TRUE(collisions(aside + "X105.02\n", setup_of(tilting())).empty());
+    const auto found = collisions(aside + "X104.98\n", setup_of(tilting()));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the tool meets the link 'cradle'");
+    EXPECT_EQ(found[0].certainty, Certainty::Certain);
+}
+
+TEST(MachineCollision, AFixtureIsTurnedIntoTheHead) {
+    verify::Setup setup = setup_of(tilting());
+    verify::Fixture clamp;
+    clamp.name = "clamp";
+    clamp.box = {{60, 100, -10}, {100, 140, 0}};
+    setup.machine.fixtures = {clamp};
+    const auto found = collisions("G0 X30 Y0 Z35\nG0 A90\n", setup);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the link 'head' meets the fixture 'clamp'");
+    EXPECT_TRUE(collisions("G0 X30 Y0 Z35\nG0 A-90\n", setup).empty());
+}
+
+TEST(MachineCollision, APartsCornerMeetsTheColumn) {
+    // The block is 10 mm high, and 15 mm wide to either side of X: from the axis to its corner it
+    // is 25 mm. A column that is nearer stands in its way as it turns.
+    LinkBodies told = tilting();
+    told.links[0].mesh = {};
+    const double reach = std::sqrt(15.0 * 15.0 + 20.0 * 20.0);
+    const std::string program = "G0 X0 Y200 Z200\nG0 A90\n";
+    told.links[2].mesh = box({-200, -240, -500}, {200, -reach - 0.01, 100});
+    EXPECT_TRUE(collisions(program, setup_of(told)).empty());
+    told.links[2].mesh = box({-200, -240, -500}, {200, -reach + 0.01, 100});
+    const auto found = collisions(program, setup_of(told));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the link 'column' meets the part");
+    EXPECT_EQ(found[0].certainty, Certainty::Certain);
+}
+
+// The part is what is left of it: a nose that fits into a pocket may go there.
+TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
+    // A square nose 2 mm above the tip of T1, whose radius is 5 mm.
+    const auto with_nose = [](double half) {
+        LinkBodies told = tilting();
+        told.links[1].mesh = box({-half, -half, -78}, {half, half, 100});
+        return setup_of(told);
+    };
+    const std::string slot = "S1000 M3\nG0 X0 Y0 Z5\nG1 Z-6 F200\nX10\nX0\nG0 Z5\n";
+    EXPECT_TRUE(collisions(slot, with_nose(3.5)).empty());  // its corners: 4.95 mm
+    const auto found = collisions(slot, with_nose(3.6));    // 5.09 mm
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the link 'head' meets the part");
+    EXPECT_EQ(found[0].certainty, Certainty::Certain);
+    EXPECT_EQ(found[0].place.span.line, 6U);
+}
+
+TEST(MachineNearMiss, IsToldWhereAClearanceIs) {
+    LinkBodies told = tilting();
+    told.links[1].clearance_mm = 2.0;
+    const std::string program = at_height(100) + at_height(kTouching + 1.0) + "G0 A180\n";
+    const auto verdict = verdict_of(kLength + program, setup_of(told));
+    EXPECT_TRUE(findings_of(verdict, "machine-collision").empty());
+    const auto found = findings_of(verdict, "machine-near-miss");
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the link 'head' comes closer than 2 mm to the link 'cradle'");
+    const auto far = verdict_of(
+        kLength + at_height(100) + at_height(kTouching + 2.01) + "G0 A180\n", setup_of(told));
+    EXPECT_TRUE(findings_of(far, "machine-near-miss").empty());
+}
+
+TEST(MachineCollision, SaysWhatWasNotAsked) {
+    const std::string program = "G0 X0 Y0 Z100\n";
+    EXPECT_EQ(skipped_because(verdict_of(program), "machine-collision"),
+              "no mesh of a link is told (machine.toml, [[link]] mesh)");
+    LinkBodies told = tilting();
+    told.links.push_back({"saddle", {}, {{kX}}});
+    EXPECT_EQ(skipped_because(verdict_of(program, setup_of(told)), "machine-collision"),
+              "no mesh is told of the link 'saddle'; the others were asked");
+    EXPECT_EQ(skipped_because(verdict_of(program, setup_of(tilting())), "machine-near-miss"),
+              "no clearance of a link is told (machine.toml, [[link]] clearance)");
+    verify::Setup nowhere = setup_of(tilting());
+    nowhere.machine.work_zero.reset();
+    EXPECT_EQ(skipped_because(verdict_of(program, nowhere), "machine-collision"),
+              "where the work zero (G54) lies in the machine is not told");
+}
+
+TEST(MachineCollision, LinksCanBeRequired) {
+    LinkBodies told = tilting();
+    verify::Setup setup = setup_of(told);
+    setup.required = {"links"};
+    EXPECT_FALSE(doubts_of(verdict_of(kLength, setup)).contains("required"));
+    told.links.push_back({"saddle", {}, {{kX}}});
+    setup = setup_of(told);
+    setup.required = {"links"};
+    EXPECT_TRUE(doubts_of(verdict_of(kLength, setup)).contains("required"));
+}
+
+TEST(MachineCollision, ALengthThatNobodyToldIsADoubt) {
+    const auto verdict =
+        verdict_of("G21 G90\nT1 M6\nG43 H1\nG0 X0 Y0 Z100\nG0 A10\n", setup_of(tilting()));
+    EXPECT_TRUE(doubts_of(verdict).contains("length-offset"));
+}
+
+TEST(MachineCollision, AMeshThatCrossesItselfCountsAsItsHull) {
+    LinkBodies told = tilting();
+    told.links[0].mesh =
+        both(box({-100, -50, -350}, {100, 50, -310}), box({-100, -20, -340}, {100, 20, -330}));
+    const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
+    const auto found = collisions(deep, setup_of(told));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].certainty, Certainty::Within);
+    EXPECT_TRUE(
+        collisions(at_height(100) + at_height(kTouching + 0.01) + "G0 A180\n", setup_of(told))
+            .empty());
+}
+
+// Under tip control the head goes around a tip that rests on the part.
+TEST(MachineCollision, TheWayOfTheAxesUnderTipControlCounts) {
+    verify::Setup setup = setup_of(tilting());
+    gcode::Motion motion;
+    const auto place = [](double y, double z, double a) {
+        gcode::Position p;
+        p.y = gcode::Length::from_mm(y);
+        p.z = gcode::Length::from_mm(z);
+        p.a = gcode::Angle::from_degrees(a);
+        return p;
+    };
+    motion.what = gcode::Linear{place(0, 100, 0), place(0, 100, 60)};
+    motion.coordinates = gcode::Coordinates::Tip;
+    motion.length = gcode::Length::from_mm(80.0);
+    const toolpath::JointPath path(*setup.kinematics, motion);
+    // 120 mm above the axis, and turned by 60 degrees: 103.9 mm aside, 60 above.
+    const auto values = path.at(1.0);
+    ASSERT_TRUE(values);
+    EXPECT_NEAR(std::abs((*values)[1]), 120.0 * std::sqrt(3.0) / 2.0, 1e-9);
+    EXPECT_NEAR((*values)[2], -320.0 + 60.0 + 80.0, 1e-9);
+}
+
+// The axis is 20 mm below the tip, which goes around it on an arc.
+TEST(PathDeviation, IsTheSagittaOfATurn) {
+    verify::Setup setup = setup_of(tilting());
+    const std::string turn = "G0 X120 Y0 Z50\nZ0\nG1 A60 F500\n";
+    EXPECT_EQ(skipped_because(verdict_of(kLength + turn, setup), "path-deviation"),
+              "nobody tells how far the tip may leave its line (machine.toml, path_deviation)");
+    const double sagitta = 20.0 * (1.0 - std::cos(std::numbers::pi / 6));
+    setup.machine.path_deviation = sagitta + 0.01;
+    EXPECT_TRUE(findings_of(verdict_of(kLength + turn, setup), "path-deviation").empty());
+    setup.machine.path_deviation = sagitta - 0.01;
+    const Finding f = only(verdict_of(kLength + turn, setup), "path-deviation");
+    expect_at(f, 6, sagitta, 1e-3);
+    // Rapid moves cut nothing.
+    const std::string rapid = "G0 X120 Y0 Z50\nZ0\nG0 A60\n";
+    EXPECT_TRUE(findings_of(verdict_of(kLength + rapid, setup), "path-deviation").empty());
+}
+
+// Random bodies on random ways, against the same bodies at hundreds of times.
+TEST(PairSearch, IsRightAtHundredsOfTimes) {
+    test::Random random(11);
+    const auto vector = [&](double reach) {
+        return Vec3{random.within(-reach, reach), random.within(-reach, reach),
+                    random.within(-reach, reach)};
+    };
+    int clear = 0, certain = 0, open = 0, shallow = 0;
+    constexpr cda::Lattice kLattice{1e-4};
+    for (int i = 0; i < 200; ++i) {
+        SCOPED_TRACE(i);
+        const auto body = [&](Vec3 centre) {
+            std::vector<cda::LatticePoint> points;
+            for (int k = 0; k < 9; ++k)
+                points.push_back(kLattice.round(vector(40.0)));
+            const auto hull = cda::convex_hull(points, kLattice, cda::kStockOrigin);
+            const auto polytope = cda::ConvexPolytope::of(*hull, kLattice);
+            return verify::RigidBody({verify::piece_of(*polytope, kLattice, centre)}, 0.0);
+        };
+        const verify::RigidBody table = body({0, 0, -330}), head = body({0, 0, 30});
+        toolpath::Kinematics machine;
+        machine.chain.joints = {joint_of('A', true, vector(1.0), vector(100.0)), kX, kY, kZ};
+        machine.zero = {0, 0, -300};
+        Joint turns = machine.chain.joints[0];
+        turns.direction = -turns.direction;
+        gcode::Motion motion;
+        const auto place = [&] {
+            gcode::Position p;
+            p.x = gcode::Length::from_mm(random.within(-60, 60));
+            p.y = gcode::Length::from_mm(random.within(-60, 60));
+            p.z = gcode::Length::from_mm(random.within(-60, 40));
+            p.a = gcode::Angle::from_degrees(random.within(-90, 90));
+            return p;
+        };
+        motion.what = gcode::Linear{place(), place()};
+        if (random.one_in(2)) motion.coordinates = gcode::Coordinates::Tip;
+        const toolpath::JointPath path(machine, motion);
+        const auto from = path.at(0.0), to = path.at(1.0);
+        const Chain way = machine::seen_from({{turns}}, {{kX, kY, kZ}});
+        const bool of_both = random.one_in(2);
+        const verify::PairOnLeg pair{path, from, to, 0.0, way, of_both, {}};
+        const verify::Encounter found = verify::meet(pair, table, head, kLattice, true);
+        bool meets = false;
+        double deepest = 0.0;
+        for (int k = 0; k <= 500; ++k) {
+            const auto values = path.at(k / 500.0);
+            const machine::Pose X = pose_of(way, *values);
+            std::vector<cda::LatticePoint> a, b;
+            for (const Vec3& p : table.pieces()[0].outer)
+                a.push_back(kLattice.round(p));
+            for (const Vec3& p : head.pieces()[0].outer)
+                b.push_back(kLattice.round(X * p));
+            if (cda::nearness(a, b, 0).is_apart) continue;
+            meets = true;
+            if (k % 20 != 0) continue;
+            const auto turned = [&X](std::vector<Vec3> directions) {
+                for (Vec3& d : directions)
+                    d = X * d - X.translation;
+                return directions;
+            };
+            const verify::ConvexPiece& one = table.pieces()[0];
+            const verify::ConvexPiece& other = head.pieces()[0];
+            std::vector<Vec3> corners;
+            for (const Vec3& p : other.inner)
+                corners.push_back(X * p);
+            deepest = std::max(deepest, cda::depth(one.inner, one.directions, corners,
+                                                   {turned(other.directions.normals),
+                                                    turned(other.directions.edges)}));
+        }
+        const bool is_certain = found.closeness == verify::Closeness::Certain;
+        if (found.closeness == verify::Closeness::Clear) {
+            EXPECT_FALSE(meets);
+            ++clear;
+        }
+        if (meets) {
+            EXPECT_NE(found.closeness, verify::Closeness::Clear);
+        }
+        if (is_certain) {
+            EXPECT_GT(found.amount_mm, 0.0);
+            ++certain;
+            shallow += found.amount_mm < 0.9 * deepest ? 1 : 0;
+        }
+        open += found.closeness == verify::Closeness::Open ? 1 : 0;
+    }
+    EXPECT_GT(clear, 30);
+    EXPECT_GT(certain, 30);
+    EXPECT_EQ(open, 0);
+    // The worst is looked for, not proven.
+    EXPECT_LT(shallow, certain / 20);
+}
+
+}  // namespace
+}  // namespace ncsim::verify_test
