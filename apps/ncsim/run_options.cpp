@@ -74,6 +74,15 @@ StepSurfaces read_step_surfaces(const std::string& name) {
     throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
 }
 
+brep::SectionPlane read_section(const std::string& text) {
+    const auto plane = brep::parse_section_plane(text);
+    if (!plane) {
+        throw Refusal{
+            fmt::format("--section '{}': expected x=, y= or z= and a number of mm: z=-4", text)};
+    }
+    return *plane;
+}
+
 double read_simplify(double tolerance) {
     if (tolerance == 0.0 || (tolerance >= 1e-6 && tolerance <= 1.0)) return tolerance;
     throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
@@ -98,8 +107,8 @@ void choose_model(Options& o) {
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
     for (const std::string* path :
-         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.gif, &o.report,
-          &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
+         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.dxf, &o.svg, &o.gif,
+          &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -110,7 +119,8 @@ bool needs_surface(const Options& o) {
     const cda::ModelInfo* model = cda::find_model(o.model);
     const bool draws_itself = model && model->shows_cells;
     return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
-           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.report.empty();
+           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.sections.empty() ||
+           !o.report.empty();
 }
 
 CLI::App* add_run(CLI::App& app, Options& options) {
@@ -160,6 +170,17 @@ CLI::App* add_run(CLI::App& app, Options& options) {
                     fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
         ->check(CLI::Range(1, 1'000'000'000))
         ->type_name("N");
+    run->add_option_function<std::vector<std::string>>(
+           "--section",
+           [&o](const std::vector<std::string>& planes) {
+               for (const std::string& plane : planes)
+                   o.sections.push_back(read_section(plane));
+           },
+           "Cut the part open where x, y or z is so many mm; several times, if need be")
+        ->type_name("z=N")
+        ->allow_extra_args(false);
+    run->add_option("--dxf", o.dxf, "The sections in lines and arcs, DXF R12")->type_name("FILE");
+    run->add_option("--svg", o.svg, "The sections in lines and arcs, SVG")->type_name("FILE");
     run->add_option_function<double>(
            "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
            "Merge faces and edges in meshes and solids within TOL mm; the deviation is "
@@ -213,6 +234,8 @@ CLI::App* add_run(CLI::App& app, Options& options) {
 void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
+    if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
+        throw Refusal{"--dxf and --svg draw sections: where is told by --section z=-4"};
     if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
         throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
     }

@@ -3,6 +3,7 @@
 // What `ncsim run` is asked for.
 #pragma once
 
+#include "ncsim/brep/section.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
@@ -44,6 +45,8 @@ struct Options : ProgramOptions, SimulationOptions {
     int step_refine = 2;       ///< So many times finer tools are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
+    std::vector<brep::SectionPlane> sections;  ///< Where the part is cut open.
+    std::string dxf, svg;                      ///< Files for them.
     bool quiet = false;
     /// A first look: tools that nobody describes are guessed, round shapes are coarser.
     bool draft = false;

@@ -4,6 +4,7 @@ ncsim_add_test(export
   SOURCES
     box_part.cpp
     camera_test.cpp
+    drawing_test.cpp
     float_mesh_test.cpp
     gif_test.cpp
     gltf_test.cpp
@@ -121,3 +122,14 @@ target_include_directories(ncsim_read_3mf SYSTEM PRIVATE ${LIB3MF_INCLUDE_DIR})
 target_link_libraries(ncsim_read_3mf PRIVATE ${LIB3MF_LIBRARY})
 add_test(NAME export.3mf_is_read_by_lib3mf COMMAND ncsim_read_3mf ${samples})
 set_tests_properties(export.3mf_is_read_by_lib3mf PROPERTIES FIXTURES_REQUIRED export_samples)
+
+# Sections: ezdxf reads DXF, xmllint SVG. Debian's Python, which has its packages.
+if(TARGET ncsim)
+  find_program(NCSIM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  add_test(NAME export.sections_are_read_by_ezdxf_and_xmllint
+    COMMAND ${CMAKE_COMMAND} -D NCSIM=$<TARGET_FILE:ncsim> -D PYTHON=${NCSIM_PYTHON}
+      -D CHECK=${CMAKE_CURRENT_SOURCE_DIR}/export/read_dxf.py
+      -D PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc
+      -D WORK=${CMAKE_CURRENT_BINARY_DIR}/export/sections
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/export/sections.cmake)
+endif()
