@@ -3,6 +3,7 @@ ncsim_add_test(brep
   LIBRARIES ncsim::simulation fmt::fmt-header-only
   SOURCES
     check_test.cpp
+    features_test.cpp
     golden_test.cpp
     made_part.cpp
     random_parts.cpp

@@ -14,6 +14,7 @@ if(TARGET ncsim)
       hostile_text_test.cpp
       in_order_test.cpp
       machine_test.cpp
+      measure_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp

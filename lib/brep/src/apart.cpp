@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/apart.h"
 
+#include "ncsim/brep/frames.h"
+
 #include "none.h"
 
 #include <algorithm>

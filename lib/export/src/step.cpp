@@ -6,6 +6,7 @@
 #include "ncsim/export/step.h"
 
 #include "ncsim/brep/apart.h"
+#include "ncsim/brep/frames.h"
 #include "ncsim/export/simplify.h"
 
 #include "palette.h"
