@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_command.h"
 
-#include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/features.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/models.h"

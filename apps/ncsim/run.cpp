@@ -87,8 +87,12 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.threemf,
                   [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
     outputs.write(o.step, [&](std::ostream& out) {
+        exporter::StepOptions how;
+        how.max_faces = o.step_max_faces;
+        how.schema = o.step_schema;
+        how.has_attributes = o.step_attributes;
         exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
-                                   o.step_max_faces);
+                                   how);
     });
     const std::string& program = s.provenance.program;
     outputs.write(o.dxf, [&](std::ostream& out) {

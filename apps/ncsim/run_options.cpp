@@ -68,6 +68,12 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
+exporter::StepSchema read_step_schema(const std::string& name) {
+    if (name == "ap242") return exporter::StepSchema::Ap242;
+    if (name == "ap214") return exporter::StepSchema::Ap214;
+    throw Refusal{fmt::format("--step-schema '{}': expected ap242 or ap214", name)};
+}
+
 StepSurfaces read_step_surfaces(const std::string& name) {
     if (name == "analytic") return StepSurfaces::Analytic;
     if (name == "faceted") return StepSurfaces::Faceted;
@@ -153,7 +159,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option("--ply", o.ply, "Mesh with the NC line of every face, PLY")->type_name("FILE");
     run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
         ->type_name("FILE");
-    run->add_option("--step", o.step, "Solid for CAD, STEP AP214")->type_name("FILE");
+    run->add_option("--step", o.step, "Solid for CAD, STEP")->type_name("FILE");
     run->add_option_function<std::string>(
            "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
            "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
@@ -166,6 +172,12 @@ CLI::App* add_run(CLI::App& app, Options& options) {
         ->type_name("N");
     run->add_flag("--step-strict", o.step_strict,
                   "Exit with 2 if round surfaces had to be kept as facets");
+    run->add_option_function<std::string>(
+           "--step-schema", [&o](Text name) { o.step_schema = read_step_schema(name); },
+           "ap242, or ap214 for older readers [ap242]")
+        ->type_name("WHAT");
+    run->add_flag("--step-attributes", o.step_attributes,
+                  "Lines, tools and kind of each face, as attributes");
     run->add_option("--step-max-faces", o.step_max_faces,
                     fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
         ->check(CLI::Range(1, 1'000'000'000))

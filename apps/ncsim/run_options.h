@@ -44,6 +44,8 @@ struct Options : ProgramOptions, SimulationOptions {
     StepSurfaces step_surfaces = StepSurfaces::Faceted;
     int step_refine = 2;       ///< So many times finer tools are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
+    exporter::StepSchema step_schema = exporter::StepSchema::Ap242;
+    bool step_attributes = false;  ///< Lines, tools and kind with each face.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     std::vector<brep::SectionPlane> sections;  ///< Where the part is cut open.
     std::string dxf, svg;                      ///< Files for them.

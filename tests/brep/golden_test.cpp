@@ -3,6 +3,7 @@
 // Parts as a machinist would describe them: so many faces of each kind, volumes as on paper, and
 // nothing of it depends on how round the simulated tools are.
 #include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 
 #include "brep/made_part.h"
 

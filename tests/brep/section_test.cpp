@@ -3,7 +3,7 @@
 // Sections as they would be drawn: so many lines and arcs, radii and areas as on paper.
 #include "ncsim/brep/section.h"
 
-#include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/setup/job.h"
 
 #include "brep/made_part.h"

@@ -6,6 +6,7 @@ ncsim_add_test(brep
     features_test.cpp
     golden_test.cpp
     made_part.cpp
+    mass_test.cpp
     random_parts.cpp
     section_test.cpp
     solids.cpp)

@@ -133,3 +133,27 @@ if(TARGET ncsim)
       -D WORK=${CMAKE_CURRENT_BINARY_DIR}/export/sections
       -P ${CMAKE_CURRENT_SOURCE_DIR}/export/sections.cmake)
 endif()
+
+# What a STEP file says of its solids is what OpenCASCADE finds; names and colours are in its document.
+add_executable(ncsim_read_step_properties export/read_step_properties.cpp)
+target_compile_features(ncsim_read_step_properties PRIVATE cxx_std_20)
+target_include_directories(ncsim_read_step_properties SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+target_link_libraries(ncsim_read_step_properties PRIVATE TKernel TKMath TKBRep TKTopAlgo TKXSBase TKSTEP
+  TKXDESTEP TKXCAF TKLCAF)
+if(TARGET ncsim)
+  foreach(schema ap242 ap214)
+    string(REPLACE "ap214" "AUTOMOTIVE_DESIGN" name ${schema})
+    string(REPLACE "ap242" "AP242" name ${name})
+    set(solid ${CMAKE_CURRENT_BINARY_DIR}/export/properties_${schema}.step)
+    add_test(NAME export.write_step_properties_${schema}
+      COMMAND ncsim run ${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc -q --step ${solid}
+        --step-surfaces analytic --step-schema ${schema} --step-attributes)
+    set_tests_properties(export.write_step_properties_${schema} PROPERTIES
+      FIXTURES_SETUP step_properties_${schema})
+    # The bore, a drilled hole, what nobody cut.
+    add_test(NAME export.step_properties_are_read_by_opencascade_${schema}
+      COMMAND ncsim_read_step_properties ${solid} ${name} LINE_26_27 LINE_31 STOCK)
+    set_tests_properties(export.step_properties_are_read_by_opencascade_${schema} PROPERTIES
+      FIXTURES_REQUIRED step_properties_${schema})
+  endforeach()
+endif()

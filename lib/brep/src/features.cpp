@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/features.h"
 
-#include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/trig/angles.h"
 
