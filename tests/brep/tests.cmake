@@ -2,6 +2,7 @@ find_package(fmt CONFIG REQUIRED)
 ncsim_add_test(brep
   LIBRARIES ncsim::simulation fmt::fmt-header-only
   SOURCES
+    apart_test.cpp
     check_test.cpp
     features_test.cpp
     golden_test.cpp
