@@ -16,6 +16,17 @@ install(DIRECTORY docs samples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT pro
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program)
+# What reads STEP is a package of its own, where it was built: OpenCASCADE comes with it.
+if(TARGET ncsim_step)
+  list(APPEND CPACK_COMPONENTS_ALL step)
+  set(CPACK_DEBIAN_STEP_PACKAGE_NAME ncsim-step)
+  set(CPACK_DEBIAN_STEP_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_STEP_DESCRIPTION "reads STEP for ncsim
+ With it ncsim takes designs, stock and fixtures as STEP.")
+  set(CPACK_DEBIAN_STEP_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_STEP_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_STEP_PACKAGE_DEPENDS ncsim)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT "The ncsim project <ncsim@example.org>")

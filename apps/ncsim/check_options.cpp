@@ -119,7 +119,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
         ->type_name("FILE");
     check
         ->add_option("--design", o.design,
-                     "What the part is to be: STL (mm) or GLB, closed, in G54")
+                     "What the part is to be: STL (mm), GLB or STEP, closed, in G54")
         ->type_name("FILE");
     check
         ->add_option("--design-tol", o.design_tolerance,

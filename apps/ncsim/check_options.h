@@ -33,7 +33,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::set<std::string> given;     ///< Options that stand there, without dashes.
     std::string told;                ///< What of them decides verdicts, in one way to say it.
     std::string machine;             ///< A machine.toml.
-    std::string design;              ///< STL or GLB.
+    std::string design;              ///< STL, GLB or STEP.
     double design_tolerance = 0.1;   ///< mm
     verify::Selection selection;
     std::string csv, html;  ///< Files to write; empty: not asked for.

@@ -170,9 +170,10 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
         questions.bodies = simulation::bodies_of(questions.machine);
     }
     if (!options.design.empty()) {
-        made.design = simulation::Design{setup::name_of_input(options.design),
-                                         setup::read_mesh_file(options.design, read),
-                                         options.design_tolerance};
+        setup::SurfaceFile file = setup::read_surface_file(options.design, read);
+        made.design = simulation::Design{setup::name_of_input(options.design), std::move(file.mesh),
+                                         options.design_tolerance, std::move(file.face_names),
+                                         file.deflection_mm};
         questions.design = &*made.design;
     }
     questions.selection = options.selection;

@@ -7,6 +7,7 @@
 #include "console.h"
 #include "diff.h"
 #include "machine_command.h"
+#include "measure_command.h"
 #include "options.h"
 #include "run.h"
 

@@ -135,6 +135,9 @@ Command parse_options(const std::vector<std::string>& arguments) {
     MachineOptions machine_options;
     CLI::App* machine = add_machine(app, machine_options);
     machine->footer(footer("ncsim machine samples/machines/trt.toml --pose A-30,C45"));
+    MeasureOptions measure_options;
+    CLI::App* measure = add_measure(app, measure_options);
+    measure->footer(footer("ncsim measure samples/simple.nc --json simple.json"));
     RulesOptions rules_options;
     CLI::App* rules = add_rules(app, rules_options);
 
@@ -168,6 +171,10 @@ Command parse_options(const std::vector<std::string>& arguments) {
             return diff_options;
         }
         if (chosen() == machine) return machine_options;
+        if (chosen() == measure) {
+            complete(measure_options);
+            return measure_options;
+        }
         if (chosen() == rules) return rules_options;
         complete(parse_options);
         return parse_options;

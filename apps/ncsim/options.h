@@ -7,6 +7,7 @@
 #include "check_options.h"
 #include "diff.h"
 #include "machine_command.h"
+#include "measure_command.h"
 #include "merge.h"
 #include "parse_command.h"
 #include "run_options.h"
@@ -26,7 +27,7 @@ struct Farewell {
 
 /// What can be asked for: for each command its options. For each of them there is a run().
 using Command = std::variant<Options, ParseOptions, ToolsOptions, CheckOptions, MergeOptions,
-                             DiffOptions, MachineOptions, RulesOptions, Farewell>;
+                             DiffOptions, MachineOptions, MeasureOptions, RulesOptions, Farewell>;
 
 /// Total: any arguments give one of them.
 Command parse_options(const std::vector<std::string>& arguments);

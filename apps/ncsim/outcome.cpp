@@ -31,7 +31,42 @@ report::SolidFacts solid_facts(const simulation::Solid& of, double tool_toleranc
     return facts;
 }
 
+std::vector<report::SectionFacts> section_facts(const Outcome& outcome) {
+    std::vector<report::SectionFacts> all;
+    const auto drawn = drawn_sections(outcome);
+    const std::vector<double> places = exporter::places_of(drawn);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const brep::Section& section = *drawn[i].section;
+        report::SectionFacts facts;
+        facts.plane = brep::name_of(section.plane);
+        facts.outlines = section.outlines.size();
+        facts.area_mm2 = section.area_mm2;
+        facts.length_mm = section.length_mm;
+        facts.moved_mm = places[i];
+        facts.is_faceted = drawn[i].is_faceted;
+        for (const brep::Outline& outline : section.outlines) {
+            for (const brep::SectionPiece& piece : outline) {
+                if (piece.is_facet) ++facts.facets;
+                ++facts.curves[piece.curve.index()];
+            }
+        }
+        all.push_back(facts);
+    }
+    return all;
+}
+
 }  // namespace
+
+std::vector<exporter::DrawnSection> drawn_sections(const Outcome& outcome) {
+    std::vector<exporter::DrawnSection> drawn;
+    for (const simulation::CutOpen& cut : outcome.sections) {
+        drawn.push_back(
+            {&cut.section,
+             cut.is_faceted ? &outcome.simulation->provenance : &outcome.true_solid->provenance,
+             cut.is_faceted});
+    }
+    return drawn;
+}
 
 report::RunFacts run_facts(const Outcome& outcome) {
     report::RunFacts facts;
@@ -44,6 +79,7 @@ report::RunFacts run_facts(const Outcome& outcome) {
         facts.simplified = {*outcome.options.simplify, outcome.simplified->deviation_mm,
                             outcome.simplified->boundary.faces.size()};
     }
+    facts.sections = section_facts(outcome);
     if (outcome.solid && outcome.options.step_surfaces == StepSurfaces::Analytic)
         facts.solid = solid_facts(*outcome.solid, outcome.plan.tool_tolerance);
     return facts;

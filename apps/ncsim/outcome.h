@@ -5,16 +5,20 @@
 
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/boundary.h"
+#include "ncsim/export/drawing.h"
 #include "ncsim/export/simplify.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/report/run_report.h"
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/sections.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/survey.h"
 
 #include "run_options.h"
+
+#include <vector>
 
 namespace ncsim::app {
 
@@ -29,9 +33,16 @@ struct Outcome {
     const exporter::Simplified* simplified = nullptr;
     /// What --step writes, if anybody asked for it.
     const simulation::Solid* solid = nullptr;
+    /// The part as the tools left it, if anything that is asked for is made of that.
+    const simulation::Solid* true_solid = nullptr;
+    /// Where it was cut open, in the order of the options.
+    std::vector<simulation::CutOpen> sections{};
     /// What --machine told, if anything.
     const setup::MachineFile* machine = nullptr;
 };
+
+/// The sections with their origins; points into it.
+std::vector<exporter::DrawnSection> drawn_sections(const Outcome& outcome);
 
 /// What is reported of it; points into it.
 report::RunFacts run_facts(const Outcome& outcome);

@@ -205,7 +205,7 @@ void add_setup_options(CLI::App& command, ProgramOptions& options) {
             "--stock", [&o](Text text) { o.stock = read_stock(text); },
             "What is cut, if the program does not say it: LxWxH, or DdxH for a round bar, or a "
             "file "
-            "(.stl, .glb, .ncstock)")
+            "(.stl, .glb, .step, .ncstock)")
         ->type_name("STOCK");
     command
         .add_option_function<std::string>(

@@ -4,6 +4,7 @@
 #include "ncsim/brep/apart.h"
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/mesh.h"
+#include "ncsim/export/drawing.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
@@ -87,8 +88,19 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.threemf,
                   [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
     outputs.write(o.step, [&](std::ostream& out) {
+        exporter::StepOptions how;
+        how.max_faces = o.step_max_faces;
+        how.schema = o.step_schema;
+        how.has_attributes = o.step_attributes;
         exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
-                                   o.step_max_faces);
+                                   how);
+    });
+    const std::string& program = s.provenance.program;
+    outputs.write(o.dxf, [&](std::ostream& out) {
+        exporter::write_dxf(out, drawn_sections(outcome), program);
+    });
+    outputs.write(o.svg, [&](std::ostream& out) {
+        exporter::write_svg(out, drawn_sections(outcome), program);
     });
     outputs.write(o.save_stock, [&](std::ostream& out) {
         const cda::Shape stock =
@@ -99,18 +111,26 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
 }
 
-// What --step writes: surfaces as the tools left them, or their facets.
-simulation::Solid solid_of(const Outcome& outcome) {
+double step_tolerance(const Options& o) {
+    return std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
+}
+
+// What --step writes where facets are asked for.
+simulation::Solid facets_of(const Outcome& outcome) {
+    const exporter::Simplified flat =
+        exporter::simplify(*outcome.boundary, step_tolerance(outcome.options));
+    brep::Recognised solid{brep::faceted(flat.boundary, flat.origins)};
+    brep::keep_apart(solid.part);
+    return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
+}
+
+// As the tools left it, if anything that is asked for is made of that.
+std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
     const Options& o = outcome.options;
-    const double tolerance = std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
-    if (o.step_surfaces == StepSurfaces::Faceted) {
-        const exporter::Simplified flat = exporter::simplify(*outcome.boundary, tolerance);
-        brep::Recognised solid{brep::faceted(flat.boundary, flat.origins)};
-        brep::keep_apart(solid.part);
-        return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
-    }
-    return simulation::refined_solid(outcome.plan, outcome.survey, *outcome.simulation, tolerance,
-                                     o.step_refine);
+    const bool is_written = !o.step.empty() && o.step_surfaces == StepSurfaces::Analytic;
+    if (!is_written && o.sections.empty()) return std::nullopt;
+    return simulation::refined_solid(outcome.plan, outcome.survey, *outcome.simulation,
+                                     step_tolerance(o), o.step_refine);
 }
 
 }  // namespace
@@ -153,7 +173,7 @@ int run(Options options) {
     outcome.machine = machine ? &*machine : nullptr;
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
-    std::optional<simulation::Solid> solid;
+    std::optional<simulation::Solid> true_surfaces, facets;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         Animation animation(options, survey, outputs);
@@ -164,7 +184,7 @@ int run(Options options) {
             animation.take(now);
         };
         simulation::Verification nothing;
-        nothing.keep_cuts = !o.step.empty();
+        nothing.keep_cuts = !o.step.empty() || !o.sections.empty();
         simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
@@ -180,9 +200,16 @@ int run(Options options) {
             simplified = exporter::simplify(*outcome.boundary, *o.simplify);
             outcome.simplified = &*simplified;
         }
+        true_surfaces = true_solid(outcome);
+        if (true_surfaces) outcome.true_solid = &*true_surfaces;
         if (!o.step.empty()) {
-            solid = solid_of(outcome);
-            outcome.solid = &*solid;
+            outcome.solid = outcome.true_solid;
+            if (o.step_surfaces == StepSurfaces::Faceted)
+                outcome.solid = &facets.emplace(facets_of(outcome));
+        }
+        for (const brep::SectionPlane& plane : o.sections) {
+            outcome.sections.push_back(
+                simulation::cut_open(plan, *simulation, *true_surfaces, plane));
         }
         write_outputs(outcome, outputs);
     }
@@ -200,7 +227,7 @@ int run(Options options) {
             put_text(report::summary(run_facts(outcome)), outputs.takes_standard_output());
         if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
     }
-    if (o.step_strict && solid && solid->recognised.facets_kept > 0) {
+    if (o.step_strict && outcome.solid && outcome.solid->recognised.facets_kept > 0) {
         say("ncsim: --step-strict: facets were kept, see above\n");
         return faulty ? kFindings : kEnvironment;
     }

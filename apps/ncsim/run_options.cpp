@@ -68,10 +68,25 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
+exporter::StepSchema read_step_schema(const std::string& name) {
+    if (name == "ap242") return exporter::StepSchema::Ap242;
+    if (name == "ap214") return exporter::StepSchema::Ap214;
+    throw Refusal{fmt::format("--step-schema '{}': expected ap242 or ap214", name)};
+}
+
 StepSurfaces read_step_surfaces(const std::string& name) {
     if (name == "analytic") return StepSurfaces::Analytic;
     if (name == "faceted") return StepSurfaces::Faceted;
     throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
+}
+
+brep::SectionPlane read_section(const std::string& text) {
+    const auto plane = brep::parse_section_plane(text);
+    if (!plane) {
+        throw Refusal{
+            fmt::format("--section '{}': expected x=, y= or z= and a number of mm: z=-4", text)};
+    }
+    return *plane;
 }
 
 double read_simplify(double tolerance) {
@@ -112,8 +127,8 @@ void choose_model(Options& o) {
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
     for (const std::string* path :
-         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.gif, &o.report,
-          &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
+         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.dxf, &o.svg, &o.gif,
+          &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;
@@ -124,7 +139,8 @@ bool needs_surface(const Options& o) {
     const simulation::ModelInfo* model = simulation::find_model(o.model);
     const bool draws_itself = model && model->shows_cells;
     return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
-           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.report.empty();
+           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.sections.empty() ||
+           !o.report.empty();
 }
 
 CLI::App* add_run(CLI::App& app, Options& options) {
@@ -157,7 +173,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option("--ply", o.ply, "Mesh with the NC line of every face, PLY")->type_name("FILE");
     run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
         ->type_name("FILE");
-    run->add_option("--step", o.step, "Solid for CAD, STEP AP214")->type_name("FILE");
+    run->add_option("--step", o.step, "Solid for CAD, STEP")->type_name("FILE");
     run->add_option_function<std::string>(
            "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
            "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
@@ -170,10 +186,27 @@ CLI::App* add_run(CLI::App& app, Options& options) {
         ->type_name("N");
     run->add_flag("--step-strict", o.step_strict,
                   "Exit with 2 if round surfaces had to be kept as facets");
+    run->add_option_function<std::string>(
+           "--step-schema", [&o](Text name) { o.step_schema = read_step_schema(name); },
+           "ap242, or ap214 for older readers [ap242]")
+        ->type_name("WHAT");
+    run->add_flag("--step-attributes", o.step_attributes,
+                  "Lines, tools and kind of each face, as attributes");
     run->add_option("--step-max-faces", o.step_max_faces,
                     fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
         ->check(CLI::Range(1, 1'000'000'000))
         ->type_name("N");
+    run->add_option_function<std::vector<std::string>>(
+           "--section",
+           [&o](const std::vector<std::string>& planes) {
+               for (const std::string& plane : planes)
+                   o.sections.push_back(read_section(plane));
+           },
+           "Cut the part open where x, y or z is so many mm; several times, if need be")
+        ->type_name("z=N")
+        ->allow_extra_args(false);
+    run->add_option("--dxf", o.dxf, "The sections in lines and arcs, DXF R12")->type_name("FILE");
+    run->add_option("--svg", o.svg, "The sections in lines and arcs, SVG")->type_name("FILE");
     run->add_option_function<double>(
            "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
            "Merge faces and edges in meshes and solids within TOL mm; the deviation is "
@@ -231,6 +264,8 @@ CLI::App* add_run(CLI::App& app, Options& options) {
 void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
+    if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
+        throw Refusal{"--dxf and --svg draw sections: where is told by --section z=-4"};
     if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
         throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
     }

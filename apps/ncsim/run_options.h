@@ -3,6 +3,7 @@
 // What `ncsim run` is asked for.
 #pragma once
 
+#include "ncsim/brep/section.h"
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
@@ -43,8 +44,12 @@ struct Options : ProgramOptions, SimulationOptions {
     StepSurfaces step_surfaces = StepSurfaces::Faceted;
     int step_refine = 2;       ///< So many times finer tools are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
+    exporter::StepSchema step_schema = exporter::StepSchema::Ap242;
+    bool step_attributes = false;  ///< Lines, tools and kind with each face.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     double resolution = 0.0;  ///< Of a model that has one, mm; 0: the one that suits.
+    std::vector<brep::SectionPlane> sections;  ///< Where the part is cut open.
+    std::string dxf, svg;                      ///< Files for them.
     bool quiet = false;
     /// A first look: tools that nobody describes are guessed, round shapes are coarser.
     bool draft = false;

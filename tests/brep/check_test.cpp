@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 
 #include "ncsim/brep/apart.h"
 

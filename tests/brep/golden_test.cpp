@@ -3,10 +3,9 @@
 // Parts as a machinist would describe them: so many faces of each kind, volumes as on paper, and
 // nothing of it depends on how round the simulated tools are.
 #include "ncsim/brep/check.h"
-#include "ncsim/export/step.h"
-#include "ncsim/setup/job.h"
-#include "ncsim/simulation/simulate.h"
-#include "ncsim/simulation/solid.h"
+#include "ncsim/brep/measure.h"
+
+#include "brep/made_part.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +13,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace ncsim::brep {
 namespace {
+
+using test::Made;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kBlock = 80.0 * 60.0 * 20.0;
@@ -35,38 +35,8 @@ struct Golden {
     bool is_bar = false;  // else a block of 80 x 60 x 20
 };
 
-std::string program(const Golden& golden) {
-    return "(T1 D=10. CR=0. - flat end mill)\n(T2 D=6. CR=0. TAPER=118deg - drill)\n"
-           "(T3 D=8. CR=4. - ball end mill)\n(T4 D=12. CR=2. - bull nose end mill)\n"
-           "(T5 D=10. CR=0. TAPER=45deg - chamfer mill)\n" +
-           std::string(golden.is_bar ? "" : "(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n") +
-           "G21 G90 G17 F300 S5000 M3\n" + golden.moves + "M30\n";
-}
-
-struct Made {
-    Recognised solid;
-    std::string step;
-};
-
 Made make(const Golden& golden, double tool_tolerance, unsigned threads = 0) {
-    simulation::Plan plan;
-    setup::JobOptions options;
-    std::string message;
-    if (golden.is_bar) options.stock = toolpath::parse_stock_option("D60x20", message);
-    plan.job = setup::job_of({golden.name + ".nc", program(golden)}, options);
-    plan.keep_boundary = true;
-    plan.tool_tolerance = tool_tolerance;
-    plan.threads = threads;
-    const simulation::Survey survey = simulation::survey(plan);
-    EXPECT_TRUE(survey.is_ready());
-    simulation::Verification nothing;
-    nothing.keep_cuts = true;
-    const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
-    Made made{simulation::solid_of(plan, survey, milled, exporter::kStepTolerance), {}};
-    std::ostringstream out;
-    exporter::write_step_solid(out, made.solid.part, milled.provenance);
-    made.step = out.str();
-    return made;
+    return test::make_part(golden.name, golden.moves, tool_tolerance, threads, golden.is_bar);
 }
 
 Kinds kinds_of(const Part& part) {

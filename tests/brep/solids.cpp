@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brep/solids.h"
 
+#include "ncsim/brep/frames.h"
+
 #include <cmath>
 #include <numbers>
 #include <utility>

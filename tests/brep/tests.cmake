@@ -1,8 +1,15 @@
+find_package(fmt CONFIG REQUIRED)
 ncsim_add_test(brep
-  LIBRARIES ncsim::simulation
+  LIBRARIES ncsim::simulation fmt::fmt-header-only
   SOURCES
+    apart_test.cpp
     check_test.cpp
+    features_test.cpp
     golden_test.cpp
+    made_part.cpp
+    mass_test.cpp
+    random_parts.cpp
+    section_test.cpp
     solids.cpp)
 
 # OpenCASCADE judges them, too (export/tests.cmake has its reader).
@@ -16,7 +23,6 @@ add_test(NAME brep.solids_are_read_by_opencascade COMMAND ncsim_read_step ${soli
 set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQUIRED brep_solids)
 
 # Parts of random programs likewise; more of them by hand: ncsim_brep_random <folder> 1000.
-find_package(fmt CONFIG REQUIRED)
 set(random ${CMAKE_CURRENT_BINARY_DIR}/brep/random)
 add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/random_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})

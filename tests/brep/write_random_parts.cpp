@@ -3,7 +3,7 @@
 // write_random_parts <folder> <count> [first]: parts of random programs as STEP, with what
 // ncsim_read_step is to find; says how many have facets. With a file in place of a count: its
 // program.
-#include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/simulate.h"

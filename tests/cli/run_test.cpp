@@ -292,6 +292,48 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     EXPECT_GT(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE("), 20U);
 }
 
+TEST(Run, CutsThePartOpenInLinesAndArcs) {
+    Folder folder;
+    std::string pocket = kSlot;
+    pocket.replace(pocket.find("G0 X-30."), 8, "G0 X-10.");
+    pocket.replace(pocket.find("G1 X30."), 7, "G1 X10.");
+    folder.write("slot.nc", pocket);
+    const Ran ran = folder.run({"run", "slot.nc", "--section", "z=-2", "--section", "X=0.", "--dxf",
+                                "a.dxf", "--svg", "a.svg", "--report", "a.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    // 40 x 30 less 20 x 10 less a disc of 10.
+    EXPECT_TRUE(
+        contains(ran.out, "section   z=-2: 2 outlines, 921.46 mm2 of material; 6 lines, 2 arcs"))
+        << ran.out;
+    EXPECT_TRUE(contains(ran.out, "section   x=0: 1 outline, 280 mm2 of material; 8 lines"));
+    EXPECT_TRUE(contains(folder.read("a.dxf"), "AC1009"));
+    EXPECT_TRUE(contains(folder.read("a.svg"), "<svg"));
+    const json report = json::parse(folder.read("a.json"));
+    EXPECT_EQ(report["sections"][0]["plane"], "z=-2");
+    EXPECT_EQ(report["sections"][0]["arcs"], 2);
+    EXPECT_EQ(report["sections"][0]["lines_of_facets"], 0);
+}
+
+TEST(Run, ASectionOfFacetsSaysSo) {
+    Folder folder;
+    std::string ramp = kSlot;
+    ramp.replace(ramp.find("G1 X30."), 7, "G2 X10. I20. Z-4.");
+    ramp.replace(ramp.find("G0 X-30."), 8, "G0 X-15.");
+    folder.write("ramp.nc", ramp);
+    const Ran ran = folder.run({"run", "ramp.nc", "--section", "y=5", "--dxf", "-"});
+    EXPECT_TRUE(contains(ran.err, "of facets of round tools")) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "T1-FACETS"));
+}
+
+TEST(Run, RefusesDrawingsOfNoSection) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    EXPECT_TRUE(contains(folder.run({"run", "slot.nc", "--dxf", "a.dxf"}).err, "--section z=-4"));
+    const Ran ran = folder.run({"run", "slot.nc", "--section", "q=2"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.err, "--section 'q=2': expected x=, y= or z= and a number of mm"));
+}
+
 TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     Folder folder;
     // A ramp: its floor's edge is swept by a circle that leans.

@@ -1,5 +1,11 @@
 # The program as its users meet it: command, exit code, both streams.
 if(TARGET ncsim)
+  find_package(OpenCASCADE CONFIG REQUIRED)
+  add_executable(ncsim_write_step_cases setup/write_step_cases.cpp)
+  target_compile_features(ncsim_write_step_cases PRIVATE cxx_std_20)
+  target_include_directories(ncsim_write_step_cases SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+  target_link_libraries(ncsim_write_step_cases PRIVATE TKernel TKMath TKBRep TKTopAlgo TKPrim TKXSBase
+    TKSTEP)
   find_package(fmt CONFIG REQUIRED)
   find_package(nlohmann_json CONFIG REQUIRED)
   ncsim_add_test(cli
@@ -14,6 +20,7 @@ if(TARGET ncsim)
       hostile_text_test.cpp
       in_order_test.cpp
       machine_test.cpp
+      measure_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp
@@ -24,6 +31,7 @@ if(TARGET ncsim)
       samples_test.cpp
       set_ups_test.cpp
       shards_test.cpp
+      step_input_test.cpp
       tools_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp
@@ -35,7 +43,9 @@ if(TARGET ncsim)
       ../support/set_ups.cpp
       ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
-  add_dependencies(ncsim_cli_tests ncsim)
+  add_dependencies(ncsim_cli_tests ncsim ncsim_step ncsim_write_step_cases)
+  target_compile_definitions(ncsim_cli_tests PRIVATE
+    NCSIM_WRITE_STEP_CASES="$<TARGET_FILE:ncsim_write_step_cases>")
 endif()
 
 # The page of ncsim check, used in a browser as its readers do.

@@ -32,7 +32,8 @@ TEST(WriteStep, ABoxHasSharedPointsEdgesAndDirections) {
     EXPECT_EQ(ncsim::test::count(text, "=EDGE_CURVE("), 12U);
     EXPECT_EQ(ncsim::test::count(text, "=ADVANCED_FACE('STOCK'"), 6U);
     EXPECT_EQ(ncsim::test::count(text, "=DIRECTION("), 6U);
-    EXPECT_EQ(ncsim::test::count(text, "=CARTESIAN_POINT("), 9U);  // and the origin of the part
+    // And the origin and the middle of the part.
+    EXPECT_EQ(ncsim::test::count(text, "=CARTESIAN_POINT("), 10U);
 }
 
 TEST(WriteStep, NamesFacesAfterTheirLines) {
@@ -64,6 +65,49 @@ TEST(WriteStep, RefusesMoreFacesThanAskedFor) {
                  std::runtime_error);
     EXPECT_EQ(out.str(), "");
     EXPECT_NO_THROW(write_step(out, test::boundary_of(part), {}, {.max_faces = 25}));
+}
+
+TEST(WriteStep, TellsVolumeAreaAndCentroid) {
+    const std::string text = box_text();
+    EXPECT_EQ(ncsim::test::count(text, "VOLUME_MEASURE(8.)"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "AREA_MEASURE(24.)"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "CARTESIAN_POINT('centre point',(1.,1.,1.))"), 1U);
+    EXPECT_EQ(ncsim::test::count(text, "MANIFOLD_SOLID_BREP('SOLID_1'"), 1U);
+}
+
+TEST(WriteStep, IsAp242OrAp214) {
+    test::BoxPart box;
+    box.stock = {{0, 0, 0}, {2, 2, 2}};
+    for (const StepSchema schema : {StepSchema::Ap242, StepSchema::Ap214}) {
+        const bool is_242 = schema == StepSchema::Ap242;
+        std::ostringstream out;
+        write_step(out, test::boundary_of(box), test::provenance_of(box), {.schema = schema});
+        const std::string text = out.str();
+        EXPECT_EQ(ncsim::test::count(text, "AP242_MANAGED_MODEL"), is_242 ? 1U : 0U);
+        EXPECT_EQ(ncsim::test::count(text, "AUTOMOTIVE_DESIGN"), is_242 ? 0U : 1U);
+    }
+}
+
+TEST(WriteStep, HangsLinesToolsAndKindOnFacesIfAskedTo) {
+    const auto part = test::grooved_part();
+    const cda::Boundary boundary = test::boundary_of(part);
+    const auto text_of = [&](const StepOptions& options) {
+        std::ostringstream out;
+        write_step(out, boundary, test::provenance_of(part), options);
+        return out.str();
+    };
+    EXPECT_EQ(ncsim::test::count(text_of({}), "user defined attribute"), 0U);
+    const std::string text = text_of({.has_attributes = true});
+    const std::size_t faces = ncsim::test::count(text, "=ADVANCED_FACE(");
+    EXPECT_EQ(ncsim::test::count(text, "=GEOMETRIC_ITEM_SPECIFIC_USAGE("), faces);
+    EXPECT_EQ(ncsim::test::count(text, "'user defined attribute'"), 3U * faces);
+    // Equal values stand there once.
+    EXPECT_EQ(ncsim::test::count(text, "DESCRIPTIVE_REPRESENTATION_ITEM('nc_lines','10 20 30')"),
+              1U);
+    EXPECT_EQ(ncsim::test::count(text, "DESCRIPTIVE_REPRESENTATION_ITEM('kind','plane')"), 1U);
+    const std::string older = text_of({.schema = StepSchema::Ap214, .has_attributes = true});
+    EXPECT_EQ(ncsim::test::count(older, "GEOMETRIC_ITEM_SPECIFIC_USAGE"), 0U);
+    EXPECT_EQ(ncsim::test::count(older, "'user defined attribute'"), 3U * faces);
 }
 
 TEST(WriteStep, SaysTheSameTwice) {

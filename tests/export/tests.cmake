@@ -4,6 +4,7 @@ ncsim_add_test(export
   SOURCES
     box_part.cpp
     camera_test.cpp
+    drawing_test.cpp
     float_mesh_test.cpp
     gif_test.cpp
     gltf_test.cpp
@@ -121,3 +122,38 @@ target_include_directories(ncsim_read_3mf SYSTEM PRIVATE ${LIB3MF_INCLUDE_DIR})
 target_link_libraries(ncsim_read_3mf PRIVATE ${LIB3MF_LIBRARY})
 add_test(NAME export.3mf_is_read_by_lib3mf COMMAND ncsim_read_3mf ${samples})
 set_tests_properties(export.3mf_is_read_by_lib3mf PROPERTIES FIXTURES_REQUIRED export_samples)
+
+# Sections: ezdxf reads DXF, xmllint SVG. Debian's Python, which has its packages.
+if(TARGET ncsim)
+  find_program(NCSIM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  add_test(NAME export.sections_are_read_by_ezdxf_and_xmllint
+    COMMAND ${CMAKE_COMMAND} -D NCSIM=$<TARGET_FILE:ncsim> -D PYTHON=${NCSIM_PYTHON}
+      -D CHECK=${CMAKE_CURRENT_SOURCE_DIR}/export/read_dxf.py
+      -D PROGRAM=${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc
+      -D WORK=${CMAKE_CURRENT_BINARY_DIR}/export/sections
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/export/sections.cmake)
+endif()
+
+# What a STEP file says of its solids is what OpenCASCADE finds; names and colours are in its document.
+add_executable(ncsim_read_step_properties export/read_step_properties.cpp)
+target_compile_features(ncsim_read_step_properties PRIVATE cxx_std_20)
+target_include_directories(ncsim_read_step_properties SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+target_link_libraries(ncsim_read_step_properties PRIVATE TKernel TKMath TKBRep TKTopAlgo TKXSBase TKSTEP
+  TKXDESTEP TKXCAF TKLCAF)
+if(TARGET ncsim)
+  foreach(schema ap242 ap214)
+    string(REPLACE "ap214" "AUTOMOTIVE_DESIGN" name ${schema})
+    string(REPLACE "ap242" "AP242" name ${name})
+    set(solid ${CMAKE_CURRENT_BINARY_DIR}/export/properties_${schema}.step)
+    add_test(NAME export.write_step_properties_${schema}
+      COMMAND ncsim run ${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc -q --step ${solid}
+        --step-surfaces analytic --step-schema ${schema} --step-attributes)
+    set_tests_properties(export.write_step_properties_${schema} PROPERTIES
+      FIXTURES_SETUP step_properties_${schema})
+    # The bore, a drilled hole, what nobody cut.
+    add_test(NAME export.step_properties_are_read_by_opencascade_${schema}
+      COMMAND ncsim_read_step_properties ${solid} ${name} LINE_26_27 LINE_31 STOCK)
+    set_tests_properties(export.step_properties_are_read_by_opencascade_${schema} PROPERTIES
+      FIXTURES_REQUIRED step_properties_${schema})
+  endforeach()
+endif()

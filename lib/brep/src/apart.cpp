@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/apart.h"
 
+#include "ncsim/brep/frames.h"
+
 #include "none.h"
 
 #include <algorithm>
@@ -67,21 +69,28 @@ public:
     // Do planes alone meet at both ends?
     bool is_flat(const Edge& edge) const { return is_flat_[edge.from] && is_flat_[edge.to]; }
 
-    void contract(std::uint32_t number) {
+    // True: it has become one.
+    bool contract(std::uint32_t number) {
+        const Edge edge = part_.edges[number];
+        return contract(number, edge.from, edge.to) || contract(number, edge.to, edge.from);
+    }
+
+private:
+    // To the end that is kept.
+    bool contract(std::uint32_t number, std::uint32_t kept, std::uint32_t gone) {
         const Edge short_one = part_.edges[number];
-        const std::uint32_t kept = short_one.from, gone = short_one.to;
-        if (kept == gone || !is_flat(short_one)) return;
+        if (kept == gone || !is_flat(short_one)) return false;
         const double radius = radius_[gone] + length_of(part_, short_one);
-        if (radius > 2.0 * kLeast) return;
+        if (radius > 2.0 * kLeast) return false;
         const Numbers sides = common(faces_at_[kept], faces_at_[gone]);
-        if (sides.size() != 2) return;
+        if (sides.size() != 2) return false;
         Numbers tips;
         for (const std::uint32_t f : sides) {
-            if (!is_simple_at(part_.faces[f], number, gone)) return;
+            if (!is_simple_at(part_.faces[f], number, gone)) return false;
             if (is_triangle(part_.faces[f])) tips.push_back(tip(part_.faces[f], short_one));
         }
         make_set(tips);
-        if (common(neighbours(kept), neighbours(gone)) != tips) return;
+        if (common(neighbours(kept), neighbours(gone)) != tips) return false;
         for (const std::uint32_t f : sides) {
             for (Loop& loop : part_.faces[f].loops)
                 std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
@@ -103,9 +112,9 @@ public:
                 face.frame = frame_for(part_, face);
             }
         }
+        return true;
     }
 
-private:
     static void move_to(std::uint32_t kept, std::uint32_t gone, std::vector<Numbers>& at) {
         at[kept].insert(at[kept].end(), at[gone].begin(), at[gone].end());
         make_set(at[kept]);
@@ -256,6 +265,108 @@ private:
     Numbers waiting_;
 };
 
+// Holes that are nowhere larger than kLeast become points: a corner that pokes through a face by
+// less than readers can tell does not.
+class Pinholes {
+public:
+    explicit Pinholes(Part& part) : part_(part), faces_at_(part.vertices.size()) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop) {
+                    faces_at_[part.edges[use.edge].from].push_back(f);
+                    faces_at_[part.edges[use.edge].to].push_back(f);
+                }
+            }
+        }
+        for (Numbers& faces : faces_at_)
+            make_set(faces);
+    }
+
+    // True: something has gone.
+    bool close() {
+        bool any = false;
+        for (Face& face : part_.faces) {
+            for (std::size_t l = face.loops.size(); l-- > 1;) {
+                if (!close(face.loops[l])) continue;
+                face.loops.erase(face.loops.begin() + static_cast<std::ptrdiff_t>(l));
+                any = true;
+            }
+        }
+        return any;
+    }
+
+private:
+    bool close(const Loop& hole) {
+        double around = 0.0;
+        Numbers corners, edges, faces;
+        for (const EdgeUse& use : hole) {
+            const Edge& edge = part_.edges[use.edge];
+            if (!std::holds_alternative<Line>(edge.curve)) return false;
+            around += length_of(part_, edge);
+            edges.push_back(use.edge);
+            corners.insert(corners.end(), {edge.from, edge.to});
+        }
+        if (around > 2.0 * kLeast) return false;
+        make_set(corners);
+        make_set(edges);
+        for (const std::uint32_t v : corners)
+            faces.insert(faces.end(), faces_at_[v].begin(), faces_at_[v].end());
+        make_set(faces);
+        const bool is_clear = std::ranges::all_of(
+            faces, [&](std::uint32_t f) { return may_lose(part_.faces[f], hole, corners, edges); });
+        if (!is_clear) return false;
+        for (const std::uint32_t f : faces) {
+            for (Loop& loop : part_.faces[f].loops) {
+                if (&loop == &hole) continue;
+                std::erase_if(loop, [&](const EdgeUse& use) {
+                    return std::ranges::binary_search(edges, use.edge);
+                });
+            }
+            for (const Loop& loop : part_.faces[f].loops) {
+                for (const EdgeUse& use : loop)
+                    gather(part_.edges[use.edge], corners);
+            }
+        }
+        faces_at_[corners.front()] = faces;
+        for (const std::uint32_t f : faces)
+            part_.faces[f].frame = frame_for(part_, part_.faces[f]);
+        return true;
+    }
+
+    static void gather(Edge& edge, const Numbers& corners) {
+        for (std::uint32_t* v : {&edge.from, &edge.to}) {
+            if (std::ranges::binary_search(corners, *v)) *v = corners.front();
+        }
+    }
+
+    // Is it flat, does it come to the corners of the hole once, along edges of the hole if to
+    // several, and has enough beside them?
+    bool may_lose(const Face& face, const Loop& hole, const Numbers& corners,
+                  const Numbers& edges) const {
+        if (!std::holds_alternative<Plane>(face.surface.form)) return false;
+        int visits = 0;
+        for (const Loop& loop : face.loops) {
+            if (&loop == &hole) continue;
+            std::size_t left = 0;
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part_.edges[use.edge];
+                if (!std::holds_alternative<Line>(edge.curve)) return false;
+                const bool begins =
+                    std::ranges::binary_search(corners, use.is_forward ? edge.from : edge.to);
+                const bool is_gone = std::ranges::binary_search(edges, use.edge);
+                // It leaves them along another edge once for each visit.
+                if (begins && !is_gone) ++visits;
+                if (!is_gone) ++left;
+            }
+            if (left < 3) return false;
+        }
+        return visits <= 1;
+    }
+
+    Part& part_;
+    std::vector<Numbers> faces_at_;  // of each vertex, ascending
+};
+
 // Faces that have no edges any more.
 void drop_empty(Part& part) {
     std::vector<std::uint32_t> number(part.faces.size());
@@ -280,6 +391,7 @@ void drop_empty(Part& part) {
 
 void keep_apart(Part& part) {
     if (Spikes(part).take_out()) drop_empty(part);
+    Pinholes(part).close();
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
         const double length = length_of(part, part.edges[e]);
@@ -288,8 +400,10 @@ void keep_apart(Part& part) {
     if (low.empty()) return;
     std::sort(low.begin(), low.end());
     Contraction contraction(part);
-    for (const auto& [length, edge] : low)
-        contraction.contract(edge);
+    // What hung together by an edge may do so no longer when those around it have gone.
+    while (std::erase_if(low, [&](const auto& edge) { return contraction.contract(edge.second); }) >
+           0) {
+    }
     Spikes(part).take_out();
     drop_empty(part);
     // One may bring another one's ends nearer.

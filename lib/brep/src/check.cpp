@@ -6,14 +6,15 @@
 // where the map has none.
 #include "ncsim/brep/check.h"
 
+#include "ncsim/brep/measure.h"
 #include "ncsim/trig/angles.h"
 
+#include "axes.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,206 +29,6 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 using cda::normalized;
-
-// Gauss-Legendre on (0, 1): exact for polynomials of degree 15.
-constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
-                                           0.7966664774136267, 0.9602898564975363};
-constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                         0.1012285362903763};
-
-template <typename F>
-void integrate(const Track& track, const F& f) {
-    const std::size_t pieces = track.pieces();
-    const double width = 1.0 / static_cast<double>(pieces);
-    for (std::size_t i = 0; i < pieces; ++i) {
-        const double middle = (static_cast<double>(i) + 0.5) * width;
-        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-            for (const double sign : {-1.0, 1.0}) {
-                const double t = middle + sign * 0.5 * width * kAbscissae[k];
-                f(0.5 * width * kWeights[k], track.at(t), track.derivative(t));
-            }
-        }
-    }
-}
-
-// A point in the frame of a surface of revolution.
-struct Local {
-    double x, y, z, away;  // away: from the axis
-};
-
-struct Axes {
-    Vec3 origin, x, y, z;
-
-    Axes(Vec3 at, const Frame& frame)
-        : origin(at), x(frame.x), y(cross(frame.axis, frame.x)), z(frame.axis) {}
-    Vec3 turned(Vec3 v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
-    Local operator()(Vec3 p) const {
-        const Vec3 v = turned(p - origin);
-        return {v.x, v.y, v.z, std::sqrt(v.x * v.x + v.y * v.y)};
-    }
-};
-
-// Integrals over the second parameter from a fixed start to where a point is: of the area, and of
-// the volume of the cone from a point -w, in the frame of the surface, three times. What is left
-// is an integral along the edges, over the angle around the axis (Green).
-struct Below {
-    double area = 0.0, volume = 0.0;
-};
-
-struct BelowCylinder {
-    double radius;
-    Vec3 w;
-    Below operator()(const Local& p) const {
-        const double side = radius + (w.x * p.x + w.y * p.y) / p.away;
-        return {radius * p.z, radius * side * p.z};
-    }
-};
-
-struct BelowCone {
-    double slope;
-    Vec3 w;
-    Below operator()(const Local& p) const {
-        const double half = 0.5 * p.z * p.z * slope;
-        if (p.away <= 0.0) return {};
-        return {half * std::sqrt(1.0 + slope * slope),
-                half * ((w.x * p.x + w.y * p.y) / p.away - w.z * slope)};
-    }
-};
-
-struct BelowSphere {
-    double radius;
-    Vec3 w;
-    double pole;  // 1 or -1: from where on
-    Below operator()(const Local& p) const {
-        if (p.away <= 0.0) return {};
-        const double s = p.z / radius, c = p.away / radius;
-        const double angle = trig::angle_of(c, s) * kRadiansPerDegree;
-        const double side = (w.x * p.x + w.y * p.y) / p.away;
-        const double half_pi = pole * 0.5 * std::numbers::pi;
-        const double r2 = radius * radius;
-        return {r2 * (s - pole),
-                r2 * (radius * (s - pole) + side * 0.5 * (angle - half_pi + s * c) +
-                      0.5 * w.z * (s * s - 1.0))};
-    }
-};
-
-struct BelowTorus {
-    double major, minor;
-    Vec3 w;
-    double cut;  // degrees, where the angle around the tube jumps
-    Below operator()(const Local& p) const {
-        const double out = p.away - major;
-        const double length = std::sqrt(out * out + p.z * p.z);
-        const double s = p.z / length, c = out / length;
-        double degrees = trig::angle_of(out, p.z);
-        if (degrees < cut) degrees += 360.0;
-        const double f = degrees * kRadiansPerDegree;
-        const double a = (w.x * p.x + w.y * p.y) / p.away;
-        return {minor * (major * f + minor * s),
-                minor * (major * minor * f + major * (major + a) * s - major * w.z * c +
-                         minor * minor * s + minor * (major + a) * 0.5 * (f + s * c) +
-                         0.5 * minor * w.z * s * s)};
-    }
-};
-
-template <typename Visit>
-void for_edges(const Part& part, const Face& face, const Visit& visit) {
-    for (const Loop& loop : face.loops) {
-        for (const EdgeUse& use : loop) {
-            const Edge& edge = part.edges[use.edge];
-            visit(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]),
-                  use.is_forward ? 1.0 : -1.0);
-        }
-    }
-}
-
-// The angle around the axis that a step makes, per its parameter.
-double turn(const Local& p, Vec3 step) {
-    return (p.x * step.y - p.y * step.x) / (p.away * p.away);
-}
-
-template <typename B>
-Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
-    Measure sum;
-    constexpr double kAtTip = 1e-12;
-    for_edges(part, face, [&](const Track& track, double sign) {
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            const Local p = axes(at);
-            sum.length += weight * norm(derivative);
-            if (p.away <= kAtTip) return;
-            const double turned = sign * weight * turn(p, axes.turned(derivative));
-            const Below b = below(p);
-            sum.area -= turned * b.area;
-            sum.volume -= turned * b.volume / 3.0;
-        });
-    });
-    if (face.surface.is_hollow) sum.area = -sum.area;
-    return sum;
-}
-
-double turns_about(const Part& part, const Face& face, const Axes& axes) {
-    double sum = 0.0;
-    for_edges(part, face, [&](const Track& track, double sign) {
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            const Local p = axes(at);
-            if (p.away > 0.0) sum += sign * weight * turn(p, axes.turned(derivative));
-        });
-    });
-    return sum / (2.0 * std::numbers::pi);
-}
-
-// Where the face is not, on the way around the tube of a ring: in the middle of the widest gap
-// between points of its edges, of those that are not between two edges with the face between them.
-double cut_of(const Part& part, const Face& face, const Axes& axes, double major) {
-    constexpr int kSteps = 32;
-    struct Angle {
-        double degrees;
-        int inwards;  // which way the face goes on: 1 to greater angles, -1 to smaller ones
-        bool operator<(const Angle& o) const { return degrees < o.degrees; }
-    };
-    std::vector<Angle> angles;
-    for_edges(part, face, [&](const Track& track, double sign) {
-        for (int i = 0; i <= kSteps; ++i) {
-            const double t = static_cast<double>(i) / kSteps;
-            const Vec3 at = track.at(t);
-            const Local p = axes(at);
-            const Vec3 n = outward(face.surface, at);
-            const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
-            const Vec3 around = p.z * away - (p.away - major) * axes.z;
-            const double inwards =
-                -dot(normalized(around), normalized(sign * cross(n, track.derivative(t))));
-            constexpr double kAcross = 0.9;
-            angles.push_back({trig::angle_of(p.away - major, p.z), inwards > kAcross    ? 1
-                                                                   : inwards < -kAcross ? -1
-                                                                                        : 0});
-        }
-    });
-    std::sort(angles.begin(), angles.end());
-    double widest = 0.0, cut = 0.0;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-        const bool is_last = i + 1 == angles.size();
-        const Angle& next = angles[is_last ? 0 : i + 1];
-        const double gap = next.degrees + (is_last ? 360.0 : 0.0) - angles[i].degrees;
-        if (gap <= widest || angles[i].inwards > 0 || next.inwards < 0) continue;
-        widest = gap;
-        cut = angles[i].degrees + 0.5 * gap;
-    }
-    return cut > 180.0 ? cut - 360.0 : cut;
-}
-
-Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Vec3 apex) {
-    Measure sum;
-    Vec3 twice;
-    for_edges(part, face, [&](const Track& track, double sign) {
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            sum.length += weight * norm(derivative);
-            twice = twice + (sign * weight) * cross(at - plane.origin, derivative);
-        });
-    });
-    sum.area = 0.5 * dot(twice, plane.normal);
-    sum.volume = sum.area * dot(plane.origin - apex, plane.normal) / 3.0;
-    return sum;
-}
 
 // --- The map ------------------------------------------------------------------------------
 
@@ -411,48 +212,6 @@ double twice_area(const std::vector<Segment>& loop) {
 }
 
 }  // namespace
-
-Measure measure(const Part& part, const Face& face, Vec3 apex) {
-    if (const auto* f = std::get_if<Plane>(&face.surface.form))
-        return measure_plane(part, face, *f, apex);
-    if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
-        const Axes axes(f->origin, face.frame);
-        return around(part, face, axes, BelowCylinder{f->radius, axes.turned(f->origin - apex)});
-    }
-    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
-        const Axes axes(f->apex, face.frame);
-        return around(part, face, axes, BelowCone{f->slope, axes.turned(f->apex - apex)});
-    }
-    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
-        const Axes axes(f->centre, face.frame);
-        const double turns = turns_about(part, face, axes);
-        const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
-        return around(part, face, axes,
-                      BelowSphere{f->radius, axes.turned(f->centre - apex), pole});
-    }
-    const auto& f = std::get<Torus>(face.surface.form);
-    const Axes axes(f.centre, face.frame);
-    return around(part, face, axes,
-                  BelowTorus{f.major, f.minor, axes.turned(f.centre - apex),
-                             cut_of(part, face, axes, f.major)});
-}
-
-double volume(const Part& part) {
-    double sum = 0.0;
-    const auto add = [&](const Shell& shell) {
-        if (shell.empty()) return;
-        const Loop& loop = part.faces[shell.front()].loops.front();
-        const Vec3 apex = part.vertices[part.edges[loop.front().edge].from];
-        for (const std::uint32_t f : shell)
-            sum += measure(part, part.faces[f], apex).volume;
-    };
-    for (const Solid& solid : part.solids) {
-        add(solid.outside);
-        for (const Shell& shell : solid.voids)
-            add(shell);
-    }
-    return sum;
-}
 
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double tolerance_mm,
                              double& miss_mm, double clear_mm) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "known_faces.h"
 
+#include "ncsim/brep/frames.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/part.h"
 
 #include <cstddef>

@@ -13,6 +13,7 @@
 
 #include "ncsim/brep/apart.h"
 #include "ncsim/brep/check.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "chains.h"

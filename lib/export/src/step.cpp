@@ -6,6 +6,8 @@
 #include "ncsim/export/step.h"
 
 #include "ncsim/brep/apart.h"
+#include "ncsim/brep/frames.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/export/simplify.h"
 
 #include "palette.h"
@@ -104,22 +106,25 @@ std::string uncertainty_of(const brep::Part& part) {
 
 class Writer {
 public:
-    Writer(std::ostream& out, const brep::Part& part, const Provenance& provenance)
+    Writer(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+           const StepOptions& options)
         : out_(out),
           part_(part),
           provenance_(provenance),
+          options_(options),
           palette_(provenance),
           vertices_(part.vertices.size()),
           edges_(part.edges.size(), 0),
-          styles_(palette_.makers().size(), 0) {}
+          styles_(palette_.makers().size(), 0),
+          faces_(part.faces.size(), 0) {}
 
     void write() {
         header();
         const Entity context = units();
         const Entity shape = product();
         std::vector<Entity> items{placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0})};
-        for (const brep::Solid& solid : part_.solids)
-            items.push_back(solid_brep(solid));
+        for (std::size_t i = 0; i < part_.solids.size(); ++i)
+            items.push_back(solid_brep(part_.solids[i], "SOLID_" + std::to_string(i + 1)));
         const std::string kind =
             items.size() > 1 ? "ADVANCED_BREP_SHAPE_REPRESENTATION" : "SHAPE_REPRESENTATION";
         const Entity representation = add(kind + "(''," + list(items) + "," + ref(context) + ")");
@@ -128,6 +133,8 @@ public:
             add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION(''," + list(styled_) +
                 "," + ref(context) + ")");
         }
+        validate(shape, representation, context, items);
+        if (options_.has_attributes) attribute(shape, representation, context);
         text_ += "ENDSEC;\nEND-ISO-10303-21;\n";
         flush();
         if (!out_) throw std::runtime_error("cannot write STEP: the stream failed");
@@ -148,13 +155,19 @@ private:
             "FILE_NAME(" +
             quoted(provenance_.program) +
             ",'1970-01-01T00:00:00',(''),(''),'ncsim','ncsim','');\n"
-            "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\n"
-            "ENDSEC;\nDATA;\n";
+            "FILE_SCHEMA(('" +
+            std::string(is_242() ? "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF"
+                                   " { 1 0 10303 442 1 1 4 }"
+                                 : "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }") +
+            "'));\nENDSEC;\nDATA;\n";
     }
+
+    bool is_242() const { return options_.schema == StepSchema::Ap242; }
 
     // Millimetres and radians; the context all geometry is in.
     Entity units() {
         const Entity length = add("(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.))");
+        length_ = length;
         const Entity angle = add("(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.))");
         const Entity solid = add("(NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT())");
         const Entity uncertainty =
@@ -170,8 +183,12 @@ private:
         const std::string name =
             quoted(provenance_.program.empty() ? std::string("part") : provenance_.program);
         const Entity application =
-            add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
-        add("APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000," +
+            add(is_242() ? "APPLICATION_CONTEXT('managed model based 3d engineering')"
+                         : "APPLICATION_CONTEXT('core data for automotive mechanical design "
+                           "processes')");
+        add("APPLICATION_PROTOCOL_DEFINITION('international standard'," +
+            std::string(is_242() ? "'ap242_managed_model_based_3d_engineering',2014,"
+                                 : "'automotive_design',2000,") +
             ref(application) + ")");
         const Entity context = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
         const Entity made = add("PRODUCT(" + name + "," + name + ",'',(" + ref(context) + "))");
@@ -290,6 +307,118 @@ private:
         return lines.size() > kNamedLines ? name + "_ETC" : name;
     }
 
+    // --- Properties -------------------------------------------------------------------------
+
+    Entity power_of_length(int power) {
+        const Entity element = add("DERIVED_UNIT_ELEMENT(" + ref(length_) + "," +
+                                   real(static_cast<double>(power)) + ")");
+        return add("DERIVED_UNIT((" + ref(element) + "))");
+    }
+
+    // Of the whole part, and of its solids where there are several.
+    void validate(Entity shape, Entity representation, Entity context,
+                  const std::vector<Entity>& items) {
+        if (part_.solids.empty()) return;
+        square_ = power_of_length(2);
+        cube_ = power_of_length(3);
+        validate(shape, brep::mass_of(part_), context);
+        if (part_.solids.size() == 1) return;
+        for (std::size_t i = 0; i < part_.solids.size(); ++i) {
+            const Entity aspect = aspect_of("SOLID_" + std::to_string(i + 1), items[i + 1], shape,
+                                            representation, context);
+            validate(aspect, brep::mass_of(part_, part_.solids[i]), context);
+        }
+    }
+
+    void validate(Entity of, const brep::Mass& mass, Entity context) {
+        const auto property = [&](const std::string& name, Entity item) {
+            const Entity definition = add("PROPERTY_DEFINITION('geometric validation property','" +
+                                          name + "'," + ref(of) + ")");
+            const Entity value =
+                add("REPRESENTATION('" + name + "',(" + ref(item) + ")," + ref(context) + ")");
+            add("PROPERTY_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(value) + ")");
+        };
+        property("volume", add("MEASURE_REPRESENTATION_ITEM('volume measure',VOLUME_MEASURE(" +
+                               real(mass.volume) + ")," + ref(cube_) + ")"));
+        property("surface area",
+                 add("MEASURE_REPRESENTATION_ITEM('surface area measure',AREA_MEASURE(" +
+                     real(mass.area) + ")," + ref(square_) + ")"));
+        property("centroid", add("CARTESIAN_POINT('centre point'," + triple(mass.centroid) + ")"));
+    }
+
+    // What properties of a face or a solid can be hung on.
+    Entity aspect_of(const std::string& name, Entity item, Entity shape, Entity representation,
+                     Entity context) {
+        const Entity aspect = add("SHAPE_ASPECT('" + name + "',''," + ref(shape) + ",.T.)");
+        if (is_242()) {
+            add("GEOMETRIC_ITEM_SPECIFIC_USAGE('',''," + ref(aspect) + "," + ref(representation) +
+                "," + ref(item) + ")");
+        } else {
+            const Entity definition =
+                add("PROPERTY_DEFINITION('shape with specific properties',''," + ref(aspect) + ")");
+            const Entity only =
+                add("SHAPE_REPRESENTATION('',(" + ref(item) + ")," + ref(context) + ")");
+            add("SHAPE_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(only) + ")");
+        }
+        return aspect;
+    }
+
+    void attribute(Entity shape, Entity representation, Entity context) {
+        struct Attribute {
+            std::string name;
+            Entity general = 0;
+            std::unordered_map<std::string, Entity> values{};  // equal ones are one
+        };
+        std::array<Attribute, 3> attributes{{{"nc_lines"}, {"tools"}, {"kind"}}};
+        for (Attribute& a : attributes)
+            a.general = add("GENERAL_PROPERTY('','" + a.name + "','')");
+        for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+            if (faces_[f] == 0) continue;
+            const brep::Face& face = part_.faces[f];
+            const Entity aspect =
+                aspect_of(name_of(face), faces_[f], shape, representation, context);
+            const std::array<std::string, 3> words{numbers_of(face, &Provenance::Entry::nc_line),
+                                                   numbers_of(face, &Provenance::Entry::tool),
+                                                   kind_of(face)};
+            for (std::size_t i = 0; i < words.size(); ++i) {
+                Attribute& a = attributes[i];
+                Entity& value = a.values[words[i]];
+                if (value == 0) {
+                    const Entity item =
+                        add("DESCRIPTIVE_REPRESENTATION_ITEM('" + a.name + "','" + words[i] + "')");
+                    value = add("REPRESENTATION('" + a.name + "',(" + ref(item) + ")," +
+                                ref(context) + ")");
+                }
+                const Entity definition =
+                    add("PROPERTY_DEFINITION('" + a.name + "',''," + ref(aspect) + ")");
+                add("PROPERTY_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(value) +
+                    ")");
+                add("GENERAL_PROPERTY_ASSOCIATION('user defined attribute',''," + ref(a.general) +
+                    "," + ref(definition) + ")");
+            }
+        }
+    }
+
+    static std::string kind_of(const brep::Face& face) {
+        if (face.is_facet) return "facet";
+        return std::string(brep::kForms[face.surface.form.index()]);
+    }
+
+    // Ascending; empty where nobody cut it.
+    std::string numbers_of(const brep::Face& face, std::uint32_t Provenance::Entry::*number) const {
+        std::vector<std::uint32_t> numbers;
+        for (const cda::Origin origin : face.origins) {
+            const Provenance::Entry entry = provenance_.of(origin);
+            if (!entry.is_stock()) numbers.push_back(entry.*number);
+        }
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+        std::string text;
+        for (const std::uint32_t n : numbers)
+            text += (text.empty() ? "" : " ") + std::to_string(n);
+        return text;
+    }
+
     Entity face(std::uint32_t number) {
         const brep::Face& from = part_.faces[number];
         const bool is_flat = std::holds_alternative<brep::Plane>(from.surface.form);
@@ -312,6 +441,7 @@ private:
         const Entity made = add("ADVANCED_FACE('" + name_of(from) + "'," + list(bounds) + "," +
                                 ref(surface) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
         const Entity look = style(provenance_.of(from.origin));
+        faces_[number] = made;
         styled_.push_back(add("STYLED_ITEM('',(" + ref(look) + ")," + ref(made) + ")"));
         return made;
     }
@@ -372,15 +502,17 @@ private:
         return add("CLOSED_SHELL(''," + list(made) + ")");
     }
 
-    Entity solid_brep(const brep::Solid& solid) {
+    Entity solid_brep(const brep::Solid& solid, const std::string& name) {
         const Entity outside = shell(solid.outside);
-        if (solid.voids.empty()) return add("MANIFOLD_SOLID_BREP(''," + ref(outside) + ")");
+        if (solid.voids.empty()) {
+            return add("MANIFOLD_SOLID_BREP('" + name + "'," + ref(outside) + ")");
+        }
         std::vector<Entity> voids;
         for (const auto& faces : solid.voids) {
             const Entity inside = shell(faces);
             voids.push_back(add("ORIENTED_CLOSED_SHELL('',*," + ref(inside) + ",.T.)"));
         }
-        return add("BREP_WITH_VOIDS(''," + ref(outside) + "," + list(voids) + ")");
+        return add("BREP_WITH_VOIDS('" + name + "'," + ref(outside) + "," + list(voids) + ")");
     }
 
     void flush() {
@@ -391,26 +523,29 @@ private:
     std::ostream& out_;
     const brep::Part& part_;
     const Provenance& provenance_;
+    StepOptions options_;
     Palette palette_;
     Entity last_ = 0;
+    Entity length_ = 0, square_ = 0, cube_ = 0;  // units
     std::string text_;
     std::vector<Vertex> vertices_;
     std::vector<Entity> edges_;                           // by number; 0: not yet
     std::unordered_map<std::string, Entity> directions_;  // by their text
     std::vector<Entity> styles_;                          // by rank of the tool; 0: not yet
     std::vector<Entity> styled_;
+    std::vector<Entity> faces_;  // by number; 0: not written
 };
 
 }  // namespace
 
 void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
-                      std::size_t max_faces) {
-    if (part.faces.size() > max_faces) {
+                      const StepOptions& options) {
+    if (part.faces.size() > options.max_faces) {
         throw std::runtime_error("the part has " + std::to_string(part.faces.size()) +
-                                 " faces, more than the " + std::to_string(max_faces) +
+                                 " faces, more than the " + std::to_string(options.max_faces) +
                                  " that a STEP file is to have (--step-max-faces, --simplify)");
     }
-    Writer(out, part, provenance).write();
+    Writer(out, part, provenance, options).write();
 }
 
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
@@ -418,7 +553,7 @@ void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenan
     const Simplified part = simplify(boundary, options.tolerance_mm);
     brep::Part solid = brep::faceted(part.boundary, part.origins);
     brep::keep_apart(solid);
-    write_step_solid(out, solid, provenance, options.max_faces);
+    write_step_solid(out, solid, provenance, options);
 }
 
 }  // namespace ncsim::exporter

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <ostream>
 
@@ -108,6 +109,45 @@ std::string solid_text(const SolidFacts& solid) {
     return text + (solid.facet_lines.size() > kMostLines ? ", …\n" : "\n");
 }
 
+// "section   z=-4: 2 outlines, 4421.46 mm2 of material; 6 lines, 2 arcs"
+std::string section_text(const SectionFacts& section) {
+    std::string text = fmt::format("section   {}: ", section.plane);
+    if (section.outlines == 0) return text + "nothing of the part is there\n";
+    text += fmt::format("{} outline{}, {:.6g} mm2 of material", section.outlines,
+                        section.outlines == 1 ? "" : "s", section.area_mm2);
+    constexpr std::array<const char*, 4> kNames{"line", "arc", "ellipse", "other curve"};
+    const char* before = "; ";
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        const std::size_t count = section.curves[i];
+        if (count == 0) continue;
+        text += fmt::format("{}{} {}{}", before, count, kNames[i], count == 1 ? "" : "s");
+        before = ", ";
+    }
+    if (section.is_faceted) {
+        text += "\n          of facets: its true surfaces make no closed outlines";
+    } else if (section.facets > 0) {
+        text += fmt::format("\n          {} of the lines {} of round tools", section.facets,
+                            section.facets == 1 ? "is of a facet" : "are of facets");
+    }
+    if (section.moved_mm != 0.0)
+        text += fmt::format("\n          drawn {:g} mm farther to the right", section.moved_mm);
+    return text + "\n";
+}
+
+Json section_json(const SectionFacts& section) {
+    return {{"plane", section.plane},
+            {"outlines", section.outlines},
+            {"area_mm2", tidy(section.area_mm2)},
+            {"length_mm", tidy(section.length_mm)},
+            {"lines", section.curves[0]},
+            {"arcs", section.curves[1]},
+            {"ellipses", section.curves[2]},
+            {"other_curves", section.curves[3]},
+            {"lines_of_facets", section.is_faceted ? section.curves[0] : section.facets},
+            {"is_faceted", section.is_faceted},
+            {"drawn_to_the_right_mm", section.moved_mm}};
+}
+
 }  // namespace
 
 std::string summary(const RunFacts& run) {
@@ -134,6 +174,8 @@ std::string summary(const RunFacts& run) {
                    run.simplified->faces, run.boundary->faces.size(), run.simplified->deviation_mm);
         }
         if (run.solid) text += solid_text(*run.solid);
+        for (const SectionFacts& section : run.sections)
+            text += section_text(section);
         append(text, "accuracy  {:.3g} mm missed, {:.3g} mm gained by {}arcs and turning tools\n",
                s.bounds.missed_mm, s.bounds.gained_mm,
                run.cutting.join_tolerance > 0.0 ? "joined moves, " : "");
@@ -215,6 +257,8 @@ void write_report(std::ostream& out, const RunFacts& run) {
                         {"left_out_at_bends_mm", run.solid->mitred_mm}};
         if (run.solid->refined_mm) json["step"]["refined_to_mm"] = *run.solid->refined_mm;
     }
+    for (const SectionFacts& section : run.sections)
+        json["sections"].push_back(section_json(section));
     json["distance_mm"] = {{"rapid", tidy(distances.rapid_mm)}, {"feed", tidy(distances.feed_mm)}};
     if (distances.feed_seconds) json["feed_seconds"] = tidy(*distances.feed_seconds);
     json["time"] = time_json(distances);

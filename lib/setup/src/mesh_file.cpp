@@ -3,6 +3,8 @@
 
 #include "ncsim/cda/check.h"
 
+#include "step_file.h"
+
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
@@ -301,16 +303,23 @@ std::vector<Vec3> corners_in(std::string_view bytes) {
     if (is_gltf(bytes)) return read_gltf(bytes);
     auto corners = read_binary(bytes);
     if (!corners) corners = read_text(bytes);
-    if (!corners) throw Refused{"it is neither STL nor binary glTF"};
+    if (!corners) throw Refused{"it is neither STL, binary glTF nor STEP"};
     return std::move(*corners);
 }
 
 }  // namespace
 
-cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs) {
+SurfaceFile read_surface_file(const std::string& path, InputSet& inputs) {
     const std::string bytes = inputs.read(path);
     try {
-        cda::TriangleMesh mesh = weld(corners_in(bytes));
+        SurfaceFile file;
+        if (is_step(bytes)) {
+            StepSurface step = read_step(bytes, kStepDeflectionMm);
+            file = {std::move(step.mesh), std::move(step.face_names), kStepDeflectionMm};
+        } else {
+            file.mesh = weld(corners_in(bytes));
+        }
+        const cda::TriangleMesh& mesh = file.mesh;
         if (mesh.triangles.empty()) throw Refused{"it has no triangles"};
         if (const std::size_t open = open_edges(mesh); open > 0) {
             throw Refused{
@@ -318,12 +327,18 @@ cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs) {
                             "of it?",
                             open, open == 1 ? "" : "s")};
         }
-        if (cda::volume(mesh) <= 0.0)
+        if (!(cda::volume(mesh) > 0.0))
             throw Refused{"its surface is turned inside out: what is inside of it?"};
-        return mesh;
+        return file;
     } catch (const Refused& refused) {
         throw std::runtime_error(fmt::format("'{}': {}", name_of_input(path), refused.reason));
+    } catch (const std::runtime_error& e) {
+        throw std::runtime_error(fmt::format("'{}': {}", name_of_input(path), e.what()));
     }
+}
+
+cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs) {
+    return read_surface_file(path, inputs).mesh;
 }
 
 }  // namespace ncsim::setup

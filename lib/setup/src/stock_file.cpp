@@ -63,7 +63,7 @@ cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& p
 
 bool is_stock_file(const std::string& text) {
     return text == "-" || ends_with(text, ".ncstock") || ends_with(text, ".stl") ||
-           ends_with(text, ".glb");
+           ends_with(text, ".glb") || ends_with(text, ".step") || ends_with(text, ".stp");
 }
 
 cda::Placement parse_turn(const std::string& text) {

@@ -2,8 +2,16 @@
 #include "ncsim/simulation/design.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/triangle_tree.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/verify/design.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
 
 namespace ncsim::simulation {
 
@@ -33,13 +41,65 @@ Finding finding_for(const DesignRegion& region, const Simulation& simulation) {
     return f;
 }
 
+// What of a triangle lies in a box, mm².
+double area_within(const cda::Corners& triangle, const cda::Box& box) {
+    std::vector<cda::Vec3> polygon(triangle.begin(), triangle.end());
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            const double most = sign > 0.0 ? box.max[axis] : -box.min[axis];
+            std::vector<cda::Vec3> left;
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const cda::Vec3 p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+                const double a = sign * p[axis] - most, b = sign * q[axis] - most;
+                if (a <= 0.0) left.push_back(p);
+                if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))
+                    left.push_back(p + (a / (a - b)) * (q - p));
+            }
+            polygon = std::move(left);
+        }
+    }
+    cda::Vec3 twice;
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        twice = twice + cda::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    return 0.5 * cda::norm(twice);
+}
+
+class FaceNames {
+public:
+    explicit FaceNames(const Design& design) : design_(design), tree_(design.mesh) {}
+
+    // Of the face that most of what a region has of the design is of; empty where nobody named it.
+    std::string of(const cda::Box& region) const {
+        if (design_.face_names.empty()) return {};
+        constexpr double kAround = 0.02;  // mm; surfaces at its sides are its own
+        const cda::Vec3 around{kAround, kAround, kAround};
+        const cda::Box box{region.min - around, region.max + around};
+        std::map<std::uint32_t, double> areas;
+        tree_.visit([&](const cda::Box& other) { return box.overlaps(other); },
+                    [&](std::uint32_t t) {
+                        areas[design_.mesh.face.at(t)] +=
+                            area_within(cda::corners_of(design_.mesh, t), box);
+                    });
+        const auto largest = std::ranges::max_element(
+            areas, [](const auto& a, const auto& b) { return a.second < b.second; });
+        if (largest == areas.end() || largest->second <= 0.0) return {};
+        const std::string& name = design_.face_names.at(largest->first);
+        // What CAD programs call what nobody called anything.
+        return name == "NONE" ? std::string() : name;
+    }
+
+private:
+    const Design& design_;
+    cda::TriangleTree tree_;
+};
+
 Finding gouge(const DesignRegion& region, const Design& design, const Simulation& simulation) {
     Finding f = finding_for(region, simulation);
     f.rule = "gouge";
     const auto cutter = simulation.cutters.find(f.tool);
     const double off = (cutter == simulation.cutters.end() ? 0.0 : cutter->second.error_mm) +
                        simulation.bounds.gained_mm;
-    const bool certain = region.depth_mm > design.tolerance_mm + off;
+    const bool certain = region.depth_mm > design.tolerance_mm + design.deflection_mm + off;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
     f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
     f.message = "the part is cut into the design";
@@ -54,7 +114,8 @@ Finding gouge(const DesignRegion& region, const Design& design, const Simulation
 Finding excess(const DesignRegion& region, const Design& design, const Simulation& simulation) {
     Finding f = finding_for(region, simulation);
     f.rule = "excess";
-    const bool certain = region.depth_mm > design.tolerance_mm + simulation.bounds.missed_mm;
+    const bool certain =
+        region.depth_mm > design.tolerance_mm + design.deflection_mm + simulation.bounds.missed_mm;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
     f.severity = verify::Severity::Warning;
     f.message = "material is left that the design does not have";
@@ -96,13 +157,23 @@ std::vector<Finding> compare_with(const Design& design, const Simulation& simula
         facts.deviation_mm = c.deviation_mm;
         facts.gouge = side_of(c.gouge);
         facts.excess = side_of(c.excess);
+        const FaceNames names(design);
+        const auto add = [&](Finding f) {
+            const std::string name = names.of(f.box);
+            if (!name.empty()) f.message += "; at the face '" + name + "' of the design";
+            findings.push_back(std::move(f));
+        };
         for (const DesignRegion& region : c.gouge.regions)
-            findings.push_back(gouge(region, design, simulation));
+            add(gouge(region, design, simulation));
         for (const DesignRegion& region : c.excess.regions)
-            findings.push_back(excess(region, design, simulation));
+            add(excess(region, design, simulation));
     }
     for (Finding& f : findings) {
         f.assumptions.push_back("design: '" + design.path + "' is in the frame of G54");
+        if (design.deflection_mm > 0.0) {
+            f.assumptions.push_back(fmt::format("design: triangles within {:g} mm of its surfaces",
+                                                design.deflection_mm));
+        }
     }
     return findings;
 }

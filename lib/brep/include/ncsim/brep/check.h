@@ -12,18 +12,6 @@
 
 namespace ncsim::brep {
 
-/// By integrals along the edges, without triangles.
-struct Measure {
-    double area = 0.0;    ///< mm²
-    double length = 0.0;  ///< Of its edges, mm.
-    /// mm³: of the cone from `apex` over the face, the sum of which over a shell is its volume.
-    double volume = 0.0;
-};
-Measure measure(const Part& part, const Face& face, Vec3 apex);
-
-/// Of all solids, mm³.
-double volume(const Part& part);
-
 /// What is wrong with it.
 struct Fault {
     std::uint32_t face = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part as a STEP solid, for CAD. ISO 10303-21:2016 (the text form), ISO 10303-214 (automotive
-// design), ISO 10303-42 (geometry and topology).
+// The part as a STEP solid, for CAD. ISO 10303-21:2016 (the text form), ISO 10303-242 (managed
+// model based 3D engineering) or ISO 10303-214 (automotive design), ISO 10303-42 (geometry and
+// topology).
 #pragma once
 
 #include "ncsim/brep/part.h"
@@ -10,6 +11,7 @@
 #include "ncsim/export/simplify.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <iosfwd>
 
 namespace ncsim::exporter {
@@ -22,12 +24,18 @@ inline constexpr std::size_t kStepMaxFaces = 100'000;
 /// which readers take two points for one.
 inline constexpr double kStepTolerance = kFlatTolerance;
 
+/// Which dialect: the same entities but for those that name it, and the links of attributes.
+enum class StepSchema : std::uint8_t { Ap242, Ap214 };
+
 struct StepOptions {
     double tolerance_mm = kStepTolerance;  ///< For simplify(); 0: exactly coplanar faces only.
     std::size_t max_faces = kStepMaxFaces;
+    StepSchema schema = StepSchema::Ap242;
+    /// Of each face nc_lines, tools, and what it is, as attributes.
+    bool has_attributes = false;
 };
 
-/// Writes `boundary` as STEP AP214, in millimetres: a solid for each connected part, with its
+/// Writes `boundary` as STEP, in millimetres: a solid for each connected part, with its
 /// voids. What is written is simplify(boundary, options.tolerance_mm): faces are flat with any
 /// number of holes, neighbours in one plane are one face, whoever cut them, and no edge has a
 /// vertex in its middle. No point is farther than the tolerance from where it was. Points, edges
@@ -46,7 +54,12 @@ void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenan
 /// The same for a part of faces and edges as they are, which may be curved: PLANE, CYLINDRICAL_,
 /// CONICAL_, SPHERICAL_ and TOROIDAL_SURFACE, LINE, CIRCLE, ELLIPSE and B_SPLINE_CURVE_WITH_KNOTS.
 /// The uncertainty in the file is part.miss_mm, if that is more than 1e-6 mm.
+///
+/// Volume, area and centroid of the part, and of each solid where there are several, are written as
+/// validation properties (CAx-IF Recommended Practices for Geometric and Assembly Validation
+/// Properties), so that readers can tell whether they read the same; attributes as CAx-IF User
+/// Defined Attributes on shape aspects of the faces.
 void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
-                      std::size_t max_faces = kStepMaxFaces);
+                      const StepOptions& options = {});
 
 }  // namespace ncsim::exporter

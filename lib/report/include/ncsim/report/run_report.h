@@ -6,6 +6,7 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/report/facts.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -35,6 +36,17 @@ struct SolidFacts {
     double mitred_mm = 0.0;              ///< Left out at bends of balls, at most; 0: nothing.
 };
 
+/// The part cut open.
+struct SectionFacts {
+    std::string plane;  ///< "z=-4"
+    std::size_t outlines = 0;
+    std::array<std::size_t, 4> curves{};  ///< Lines, arcs, ellipses, and curves that are chords.
+    std::size_t facets = 0;               ///< Among the lines: of round tools, not recognised.
+    bool is_faceted = false;              ///< All of it is of facets.
+    double area_mm2 = 0.0, length_mm = 0.0;
+    double moved_mm = 0.0;  ///< To the right on the drawing.
+};
+
 /// What is known at the end of a run. What is pointed to must outlive it.
 struct RunFacts {
     std::string name;  ///< Of the program.
@@ -44,6 +56,7 @@ struct RunFacts {
     const cda::Boundary* boundary = nullptr;  ///< Null: nobody asked for it.
     std::optional<SimplifiedFacts> simplified;
     std::optional<SolidFacts> solid;
+    std::vector<SectionFacts> sections{};
 };
 
 /// A few lines for people.

@@ -79,7 +79,7 @@
 //     turns_about = [1, 0, 0]        # or moves_along
 //     through = [0, 20, 10]
 //     travel = [-110, 30]
-//     mesh = "cradle.stl"            # beside this file: STL or GLB, closed, mm, as it stands with
+//     mesh = "cradle.stl"            # beside this file: STL, GLB, STEP; closed, as it stands with
 //                                    # all axes at 0
 //     colour = "#c08040"
 //     clearance = 2                  # mm that all else is to stay away

@@ -14,7 +14,8 @@
 
 namespace ncsim::setup {
 
-/// Does `text` name such a file? By its end, .stl, .glb or .ncstock, or as "-", the standard input.
+/// Does `text` name such a file? By its end, .stl, .glb, .step, .stp or .ncstock, or as "-", the
+/// standard input.
 bool is_stock_file(const std::string& text);
 
 /// "X180", "X90,Z-90": turns by right angles about the axes of the program, one after the other.

@@ -17,6 +17,8 @@ struct Design {
     std::string path;  ///< As given on the command line.
     cda::TriangleMesh mesh;
     double tolerance_mm = 0.0;
+    std::vector<std::string> face_names{};  ///< Of the faces that mesh.face counts, if it has any.
+    double deflection_mm = 0.0;             ///< How far the triangles may be from the design.
 };
 
 /// Findings of the rules gouge and excess, one for each region, at the line that cut the part

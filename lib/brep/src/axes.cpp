@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "axes.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::normalized;
+
+double cut_of(const Part& part, const Face& face, const Axes& axes, double major) {
+    constexpr int kSteps = 32;
+    struct Angle {
+        double degrees;
+        int inwards;  // which way the face goes on: 1 to greater angles, -1 to smaller ones
+        bool operator<(const Angle& o) const { return degrees < o.degrees; }
+    };
+    std::vector<Angle> angles;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        for (int i = 0; i <= kSteps; ++i) {
+            const double t = static_cast<double>(i) / kSteps;
+            const Vec3 at = track.at(t);
+            const Local p = axes(at);
+            const Vec3 n = outward(face.surface, at);
+            const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
+            const Vec3 around = p.z * away - (p.away - major) * axes.z;
+            const double inwards =
+                -dot(normalized(around), normalized(sign * cross(n, track.derivative(t))));
+            constexpr double kAcross = 0.9;
+            angles.push_back({trig::angle_of(p.away - major, p.z), inwards > kAcross    ? 1
+                                                                   : inwards < -kAcross ? -1
+                                                                                        : 0});
+        }
+    });
+    std::sort(angles.begin(), angles.end());
+    double widest = 0.0, cut = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const bool is_last = i + 1 == angles.size();
+        const Angle& next = angles[is_last ? 0 : i + 1];
+        const double gap = next.degrees + (is_last ? 360.0 : 0.0) - angles[i].degrees;
+        if (gap <= widest || angles[i].inwards > 0 || next.inwards < 0) continue;
+        widest = gap;
+        cut = angles[i].degrees + 0.5 * gap;
+    }
+    return cut > 180.0 ? cut - 360.0 : cut;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces in the frames of their surfaces of revolution.
+#pragma once
+
+#include "ncsim/brep/part.h"
+
+#include <cmath>
+
+namespace ncsim::brep {
+
+/// A point in the frame of a surface of revolution.
+struct Local {
+    double x, y, z, away;  // away: from the axis
+};
+
+struct Axes {
+    Vec3 origin, x, y, z;
+
+    Axes(Vec3 at, const Frame& frame)
+        : origin(at), x(frame.x), y(cda::cross(frame.axis, frame.x)), z(frame.axis) {}
+    Vec3 turned(Vec3 v) const { return {cda::dot(v, x), cda::dot(v, y), cda::dot(v, z)}; }
+    Local operator()(Vec3 p) const {
+        const Vec3 v = turned(p - origin);
+        return {v.x, v.y, v.z, std::sqrt(v.x * v.x + v.y * v.y)};
+    }
+};
+
+/// Calls `visit` for each edge of a face with its track, and 1 or -1 for the way along it.
+template <typename Visit>
+void for_edges(const Part& part, const Face& face, const Visit& visit) {
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            visit(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]),
+                  use.is_forward ? 1.0 : -1.0);
+        }
+    }
+}
+
+/// Where the face of a ring is not, on the way around the tube, degrees in (-180, 180]: in the
+/// middle of the widest gap between points of its edges, of those that are not between two edges
+/// with the face between them.
+double cut_of(const Part& part, const Face& face, const Axes& axes, double major);
+
+}  // namespace ncsim::brep

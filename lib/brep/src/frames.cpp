@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/frames.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "around.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+// The x axis that a face with these loops gets.
+Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
+    const Vec3 x = across(axis);
+    const Round round = round_of(loops, origin, axis, x);
+    constexpr double kLeastGap = 0.01;
+    if (round.goes_round || round.gap < kLeastGap) {
+        const Vec3 v = loops.front().front() - origin;
+        const Vec3 out = v - dot(v, axis) * axis;
+        return norm(out) > 1e-6 ? normalized(out) : x;
+    }
+    const auto angle = trig::sin_cos(round.gap_begin + 0.5 * round.gap);
+    return normalized(angle.cos * x + angle.sin * cross(axis, x));
+}
+
+// Is the face a cap or a zone, between circles about one axis?
+std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
+    std::optional<Vec3> axis;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const auto* circle = std::get_if<Circle>(&part.edges[use.edge].curve);
+            constexpr double kOne = 1e-9;
+            if (!circle || (axis && norm(cross(*axis, circle->axis)) > kOne)) return std::nullopt;
+            if (!axis) axis = circle->axis;
+        }
+    }
+    return axis;
+}
+
+// The axis of a sphere: as far from the loops as may be, and not through the face.
+Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
+    const Vec3 up{0, 0, 1};
+    std::vector<Vec3> axes{up};
+    for (int i = -2; i <= 2; ++i) {
+        for (int j = -2; j <= 2; ++j) {
+            for (int k = 0; k <= 2; ++k) {
+                const Vec3 v{double(i), double(j), double(k)};
+                if (dot(v, v) > 0.0) axes.push_back(normalized(v));
+            }
+        }
+    }
+    Vec3 best = up;
+    double farthest = 0.0;
+    for (const Vec3& axis : axes) {
+        const Round round = round_of(loops, centre, axis, across(axis));
+        if (round.goes_round || round.nearest <= farthest + 1e-3) continue;
+        farthest = round.nearest;
+        best = axis;
+    }
+    return best;
+}
+
+}  // namespace
+
+bool has_tip(const Part& part, const Face& face) {
+    const auto* cone = std::get_if<Cone>(&face.surface.form);
+    if (!cone) return false;
+    const Round round =
+        round_of(points_along(part, face), cone->apex, cone->axis, across(cone->axis));
+    return std::abs(round.sum) > 180.0;
+}
+
+Frame frame_for(const Part& part, const Face& face) {
+    const auto loops = points_along(part, face);
+    if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
+        return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};
+    if (const auto* f = std::get_if<Torus>(&face.surface.form))
+        return {f->centre, f->axis, x_axis(loops, f->centre, f->axis)};
+    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
+        const auto zone = axis_of_zone(part, face);
+        const Vec3 axis = zone ? *zone : sphere_axis(loops, f->centre);
+        return {f->centre, axis, x_axis(loops, f->centre, axis)};
+    }
+    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
+        // Not in the apex, where CAD would have to take a radius of 0.
+        double height = 0.0;
+        for (const auto& points : loops) {
+            for (const Vec3& p : points)
+                height = std::max(height, dot(p - f->apex, f->axis));
+        }
+        return {f->apex + height * f->axis, f->axis, x_axis(loops, f->apex, f->axis)};
+    }
+    const auto& plane = std::get<Plane>(face.surface.form);
+    const EdgeUse& use = face.loops.front().front();
+    const Edge& edge = part.edges[use.edge];
+    const Vec3 start = part.vertices[use.is_forward ? edge.from : edge.to];
+    Vec3 along = across(plane.normal);
+    if (std::holds_alternative<Line>(edge.curve) && edge.from != edge.to) {
+        const Vec3 v = part.vertices[edge.to] - part.vertices[edge.from];
+        along = normalized(v - dot(v, plane.normal) * plane.normal);
+    }
+    return {start, plane.normal, along};
+}
+
+}  // namespace ncsim::brep

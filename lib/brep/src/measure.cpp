@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/measure.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "axes.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::brep {
+
+using trig::kRadiansPerDegree;
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+// Gauss-Legendre on (0, 1): exact for polynomials of degree 15.
+constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
+                                           0.7966664774136267, 0.9602898564975363};
+constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                         0.1012285362903763};
+
+template <typename F>
+void integrate(const Track& track, const F& f) {
+    const std::size_t pieces = track.pieces();
+    const double width = 1.0 / static_cast<double>(pieces);
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const double middle = (static_cast<double>(i) + 0.5) * width;
+        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+            for (const double sign : {-1.0, 1.0}) {
+                const double t = middle + sign * 0.5 * width * kAbscissae[k];
+                f(0.5 * width * kWeights[k], track.at(t), track.derivative(t));
+            }
+        }
+    }
+}
+
+// Integrals over the second parameter from a fixed start to where a point is: of the area, and of
+// the volume of the cone from a point -w, in the frame of the surface, three times. What is left
+// is an integral along the edges, over the angle around the axis (Green).
+struct Below {
+    double area = 0.0, volume = 0.0;
+};
+
+struct BelowCylinder {
+    double radius;
+    Vec3 w;
+    Below operator()(const Local& p) const {
+        const double side = radius + (w.x * p.x + w.y * p.y) / p.away;
+        return {radius * p.z, radius * side * p.z};
+    }
+};
+
+struct BelowCone {
+    double slope;
+    Vec3 w;
+    Below operator()(const Local& p) const {
+        const double half = 0.5 * p.z * p.z * slope;
+        if (p.away <= 0.0) return {};
+        return {half * std::sqrt(1.0 + slope * slope),
+                half * ((w.x * p.x + w.y * p.y) / p.away - w.z * slope)};
+    }
+};
+
+struct BelowSphere {
+    double radius;
+    Vec3 w;
+    double pole;  // 1 or -1: from where on
+    Below operator()(const Local& p) const {
+        if (p.away <= 0.0) return {};
+        const double s = p.z / radius, c = p.away / radius;
+        const double angle = trig::angle_of(c, s) * kRadiansPerDegree;
+        const double side = (w.x * p.x + w.y * p.y) / p.away;
+        const double half_pi = pole * 0.5 * std::numbers::pi;
+        const double r2 = radius * radius;
+        return {r2 * (s - pole),
+                r2 * (radius * (s - pole) + side * 0.5 * (angle - half_pi + s * c) +
+                      0.5 * w.z * (s * s - 1.0))};
+    }
+};
+
+struct BelowTorus {
+    double major, minor;
+    Vec3 w;
+    double cut;  // degrees, where the angle around the tube jumps
+    Below operator()(const Local& p) const {
+        const double out = p.away - major;
+        const double length = std::sqrt(out * out + p.z * p.z);
+        const double s = p.z / length, c = out / length;
+        double degrees = trig::angle_of(out, p.z);
+        if (degrees < cut) degrees += 360.0;
+        const double f = degrees * kRadiansPerDegree;
+        const double a = (w.x * p.x + w.y * p.y) / p.away;
+        return {minor * (major * f + minor * s),
+                minor * (major * minor * f + major * (major + a) * s - major * w.z * c +
+                         minor * minor * s + minor * (major + a) * 0.5 * (f + s * c) +
+                         0.5 * minor * w.z * s * s)};
+    }
+};
+
+// The angle around the axis that a step makes, per its parameter.
+double turn(const Local& p, Vec3 step) {
+    return (p.x * step.y - p.y * step.x) / (p.away * p.away);
+}
+
+template <typename B>
+Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
+    Measure sum;
+    constexpr double kAtTip = 1e-12;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            const Local p = axes(at);
+            sum.length += weight * norm(derivative);
+            if (p.away <= kAtTip) return;
+            const double turned = sign * weight * turn(p, axes.turned(derivative));
+            const Below b = below(p);
+            sum.area -= turned * b.area;
+            sum.volume -= turned * b.volume / 3.0;
+        });
+    });
+    if (face.surface.is_hollow) sum.area = -sum.area;
+    return sum;
+}
+
+double turns_about(const Part& part, const Face& face, const Axes& axes) {
+    double sum = 0.0;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            const Local p = axes(at);
+            if (p.away > 0.0) sum += sign * weight * turn(p, axes.turned(derivative));
+        });
+    });
+    return sum / (2.0 * std::numbers::pi);
+}
+
+Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Vec3 apex) {
+    Measure sum;
+    Vec3 twice;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            sum.length += weight * norm(derivative);
+            twice = twice + (sign * weight) * cross(at - plane.origin, derivative);
+        });
+    });
+    sum.area = 0.5 * dot(twice, plane.normal);
+    sum.volume = sum.area * dot(plane.origin - apex, plane.normal) / 3.0;
+    return sum;
+}
+
+// --- Middles --------------------------------------------------------------------------------
+
+// The integral of w (w n) over a face, w from `apex`, n the form's normal: four times what the cone
+// over it has of volume times middle. Over the second parameter by Gauss, which is exact for
+// cylinders and cones.
+struct Profile {
+    double radius, height;  // of the point
+    double out, up;         // of the normal
+    double per;             // area for each radian and unit of the parameter
+};
+
+template <typename At>
+Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
+                 const At& at) {
+    Vec3 sum;
+    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
+    const double width = (to - from) / pieces;
+    for (int i = 0; i < pieces; ++i) {
+        const double middle = from + (i + 0.5) * width;
+        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+            for (const double sign : {-1.0, 1.0}) {
+                const Profile f = at(middle + sign * 0.5 * width * kAbscissae[k]);
+                const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
+                const Vec3 n = f.out * away + f.up * axes.z;
+                sum = sum + (0.5 * width * kWeights[k] * f.per * dot(w, n)) * w;
+            }
+        }
+    }
+    return sum;
+}
+
+template <typename Inner>
+Vec3 around_axis(const Part& part, const Face& face, const Axes& axes, const Inner& inner) {
+    Vec3 sum;
+    constexpr double kAtTip = 1e-12;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            const Local p = axes(at);
+            if (p.away <= kAtTip) return;
+            sum = sum - (sign * weight * turn(p, axes.turned(derivative))) * inner(p);
+        });
+    });
+    return sum;
+}
+
+Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
+    constexpr double kHalfTurn = 180.0;
+    if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
+        Vec3 sum;  // of w, over the face
+        for_edges(part, face, [&](const Track& track, double sign) {
+            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+                const Vec3 v = at - f->origin;
+                const double twice = sign * weight * dot(cross(v, derivative), f->normal);
+                sum = sum + twice * (0.5 * (f->origin - apex) + (1.0 / 3.0) * v);
+            });
+        });
+        return (0.25 * dot(f->origin - apex, f->normal)) * sum;
+    }
+    const auto quarter = [](Vec3 v) { return 0.25 * v; };
+    if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
+        const Axes axes(f->origin, face.frame);
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            return across_face(axes, apex, p, 0.0, p.z, 1, [&](double h) {
+                return Profile{f->radius, h, 1.0, 0.0, f->radius};
+            });
+        }));
+    }
+    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
+        const Axes axes(f->apex, face.frame);
+        const double slant = std::sqrt(1.0 + f->slope * f->slope);
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            return across_face(axes, apex, p, 0.0, p.z, 1, [&](double h) {
+                return Profile{f->slope * h, h, 1.0 / slant, -f->slope / slant,
+                               f->slope * h * slant};
+            });
+        }));
+    }
+    const auto round = [](double major, double minor, double degrees) {
+        const auto t = trig::sin_cos(degrees);
+        const double radius = major + minor * t.cos;
+        return Profile{radius, minor * t.sin, t.cos, t.sin, minor * radius * kRadiansPerDegree};
+    };
+    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
+        const Axes axes(f->centre, face.frame);
+        const double turns = turns_about(part, face, axes);
+        const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            const double to = trig::angle_of(p.away, p.z);
+            return across_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 4,
+                               [&](double angle) { return round(0.0, f->radius, angle); });
+        }));
+    }
+    const auto& f = std::get<Torus>(face.surface.form);
+    const Axes axes(f.centre, face.frame);
+    const double cut = cut_of(part, face, axes, f.major);
+    return quarter(around_axis(part, face, axes, [&](const Local& p) {
+        double to = trig::angle_of(p.away - f.major, p.z);
+        if (to < cut) to += 2.0 * kHalfTurn;
+        return across_face(axes, apex, p, cut, to, 6,
+                           [&](double angle) { return round(f.major, f.minor, angle); });
+    }));
+}
+
+// What a body adds up to about a point of it.
+struct Sums {
+    double volume = 0.0, area = 0.0;
+    Vec3 moment;
+};
+
+Sums sums_of(const Part& part, const Solid& solid, Vec3 apex) {
+    Sums sums;
+    const auto add = [&](const Shell& shell) {
+        for (const std::uint32_t f : shell) {
+            const Face& face = part.faces[f];
+            const Measure measured = measure(part, face, apex);
+            sums.volume += measured.volume;
+            sums.area += measured.area;
+            sums.moment = sums.moment + moment(part, face, apex);
+        }
+    };
+    add(solid.outside);
+    for (const Shell& shell : solid.voids)
+        add(shell);
+    return sums;
+}
+
+Vec3 corner_of(const Part& part, const Solid& solid) {
+    const Loop& loop = part.faces[solid.outside.front()].loops.front();
+    return part.vertices[part.edges[loop.front().edge].from];
+}
+
+Mass mass(const Sums& sums, Vec3 apex) {
+    if (sums.volume <= 0.0) return {sums.volume, sums.area, {}};
+    return {sums.volume, sums.area, apex + (1.0 / sums.volume) * sums.moment};
+}
+
+}  // namespace
+
+Measure measure(const Part& part, const Face& face, Vec3 apex) {
+    if (const auto* f = std::get_if<Plane>(&face.surface.form))
+        return measure_plane(part, face, *f, apex);
+    if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
+        const Axes axes(f->origin, face.frame);
+        return around(part, face, axes, BelowCylinder{f->radius, axes.turned(f->origin - apex)});
+    }
+    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
+        const Axes axes(f->apex, face.frame);
+        return around(part, face, axes, BelowCone{f->slope, axes.turned(f->apex - apex)});
+    }
+    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
+        const Axes axes(f->centre, face.frame);
+        const double turns = turns_about(part, face, axes);
+        const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
+        return around(part, face, axes,
+                      BelowSphere{f->radius, axes.turned(f->centre - apex), pole});
+    }
+    const auto& f = std::get<Torus>(face.surface.form);
+    const Axes axes(f.centre, face.frame);
+    return around(part, face, axes,
+                  BelowTorus{f.major, f.minor, axes.turned(f.centre - apex),
+                             cut_of(part, face, axes, f.major)});
+}
+
+double volume(const Part& part) {
+    double sum = 0.0;
+    const auto add = [&](const Shell& shell) {
+        if (shell.empty()) return;
+        const Loop& loop = part.faces[shell.front()].loops.front();
+        const Vec3 apex = part.vertices[part.edges[loop.front().edge].from];
+        for (const std::uint32_t f : shell)
+            sum += measure(part, part.faces[f], apex).volume;
+    };
+    for (const Solid& solid : part.solids) {
+        add(solid.outside);
+        for (const Shell& shell : solid.voids)
+            add(shell);
+    }
+    return sum;
+}
+
+Mass mass_of(const Part& part, const Solid& solid) {
+    const Vec3 apex = corner_of(part, solid);
+    return mass(sums_of(part, solid, apex), apex);
+}
+
+Mass mass_of(const Part& part) {
+    if (part.solids.empty()) return {};
+    const Vec3 apex = corner_of(part, part.solids.front());
+    Sums all;
+    for (const Solid& solid : part.solids) {
+        const Sums sums = sums_of(part, solid, apex);
+        all.volume += sums.volume;
+        all.area += sums.area;
+        all.moment = all.moment + sums.moment;
+    }
+    return mass(all, apex);
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/measure_sheet.h"
+
+#include "ncsim/report/describe.h"
+#include "ncsim/report/version.h"
+
+#include "append.h"
+#include "json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <tuple>
+#include <utility>
+
+namespace ncsim::report {
+
+namespace {
+
+constexpr std::size_t kMostRows = 40, kMostLines = 6;
+
+// As a drawing has it: micrometres, without zeros behind.
+std::string length_text(double mm) {
+    std::string text = fmt::format("{:.3f}", mm);
+    while (text.back() == '0')
+        text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string list_text(const char* before, const std::vector<std::uint32_t>& numbers) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(numbers.size(), kMostLines); ++i)
+        append(text, "{}{}", i == 0 ? before : ", ", numbers[i]);
+    return numbers.size() > kMostLines ? text + ", …" : text;
+}
+
+std::string by_text(const CutBy& by) {
+    if (by.lines.empty()) return "stock";
+    std::string text;
+    for (const std::uint32_t tool : by.tools)
+        append(text, "{}T{}", text.empty() ? "" : " ", tool);
+    return text + list_text(", line ", by.lines);
+}
+
+bool is_upright(cda::Vec3 axis) {
+    return std::abs(axis.z) > 1.0 - 1e-9;
+}
+
+std::string place_text(cda::Vec3 at, cda::Vec3 axis) {
+    if (is_upright(axis)) {
+        return fmt::format("X{} Y{}, {} Z{}", length_text(at.x), length_text(at.y),
+                           axis.z > 0.0 ? "from" : "from below,", length_text(at.z));
+    }
+    return fmt::format("X{} Y{} Z{}, axis {} {} {}", length_text(at.x), length_text(at.y),
+                       length_text(at.z), length_text(axis.x), length_text(axis.y),
+                       length_text(axis.z));
+}
+
+std::string degrees_text(double degrees) {
+    return fmt::format("{}°", length_text(std::round(degrees * 100.0) / 100.0));
+}
+
+std::string what_text(const MeasuredBore& bore) {
+    std::string text = fmt::format("{} deep", length_text(bore.depth));
+    if (bore.end == "through") text = "through, " + text;
+    if (bore.tip_depth) {
+        append(text, ", {} to the tip", length_text(*bore.tip_depth));
+        if (bore.tip_angle_degrees) append(text, " of {}", degrees_text(*bore.tip_angle_degrees));
+        if (bore.end == "ball") text += " of a ball";
+    } else if (bore.end == "flat" || bore.end == "rounded") {
+        append(text, ", {} bottom", bore.end);
+    } else if (bore.end == "shoulder") {
+        text += ", to a shoulder";
+    }
+    if (bore.mouth_slants_by > 0.0)
+        append(text, ", its mouth {} lower at one side", length_text(bore.mouth_slants_by));
+    if (bore.covers_degrees < 360.0) append(text, ", {} of it", degrees_text(bore.covers_degrees));
+    return text;
+}
+
+class Text {
+public:
+    explicit Text(const MeasureSheet& sheet) : sheet_(sheet) {}
+
+    std::string operator()() {
+        append(text_, "part       {}; {}\n",
+               sheet_.extents.is_empty() ? "nothing is left" : describe(sheet_.extents),
+               volume_text(sheet_.volume_mm3));
+        rows("bores", sheet_.bores, [](const MeasuredBore& b) {
+            return std::tuple("D" + length_text(b.diameter),
+                              what_text(b) + "; " + place_text(b.mouth, b.axis), b.by);
+        });
+        rows("bosses", sheet_.bosses, [](const MeasuredBoss& b) {
+            std::string what = length_text(b.height) + " high";
+            if (b.covers_degrees < 360.0) what += ", " + degrees_text(b.covers_degrees) + " of it";
+            return std::tuple("D" + length_text(b.diameter),
+                              what + "; " + place_text(b.foot, b.axis), b.by);
+        });
+        floors();
+        distances("inside", true);
+        distances("outside", false);
+        corners();
+        if (sheet_.has_too_many_walls)
+            text_ += "distances  not measured: there are too many walls\n";
+        if (sheet_.facets > 0) {
+            append(text_, "not known  {} facet{} of round tools, {:.4g} mm2, not measured{}\n",
+                   sheet_.facets, sheet_.facets == 1 ? "" : "s", sheet_.facet_area_mm2,
+                   list_text(": line ", sheet_.facet_lines));
+        }
+        return std::move(text_);
+    }
+
+private:
+    template <typename Feature, typename Row>
+    void rows(const char* title, const std::vector<Feature>& features, const Row& row) {
+        for (std::size_t i = 0; i < std::min(features.size(), kMostRows); ++i) {
+            const auto& [size, what, by] = row(features[i]);
+            append(text_, "{:<10} {:<9} {}; {}\n", i == 0 ? title : "", size, what, by_text(by));
+        }
+        if (features.size() > kMostRows)
+            append(text_, "{:<10} and {} more (--json)\n", "", features.size() - kMostRows);
+    }
+
+    // What is left of the top of the stock is often in many pieces.
+    void floors() {
+        struct Floors {
+            MeasuredFloor first;
+            std::size_t count = 0;
+        };
+        std::vector<Floors> all;
+        for (const MeasuredFloor& floor : sheet_.floors) {
+            auto same = std::ranges::find_if(all, [&](const Floors& f) {
+                return floor.by.lines.empty() && f.first.by.lines.empty() && f.first.z == floor.z;
+            });
+            if (same == all.end()) {
+                all.push_back({floor, 1});
+                continue;
+            }
+            ++same->count;
+            same->first.area += floor.area;
+        }
+        rows("floors", all, [&](const Floors& floors) {
+            const MeasuredFloor& f = floors.first;
+            const cda::Vec3 size = f.box.size();
+            const std::string how = floors.count > 1
+                                        ? fmt::format("{} of them", floors.count)
+                                        : length_text(size.x) + " x " + length_text(size.y);
+            return std::tuple("Z" + length_text(f.z),
+                              fmt::format("{} below the top, {} above the bottom; {}, {:.6g} mm2{}",
+                                          length_text(sheet_.extents.max.z - f.z),
+                                          length_text(f.z - sheet_.extents.min.z), how, f.area,
+                                          f.is_closed ? ", walls all round" : ""),
+                              f.by);
+        });
+    }
+
+    void distances(const char* title, bool is_void) {
+        std::vector<MeasuredDistance> of;
+        std::ranges::copy_if(sheet_.distances, std::back_inserter(of),
+                             [&](const MeasuredDistance& d) { return d.is_void == is_void; });
+        rows(title, of, [](const MeasuredDistance& d) {
+            const cda::Vec3 v = cda::normalized(d.to - d.from);
+            const cda::Vec3 at = 0.5 * (d.from + d.to);
+            std::string what =
+                fmt::format("along {} {} {}", length_text(v.x), length_text(v.y), length_text(v.z));
+            constexpr double kAlong = 1.0 - 1e-9;
+            for (int axis = 0; axis < 3; ++axis) {
+                if (std::abs(v[axis]) > kAlong) what = fmt::format("along {}", "XYZ"[axis]);
+            }
+            what += fmt::format("; at X{} Y{} Z{}", length_text(at.x), length_text(at.y),
+                                length_text(at.z));
+            return std::tuple(length_text(d.mm), std::move(what), d.by);
+        });
+    }
+
+    // Equal ones together: a pocket has four.
+    void corners() {
+        struct Equal {
+            std::size_t count = 0;
+            CutBy by;
+        };
+        std::map<std::pair<std::string, bool>, Equal> equal;
+        for (const MeasuredCorner& c : sheet_.corners) {
+            Equal& e = equal[{length_text(c.radius), c.is_inside}];
+            ++e.count;
+            e.by.lines.insert(e.by.lines.end(), c.by.lines.begin(), c.by.lines.end());
+            e.by.tools.insert(e.by.tools.end(), c.by.tools.begin(), c.by.tools.end());
+        }
+        std::vector<std::pair<std::pair<std::string, bool>, Equal>> list(equal.begin(),
+                                                                         equal.end());
+        rows("corners", list, [](auto entry) {
+            auto& [key, e] = entry;
+            for (auto* numbers : {&e.by.lines, &e.by.tools}) {
+                std::sort(numbers->begin(), numbers->end());
+                numbers->erase(std::unique(numbers->begin(), numbers->end()), numbers->end());
+            }
+            return std::tuple(
+                "R" + key.first,
+                fmt::format("{}, {} of them", key.second ? "inside" : "outside", e.count), e.by);
+        });
+    }
+
+    const MeasureSheet& sheet_;
+    std::string text_;
+};
+
+// --- JSON ---------------------------------------------------------------------------------
+
+Json tidy_json(cda::Vec3 v) {
+    return {tidy(v.x), tidy(v.y), tidy(v.z)};
+}
+
+void add(Json& json, const CutBy& by) {
+    json["lines"] = by.lines;
+    json["tools"] = by.tools;
+}
+
+Json to_json(const MeasuredBore& b) {
+    Json json{{"diameter_mm", tidy(b.diameter)},
+              {"depth_mm", tidy(b.depth)},
+              {"end", b.end},
+              {"through", b.end == "through"},
+              {"mouth", tidy_json(b.mouth)},
+              {"axis", tidy_json(b.axis)},
+              {"mouth_slants_by_mm", tidy(b.mouth_slants_by)},
+              {"covers_degrees", tidy(b.covers_degrees)}};
+    if (b.tip_depth) json["tip_depth_mm"] = tidy(*b.tip_depth);
+    if (b.tip_angle_degrees) json["tip_angle_degrees"] = tidy(*b.tip_angle_degrees);
+    add(json, b.by);
+    return json;
+}
+
+Json to_json(const MeasuredBoss& b) {
+    Json json{{"diameter_mm", tidy(b.diameter)},
+              {"height_mm", tidy(b.height)},
+              {"foot", tidy_json(b.foot)},
+              {"axis", tidy_json(b.axis)},
+              {"covers_degrees", tidy(b.covers_degrees)}};
+    add(json, b.by);
+    return json;
+}
+
+Json to_json(const MeasuredCorner& c) {
+    Json json{{"radius_mm", tidy(c.radius)},
+              {"inside", c.is_inside},
+              {"covers_degrees", tidy(c.covers_degrees)},
+              {"centre", tidy_json(c.on_axis)},
+              {"axis", tidy_json(c.axis)}};
+    add(json, c.by);
+    return json;
+}
+
+Json to_json(const MeasuredDistance& d) {
+    Json json{{"mm", tidy(d.mm)},
+              {"between", d.is_void ? "void" : "material"},
+              {"from", tidy_json(d.from)},
+              {"to", tidy_json(d.to)}};
+    add(json, d.by);
+    return json;
+}
+
+Json to_json(const MeasuredFloor& f, const cda::Box& extents) {
+    Json json{{"z", tidy(f.z)},
+              {"below_top_mm", tidy(extents.max.z - f.z)},
+              {"above_bottom_mm", tidy(f.z - extents.min.z)},
+              {"area_mm2", tidy(f.area)},
+              {"walls_all_round", f.is_closed},
+              {"min", tidy_json(f.box.min)},
+              {"max", tidy_json(f.box.max)}};
+    add(json, f.by);
+    return json;
+}
+
+template <typename Feature, typename... More>
+Json list_json(const std::vector<Feature>& features, const More&... more) {
+    Json list = Json::array();
+    for (const Feature& feature : features)
+        list.push_back(to_json(feature, more...));
+    return list;
+}
+
+}  // namespace
+
+std::string text_of(const MeasureSheet& sheet) {
+    return Text(sheet)();
+}
+
+void write_measures(std::ostream& out, const MeasureSheet& sheet) {
+    Json json{
+        {"ncsim", kVersion}, {"program", sheet.program}, {"volume_mm3", tidy(sheet.volume_mm3)}};
+    json["extents"] = nullptr;
+    if (!sheet.extents.is_empty()) {
+        json["extents"] = {{"min", tidy_json(sheet.extents.min)},
+                           {"max", tidy_json(sheet.extents.max)}};
+    }
+    json["bores"] = list_json(sheet.bores);
+    json["bosses"] = list_json(sheet.bosses);
+    json["floors"] = list_json(sheet.floors, sheet.extents);
+    json["distances"] = list_json(sheet.distances);
+    if (sheet.has_too_many_walls) json["distances"] = nullptr;
+    json["corners"] = list_json(sheet.corners);
+    json["not_measured"] = {{"facets", sheet.facets},
+                            {"area_mm2", tidy(sheet.facet_area_mm2)},
+                            {"lines", sheet.facet_lines}};
+    out << to_text(json);
+}
+
+}  // namespace ncsim::report

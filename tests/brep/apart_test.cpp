@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/apart.h"
+
+#include "ncsim/brep/check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace ncsim::brep {
+namespace {
+
+// A block of 10 with a pit of three sides from below, the tip of which ends in a hole of the top
+// that is `size` large.
+cda::Boundary pit_through(double size) {
+    cda::Boundary boundary;
+    boundary.vertices = {{0, 0, 0},  {10, 0, 0},  {10, 10, 0},  {0, 10, 0},
+                         {0, 0, 10}, {10, 0, 10}, {10, 10, 10}, {0, 10, 10},
+                         {3, 3, 0},  {7, 3, 0},   {5, 7, 0}};
+    const Vec3 tip{5, 4, 10};
+    for (std::size_t i = 8; i < 11; ++i) {
+        const Vec3 v = boundary.vertices[i];
+        boundary.vertices.push_back(tip + 0.25 * size * Vec3{v.x - tip.x, v.y - tip.y, 0.0});
+    }
+    const auto face = [&](std::vector<std::vector<std::uint32_t>> loops) {
+        cda::BoundaryFace made;
+        const Vec3 a = boundary.vertices[loops[0][0]], b = boundary.vertices[loops[0][1]],
+                   c = boundary.vertices[loops[0][2]];
+        made.normal = cda::normalized(cda::cross(b - a, c - a));
+        made.loops = std::move(loops);
+        boundary.faces.push_back(made);
+    };
+    face({{3, 2, 1, 0}, {8, 9, 10}});
+    face({{4, 5, 6, 7}, {13, 12, 11}});
+    for (std::uint32_t i = 0; i < 4; ++i)
+        face({{i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4}});
+    for (std::uint32_t i = 0; i < 3; ++i)
+        face({{8 + (i + 1) % 3, 8 + i, 11 + i, 11 + (i + 1) % 3}});
+    boundary.shells = 1;
+    return boundary;
+}
+
+Part part_of(double size) {
+    const cda::Boundary boundary = pit_through(size);
+    Part part = faceted(boundary, std::vector<std::vector<cda::Origin>>(boundary.faces.size()));
+    keep_apart(part);
+    return part;
+}
+
+TEST(KeepApart, AHoleTooSmallForReadersIsAPoint) {
+    Part part = part_of(1e-7);
+    EXPECT_EQ(part.faces.size(), 9U);
+    EXPECT_EQ(part.faces[0].loops.size(), 2U);
+    EXPECT_EQ(part.faces[1].loops.size(), 1U);  // the top
+    for (std::size_t f = 6; f < 9; ++f)
+        EXPECT_EQ(part.faces[f].loops.front().size(), 3U);
+    EXPECT_TRUE(check(part, 1e-6).empty());
+}
+
+TEST(KeepApart, AHoleThatCanBeSeenStays) {
+    Part part = part_of(1e-2);
+    EXPECT_EQ(part.faces[1].loops.size(), 2U);
+    EXPECT_TRUE(check(part, 1e-6).empty());
+}
+
+}  // namespace
+}  // namespace ncsim::brep

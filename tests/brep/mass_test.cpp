@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/measure.h"
+
+#include "brep/solids.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+namespace ncsim::brep {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Paper {
+    double area;
+    Vec3 centroid;
+};
+
+// Of what is taken out of the box of 20 x 16 x 10: its volume and the height of its middle.
+Vec3 box_without(double volume, double height, double x = 10.0, double y = 8.0) {
+    const double box = 3200.0, left = box - volume;
+    return {(box * 10.0 - volume * x) / left, (box * 8.0 - volume * y) / left,
+            (box * 5.0 - volume * height) / left};
+}
+
+// As in a book of tables.
+std::map<std::string, Paper> papers() {
+    const double slant = 5.0, box = 2.0 * (320.0 + 200.0 + 160.0);
+    const double bore = 45.0 * kPi, tip = 6.0 * kPi;
+    const double ball = 64.0 * kPi * 2.0 / 3.0;
+    return {
+        {"cylinder", {2.0 * 25.0 * kPi + 80.0 * kPi, {0, 0, 4}}},
+        {"frustum", {(36.0 + 9.0 + 9.0 * slant) * kPi, {0, 0, (36.0 + 36.0 + 27.0) / 63.0}}},
+        {"bored_box", {box - 18.0 * kPi + 60.0 * kPi, {10, 8, 5}}},
+        {"drilled_box",
+         {box - 9.0 * kPi + 30.0 * kPi + kPi * 3.0 * std::sqrt(13.0),
+          box_without(bore + tip, (bore * 7.5 + tip * 4.5) / (bore + tip))}},
+        {"dimpled_box", {box - 16.0 * kPi + 32.0 * kPi, box_without(ball, 10.0 - 1.5)}},
+    };
+}
+
+TEST(Mass, IsAsInABookOfTables) {
+    const auto paper = papers();
+    std::size_t known = 0;
+    for (const test::NamedPart& solid : test::solids()) {
+        SCOPED_TRACE(solid.name);
+        const Mass mass = mass_of(solid.part);
+        EXPECT_NEAR(mass.volume, solid.volume, 1e-10 * solid.volume);
+        const auto found = paper.find(solid.name);
+        if (found == paper.end()) continue;
+        ++known;
+        EXPECT_NEAR(mass.area, found->second.area, 1e-10 * mass.area);
+        EXPECT_NEAR(cda::norm(mass.centroid - found->second.centroid), 0.0, 1e-10);
+    }
+    EXPECT_EQ(known, paper.size());
+}
+
+TEST(Mass, OfAGroovedBarIsOnItsAxis) {
+    for (const test::NamedPart& solid : test::solids()) {
+        if (solid.name != "grooved_bar") continue;
+        const Mass mass = mass_of(solid.part);
+        EXPECT_NEAR(mass.centroid.x, 0.0, 1e-10);
+        EXPECT_NEAR(mass.centroid.y, 0.0, 1e-10);
+    }
+}
+
+TEST(Mass, OfNothingIsNothing) {
+    const Mass mass = mass_of(Part{});
+    EXPECT_EQ(mass.volume, 0.0);
+    EXPECT_EQ(mass.area, 0.0);
+}
+
+}  // namespace
+}  // namespace ncsim::brep

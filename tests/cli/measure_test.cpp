@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+// A drilled hole, a blind one, a pocket of 20 x 30 with corners of 5.
+constexpr const char* kPlate =
+    "(T1 D=10. CR=0. - flat end mill)\n"
+    "(T2 D=6. CR=0. TAPER=118deg - drill)\n"
+    "(STOCK/BLOCK,60.,50.,12.,0.,0.,12.)\n"
+    "G21 G90 G17 F300 S5000 M3\n"
+    "T1 M6\n"
+    "G0 X15 Y15 Z5\n"
+    "G1 Z-4.5\n"
+    "G1 X25\n"
+    "G1 Y35\n"
+    "G1 X15\n"
+    "G1 Y15\n"
+    "G0 Z5\n"
+    "T2 M6\n"
+    "G0 X45 Y15 Z5\n"
+    "G1 Z-8\n"
+    "G0 Z5\n"
+    "G0 X45 Y35\n"
+    "G1 Z-15\n"
+    "G0 Z5\n"
+    "M30\n";
+
+TEST(Measure, ListsWhatACalliperWouldFind) {
+    Folder folder;
+    folder.write("plate.nc", kPlate);
+    const Ran ran = folder.run({"measure", "plate.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.out,
+              "part       60 x 50 x 12 mm, X 0 to 60, Y 0 to 50, Z -12 to 0; 32.865 cm3\n"
+              "bores      D6        6.197 deep, 8 to the tip of 118°; X45 Y15, from Z0; T2, line "
+              "15\n"
+              "           D6        through, 12 deep; X45 Y35, from Z0; T2, line 18\n"
+              "floors     Z0        0 below the top, 12 above the bottom; 60 x 50, 2364.91 mm2; "
+              "stock\n"
+              "           Z-4.5     4.5 below the top, 7.5 above the bottom; 20 x 30, 578.54 mm2, "
+              "walls all round; T1, line 7, 8, 9, 10, 11\n"
+              "inside     20        along X; at X20 Y25 Z-2.25; T1, line 9, 11\n"
+              "           30        along Y; at X20 Y25 Z-2.25; T1, line 8, 10\n"
+              "outside    7.5       along Z; at X20 Y25 Z-8.25; T1, line 7, 8, 9, 10, 11\n"
+              "           10        along X; at X5 Y25 Z-2.25; T1, line 11\n"
+              "           10        along Y; at X20 Y5 Z-2.25; T1, line 8\n"
+              "           10        along Y; at X20 Y45 Z-2.25; T1, line 10\n"
+              "           12        along Z; at X30 Y5 Z-6; stock\n"
+              "           30        along X; at X45 Y25 Z-2.25; T1, line 9\n"
+              "corners    R5        inside, 4 of them; T1, line 7, 8, 9, 10\n");
+}
+
+TEST(Measure, SaysTheSameAsJson) {
+    Folder folder;
+    folder.write("plate.nc", kPlate);
+    const Ran ran = folder.run({"measure", "plate.nc", "--json", "-", "-q"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    const json sheet = json::parse(ran.out);
+    ASSERT_EQ(sheet["bores"].size(), 2U);
+    EXPECT_EQ(sheet["bores"][0]["diameter_mm"], 6.0);
+    EXPECT_EQ(sheet["bores"][0]["end"], "cone");
+    EXPECT_EQ(sheet["bores"][0]["tip_depth_mm"], 8.0);
+    EXPECT_EQ(sheet["bores"][0]["tip_angle_degrees"], 118.0);
+    EXPECT_EQ(sheet["bores"][1]["through"], true);
+    EXPECT_EQ(sheet["bores"][1]["lines"], json::array({18}));
+    EXPECT_EQ(sheet["bores"][1]["tools"], json::array({2}));
+    EXPECT_EQ(sheet["floors"][1]["below_top_mm"], 4.5);
+    EXPECT_EQ(sheet["floors"][1]["walls_all_round"], true);
+    EXPECT_EQ(sheet["distances"][0]["between"], "void");
+    EXPECT_EQ(sheet["distances"][0]["mm"], 20.0);
+    EXPECT_EQ(sheet["not_measured"]["facets"], 0);
+}
+
+TEST(Measure, SaysWhatItDidNotMeasure) {
+    Folder folder;
+    std::string helix = kSlot;
+    helix.replace(helix.find("G0 X-30."), 8, "G0 X-10.");
+    helix.replace(helix.find("G1 X30."), 7, "G2 X10. I10. Z-4.");
+    folder.write("helix.nc", helix);
+    const Ran ran = folder.run({"measure", "helix.nc"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("not measured: line 7, 8"), std::string::npos) << ran.out;
+}
+
+TEST(Measure, OfWhatIsNotSimulatedNothing) {
+    Folder folder;
+    folder.write("part.nc", "G21 G90 T7 M6\nG1 X10. F100.\nM30\n");
+    const Ran ran = folder.run({"measure", "part.nc", "--json", "a.json"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_FALSE(folder.has("a.json"));
+    EXPECT_EQ(folder.run({"measure", "none.nc"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test

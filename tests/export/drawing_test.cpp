@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/export/drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ncsim::exporter {
+namespace {
+
+using brep::FlatArc;
+using brep::FlatEllipse;
+using brep::FlatLine;
+using brep::Section;
+
+// A half disc of radius 5 on the line from (-5, 0), cut by T3, on stock; in it a hole.
+Section half_disc() {
+    Section section;
+    section.plane = {2, -4.0};
+    section.outlines = {{{{-5, 0}, {5, 0}, FlatLine{}, cda::Origin{0}},
+                         {{5, 0}, {-5, 0}, FlatArc{{0, 0}, 5.0, true}, cda::Origin{1}}},
+                        {{{1, 2}, {1, 2}, FlatArc{{0, 2}, 1.0, false}, cda::Origin{1}}}};
+    return section;
+}
+
+Provenance provenance() {
+    return {{{0, 0}, {12, 3}}, "a&b.nc"};
+}
+
+std::string dxf(const std::vector<DrawnSection>& sections) {
+    std::ostringstream out;
+    write_dxf(out, sections, "a&b.nc");
+    return out.str();
+}
+
+std::string svg(const std::vector<DrawnSection>& sections) {
+    std::ostringstream out;
+    write_svg(out, sections, "a&b.nc");
+    return out.str();
+}
+
+TEST(Dxf, HasALineAnArcAndACircleOnTheLayersOfTheirTools) {
+    const Section section = half_disc();
+    const Provenance from = provenance();
+    const std::string text = dxf({{&section, &from}});
+    EXPECT_NE(text.find("0\nLINE\n8\nSTOCK\n10\n-5\n20\n0\n30\n0\n11\n5\n21\n0\n31\n0\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("0\nARC\n8\nT3\n10\n0\n20\n0\n30\n0\n40\n5\n50\n0\n51\n180\n"),
+              std::string::npos);
+    EXPECT_NE(text.find("0\nCIRCLE\n8\nT3\n10\n0\n20\n2\n30\n0\n40\n1\n"), std::string::npos);
+    EXPECT_NE(text.find("1\nz=-4 of a&b.nc\n"), std::string::npos);
+}
+
+// DXF knows arcs counter-clockwise only.
+TEST(Dxf, TurnsAnArcAroundThatGoesClockwise) {
+    Section section;
+    section.outlines = {{{{0, 5}, {5, 0}, FlatArc{{0, 0}, 5.0, false}, cda::Origin{1}},
+                         {{5, 0}, {0, 5}, FlatLine{}, cda::Origin{1}}}};
+    const Provenance from = provenance();
+    EXPECT_NE(dxf({{&section, &from}}).find("40\n5\n50\n0\n51\n90\n"), std::string::npos);
+}
+
+TEST(Dxf, SaysWhatIsOfFacets) {
+    Section section = half_disc();
+    section.outlines[0][1].is_facet = true;
+    const Provenance from = provenance();
+    EXPECT_NE(dxf({{&section, &from}}).find("8\nT3-FACETS\n"), std::string::npos);
+    const std::string all = dxf({{&section, &from, true}});
+    EXPECT_NE(all.find("8\nSTOCK\n"), std::string::npos);
+    EXPECT_EQ(all.find("8\nT3\n"), std::string::npos);
+}
+
+TEST(Dxf, DrawsSectionsBesideEachOther) {
+    const Section section = half_disc();
+    const Provenance from = provenance();
+    const std::vector<DrawnSection> two{{&section, &from}, {&section, &from}};
+    // To -5 + 30 = 25, which is 20 from the right end of the first.
+    EXPECT_EQ(places_of(two), (std::vector<double>{0.0, 30.0}));
+    const std::string text = dxf(two);
+    EXPECT_NE(text.find("8\n2-STOCK\n10\n25\n"), std::string::npos);
+    EXPECT_NE(text.find("z=-4 of a&b.nc, moved by 30"), std::string::npos);
+}
+
+TEST(Svg, HasArcsWithUpDown) {
+    const Section section = half_disc();
+    const Provenance from = provenance();
+    const std::string text = svg({{&section, &from}});
+    EXPECT_NE(text.find("M-5 0L5 0A5 5 0 0 0 -5 0Z"), std::string::npos) << text;
+    // A whole circle is two halves.
+    EXPECT_NE(text.find("M1 -2A1 1 0 1 1 -1 -2A1 1 0 1 1 1 -2Z"), std::string::npos) << text;
+    EXPECT_NE(text.find("a&amp;b.nc"), std::string::npos);
+}
+
+TEST(Svg, AnEllipseIsOneAndLinesInDxf) {
+    Section section;
+    section.outlines = {{{{0, 2}, {0, -2}, FlatEllipse{{0, 0}, {0, 4}, 2.0, true}, cda::Origin{1}},
+                         {{0, -2}, {0, 2}, FlatLine{}, cda::Origin{1}}}};
+    section.outlines[0][0].from = {0, 4};
+    section.outlines[0][0].to = {0, -4};
+    section.outlines[0][1].from = {0, -4};
+    section.outlines[0][1].to = {0, 4};
+    const Provenance from = provenance();
+    EXPECT_NE(svg({{&section, &from}}).find("A4 2 -90 0 0 0 4"), std::string::npos);
+    EXPECT_NE(dxf({{&section, &from}}).find("0\nPOLYLINE\n"), std::string::npos);
+}
+
+TEST(Drawing, OfNothingIsThere) {
+    const Section section;
+    const Provenance from = provenance();
+    EXPECT_NE(svg({{&section, &from}}).find("empty"), std::string::npos);
+    EXPECT_NE(dxf({{&section, &from}}).find("empty"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ncsim::exporter
