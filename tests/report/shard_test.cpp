@@ -47,6 +47,13 @@ TEST(Entry, ComesBackFromItsLine) {
     EXPECT_EQ(entry_from(line), entry);
     for (std::size_t cut : {line.size() - 1, line.size() / 2, std::size_t{0}})
         EXPECT_FALSE(entry_from(line.substr(0, cut))) << cut;
+    // Programs need not be UTF-8, and may hold anything.
+    for (int lead = 0; lead < 256; ++lead) {
+        for (const char* tail : {"", "x", "\x80", "\x90\x80", "\x8f\xbf\xbf", "\xa0\x80", "\xbf"}) {
+            entry.text = std::string("a") + static_cast<char>(lead) + tail;
+            EXPECT_EQ(entry_from(line_of(entry)), entry) << lead << tail;
+        }
+    }
     EXPECT_FALSE(entry_from(R"({"code": 1})"));
     EXPECT_FALSE(entry_from("[]"));
 }

@@ -29,8 +29,7 @@ struct Entry {
     bool operator==(const Entry&) const = default;
 };
 
-/// One line of JSON, and back. Bytes that are no UTF-8 become U+FFFD. Nothing if it is no such
-/// line.
+/// One line of JSON, and back, byte by byte. Nothing if it is no such line.
 std::string line_of(const Entry& entry);
 std::optional<Entry> entry_from(std::string_view line);
 
