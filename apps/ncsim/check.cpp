@@ -93,6 +93,7 @@ int run(CheckOptions options) {
             inputs.expect(program);
     }
     SettingsOfPrograms settings(options, programs, inputs);
+    say(settings.lost_programs());
     Checking checking(options, programs, settings, inputs);
     if (!options.shard.empty())
         return check_shard(options, programs, settings.key(), checking, outputs);

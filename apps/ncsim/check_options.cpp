@@ -9,9 +9,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
+#include <system_error>
 
 namespace ncsim::app {
 
@@ -93,9 +95,9 @@ std::string long_name(const CLI::Option& option) {
 // Others say where results go, how the work is shared, or how much of it there may be.
 bool decides_verdicts(const std::string& name) {
     static const std::set<std::string, std::less<>> kOthers{
-        "programs", "list",     "shard",     "shards",     "out",       "redo", "cache",
-        "jobs",     "json",     "sarif",     "junit",      "csv",       "html", "github",
-        "threads",  "max-time", "exit-zero", "max-memory", "no-project"};
+        "programs",       "list",    "shard",    "shards",    "out",        "redo",      "cache",
+        "jobs",           "json",    "sarif",    "junit",     "csv",        "html",      "github",
+        "write-baseline", "threads", "max-time", "exit-zero", "max-memory", "no-project"};
     return !kOthers.contains(name);
 }
 
@@ -173,6 +175,10 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
                  for (const std::string& name : names)
                      o.require.push_back(known_requirement("--require", name));
              });
+    check
+        ->add_option("--baseline", o.baseline,
+                     "Findings that are known and do not count, as --write-baseline wrote them")
+        ->type_name("FILE");
     check->add_flag("--cut-free", o.cut_free,
                     "Ask for pieces cut free, too: costs about half a simulation more");
     check->add_flag("--air-cuts", o.air_cuts,
@@ -192,7 +198,18 @@ std::vector<std::string> inputs_of(const CheckOptions& o) {
     for (const std::string* path : {&o.list, &o.machine, &o.design}) {
         if (!path->empty()) paths.push_back(*path);
     }
+    if (!o.baseline.empty() && !rewrites_baseline(o)) paths.push_back(o.baseline);
     return paths;
+}
+
+bool rewrites_baseline(const CheckOptions& o) {
+    namespace fs = std::filesystem;
+    const auto whole = [](const std::string& path) {
+        std::error_code ignored;
+        return fs::absolute(path, ignored).lexically_normal();
+    };
+    return !o.baseline.empty() && !o.write_baseline.empty() && o.baseline != "-" &&
+           whole(o.baseline) == whole(o.write_baseline);
 }
 
 std::vector<std::string> outputs_of(const CheckOptions& o) {

@@ -35,6 +35,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::string machine;             ///< A machine.toml.
     std::string design;              ///< STL or GLB.
     double design_tolerance = 0.1;   ///< mm
+    std::string baseline;            ///< Findings that are known; empty: none.
     verify::Selection selection;
     std::string csv, html;  ///< Files to write; empty: not asked for.
     bool dog_leg = false;
@@ -52,6 +53,9 @@ struct RulesOptions {
 std::vector<std::string> outputs_of(const CheckOptions& options);
 /// The paths of all files that are named to be read.
 std::vector<std::string> inputs_of(const CheckOptions& options);
+
+/// Is the baseline that is read the one that is written? It is read before.
+bool rewrites_baseline(const CheckOptions& options);
 
 /// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
 CLI::App* add_check(CLI::App& app, CheckOptions& options);

@@ -52,8 +52,10 @@ report::Entry Checking::verified(std::size_t program, unsigned threads,
     CheckSettings& settings = settings_.of(program);
     // What is not named by a path may be something else the next time.
     const bool may_be_known = settings.cache && path != "-" && !settings.questions.look;
+    const std::string about = settings.baseline ? settings.baseline->about(path) : "";
     if (may_be_known) {
-        if (std::optional<report::Entry> known = settings.cache->find(path, inputs_)) return *known;
+        if (std::optional<report::Entry> known = settings.cache->find(path, about, inputs_))
+            return *known;
     }
     setup::RecordedInput read(inputs_);
     report::Checked checked;
@@ -61,7 +63,7 @@ report::Entry Checking::verified(std::size_t program, unsigned threads,
     const int code =
         check_program(checked, path, settings.options, settings.questions, threads, read, stop);
     report::Entry entry = report::entry_of(checked, code, settings.entries);
-    if (may_be_known) settings.cache->keep(path, entry, read);
+    if (may_be_known) settings.cache->keep(path, about, entry, read);
     if (settings.questions.look) looked_at_ = std::move(checked);
     return entry;
 }

@@ -6,6 +6,7 @@ if(TARGET ncsim)
     LIBRARIES ncsim_app nlohmann_json::nlohmann_json fmt::fmt
     SOURCES
       bad_input_test.cpp
+      baseline_test.cpp
       check_test.cpp
       diff_test.cpp
       doubts_test.cpp

@@ -39,9 +39,21 @@ TEST(Shards, DealEachProgramOnceAndEvenly) {
 }
 
 TEST(Entry, ComesBackFromItsLine) {
-    Entry entry{"a \"b\"\n.nc", "failed",    1,           "text\n\twith ümläuts",      "ncsim.toml",
-                "1 error",      "x: y\n",    "  skipped", R"({"a":[1,2.5,"\u0001"]})", "{}",
-                "{}",           "::error\n", "1,2\n"};
+    Entry entry{"a \"b\"\n.nc",
+                "failed",
+                1,
+                "text\n\twith ümläuts",
+                "ncsim.toml",
+                "known.json",
+                "1 error",
+                "x: y\n",
+                "  skipped",
+                R"({"a":[1,2.5,"\u0001"]})",
+                "{}",
+                "{}",
+                "::error\n",
+                "1,2\n",
+                "[]"};
     const std::string line = line_of(entry);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(entry_from(line), entry);

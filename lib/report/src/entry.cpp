@@ -18,6 +18,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("word", entry.word);
     take("text", entry.text);
     take("settings", entry.settings);
+    take("baseline", entry.baseline);
     take("counts", entry.counts);
     take("to_tell", entry.to_tell);
     take("skipped", entry.skipped);
@@ -26,6 +27,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("junit", entry.junit);
     take("github", entry.github);
     take("csv", entry.csv);
+    take("known", entry.known);
 }
 
 // How many bytes the character at the head of `text` has; 0 if it is no UTF-8 (RFC 3629).
