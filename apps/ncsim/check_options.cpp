@@ -95,9 +95,10 @@ std::string long_name(const CLI::Option& option) {
 // Others say where results go, how the work is shared, or how much of it there may be.
 bool decides_verdicts(const std::string& name) {
     static const std::set<std::string, std::less<>> kOthers{
-        "programs",       "list",    "shard",    "shards",    "out",        "redo",      "cache",
-        "jobs",           "json",    "sarif",    "junit",     "csv",        "html",      "github",
-        "write-baseline", "threads", "max-time", "exit-zero", "max-memory", "no-project"};
+        "programs",  "list",       "shard",          "shards",  "out",     "redo",
+        "cache",     "jobs",       "json",           "sarif",   "junit",   "csv",
+        "html",      "github",     "write-baseline", "isolate", "threads", "max-time",
+        "exit-zero", "max-memory", "no-project"};
     return !kOthers.contains(name);
 }
 
@@ -150,6 +151,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    check->add_flag("--isolate", o.isolate,
+                    "Each program in a process of its own: a crash of one stops no other");
     check
         ->add_option("--shard", o.shard,
                      "Only part I of N of the programs, from 0 on; auto: as SLURM_ARRAY_TASK_ID, "
@@ -227,6 +230,8 @@ void complete(CheckOptions& o) {
         throw Refusal{"no program is named: on the command line, or in a --list"};
     if (!o.html.empty() && (o.programs.size() != 1 || !o.list.empty()))
         throw Refusal{"--html: a page is about one program"};
+    if (!o.html.empty() && o.isolate)
+        throw Refusal{"--isolate: what a page shows does not come out of another process"};
     if (o.shard.empty() != o.out.empty())
         throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
                                     : "--out: of which shard? --shard I/N"};

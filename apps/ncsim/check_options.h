@@ -26,6 +26,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::uint32_t shards = 0;        ///< How many there are, where "auto" cannot know.
     ShardNumber number;              ///< What these two say.
     std::string out;                 ///< Folder for the results of a shard.
+    bool isolate = false;            ///< Each program in a process of its own.
     bool redo = false;               ///< Though the result of the shard is there.
     std::string cache;               ///< Folder of verdicts that are known already; empty: none.
     bool no_project = false;         ///< Pass over ncsim.toml.

@@ -32,6 +32,11 @@ struct CheckSettings {
     report::EntryOptions entries;
     std::string key;                   ///< All that decides verdicts beside the programs.
     std::optional<ResultCache> cache;  ///< If there is one.
+
+    /// What else decides the verdict of a program, and of no other.
+    std::string about(const std::string& program) const {
+        return baseline ? baseline->about(program) : "";
+    }
 };
 
 /// Reads what they name: machines, designs, projects. Programs of the same settings share them.

@@ -56,9 +56,9 @@ std::optional<report::Entry> ResultCache::find(const std::string& program, const
 }
 
 void ResultCache::keep(const std::string& program, const std::string& about,
-                       const report::Entry& entry, const setup::RecordedInput& read) {
-    if (entry.word == "not-verified" || !read.knows_all()) return;
-    const std::string files = report::line_of(read.files());
+                       const report::Entry& entry, const setup::ReadFiles& read) {
+    if (entry.word == "not-verified") return;
+    const std::string files = report::line_of(read);
     const std::string line = report::line_of(entry);
     const std::string bytes =
         fmt::format("{}\n{}\n{}\n", files, line, setup::digest_of(files + '\n' + line));

@@ -29,9 +29,9 @@ public:
     /// was read with it, is not as it was. That is read through `inputs`.
     std::optional<report::Entry> find(const std::string& program, const std::string& about,
                                       setup::InputSet& inputs) const;
-    /// Keeps it, unless it is no verdict or not all that it depends on is known.
+    /// Keeps it, unless it is no verdict; `read` is all that it depends on.
     void keep(const std::string& program, const std::string& about, const report::Entry& entry,
-              const setup::RecordedInput& read);
+              const setup::ReadFiles& read);
 
 private:
     std::string path_of(const std::string& program, const std::string& about) const;

@@ -14,6 +14,7 @@ if(TARGET ncsim)
       files_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp
+      isolate_test.cpp
       machine_test.cpp
       options_test.cpp
       output_test.cpp
