@@ -11,11 +11,14 @@
 #include "check_settings.h"
 #include "checking.h"
 #include "console.h"
+#include "interruption.h"
 #include "output.h"
 #include "program_list.h"
+#include "progress.h"
 #include "reports.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -36,6 +39,10 @@ std::string digest_of_list(const std::vector<std::string>& programs) {
     for (const std::string& program : programs)
         all += program + '\n';
     return setup::digest_of(all);
+}
+
+bool shows_progress(const CheckOptions& options) {
+    return !options.quiet && ::isatty(STDERR_FILENO) != 0;
 }
 
 // One shard of them: its result goes to a file, and its exit code tells of the machine alone.
@@ -68,9 +75,14 @@ int check_shard(const CheckOptions& options, const std::vector<std::string>& pro
     }
     outputs.reserve(path);
     std::vector<report::Placed> placed;
-    checking.run(share, [&](std::size_t i, report::Entry entry) {
-        placed.push_back({i, std::move(entry)});
-    });
+    Progress progress(share.size(), shows_progress(options), "programs");
+    checking.run(
+        share,
+        [&](std::size_t i, report::Entry entry) {
+            placed.push_back({i, std::move(entry)});
+        },
+        [&](std::size_t done) { progress.update(done); });
+    progress.hide();
     outputs.write(path, [&](std::ostream& out) { report::write_shard(out, head, placed); });
     outputs.commit();
     say_done(share.size(), "verified");
@@ -93,24 +105,45 @@ int run(CheckOptions options) {
             inputs.expect(program);
     }
     SettingsOfPrograms settings(options, programs, inputs);
+    say(settings.lost_programs());
     Checking checking(options, programs, settings, inputs);
     if (!options.shard.empty())
         return check_shard(options, programs, settings.key(), checking, outputs);
 
+    const Interruption interruption;
     const Reports reports(options, outputs, programs.size() > 1);
     std::vector<std::size_t> every(programs.size());
     std::iota(every.begin(), every.end(), std::size_t{0});
     std::vector<report::Entry> entries;
-    checking.run(every, [&](std::size_t, report::Entry entry) {
+    Progress progress(programs.size(), shows_progress(options), "programs");
+    std::size_t finished = 0;
+    const auto take = [&](report::Entry entry) {
+        const bool says = !(options.github ? entry.github : entry.text).empty();
+        if (says) progress.hide();
         reports.tell(entry);
+        if (says) progress.draw(finished);
         entries.push_back(std::move(entry));
-    });
-    const report::Entries all = [&](const auto& take) { std::ranges::for_each(entries, take); };
+    };
+    const std::size_t begun = checking.run(
+        every, [&](std::size_t, report::Entry entry) { take(std::move(entry)); },
+        [&](std::size_t done) { progress.update(finished = done); });
+    for (std::size_t i = begun; i < programs.size(); ++i)
+        take(checking.not_reached(i));
+    progress.hide();
+    const report::Entries all = [&](const auto& each) { std::ranges::for_each(entries, each); };
     reports.write(all);
     outputs.write(options.csv, [&](std::ostream& out) { report::write_ledger_csv(out, all); });
-    outputs.write(options.html,
-                  [&](std::ostream& out) { report::write_page(out, checking.looked_at()); });
+    if (Interruption::signal() == 0) {
+        outputs.write(options.html,
+                      [&](std::ostream& out) { report::write_page(out, checking.looked_at()); });
+    }
     outputs.commit();
+    if (Interruption::signal() != 0) {
+        say(fmt::format("ncsim: stopped by {}: {} of {} programs were not begun\n",
+                        Interruption::name(), programs.size() - begun, programs.size()));
+        Interruption::pass_on();
+        return kEnvironment;
+    }
     return exit_code_of(all, options.exit_zero);
 }
 

@@ -9,9 +9,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
+#include <system_error>
 
 namespace ncsim::app {
 
@@ -93,9 +95,10 @@ std::string long_name(const CLI::Option& option) {
 // Others say where results go, how the work is shared, or how much of it there may be.
 bool decides_verdicts(const std::string& name) {
     static const std::set<std::string, std::less<>> kOthers{
-        "programs", "list",     "shard",     "shards",     "out",       "redo", "cache",
-        "jobs",     "json",     "sarif",     "junit",      "csv",       "html", "github",
-        "threads",  "max-time", "exit-zero", "max-memory", "no-project"};
+        "programs",  "list",       "shard",          "shards",  "out",     "redo",
+        "cache",     "jobs",       "json",           "sarif",   "junit",   "csv",
+        "html",      "github",     "write-baseline", "isolate", "threads", "max-time",
+        "exit-zero", "max-memory", "no-project"};
     return !kOthers.contains(name);
 }
 
@@ -148,6 +151,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
+    check->add_flag("--isolate", o.isolate,
+                    "Each program in a process of its own: a crash of one stops no other");
     check
         ->add_option("--shard", o.shard,
                      "Only part I of N of the programs, from 0 on; auto: as SLURM_ARRAY_TASK_ID, "
@@ -173,6 +178,10 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
                  for (const std::string& name : names)
                      o.require.push_back(known_requirement("--require", name));
              });
+    check
+        ->add_option("--baseline", o.baseline,
+                     "Findings that are known and do not count, as --write-baseline wrote them")
+        ->type_name("FILE");
     check->add_flag("--cut-free", o.cut_free,
                     "Ask for pieces cut free, too: costs about half a simulation more");
     check->add_flag("--air-cuts", o.air_cuts,
@@ -192,7 +201,18 @@ std::vector<std::string> inputs_of(const CheckOptions& o) {
     for (const std::string* path : {&o.list, &o.machine, &o.design}) {
         if (!path->empty()) paths.push_back(*path);
     }
+    if (!o.baseline.empty() && !rewrites_baseline(o)) paths.push_back(o.baseline);
     return paths;
+}
+
+bool rewrites_baseline(const CheckOptions& o) {
+    namespace fs = std::filesystem;
+    const auto whole = [](const std::string& path) {
+        std::error_code ignored;
+        return fs::absolute(path, ignored).lexically_normal();
+    };
+    return !o.baseline.empty() && !o.write_baseline.empty() && o.baseline != "-" &&
+           whole(o.baseline) == whole(o.write_baseline);
 }
 
 std::vector<std::string> outputs_of(const CheckOptions& o) {
@@ -210,6 +230,8 @@ void complete(CheckOptions& o) {
         throw Refusal{"no program is named: on the command line, or in a --list"};
     if (!o.html.empty() && (o.programs.size() != 1 || !o.list.empty()))
         throw Refusal{"--html: a page is about one program"};
+    if (!o.html.empty() && o.isolate)
+        throw Refusal{"--isolate: what a page shows does not come out of another process"};
     if (o.shard.empty() != o.out.empty())
         throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
                                     : "--out: of which shard? --shard I/N"};

@@ -26,6 +26,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::uint32_t shards = 0;        ///< How many there are, where "auto" cannot know.
     ShardNumber number;              ///< What these two say.
     std::string out;                 ///< Folder for the results of a shard.
+    bool isolate = false;            ///< Each program in a process of its own.
     bool redo = false;               ///< Though the result of the shard is there.
     std::string cache;               ///< Folder of verdicts that are known already; empty: none.
     bool no_project = false;         ///< Pass over ncsim.toml.
@@ -35,6 +36,7 @@ struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::string machine;             ///< A machine.toml.
     std::string design;              ///< STL, GLB or STEP.
     double design_tolerance = 0.1;   ///< mm
+    std::string baseline;            ///< Findings that are known; empty: none.
     verify::Selection selection;
     std::string csv, html;  ///< Files to write; empty: not asked for.
     bool dog_leg = false;
@@ -52,6 +54,9 @@ struct RulesOptions {
 std::vector<std::string> outputs_of(const CheckOptions& options);
 /// The paths of all files that are named to be read.
 std::vector<std::string> inputs_of(const CheckOptions& options);
+
+/// Is the baseline that is read the one that is written? It is read before.
+bool rewrites_baseline(const CheckOptions& options);
 
 /// The commands `check` and `rules` of `app`. They read into `options`, which must outlive it.
 CLI::App* add_check(CLI::App& app, CheckOptions& options);

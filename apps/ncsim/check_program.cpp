@@ -18,7 +18,8 @@ namespace {
 
 int exit_code_of(verify::Outcome outcome) {
     switch (outcome) {
-        case verify::Outcome::Clean: return kClean;
+        case verify::Outcome::Clean:
+        case verify::Outcome::Accepted: return kClean;
         case verify::Outcome::Failed: return kFindings;
         case verify::Outcome::NotProven: break;
     }

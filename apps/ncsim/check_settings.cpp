@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_settings.h"
 
+#include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/mesh_file.h"
@@ -9,6 +10,7 @@
 
 #include "console.h"
 #include "options.h"
+#include "reports.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -93,6 +96,7 @@ report::EntryOptions entries_for(const CheckOptions& options, bool many) {
     entries.junit = all || !options.junit.empty();
     entries.github = all || options.github;
     entries.csv = !options.csv.empty();
+    entries.known = all || !options.write_baseline.empty();
     entries.selection = options.selection;
     return entries;
 }
@@ -121,9 +125,43 @@ std::string SettingsOfPrograms::key() const {
     std::string key;
     for (const CheckSettings& settings : settings_)
         key += settings.key;
+    for (const auto& [file, baseline] : baselines_) {
+        for (const auto& [program, findings] : baseline->programs())
+            key += baseline->about(program) + '\n';
+    }
     for (const std::size_t number : number_of_)
         key += fmt::format("{},", number);
     return key;
+}
+
+std::string SettingsOfPrograms::lost_programs() const {
+    std::string text;
+    for (const auto& [file, baseline] : baselines_) {
+        for (const auto& [program, findings] : baseline->programs()) {
+            std::error_code ignored;
+            if (std::filesystem::exists(program, ignored)) continue;
+            text += fmt::format("ncsim: {}: {} known finding{} of '{}', which is not there\n",
+                                report::shown_path(file), findings, findings == 1 ? "" : "s",
+                                report::one_line(program));
+        }
+    }
+    return text;
+}
+
+std::shared_ptr<const report::Baseline> SettingsOfPrograms::baseline_of(
+    const CheckOptions& options) {
+    if (options.baseline.empty()) return nullptr;
+    const auto [known, is_new] = baselines_.try_emplace(options.baseline);
+    if (is_new && rewrites_baseline(options)) {
+        // The first time there is none yet.
+        auto before = overwritten_baseline(options.baseline);
+        known->second = std::make_shared<const report::Baseline>(
+            before ? std::move(*before) : report::Baseline(options.baseline));
+    } else if (is_new) {
+        known->second = std::make_shared<const report::Baseline>(options.baseline,
+                                                                 inputs_.read(options.baseline));
+    }
+    return known->second;
 }
 
 const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& program) {
@@ -143,7 +181,7 @@ const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& prog
 }
 
 void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* project,
-                              const std::vector<setup::ProjectSetting>& settings) const {
+                              const std::vector<setup::ProjectSetting>& settings) {
     made.options = told_;
     if (project) {
         made.project = project->name;
@@ -176,6 +214,8 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
                                          file.deflection_mm};
         questions.design = &*made.design;
     }
+    made.baseline = baseline_of(options);
+    questions.baseline = made.baseline.get();
     questions.selection = options.selection;
     questions.dog_leg = options.dog_leg;
     questions.cut_free = options.cut_free;

@@ -12,20 +12,26 @@
 
 namespace ncsim::app {
 
-/// Calls work(i, stop) for all i below `count` on `jobs` threads, and done(i) in the order of i on
-/// the thread of the caller. `work` must not throw. If `done` throws, nothing more is begun, what
-/// runs is asked to stop, and when it has, the exception goes on to the caller.
-template <class Work, class Done>
-void in_order(std::size_t count, unsigned jobs, const Work& work, const Done& done) {
+/// Calls work(i, stop) for all i below `count` on `jobs` threads, and on the thread of the caller
+/// done(i) in the order of i and noted(n) as soon as n of them are finished. `work` must not throw.
+/// If the others throw, nothing more is begun, what runs is asked to stop, and when it has, the
+/// exception goes on to the caller. Whoever asks `stop` to stop gets the same without an exception.
+/// Returns how many were begun, those before the others; for these there was a done(i).
+template <class Work, class Done, class Noted>
+std::size_t in_order(std::size_t count, unsigned jobs, const Work& work, const Done& done,
+                     const Noted& noted, std::stop_source stop = {}) {
     std::vector<bool> ready(count, false);
     std::mutex mutex;
     std::condition_variable changed;
-    std::size_t next = 0;
-    std::stop_source stop;
+    std::size_t next = 0, finished = 0;
     const auto take_next = [&] {
         const std::lock_guard lock(mutex);
-        return stop.stop_requested() ? count : next++;
+        return stop.stop_requested() || next == count ? count : next++;
     };
+    const std::stop_callback wake(stop.get_token(), [&] {
+        const std::lock_guard lock(mutex);
+        changed.notify_one();
+    });
     std::vector<std::jthread> workers;
     try {
         for (unsigned j = 0; j < jobs; ++j) {
@@ -34,21 +40,29 @@ void in_order(std::size_t count, unsigned jobs, const Work& work, const Done& do
                     work(i, stop.get_token());
                     const std::lock_guard lock(mutex);
                     ready[i] = true;
+                    ++finished;
                     changed.notify_one();
                 }
             });
         }
-        for (std::size_t i = 0; i < count; ++i) {
-            {
-                std::unique_lock lock(mutex);
-                changed.wait(lock, [&] { return ready[i]; });
-            }
-            done(i);
+        std::size_t told = 0;
+        std::unique_lock lock(mutex);
+        for (std::size_t i = 0; i < count;) {
+            const auto is_over = [&] { return stop.stop_requested() && i >= next; };
+            changed.wait(lock, [&] { return ready[i] || finished != told || is_over(); });
+            const bool is_ready = ready[i], is_news = finished != told;
+            told = finished;
+            if (!is_ready && !is_news && is_over()) break;
+            lock.unlock();
+            if (is_news) noted(told);
+            if (is_ready) done(i++);
+            lock.lock();
         }
     } catch (...) {
         stop.request_stop();
         throw;
     }
+    return next;
 }
 
 }  // namespace ncsim::app

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -24,21 +25,36 @@ std::string progress_bar(std::uint64_t done, std::uint64_t total, double seconds
     return text;
 }
 
-Progress::Progress(std::uint64_t total, bool visible)
-    : total_(total), visible_(visible), start_(Clock::now()), last_(start_) {}
+Progress::Progress(std::uint64_t total, bool visible, std::string what)
+    : total_(total),
+      visible_(visible),
+      what_(std::move(what)),
+      start_(Clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() {
+    hide();
+}
+
+void Progress::hide() {
     if (drawn_) std::fputs("\r\x1b[K", stderr);
+    drawn_ = false;
 }
 
 void Progress::update(std::uint64_t done) {
     if (!visible_) return;
-    const auto now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
+    if (Clock::now() - last_ < std::chrono::milliseconds(100)) return;
+    draw(done);
+}
+
+void Progress::draw(std::uint64_t done) {
+    if (!visible_) return;
+    last_ = Clock::now();
     drawn_ = true;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    fmt::print(stderr, "\r{}\x1b[K", progress_bar(done, total_, seconds));
+    const double seconds = std::chrono::duration<double>(last_ - start_).count();
+    std::string text = progress_bar(done, total_, seconds);
+    if (!what_.empty()) text += fmt::format("  {} of {} {}", done, total_, what_);
+    fmt::print(stderr, "\r{}\x1b[K", text);
     std::fflush(stderr);
 }
 

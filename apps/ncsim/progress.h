@@ -11,8 +11,9 @@ namespace ncsim::app {
 
 class Progress {
 public:
-    /// Silent unless `visible`: the caller knows whether stderr is a terminal.
-    Progress(std::uint64_t total, bool visible);
+    /// Silent unless `visible`: the caller knows whether stderr is a terminal. `what`: "programs",
+    /// counted beside the bar; empty: moves, which nobody wants to count.
+    Progress(std::uint64_t total, bool visible, std::string what = {});
     /// Removes the bar.
     ~Progress();
     Progress(const Progress&) = delete;
@@ -20,11 +21,16 @@ public:
 
     /// Draws at most ten times a second.
     void update(std::uint64_t done);
+    /// Draws now.
+    void draw(std::uint64_t done);
+    /// Makes room for something else on the line.
+    void hide();
 
 private:
     using Clock = std::chrono::steady_clock;
     std::uint64_t total_;
     bool visible_;
+    std::string what_;
     bool drawn_ = false;
     Clock::time_point start_;
     Clock::time_point last_;

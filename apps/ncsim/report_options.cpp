@@ -11,6 +11,10 @@ void add_report_options(CLI::App& command, ReportOptions& o) {
         ->type_name("FILE");
     command.add_option("--junit", o.junit, "A suite a program, a case a rule, JUnit XML")
         ->type_name("FILE");
+    command
+        .add_option("--write-baseline", o.write_baseline,
+                    "What is found now, as known findings for --baseline")
+        ->type_name("FILE");
     command.add_flag("--github", o.github, "Findings as annotations of GitHub Actions");
     command.add_flag("--exit-zero", o.exit_zero, "Exit code 0 whatever was found");
     command.add_flag("--notes", o.notes, "Show notes, too");
@@ -19,7 +23,7 @@ void add_report_options(CLI::App& command, ReportOptions& o) {
 
 std::vector<std::string> outputs_of(const ReportOptions& o) {
     std::vector<std::string> paths;
-    for (const std::string* path : {&o.json, &o.sarif, &o.junit}) {
+    for (const std::string* path : {&o.json, &o.sarif, &o.junit, &o.write_baseline}) {
         if (!path->empty()) paths.push_back(*path);
     }
     return paths;

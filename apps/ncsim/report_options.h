@@ -14,6 +14,7 @@ namespace ncsim::app {
 
 struct ReportOptions {
     std::string json, sarif, junit;  ///< Files to write; empty: not asked for.
+    std::string write_baseline;      ///< The same.
     bool github = false;             ///< Annotations for GitHub Actions instead of text.
     bool exit_zero = false;
     bool notes = false;  ///< Show notes, too.

@@ -5,12 +5,15 @@
 #include "ncsim/report/check_text.h"
 #include "ncsim/report/junit.h"
 #include "ncsim/report/sarif.h"
+#include "ncsim/setup/input.h"
 
 #include "console.h"
 #include "program_options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <ostream>
+#include <system_error>
 
 namespace ncsim::app {
 
@@ -31,6 +34,21 @@ int exit_code_of(const report::Entries& all, bool exit_zero) {
     return judged && exit_zero ? int{kClean} : worst;
 }
 
+std::optional<report::Baseline> overwritten_baseline(const std::string& path) {
+    // Not of the inputs of the run, which no output may be.
+    setup::InputSet aside;
+    std::error_code ignored;
+    if (path.empty() || path == "-" || !std::filesystem::is_regular_file(path, ignored))
+        return std::nullopt;
+    return report::Baseline(path, aside.read(path));
+}
+
+Reports::Reports(const ReportOptions& options, OutputSet& outputs, bool many)
+    : options_(options),
+      outputs_(outputs),
+      many_(many),
+      before_(overwritten_baseline(options.write_baseline)) {}
+
 void Reports::tell(const report::Entry& entry) const {
     if (options_.github) {
         put_out(entry.github);
@@ -45,6 +63,9 @@ void Reports::write(const report::Entries& all) const {
     outputs_.write(options_.json, [&](std::ostream& out) { report::write_check_json(out, all); });
     outputs_.write(options_.sarif, [&](std::ostream& out) { report::write_sarif(out, all); });
     outputs_.write(options_.junit, [&](std::ostream& out) { report::write_junit(out, all); });
+    outputs_.write(options_.write_baseline, [&](std::ostream& out) {
+        report::write_baseline(out, options_.write_baseline, all, before_ ? &*before_ : nullptr);
+    });
 }
 
 }  // namespace ncsim::app

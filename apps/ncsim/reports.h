@@ -4,18 +4,22 @@
 // are known, and of all of them in the end.
 #pragma once
 
+#include "ncsim/report/baseline.h"
 #include "ncsim/report/entry.h"
 
 #include "output.h"
 #include "report_options.h"
 
+#include <optional>
+#include <string>
+
 namespace ncsim::app {
 
 class Reports {
 public:
-    /// Both must outlive it. `many`: there is more than one program.
-    Reports(const ReportOptions& options, OutputSet& outputs, bool many)
-        : options_(options), outputs_(outputs), many_(many) {}
+    /// Both must outlive it. `many`: there is more than one program. Reads the baseline that will
+    /// be overwritten; throws std::runtime_error if it is none.
+    Reports(const ReportOptions& options, OutputSet& outputs, bool many);
 
     void tell(const report::Entry& entry) const;
     /// The summary, and the files that were asked for.
@@ -25,7 +29,12 @@ private:
     const ReportOptions& options_;
     OutputSet& outputs_;
     bool many_;
+    std::optional<report::Baseline> before_;
 };
+
+/// A baseline that is going to be overwritten, and may be read all the same: what it says is known
+/// before. Nothing if it is not there.
+std::optional<report::Baseline> overwritten_baseline(const std::string& path);
 
 /// The worst of all, in the order clean, not proven, findings, a failing world, a bug of ours.
 int exit_code_of(const report::Entries& all, bool exit_zero);

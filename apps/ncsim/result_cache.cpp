@@ -32,16 +32,16 @@ std::string named_anywhere(const std::string& path) {
     return is_absolute ? fs::current_path(ignored).string() + '\n' + path : path;
 }
 
-std::string ResultCache::path_of(const std::string& program) const {
-    const std::string key =
-        setup::digest_of(fmt::format("{} {}{}", common_.size(), common_, named_anywhere(program)));
+std::string ResultCache::path_of(const std::string& program, const std::string& about) const {
+    const std::string key = setup::digest_of(fmt::format(
+        "{} {}{} {}{}", common_.size(), common_, about.size(), about, named_anywhere(program)));
     return (fs::path(folder_) / key.substr(0, 2) / key.substr(2)).string();
 }
 
 // Three lines: the files that were read, the entry, the digest of both.
-std::optional<report::Entry> ResultCache::find(const std::string& program,
+std::optional<report::Entry> ResultCache::find(const std::string& program, const std::string& about,
                                                setup::InputSet& inputs) const {
-    std::ifstream in(path_of(program), std::ios::binary);
+    std::ifstream in(path_of(program, about), std::ios::binary);
     std::string files, entry, digest;
     if (!std::getline(in, files) || !std::getline(in, entry) || !std::getline(in, digest) ||
         digest != setup::digest_of(files + '\n' + entry)) {
@@ -55,14 +55,14 @@ std::optional<report::Entry> ResultCache::find(const std::string& program,
     return is_same ? report::entry_from(entry) : std::nullopt;
 }
 
-void ResultCache::keep(const std::string& program, const report::Entry& entry,
-                       const setup::RecordedInput& read) {
-    if (entry.word == "not-verified" || !read.knows_all()) return;
-    const std::string files = report::line_of(read.files());
+void ResultCache::keep(const std::string& program, const std::string& about,
+                       const report::Entry& entry, const setup::ReadFiles& read) {
+    if (entry.word == "not-verified") return;
+    const std::string files = report::line_of(read);
     const std::string line = report::line_of(entry);
     const std::string bytes =
         fmt::format("{}\n{}\n{}\n", files, line, setup::digest_of(files + '\n' + line));
-    const fs::path path = path_of(program);
+    const fs::path path = path_of(program, about);
     static std::atomic<unsigned> number{0};
     const std::string aside = fmt::format("{}.{}.{}.tmp", path.string(), ::getpid(), number++);
     std::error_code error;

@@ -25,15 +25,16 @@ public:
     ResultCache(std::string folder, std::string common,
                 std::function<void(const std::string&)> complain);
 
-    /// What is known of a program: nothing if it, or what was read with it, is not as it was. That
-    /// is read through `inputs`.
-    std::optional<report::Entry> find(const std::string& program, setup::InputSet& inputs) const;
-    /// Keeps it, unless it is no verdict or not all that it depends on is known.
-    void keep(const std::string& program, const report::Entry& entry,
-              const setup::RecordedInput& read);
+    /// What is known of a program, of which others say what is in `about`: nothing if it, or what
+    /// was read with it, is not as it was. That is read through `inputs`.
+    std::optional<report::Entry> find(const std::string& program, const std::string& about,
+                                      setup::InputSet& inputs) const;
+    /// Keeps it, unless it is no verdict; `read` is all that it depends on.
+    void keep(const std::string& program, const std::string& about, const report::Entry& entry,
+              const setup::ReadFiles& read);
 
 private:
-    std::string path_of(const std::string& program) const;
+    std::string path_of(const std::string& program, const std::string& about) const;
 
     std::string folder_, common_;
     std::function<void(const std::string&)> complain_;

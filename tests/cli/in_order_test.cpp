@@ -22,13 +22,15 @@ TEST(InOrder, ResultsArriveInTheOrderOfTheWork) {
             [&](std::size_t i) {
                 EXPECT_EQ(made[i], 7);
                 seen.push_back(i);
-            });
+            },
+            [](std::size_t) {});
         ASSERT_EQ(seen.size(), made.size());
         for (std::size_t i = 0; i < seen.size(); ++i)
             EXPECT_EQ(seen[i], i);
     }
     app::in_order(
-        0, 2, [](std::size_t, const std::stop_token&) { FAIL(); }, [](std::size_t) { FAIL(); });
+        0, 2, [](std::size_t, const std::stop_token&) { FAIL(); }, [](std::size_t) { FAIL(); },
+        [](std::size_t) { FAIL(); });
 }
 
 TEST(InOrder, WorkEndsWhenNobodyTakesItsResults) {
@@ -41,9 +43,10 @@ TEST(InOrder, WorkEndsWhenNobodyTakesItsResults) {
         std::unique_lock lock(mutex);
         EXPECT_FALSE(changed.wait(lock, stop, [] { return false; }));  // for as long as it takes
     };
-    EXPECT_THROW(
-        app::in_order(1000, 2, work, [](std::size_t) { throw std::runtime_error("closed"); }),
-        std::runtime_error);
+    EXPECT_THROW(app::in_order(
+                     1000, 2, work, [](std::size_t) { throw std::runtime_error("closed"); },
+                     [](std::size_t) {}),
+                 std::runtime_error);
     EXPECT_LE(begun, 3);
 }
 

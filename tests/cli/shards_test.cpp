@@ -29,6 +29,10 @@ std::vector<std::string> many_programs(const Folder& folder) {
     for (int i = 0; i < 11; ++i) {
         std::string text = kSlot;
         if (i % 5 == 1) text = replaced(text, "G1 X30. F500.", "G0 X30. F500.");
+        if (i == 6)
+            text = replaced(text, "G0 X30. F500.",
+                            "G0 X30. F500. (Gr\xf6\xdf"
+                            "e)");
         if (i == 3) text = replaced(text, "(FROM/0.,0.,100.)", "");
         if (i == 4) text = replaced(text, "(STOCK", "(" + std::string(300, 'x') + ")\n(STOCK");
         if (i == 7) text += std::string(1, '\0') + std::string(100, '\1');

@@ -12,6 +12,7 @@ if(TARGET ncsim)
     LIBRARIES ncsim_app nlohmann_json::nlohmann_json fmt::fmt
     SOURCES
       bad_input_test.cpp
+      baseline_test.cpp
       check_test.cpp
       diff_test.cpp
       doubts_test.cpp
@@ -19,6 +20,7 @@ if(TARGET ncsim)
       files_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp
+      isolate_test.cpp
       machine_test.cpp
       measure_test.cpp
       options_test.cpp

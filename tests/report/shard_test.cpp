@@ -39,14 +39,33 @@ TEST(Shards, DealEachProgramOnceAndEvenly) {
 }
 
 TEST(Entry, ComesBackFromItsLine) {
-    Entry entry{"a \"b\"\n.nc", "failed",    1,           "text\n\twith ümläuts",      "ncsim.toml",
-                "1 error",      "x: y\n",    "  skipped", R"({"a":[1,2.5,"\u0001"]})", "{}",
-                "{}",           "::error\n", "1,2\n"};
+    Entry entry{"a \"b\"\n.nc",
+                "failed",
+                1,
+                "text\n\twith ümläuts",
+                "ncsim.toml",
+                "known.json",
+                "1 error",
+                "x: y\n",
+                "  skipped",
+                R"({"a":[1,2.5,"\u0001"]})",
+                "{}",
+                "{}",
+                "::error\n",
+                "1,2\n",
+                "[]"};
     const std::string line = line_of(entry);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(entry_from(line), entry);
     for (std::size_t cut : {line.size() - 1, line.size() / 2, std::size_t{0}})
         EXPECT_FALSE(entry_from(line.substr(0, cut))) << cut;
+    // Programs need not be UTF-8, and may hold anything.
+    for (int lead = 0; lead < 256; ++lead) {
+        for (const char* tail : {"", "x", "\x80", "\x90\x80", "\x8f\xbf\xbf", "\xa0\x80", "\xbf"}) {
+            entry.text = std::string("a") + static_cast<char>(lead) + tail;
+            EXPECT_EQ(entry_from(line_of(entry)), entry) << lead << tail;
+        }
+    }
     EXPECT_FALSE(entry_from(R"({"code": 1})"));
     EXPECT_FALSE(entry_from("[]"));
 }

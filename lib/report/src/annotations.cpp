@@ -46,7 +46,7 @@ std::string github_annotations(const Checked& checked, bool notes) {
                escaped(relative_path(checked.path), true), escaped(checked.failure, false));
     }
     for (const verify::Finding& f : checked.verdict.findings) {
-        if (f.suppressed || (f.severity == verify::Severity::Note && !notes)) continue;
+        if (!f.counts() || (f.severity == verify::Severity::Note && !notes)) continue;
         const auto& span = f.place.span;
         append(text, "::{} file={}", command_for(f.severity),
                escaped(file_of(checked, f.place), true));

@@ -24,6 +24,7 @@ Json to_json(const Checked& checked, const Finding& f) {
     json["category"] = verify::name_of(f.category);
     json["certain"] = f.certainty == verify::Certainty::Certain;
     json["suppressed"] = f.suppressed;
+    if (f.accepted) json["accepted"] = *f.accepted;
     json["file"] = file_of(checked, f.place);
     if (f.place.span.line > 0) {
         json["line"] = f.place.span.line;
@@ -95,6 +96,19 @@ Json to_json(const DesignFacts& design) {
             {"excess", to_json(design.excess)}};
 }
 
+Json baseline_json(const Checked& checked) {
+    Json json{{"file", relative_path(checked.baseline)},
+              {"accepted", checked.verdict.accepted()},
+              {"no_longer_found", Json::array()}};
+    for (const NoLonger& known : checked.no_longer) {
+        json["no_longer_found"].push_back({{"rule", known.rule},
+                                           {"severity", known.severity},
+                                           {"line", known.line},
+                                           {"message", known.what}});
+    }
+    return json;
+}
+
 Json to_json(const Checked& checked) {
     Json json{{"file", relative_path(checked.path)}};
     if (!checked.failure.empty()) {
@@ -107,6 +121,7 @@ Json to_json(const Checked& checked) {
     json["simulated"] = checked.simulated;
     if (!checked.not_simulated.empty()) json["not_simulated"] = checked.not_simulated;
     if (!checked.settings.empty()) json["settings"] = relative_path(checked.settings);
+    if (!checked.baseline.empty()) json["baseline"] = baseline_json(checked);
     if (!checked.stock.empty()) json["stock"] = checked.stock;
     if (!checked.time.empty()) json["time"] = checked.time;
     json["moves"] = checked.moves;

@@ -91,6 +91,10 @@ void put_settings(std::string& text, const std::string& file) {
     if (!file.empty()) append(text, "  settings {}\n", file);
 }
 
+void put_baseline(std::string& text, const std::string& file) {
+    if (!file.empty()) append(text, "  baseline {}\n", file);
+}
+
 std::string name_of_verdict(const Checked& checked) {
     std::string name(checked.word);
     std::ranges::replace(name, '-', ' ');
@@ -178,7 +182,7 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     const verify::Verdict& v = checked.verdict;
     for (std::size_t i = 0; i < v.findings.size(); ++i) {
         const Finding& f = v.findings[i];
-        if (f.suppressed || (f.severity == Severity::Note && !options.notes)) continue;
+        if (!f.counts() || (f.severity == Severity::Note && !options.notes)) continue;
         put_finding(text, checked, f, checked.lines[i]);
     }
     for (const auto& [rule, more] : v.unlisted) {
@@ -187,10 +191,16 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
     for (const verify::Doubt& d : v.doubts) {
         if (!d.accepted || options.notes) put_doubt(text, checked, d);
     }
-    if (options.quiet || options.many) return text;
+    if (options.quiet) return text;
+    for (const NoLonger& known : checked.no_longer) {
+        append(text, "{}: no longer there, but in the baseline: {}: {} [{}]\n", path,
+               known.severity, one_line(known.what), known.rule);
+    }
+    if (options.many) return text;
     append(text, "{}: {}: {}\n", path, name_of_verdict(checked), counts_of(checked));
     put_remedies(text, remedies_of(checked));
     put_settings(text, shown_path(checked.settings));
+    put_baseline(text, shown_path(checked.baseline));
     if (!checked.stock.empty()) append(text, "  stock    {}\n", one_line(checked.stock));
     if (!checked.time.empty()) append(text, "  time     {}\n", checked.time);
     if (checked.design) append(text, "  design   {}\n", one_line(text_of(*checked.design)));
@@ -207,6 +217,7 @@ std::string counts_of(const Checked& checked) {
     const std::size_t accepted = v.doubts.size() - v.open_doubts();
     if (accepted > 0) text += fmt::format(", {} accepted", accepted);
     if (v.suppressed() > 0) text += fmt::format(", {} suppressed", v.suppressed());
+    if (v.accepted() > 0) text += fmt::format(", {} in the baseline", v.accepted());
     return text;
 }
 
@@ -241,6 +252,7 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
         ++programs;
         std::string told;
         put_settings(told, shown_path(entry.settings));
+        put_baseline(told, shown_path(entry.baseline));
         settings.add(told);
         skipped.add(entry.skipped);
         to_tell.add(entry.to_tell);
@@ -259,15 +271,16 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
     }
     for (const auto& [word, title] :
          {std::pair{"not-verified", "not verified"}, std::pair{"not-proven", "not proven"},
-          std::pair{"failed", "failed"}}) {
+          std::pair{"accepted", "accepted"}, std::pair{"failed", "failed"}}) {
         const std::uint64_t n = words[word];
         if (n == 0) continue;
         append(text, "{}:\n{}", title, listed[word]);
         if (n > kMostListed) append(text, "  and {} more\n", n - kMostListed);
     }
-    append(text, "{}: {} clean, {} not proven, {} failed, {} not verified\n",
-           counted(programs, "program"), words["clean"], words["not-proven"], words["failed"],
-           words["not-verified"]);
+    append(text, "{}: {} clean, ", counted(programs, "program"), words["clean"]);
+    if (words["accepted"] > 0) append(text, "{} accepted, ", words["accepted"]);
+    append(text, "{} not proven, {} failed, {} not verified\n", words["not-proven"],
+           words["failed"], words["not-verified"]);
     return text;
 }
 

@@ -3,6 +3,10 @@
 
 #include "json.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
 namespace ncsim::report {
 
 namespace {
@@ -14,6 +18,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("word", entry.word);
     take("text", entry.text);
     take("settings", entry.settings);
+    take("baseline", entry.baseline);
     take("counts", entry.counts);
     take("to_tell", entry.to_tell);
     take("skipped", entry.skipped);
@@ -22,13 +27,73 @@ void for_each_text(EntryType& entry, Take take) {
     take("junit", entry.junit);
     take("github", entry.github);
     take("csv", entry.csv);
+    take("known", entry.known);
+}
+
+// How many bytes the character at the head of `text` has; 0 if it is no UTF-8 (RFC 3629).
+std::size_t character_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint8_t lead = byte(0);
+    if (lead < 0x80) return 1;
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80U) return 0;
+    }
+    const bool is_overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
+    const bool is_surrogate = lead == 0xed && byte(1) >= 0xa0;
+    const bool is_beyond = lead == 0xf4 && byte(1) >= 0x90;
+    return is_overlong || is_surrogate || is_beyond ? 0 : length;
+}
+
+// JSON is UTF-8, programs need not be: a byte B that is not stands there as the character 10FFB,
+// and so does each byte of such a character: F4 8F BC..BF, then the low six bits.
+constexpr std::string_view kByteMark = "\xf4\x8f";
+
+std::string with_bytes_marked(std::string_view text) {
+    std::string marked;
+    while (!text.empty()) {
+        const std::size_t length = character_length(text);
+        if (length > 0 && !(length == 4 && text.starts_with(kByteMark) && text[2] >= '\xbc')) {
+            marked.append(text.substr(0, length));
+            text.remove_prefix(length);
+            continue;
+        }
+        for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
+            const auto b = static_cast<std::uint8_t>(text[i]);
+            marked.append(kByteMark);
+            marked += static_cast<char>(0xbc | b >> 6);
+            marked += static_cast<char>(0x80 | (b & 0x3f));
+        }
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return marked;
+}
+
+std::string with_bytes_back(std::string_view marked) {
+    std::string text;
+    for (std::size_t at = 0; at < marked.size();) {
+        const std::string_view rest = marked.substr(at);
+        if (rest.size() >= 4 && rest.starts_with(kByteMark) && rest[2] >= '\xbc') {
+            const auto high = static_cast<std::uint8_t>(rest[2]) & 0x03U;
+            const auto low = static_cast<std::uint8_t>(rest[3]) & 0x3fU;
+            text += static_cast<char>(high << 6 | low);
+            at += 4;
+        } else {
+            text += rest.front();
+            ++at;
+        }
+    }
+    return text;
 }
 
 }  // namespace
 
 std::string line_of(const Entry& entry) {
     Json json{{"code", entry.code}};
-    for_each_text(entry, [&](const char* key, const std::string& text) { json[key] = text; });
+    for_each_text(entry, [&](const char* key, const std::string& text) {
+        json[key] = with_bytes_marked(text);
+    });
     return to_line(json);
 }
 
@@ -40,7 +105,7 @@ std::optional<Entry> entry_from(std::string_view line) {
     if (is_whole) entry.code = json["code"].get<int>();
     for_each_text(entry, [&](const char* key, std::string& text) {
         is_whole = is_whole && json.contains(key) && json[key].is_string();
-        if (is_whole) text = json[key].get<std::string>();
+        if (is_whole) text = with_bytes_back(json[key].get<std::string>());
     });
     if (!is_whole) return std::nullopt;
     return entry;

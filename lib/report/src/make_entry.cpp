@@ -23,6 +23,8 @@ Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     if (options.sarif) entry.sarif = to_line(sarif_share(checked, options.notes));
     if (options.junit)
         entry.junit = to_line(junit_share(checked, options.selection, options.warnings_as_errors));
+    entry.baseline = checked.baseline;
+    if (options.known) entry.known = to_line(baseline_share(checked));
     if (options.github) entry.github = github_annotations(checked, options.notes);
     if (options.csv) entry.csv = ledger_csv_share(checked);
     return entry;

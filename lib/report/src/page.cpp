@@ -93,7 +93,7 @@ Json data_json(const Checked& checked) {
         data["source"].push_back(one_line(line));
     std::map<std::uint32_t, Severity> marks;
     for (const Finding& f : checked.verdict.findings) {
-        if (f.suppressed || f.place.file != 0 || f.place.span.line == 0) continue;
+        if (!f.counts() || f.place.file != 0 || f.place.span.line == 0) continue;
         auto& mark = marks.try_emplace(f.place.span.line, f.severity).first->second;
         mark = std::max(mark, f.severity);
     }
@@ -132,7 +132,7 @@ std::string seconds_text(const std::optional<double>& seconds) {
 
 std::string finding_html(const Checked& checked, const Finding& f, const std::string& line) {
     std::string text = fmt::format("<div class=\"finding {}{}\"{}>", verify::name_of(f.severity),
-                                   f.suppressed ? " suppressed" : "",
+                                   f.counts() ? "" : " suppressed",
                                    f.place.file == 0 && f.place.span.line > 0
                                        ? fmt::format(" data-line=\"{}\"", f.place.span.line)
                                        : "");
@@ -140,7 +140,10 @@ std::string finding_html(const Checked& checked, const Finding& f, const std::st
     if (f.place.span.line > 0) where += fmt::format(":{}", f.place.span.line);
     if (f.last.span.line > f.place.span.line) where += fmt::format("-{}", f.last.span.line);
     append(text, "<b>{}</b> {} <small>{} · {}{}</small>", verify::name_of(f.severity),
-           escaped(headline(f)), escaped(where), f.rule, f.suppressed ? " · suppressed" : "");
+           escaped(headline(f)), escaped(where), f.rule,
+           f.suppressed ? " · suppressed"
+           : f.accepted ? " · in the baseline"
+                        : "");
     if (!line.empty()) append(text, "<code>{}</code>", escaped(line.substr(0, 200)));
     for (const std::string& assumption : f.assumptions)
         append(text, "<small>assumed {}</small>", escaped(assumption));

@@ -7,6 +7,7 @@
 #include "ncsim/report/version.h"
 #include "ncsim/verify/rule.h"
 
+#include "fingerprint.h"
 #include "json.h"
 #include "json_stream.h"
 #include "shares.h"
@@ -56,16 +57,6 @@ const char* level_of(Severity severity) {
 
 // Levels, the heaviest first: so results are written.
 constexpr std::array<const char*, 3> kWeights{"error", "warning", "note"};
-
-// 64 bits, FNV-1a (Fowler, Noll, Vo): told apart, not kept secret.
-std::string fingerprint(std::string_view text) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : text) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 0x100000001b3ULL;
-    }
-    return fmt::format("{:016x}", hash);
-}
 
 std::string_view trimmed(std::string_view text) {
     const auto begin = text.find_first_not_of(" \t\r");
@@ -149,7 +140,13 @@ Json result(const Checked& checked, const Finding& f, const std::string& line, S
               {"locations", {location(path, f.place, f.last)}},
               {"partialFingerprints",
                {{"ncsimFinding/v1", fingerprint(identity) + ":" + std::to_string(nth)}}}};
-    if (f.suppressed) json["suppressions"] = {{{"kind", "inSource"}}};
+    if (f.suppressed) {
+        json["suppressions"] = {{{"kind", "inSource"}}};
+    } else if (f.accepted) {
+        Json suppression{{"kind", "external"}, {"status", "accepted"}};
+        if (!f.accepted->empty()) suppression["justification"] = *f.accepted;
+        json["suppressions"] = {std::move(suppression)};
+    }
     Json properties{{"certain", f.certainty == verify::Certainty::Certain}};
     if (f.quantity) {
         properties["quantity"] = f.quantity->name;

@@ -21,7 +21,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr std::uint64_t kMostPrograms = 100'000'000;
 
 [[noreturn]] void fail(const std::string& file, const std::string& why) {

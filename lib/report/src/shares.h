@@ -17,6 +17,7 @@ Json check_json_share(const Checked& checked);
 Json sarif_share(const Checked& checked, bool notes);
 Json junit_share(const Checked& checked, const verify::Selection& selection,
                  bool warnings_as_errors);
+Json baseline_share(const Checked& checked);
 std::string ledger_csv_share(const Checked& checked);
 
 }  // namespace ncsim::report

@@ -203,9 +203,43 @@ bool needs_simulation(const verify::Setup& setup) {
 }
 
 std::string_view verdict_word(verify::Outcome outcome) {
-    return outcome == verify::Outcome::Clean    ? "clean"
-           : outcome == verify::Outcome::Failed ? "failed"
-                                                : "not-proven";
+    switch (outcome) {
+        case verify::Outcome::Clean: return "clean";
+        case verify::Outcome::Accepted: return "accepted";
+        case verify::Outcome::NotProven: return "not-proven";
+        case verify::Outcome::Failed: break;
+    }
+    return "failed";
+}
+
+// A control that stops at a block, or does something else there, does what nobody simulated,
+// whoever accepts that it is a fault.
+void doubt_accepted_blocks(verify::Verdict& verdict,
+                           const std::set<std::string, std::less<>>& accepted) {
+    constexpr std::string_view kReason = "not-simulated";
+    for (const verify::Finding& f : verdict.findings) {
+        if (!f.accepted || f.category != verify::Category::Program ||
+            f.severity != verify::Severity::Error)
+            continue;
+        verify::Doubt doubt;
+        doubt.reason = kReason;
+        doubt.message = "nobody knows what an accepted fault does: " + f.message;
+        doubt.place = f.place;
+        doubt.count = f.count;
+        doubt.accepted = accepted.contains(kReason);
+        verdict.doubts.push_back(std::move(doubt));
+    }
+    std::ranges::stable_sort(verdict.doubts, {},
+                             [](const verify::Doubt& d) { return verify::find_reason(d.reason); });
+}
+
+// With warnings as errors.
+verify::Outcome stricter(verify::Outcome outcome, const verify::Verdict& verdict) {
+    if (verdict.count(verify::Severity::Warning) > 0) return verify::Outcome::Failed;
+    const bool is_accepted = std::ranges::any_of(verdict.findings, [](const verify::Finding& f) {
+        return f.accepted && f.severity != verify::Severity::Note;
+    });
+    return outcome == verify::Outcome::Clean && is_accepted ? verify::Outcome::Accepted : outcome;
 }
 
 }  // namespace
@@ -318,9 +352,12 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
         }
         checked.lines.push_back(std::move(line));
     }
-    const bool by_warnings =
-        questions.warnings_as_errors && checked.verdict.count(verify::Severity::Warning) > 0;
-    const auto outcome = by_warnings ? verify::Outcome::Failed : checked.verdict.outcome();
+    if (questions.baseline) {
+        questions.baseline->accept(checked, questions.selection);
+        doubt_accepted_blocks(checked.verdict, told.accepted);
+    }
+    verify::Outcome outcome = checked.verdict.outcome();
+    if (questions.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
     checked.word = verdict_word(outcome);
     checked.outcome = outcome;
 }

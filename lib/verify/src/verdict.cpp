@@ -10,7 +10,7 @@ namespace ncsim::verify {
 std::uint64_t Verdict::count(Severity severity) const {
     std::uint64_t n = 0;
     for (const Finding& f : findings) {
-        if (f.severity == severity && !f.suppressed) ++n;
+        if (f.severity == severity && f.counts()) ++n;
     }
     for (const auto& [rule, more] : unlisted) {
         const RuleInfo* info = find_rule(rule);
@@ -26,12 +26,17 @@ std::uint64_t Verdict::open_doubts() const {
 
 Outcome Verdict::outcome() const {
     if (count(Severity::Error) > 0) return Outcome::Failed;
-    return open_doubts() > 0 ? Outcome::NotProven : Outcome::Clean;
+    if (open_doubts() > 0) return Outcome::NotProven;
+    const bool is_accepted = std::ranges::any_of(findings, [](const Finding& f) {
+        return f.accepted && !f.suppressed && f.severity == Severity::Error;
+    });
+    return is_accepted ? Outcome::Accepted : Outcome::Clean;
 }
 
 std::string_view name_of(Outcome outcome) {
     switch (outcome) {
         case Outcome::Clean: return "clean";
+        case Outcome::Accepted: return "accepted";
         case Outcome::NotProven: return "not proven";
         case Outcome::Failed: break;
     }
@@ -41,6 +46,11 @@ std::string_view name_of(Outcome outcome) {
 std::uint64_t Verdict::suppressed() const {
     return static_cast<std::uint64_t>(
         std::ranges::count_if(findings, [](const Finding& f) { return f.suppressed; }));
+}
+
+std::uint64_t Verdict::accepted() const {
+    return static_cast<std::uint64_t>(std::ranges::count_if(
+        findings, [](const Finding& f) { return f.accepted && !f.suppressed; }));
 }
 
 }  // namespace ncsim::verify

@@ -66,10 +66,17 @@ for (const [name, depth] of [["design", 2], ["deep", 2.5], ["flat", 1.5]])
 execFileSync(ncsim, ["run", "design.nc", "-q", "--stl", "design.stl"], { cwd: folder });
 const samples = ["simple", "complex"].map((name) => join(source, "samples", `${name}.nc`));
 
+// Known findings: some that are there, and with moved.nc made clean some that are not.
+check(["bad program.nc", "moved.nc"], ["--write-baseline", "known.json"]);
+writeFileSync(join(folder, "known.json"), readFileSync(join(folder, "known.json"), "utf8")
+  .replaceAll('"line"', '"why":"foam","line"').replaceAll("through material", "through matter"));
+check(["bad program.nc"], ["--write-baseline", "known.json"]);
+
 const runs = {
   faults: check(["bad program.nc", "moved.nc", "accepted.nc", "latin1.nc", "unknown tool.nc",
     "empty.nc", "missing.nc"]),
   samples: check(samples),
+  known: check(["bad program.nc", "moved.nc"], ["--baseline", "known.json"]),
   design: check(["design.nc", "deep.nc", "flat.nc"], ["--design", "design.stl"]),
 };
 expect(runs.faults.code === 2, `exit code ${runs.faults.code} where a file is missing`);
@@ -107,6 +114,10 @@ expect(rapid[0].level === "error" && rapid[0].properties.value > 799, "level and
 expect(of("accepted.nc", "rapid-in-material")[0].suppressions[0].kind === "inSource",
   "suppressed in the source");
 expect(runs.faults.sarif.runs[0].invocations[0].executionSuccessful === false, "success is claimed");
+
+const known = runs.known.json.programs.map((program) => program.baseline);
+expect(known[0].accepted > 0 && known[0].no_longer_found.length === 0, "known findings");
+expect(known[1].no_longer_found.length === 1, "known findings that are gone");
 
 // Lines above do not change what a finding is taken for; only the file differs here.
 writeFileSync(join(folder, "bad program.nc"), head + "(one line more)\nG4 P1\n" + slot);

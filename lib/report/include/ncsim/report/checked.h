@@ -25,9 +25,16 @@ struct Look {
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
 };
 
+/// A finding of a baseline that is not there any more.
+struct NoLonger {
+    std::string rule, severity;
+    std::uint32_t line = 0;  ///< Where it was.
+    std::string what;        ///< Message and quantity.
+};
+
 struct Checked {
     std::string path;                        ///< As it was named.
-    std::string_view word = "not-verified";  ///< "clean", "not-proven", "failed".
+    std::string_view word = "not-verified";  ///< "clean", "accepted", "not-proven", "failed".
     /// What the word says; only where there is a verdict.
     verify::Outcome outcome = verify::Outcome::NotProven;
     /// Why there is no verdict: it could not be read, or something broke. Empty: there is one.
@@ -36,10 +43,12 @@ struct Checked {
     /// For each finding the line it points at, as written; empty where there is none.
     std::vector<std::string> lines;
     bool simulated = false;
-    std::string not_simulated;  ///< Why not.
-    std::string settings;       ///< The ncsim.toml that told some options; empty: none.
-    std::string stock;          ///< What it was verified against, in words.
-    std::string time;           ///< How long it takes, in words; empty: it does not move.
+    std::string not_simulated;        ///< Why not.
+    std::string settings;             ///< The ncsim.toml that told some options; empty: none.
+    std::string baseline;             ///< The file of known findings; empty: none.
+    std::vector<NoLonger> no_longer;  ///< What is in that and was not found.
+    std::string stock;                ///< What it was verified against, in words.
+    std::string time;                 ///< How long it takes, in words; empty: it does not move.
     std::uint64_t moves = 0;
     std::optional<DesignFacts> design;  ///< Only where the part was compared with one.
     std::optional<Look> look;           ///< Only where a page was asked for.

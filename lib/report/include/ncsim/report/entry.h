@@ -14,10 +14,11 @@ namespace ncsim::report {
 
 struct Entry {
     std::string path;      ///< As the program was named.
-    std::string word;      ///< "clean", "not-proven", "failed", "not-verified".
+    std::string word;      ///< "clean", "accepted", "not-proven", "failed", "not-verified".
     int code = 0;          ///< What the command would end with if it were the only one.
     std::string text;      ///< For people.
     std::string settings;  ///< The ncsim.toml that told some options; empty: none.
+    std::string baseline;  ///< The file of known findings; empty: none.
     std::string counts;    ///< For people: "1 error, 0 warnings, 0 notes, 2 doubts".
     std::string to_tell;   ///< For people: what would prove it, a line a reason for doubt.
     std::string skipped;   ///< For people: what was not asked, a line a reason.
@@ -26,11 +27,11 @@ struct Entry {
     std::string junit;
     std::string github;  ///< Annotations, a line each.
     std::string csv;     ///< Lines of the ledger.
+    std::string known;   ///< What a baseline keeps of it, JSON.
     bool operator==(const Entry&) const = default;
 };
 
-/// One line of JSON, and back. Bytes that are no UTF-8 become U+FFFD. Nothing if it is no such
-/// line.
+/// One line of JSON, and back, byte by byte. Nothing if it is no such line.
 std::string line_of(const Entry& entry);
 std::optional<Entry> entry_from(std::string_view line);
 

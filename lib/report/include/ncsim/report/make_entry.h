@@ -16,6 +16,7 @@ struct EntryOptions {
     bool many = false;   ///< There are others: what they have in common is told in the end.
     bool warnings_as_errors = false;
     bool json = true, sarif = true, junit = true, github = true, csv = false;
+    bool known = false;  ///< For a baseline.
     verify::Selection selection;
 };
 

@@ -3,6 +3,7 @@
 // From a plan to a verdict: what `ncsim check` does with one program.
 #pragma once
 
+#include "ncsim/report/baseline.h"
 #include "ncsim/report/checked.h"
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design.h"
@@ -21,11 +22,13 @@ struct Questions {
     /// Its links in pieces, which takes a while; null: check() makes them, for each program anew.
     std::shared_ptr<const verify::MachineBodies> bodies;
     const Design* design = nullptr;  ///< What the part is to be; null: nobody tells.
-    bool dog_leg = false;            ///< Rapid moves go axis by axis.
-    bool cut_free = false;           ///< Look for pieces that are cut free.
-    bool air_cuts = false;           ///< Look for feed moves that remove nothing.
-    bool ledger = false;             ///< Keep a row a block, with exact volumes.
-    bool look = false;               ///< Show the part, too; with the ledger.
+    /// Findings that were accepted before; null: none.
+    const report::Baseline* baseline = nullptr;
+    bool dog_leg = false;   ///< Rapid moves go axis by axis.
+    bool cut_free = false;  ///< Look for pieces that are cut free.
+    bool air_cuts = false;  ///< Look for feed moves that remove nothing.
+    bool ledger = false;    ///< Keep a row a block, with exact volumes.
+    bool look = false;      ///< Show the part, too; with the ledger.
     bool warnings_as_errors = false;
     /// Tools in the options of the job are this program's: one that it does not move is a doubt.
     bool tools_are_meant = true;

@@ -77,6 +77,11 @@ struct Finding {
     std::string hint;                      ///< How to mend it.
     std::vector<std::string> assumptions;  ///< What was not told and the verdict rests on.
     bool suppressed = false;  ///< By a comment in the program; told, but does not count.
+    /// Somebody looked at it before and accepted it, outside of the program: why, if that was told.
+    /// Does not count either, but a program with accepted errors is not clean.
+    std::optional<std::string> accepted;
+
+    bool counts() const { return !suppressed && !accepted; }
     bool operator==(const Finding&) const = default;
 };
 

@@ -15,11 +15,12 @@
 
 namespace ncsim::verify {
 
-/// Clean: nothing was found, and nothing had to be guessed to say so. Not proven: nothing was found
-/// that certainly is a fault, but a guess, or something left out, stands between that and "clean".
-enum class Outcome : std::uint8_t { Clean, NotProven, Failed };
+/// Clean: nothing was found, and nothing had to be guessed to say so. Accepted: it would be, but
+/// for errors that somebody accepted. Not proven: nothing was found that certainly is a fault, but
+/// a guess, or something left out, stands between that and "clean".
+enum class Outcome : std::uint8_t { Clean, Accepted, NotProven, Failed };
 
-/// "clean", "not proven", "failed".
+/// "clean", "accepted", "not proven", "failed".
 std::string_view name_of(Outcome outcome);
 
 struct Verdict {
@@ -33,13 +34,14 @@ struct Verdict {
 
     static constexpr std::size_t kMaxFindings = 1000;
 
-    /// Findings that are not suppressed, those that are only counted included where they have the
-    /// rule's default weight.
+    /// Findings that are neither suppressed nor accepted, those that are only counted included
+    /// where they have the rule's default weight.
     std::uint64_t count(Severity severity) const;
     /// Doubts that nobody accepted.
     std::uint64_t open_doubts() const;
     Outcome outcome() const;
     std::uint64_t suppressed() const;
+    std::uint64_t accepted() const;
 };
 
 }  // namespace ncsim::verify

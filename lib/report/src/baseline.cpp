@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/baseline.h"
+
+#include "ncsim/report/check_text.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/verify/rule.h"
+
+#include "fingerprint.h"
+#include "json.h"
+#include "shares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <ostream>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::report {
+
+namespace {
+
+using verify::Finding;
+using verify::Severity;
+
+constexpr int kFormat = 1;
+
+// Places of the part are the same within a thousandth of a millimetre; other numbers to rounding.
+constexpr double kSamePlace = 1e-3;
+constexpr double kSameNumber = 1e-6;
+
+// A line as people would call it the same: without its number, blanks and small letters.
+std::string block_of(std::string_view line) {
+    std::string block;
+    for (const char c : line) {
+        if (c == ' ' || c == '\t' || c == '\r') continue;
+        block += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    }
+    const std::size_t skip = block.starts_with('/') ? 1 : 0;
+    if (block.size() > skip && block[skip] == 'N') {
+        const std::size_t end =
+            std::min(block.find_first_not_of("0123456789", skip + 1), block.size());
+        if (end > skip + 1) block.erase(skip, end - skip);
+    }
+    constexpr std::size_t kMost = 120;
+    if (block.size() > kMost) block = block.substr(0, kMost) + "..." + fingerprint(block);
+    return block;
+}
+
+// As it comes back from a file: bytes that are no UTF-8 do not.
+std::string as_kept(const std::string& text) {
+    return Json::parse(to_line(Json(text))).get<std::string>();
+}
+
+KnownFinding known_of(const Checked& checked, const Finding& f, const std::string& line) {
+    KnownFinding known;
+    known.rule = f.rule;
+    known.code = f.code;
+    known.severity = verify::name_of(f.severity);
+    known.message = as_kept(f.message);
+    const auto& files = checked.verdict.files;
+    if (f.place.file > 0 && f.place.file < files.size()) known.file = as_kept(files[f.place.file]);
+    known.line = f.place.span.line;
+    known.block = as_kept(block_of(line));
+    known.tool = f.tool;
+    known.certain = f.certainty == verify::Certainty::Certain;
+    known.count = f.count;
+    known.goes_on = f.goes_on;
+    known.quantity = f.quantity;
+    known.box = f.box;
+    if (f.point) known.box.add(*f.point);
+    known.why = as_kept(f.accepted.value_or(""));
+    return known;
+}
+
+Json to_json(const std::string& program, const KnownFinding& known) {
+    Json json{{"program", program},       {"rule", known.rule},       {"severity", known.severity},
+              {"message", known.message}, {"certain", known.certain}, {"count", known.count},
+              {"line", known.line},       {"block", known.block}};
+    if (!known.code.empty()) json["code"] = known.code;
+    if (!known.file.empty()) json["file"] = known.file;
+    if (known.tool != 0) json["tool"] = known.tool;
+    if (known.goes_on) json["goes_on"] = true;
+    if (known.quantity) {
+        json["quantity"] = {{"name", known.quantity->name},
+                            {"value", tidy(known.quantity->value)},
+                            {"unit", known.quantity->unit}};
+    }
+    if (!known.box.is_empty())
+        json["box"] = {{"min", vector_json(known.box.min)}, {"max", vector_json(known.box.max)}};
+    if (!known.why.empty()) json["why"] = known.why;
+    return json;
+}
+
+cda::Vec3 vector_from(const Json& json) {
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+// Throws Json::exception, or std::runtime_error on a key that means nothing.
+KnownFinding known_from(const Json& json) {
+    KnownFinding known;
+    for (const auto& [key, value] : json.items()) {
+        if (key == "program") {
+            continue;
+        } else if (key == "rule") {
+            value.get_to(known.rule);
+        } else if (key == "code") {
+            value.get_to(known.code);
+        } else if (key == "severity") {
+            value.get_to(known.severity);
+        } else if (key == "message") {
+            value.get_to(known.message);
+        } else if (key == "file") {
+            value.get_to(known.file);
+        } else if (key == "line") {
+            value.get_to(known.line);
+        } else if (key == "block") {
+            value.get_to(known.block);
+        } else if (key == "tool") {
+            value.get_to(known.tool);
+        } else if (key == "certain") {
+            value.get_to(known.certain);
+        } else if (key == "count") {
+            value.get_to(known.count);
+        } else if (key == "goes_on") {
+            value.get_to(known.goes_on);
+        } else if (key == "quantity") {
+            known.quantity = verify::Quantity{value.at("name").get<std::string>(),
+                                              value.at("value").get<double>(),
+                                              value.at("unit").get<std::string>()};
+        } else if (key == "box") {
+            known.box.add(vector_from(value.at("min")));
+            known.box.add(vector_from(value.at("max")));
+        } else if (key == "why") {
+            value.get_to(known.why);
+        } else {
+            throw std::runtime_error(fmt::format("'{}' means nothing there", key));
+        }
+    }
+    if (known.rule.empty() || known.message.empty() || known.severity.empty())
+        throw std::runtime_error("rule, severity and message have to be told");
+    return known;
+}
+
+// Findings of different names never are the same.
+std::string name_of(const KnownFinding& f) {
+    std::string name = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n", f.rule, f.code, f.severity,
+                                   f.certain, f.tool, f.message, f.file);
+    name += f.file.empty() ? f.block : fmt::format("{}", f.line);
+    if (f.quantity) name += fmt::format("\n{}\n{}", f.quantity->name, f.quantity->unit);
+    return name;
+}
+
+bool is_within(const cda::Box& inner, const cda::Box& outer) {
+    if (inner.is_empty() || outer.is_empty()) return inner.is_empty() == outer.is_empty();
+    const cda::Vec3 room{kSamePlace, kSamePlace, kSamePlace};
+    const cda::Vec3 low = inner.min - (outer.min - room), high = outer.max + room - inner.max;
+    return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= 0.0;
+}
+
+// Of one name and unit.
+bool is_no_worse(const verify::Quantity& now, const verify::Quantity& known) {
+    const double room = kSameNumber * std::max(1.0, std::abs(known.value));
+    // Too slow is as wrong as too fast.
+    if (now.unit == "rpm") return std::abs(now.value - known.value) <= room;
+    return now.value <= known.value + room;
+}
+
+// Is `now`, of the same name, what was known, or less of it?
+bool is_covered(const KnownFinding& now, const KnownFinding& known) {
+    if (now.quantity.has_value() != known.quantity.has_value()) return false;
+    if (now.quantity && !is_no_worse(*now.quantity, *known.quantity)) return false;
+    return now.count <= known.count && (!now.goes_on || known.goes_on) &&
+           is_within(now.box, known.box);
+}
+
+constexpr std::size_t kNoOne = ~std::size_t{0};
+
+// For each of `now` which of `known` it is, or kNoOne. All of one name.
+void match(const std::vector<KnownFinding>& now, const std::vector<KnownFinding>& known,
+           std::span<const std::size_t> of_now, std::span<const std::size_t> of_known,
+           std::vector<std::size_t>& known_as) {
+    std::set<std::size_t> free(of_known.begin(), of_known.end());
+    // First who is the same to the last digit, then who is less.
+    for (const bool exactly : {true, false}) {
+        for (const std::size_t i : of_now) {
+            if (known_as[i] != kNoOne) continue;
+            const auto found = std::ranges::find_if(free, [&](std::size_t k) {
+                return is_covered(now[i], known[k]) && (!exactly || is_covered(known[k], now[i]));
+            });
+            if (found == free.end()) continue;
+            known_as[i] = *found;
+            free.erase(found);
+        }
+    }
+    // Which of them is the new one nobody can tell.
+    const auto known_before = known_as;
+    for (const std::size_t i : of_now) {
+        if (known_before[i] != kNoOne) continue;
+        for (const std::size_t j : of_now) {
+            if (known_before[j] != kNoOne && is_within(now[i].box, known[known_before[j]].box))
+                known_as[j] = kNoOne;
+        }
+    }
+}
+
+std::vector<std::size_t> matched(const std::vector<KnownFinding>& now,
+                                 const std::vector<KnownFinding>& known) {
+    std::map<std::string, std::pair<std::vector<std::size_t>, std::vector<std::size_t>>> by_name;
+    for (std::size_t i = 0; i < now.size(); ++i)
+        by_name[name_of(now[i])].first.push_back(i);
+    for (std::size_t k = 0; k < known.size(); ++k)
+        by_name[name_of(known[k])].second.push_back(k);
+    std::vector<std::size_t> known_as(now.size(), kNoOne);
+    for (const auto& [name, both] : by_name)
+        match(now, known, both.first, both.second, known_as);
+    return known_as;
+}
+
+// Notes fail nothing, and what a comment suppresses is accepted already.
+bool is_kept(const Finding& f) {
+    return !f.suppressed && f.severity != Severity::Note;
+}
+
+// How a file in the folder of the baseline would name the program.
+std::string seen_from(const std::string& baseline, const std::string& program) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path folder =
+        fs::absolute(fs::path(baseline), error).lexically_normal().parent_path();
+    const fs::path path = fs::absolute(fs::path(program), error).lexically_normal();
+    const fs::path seen = path.lexically_relative(folder);
+    return as_kept((seen.empty() ? path : seen).generic_string());
+}
+
+}  // namespace
+
+Baseline::Baseline(std::string file, const std::string& text) : file_(std::move(file)) {
+    std::size_t number = 0;
+    try {
+        const Json json = Json::parse(text);
+        if (!json.is_object() || !json.contains("ncsim-baseline"))
+            throw std::runtime_error("it is no baseline of ncsim check");
+        if (json.at("ncsim-baseline").get<int>() != kFormat)
+            throw std::runtime_error("it was written by another version of ncsim");
+        for (const Json& finding : json.at("findings")) {
+            ++number;
+            known_[finding.at("program").get<std::string>()].push_back(known_from(finding));
+        }
+    } catch (const std::exception& e) {
+        const std::string where = number == 0 ? "" : fmt::format("finding {}: ", number);
+        throw std::runtime_error(fmt::format("'{}': {}{}", file_, where, e.what()));
+    }
+}
+
+const std::vector<KnownFinding>* Baseline::known_of(const std::string& program) const {
+    const auto found = known_.find(seen_from(file_, program));
+    return found == known_.end() ? nullptr : &found->second;
+}
+
+void Baseline::accept(Checked& checked, const verify::Selection& selection) const {
+    checked.baseline = file_;
+    const std::vector<KnownFinding>* known = known_of(checked.path);
+    if (!known) return;
+    verify::Verdict& verdict = checked.verdict;
+    std::vector<KnownFinding> now;
+    std::vector<Finding*> findings;
+    for (std::size_t i = 0; i < verdict.findings.size(); ++i) {
+        if (!is_kept(verdict.findings[i])) continue;
+        findings.push_back(&verdict.findings[i]);
+        now.push_back(report::known_of(checked, verdict.findings[i], checked.lines[i]));
+    }
+    const std::vector<std::size_t> known_as = matched(now, *known);
+    std::vector<bool> is_found(known->size(), false);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (known_as[i] == kNoOne) continue;
+        findings[i]->accepted = (*known)[known_as[i]].why;
+        is_found[known_as[i]] = true;
+    }
+    const auto was_asked = [&](const std::string& rule) {
+        return selection.includes(rule) && !verdict.unlisted.contains(rule) &&
+               std::ranges::find(verdict.skipped, rule, &verify::Skipped::rule) ==
+                   verdict.skipped.end();
+    };
+    for (std::size_t k = 0; k < known->size(); ++k) {
+        const KnownFinding& f = (*known)[k];
+        if (is_found[k] || !was_asked(f.rule)) continue;
+        std::string what = f.message;
+        if (f.quantity) what += ": " + verify::text_of(*f.quantity);
+        checked.no_longer.push_back({f.rule, f.severity, f.line, std::move(what)});
+    }
+}
+
+std::string Baseline::about(const std::string& program) const {
+    Json all = Json::array();
+    if (const auto* known = known_of(program)) {
+        for (const KnownFinding& f : *known)
+            all.push_back(to_json({}, f));
+    }
+    return to_line(all);
+}
+
+std::map<std::string, std::size_t> Baseline::programs() const {
+    const std::filesystem::path folder = std::filesystem::path(file_).parent_path();
+    std::map<std::string, std::size_t> programs;
+    for (const auto& [program, known] : known_)
+        programs[(folder / program).lexically_normal().string()] = known.size();
+    return programs;
+}
+
+Json baseline_share(const Checked& checked) {
+    Json share = Json::array();
+    const auto& findings = checked.verdict.findings;
+    const std::string program = relative_path(checked.path);
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        if (is_kept(findings[i]))
+            share.push_back(to_json(program, known_of(checked, findings[i], checked.lines[i])));
+    }
+    return share;
+}
+
+void write_baseline(std::ostream& out, const std::string& file, const Entries& all,
+                    const Baseline* before) {
+    std::map<std::string, std::vector<KnownFinding>> known;
+    if (before) known = before->known_;
+    all([&](const Entry& entry) {
+        if (entry.word == "not-verified") return;
+        std::vector<KnownFinding> now;
+        for (const Json& finding : Json::parse(entry.known))
+            now.push_back(known_from(finding));
+        std::vector<KnownFinding>& kept = known[seen_from(file, entry.path)];
+        const std::vector<std::size_t> known_as = matched(now, kept);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            if (known_as[i] != kNoOne && now[i].why.empty()) now[i].why = kept[known_as[i]].why;
+        }
+        kept = std::move(now);
+    });
+    // A finding a line: who changes one does not get in the way of who changes another.
+    out << "{\"ncsim-baseline\": " << kFormat << ", \"findings\": [";
+    const char* comma = "";
+    for (const auto& [program, findings] : known) {
+        for (const KnownFinding& f : findings) {
+            out << comma << '\n' << to_line(to_json(program, f));
+            comma = ",";
+        }
+    }
+    out << "\n]}\n";
+}
+
+}  // namespace ncsim::report
