@@ -118,6 +118,7 @@ void choose_model(Options& o) {
                                   simulation::model_names(is_exact))};
     };
     if (!model.exact && !o.step.empty()) refuse("--step");
+    if (!model.exact && !o.sections.empty()) refuse("--section");
     if (!model.exact && o.block_volumes) refuse("--block-volumes");
     if (!model.exact && !o.save_stock.empty()) refuse("--save-stock");
 }

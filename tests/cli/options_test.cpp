@@ -167,6 +167,7 @@ TEST(Options, NameTheModelThatDoesNotVerifyAndThoseThatDo) {
 // What rays tell is never exact: who needs that is told which models do.
 TEST(Options, RefuseRaysWhereOnlyAnExactModelWillDo) {
     for (const std::vector<std::string>& asked : {std::vector<std::string>{"--step", "a.step"},
+                                                  {"--section", "z=-1", "--dxf", "a.dxf"},
                                                   {"--save-stock", "a.ncstock"},
                                                   {"--report", "a.json", "--block-volumes"}}) {
         std::vector<std::string> arguments{"run", "a.nc", "--model", "dexel"};
