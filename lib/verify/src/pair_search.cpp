@@ -217,6 +217,25 @@ std::vector<std::uint32_t> pieces_near(const RigidBody& body, const Span& place,
     return near;
 }
 
+// Of each piece of a body, as it is asked for.
+class PointsOfPieces {
+public:
+    PointsOfPieces(const RigidBody& body, const Span& place, const cda::Lattice& lattice)
+        : body_(body), place_(place), lattice_(lattice), points_(body.pieces().size()) {}
+
+    const std::vector<LatticePoint>& operator[](std::uint32_t piece) {
+        std::vector<LatticePoint>& points = points_[piece];
+        if (points.empty()) points = points_of(body_.pieces()[piece].outer, place_, lattice_);
+        return points;
+    }
+
+private:
+    const RigidBody& body_;
+    Span place_;
+    cda::Lattice lattice_;
+    std::vector<std::vector<LatticePoint>> points_;
+};
+
 class Pair {
 public:
     Pair(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
@@ -243,23 +262,23 @@ public:
         if (!s.is_listed) list_near(observer_, body_, place, s.open);
         s.is_listed = true;
         const std::int64_t width = units_up(place.grow_mm, lattice_);
-        std::optional<Span> other_way;  // how the observer goes, if that is asked
-        std::erase_if(s.open, [&](const PiecePair& pieces) {
-            const Box& box = observer_.boxes()[pieces.first];
-            if (!box.overlaps(swept(place, body_.boxes()[pieces.second]))) return true;
-            const std::vector<Vec3>& one = observer_.pieces()[pieces.first].outer;
-            const std::vector<Vec3>& other = body_.pieces()[pieces.second].outer;
-            if (cda::nearness(points_of(one, {}, lattice_), points_of(other, place, lattice_),
-                              width)
-                    .is_apart) {
-                return true;
-            }
+        PointsOfPieces resting(observer_, {}, lattice_), going(body_, place, lattice_);
+        // How the observer goes, if that is asked.
+        std::optional<Span> other_way;
+        std::optional<PointsOfPieces> observer_going, body_resting;
+        std::erase_if(s.open, [&](const PiecePair& p) {
+            const Box& box = observer_.boxes()[p.first];
+            if (!box.overlaps(swept(place, body_.boxes()[p.second]))) return true;
+            if (cda::nearness(resting[p.first], going[p.second], width).is_apart) return true;
             // A hull of two places has what lies between the ends of a long piece that turned:
             // less, where the shorter one is taken to go.
             if (place.X_0.rows == place.X_1.rows) return false;
-            if (!other_way) other_way = as_seen_from_body(place, clearance_mm, s);
-            return cda::nearness(points_of(other, {}, lattice_),
-                                 points_of(one, *other_way, lattice_),
+            if (!other_way) {
+                other_way = as_seen_from_body(place, clearance_mm, s);
+                observer_going.emplace(observer_, *other_way, lattice_);
+                body_resting.emplace(body_, Span{}, lattice_);
+            }
+            return cda::nearness((*body_resting)[p.second], (*observer_going)[p.first],
                                  units_up(other_way->grow_mm, lattice_))
                 .is_apart;
         });
