@@ -229,7 +229,8 @@ PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
             pair.way,
             pair.of_part_and_tool,
             {0, 0, -length_mm_},
-            pair.not_clear < kOften ? kMostStretches : kFewStretches};
+            pair.not_clear < kOften ? kMostStretches : kFewStretches,
+            pair.met_before};
 }
 
 Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
@@ -291,6 +292,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     pair.asked_at = leg.to;
     pair.asked_with = other;
     const PairOnLeg on_leg = this->on_leg(pair, leg);
+    pair.met_before = false;
     Encounter near;
     if (pair.clearance_mm > 0.0) {
         near = come_near(on_leg, *observer, *other, lattice_, pair.clearance_mm);
@@ -306,6 +308,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     if (!touches && near.closeness == Closeness::Clear) return;
     note(pair, touches ? met : near, touches, contacts);
     ++pair.not_clear;
+    pair.met_before = touches;
     pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
 }
 
@@ -360,7 +363,10 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
                                  false)
                            .closeness == Closeness::Clear;
             };
-            if (is_clear(body)) continue;
+            if (is_clear(body)) {
+                pair.met_before = false;
+                continue;
+            }
             bool follows = is_on_tool && leads(leg.motion, *setup_->kinematics);
             if (follows) {
                 const RigidBody* aside = beside_cutter(body, leg.motion.tool);
@@ -396,6 +402,7 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
         bool touches = met.closeness != Closeness::Clear;
         if (!touches && pair.clearance_mm > 0.0) met = ask(pair.clearance_mm);
         if (met.closeness == Closeness::Clear) {
+            pair.met_before = false;
             if (open.follows) continue;
             // Before the motion there was something in the way: who was there first nobody knows.
             touches = pair.clearance_mm == 0.0;
@@ -404,6 +411,7 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
         }
         note(pair, met, touches, contacts);
         ++pair.not_clear;
+        pair.met_before = met.closeness == Closeness::Certain;
         pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
     }
 }

@@ -65,6 +65,7 @@ private:
         const RigidBody* asked_with = nullptr;
         std::uint64_t measured = 0;   // times that its depth was
         std::uint64_t not_clear = 0;  // motions in which it was not
+        bool met_before = false;      // in the last one that it was asked in
     };
     struct Leg {
         gcode::Motion motion;

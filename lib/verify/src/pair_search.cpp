@@ -128,6 +128,15 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
         leave_open(0.0, {});
         return result;
     }
+    const auto is_certain = [&](double time, const Values& values) {
+        Encounter found;
+        if (!find(values, found)) return false;
+        result = found;
+        result.time = time;
+        return true;
+    };
+    if (pair.met_before && (is_certain(0.0, *pair.from) || is_certain(1.0, *pair.to)))
+        return result;
     std::deque<Stretch> waiting;
     waiting.push_back({0.0, 1.0, *pair.from, *pair.to, {}, false});
     for (std::size_t looked = 0; !waiting.empty(); ++looked) {
@@ -153,13 +162,6 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
             leave_open(s.begin, s.from);
             break;
         }
-        const auto is_certain = [&](double time, const Values& values) {
-            Encounter found;
-            if (!find(values, found)) return false;
-            result = found;
-            result.time = time;
-            return true;
-        };
         const bool is_whole = s.begin == 0.0 && s.end == 1.0;
         if (is_whole && (is_certain(0.0, s.from) || is_certain(1.0, s.to))) return result;
         if (is_certain(middle, *between)) return result;
@@ -462,7 +464,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
         bool is_found = false;
         for (const std::uint32_t i : pieces_near(body, {X, X, 0.0}, place_of_part)) {
             const ConvexPiece& piece = body.pieces()[i];
-            if (piece.inner.empty()) continue;
+            if (piece.inner.empty() || (is_found && !measured)) continue;
             const auto points = points_of(piece.inner, {X, X, 0.0}, lattice);
             const auto cell =
                 cda::convex_hull(points, lattice, cda::kStockOrigin, cda::Rounding::Inward);
