@@ -218,6 +218,21 @@ TEST(MachineCollision, AHeadDipsIntoAPocketWhereItFits) {
     EXPECT_EQ(found[0].place.span.line, 6U);
 }
 
+// An arm that goes ahead of the cutter meets what the same move cuts away later: after the motion
+// nothing is there any more, and nobody can tell.
+TEST(MachineCollision, WhatGoesAheadOfTheCutterIsNotClear) {
+    LinkBodies told = tilting();
+    told.links[1].mesh = box({20, -2, -78}, {24, 2, 100});
+    const std::string slot = "S1000 M3\nG0 X-60 Y0 Z5\nZ-6\nG1 X60 F200\n";
+    const auto found = collisions(slot, setup_of(told));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].message, "the link 'head' meets the part");
+    EXPECT_EQ(found[0].certainty, Certainty::Within);
+    // What is above the cutter follows it.
+    told.links[1].mesh = box({-2, -2, -78}, {2, 2, 100});
+    EXPECT_TRUE(collisions(slot, setup_of(told)).empty());
+}
+
 TEST(MachineNearMiss, IsToldWhereAClearanceIs) {
     LinkBodies told = tilting();
     told.links[1].clearance_mm = 2.0;

@@ -68,12 +68,29 @@ RigidBody body_of(const Fixture& fixture, Vec3 shift) {
     return {{piece_of(*polytope, lattice, fixture.box.centre() + shift)}, lattice.unit_mm};
 }
 
-// Goes the tool straight up along itself? Else it cuts free what follows it, as it does for shanks.
-bool ascends(const gcode::Motion& motion, const toolpath::Kinematics& machine) {
-    const toolpath::Poses poses(&machine, motion);
-    const toolpath::Pose from = poses.at(*gcode::start_of(motion));
-    const toolpath::Pose to = poses.at(*gcode::end_of(motion));
-    return from.rows == to.rows && dot(to.translation - from.translation, axis_of(from)) > 0.0;
+// Is the cutter first wherever something is that stands above it? The tool keeps its direction and
+// does not go up, as with shanks.
+bool leads(const gcode::Motion& leg, const toolpath::Kinematics& machine) {
+    const gcode::Position from = *gcode::start_of(leg), to = *gcode::end_of(leg);
+    const toolpath::Poses poses(&machine, leg);
+    const toolpath::Pose start = poses.at(from);
+    for (const double t : {0.25, 0.5, 0.75, 1.0}) {
+        if (poses.at(toolpath::between(from, to, t)).rows != start.rows) return false;
+    }
+    return dot(poses.at(to).translation - start.translation, axis_of(start)) <= 0.0;
+}
+
+// The pieces that are farther from the axis of the tool than that; null if none is.
+std::unique_ptr<const RigidBody> beside(const RigidBody& body, double radius_mm) {
+    std::vector<ConvexPiece> pieces;
+    for (const ConvexPiece& piece : body.pieces()) {
+        const bool is_beside = std::ranges::any_of(piece.outer, [radius_mm](Vec3 p) {
+            return p.x * p.x + p.y * p.y > radius_mm * radius_mm;
+        });
+        if (is_beside) pieces.push_back(piece);
+    }
+    if (pieces.empty()) return nullptr;
+    return std::make_unique<const RigidBody>(std::move(pieces), body.accuracy_mm());
 }
 
 }  // namespace
@@ -212,7 +229,8 @@ PairOnLeg MachineScene::on_leg(const Pair& pair, const Leg& leg) const {
             pair.way,
             pair.of_part_and_tool,
             {0, 0, -length_mm_},
-            pair.not_clear < kOften ? kMostStretches : kFewStretches};
+            pair.not_clear < kOften ? kMostStretches : kFewStretches,
+            pair.met_before};
 }
 
 Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
@@ -274,6 +292,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     pair.asked_at = leg.to;
     pair.asked_with = other;
     const PairOnLeg on_leg = this->on_leg(pair, leg);
+    pair.met_before = false;
     Encounter near;
     if (pair.clearance_mm > 0.0) {
         near = come_near(on_leg, *observer, *other, lattice_, pair.clearance_mm);
@@ -289,6 +308,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     if (!touches && near.closeness == Closeness::Clear) return;
     note(pair, touches ? met : near, touches, contacts);
     ++pair.not_clear;
+    pair.met_before = touches;
     pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
 }
 
@@ -338,15 +358,34 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
             if (pair.asked_with == &body && !moves(pair, leg)) continue;
             pair.asked_at = leg.to;
             pair.asked_with = &body;
-            const auto is_clear = [&] {
-                return meet_part(on_leg(pair, leg), *part, stock_, zero_, body, pair.clearance_mm,
+            const auto is_clear = [&](const RigidBody& what) {
+                return meet_part(on_leg(pair, leg), *part, stock_, zero_, what, pair.clearance_mm,
                                  false)
                            .closeness == Closeness::Clear;
             };
-            const bool follows = is_on_tool && !ascends(leg.motion, *setup_->kinematics);
-            if (follows || !is_clear()) open_.push_back({i, k, follows});
+            if (is_clear(body)) {
+                pair.met_before = false;
+                continue;
+            }
+            bool follows = is_on_tool && leads(leg.motion, *setup_->kinematics);
+            if (follows) {
+                const RigidBody* aside = beside_cutter(body, leg.motion.tool);
+                follows = !aside || is_clear(*aside);
+            }
+            open_.push_back({i, k, follows});
         }
     }
+}
+
+// What of a link that is fixed to the tool goes elsewhere than where the tool has cut.
+const RigidBody* MachineScene::beside_cutter(const RigidBody& body, int tool) {
+    const auto key = std::pair(&body, tool);
+    const auto known = beside_.find(key);
+    if (known != beside_.end()) return known->second.get();
+    const auto facts = setup_->tools.find(tool);
+    const double radius_mm =
+        facts == setup_->tools.end() ? 0.0 : toolpath::cutting_diameter_of(facts->second.tool) / 2;
+    return beside_.emplace(key, beside(body, radius_mm)).first->second.get();
 }
 
 void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
@@ -363,14 +402,16 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
         bool touches = met.closeness != Closeness::Clear;
         if (!touches && pair.clearance_mm > 0.0) met = ask(pair.clearance_mm);
         if (met.closeness == Closeness::Clear) {
+            pair.met_before = false;
             if (open.follows) continue;
-            // Before the motion it was in the way: who was there first nobody knows.
+            // Before the motion there was something in the way: who was there first nobody knows.
             touches = pair.clearance_mm == 0.0;
             met.closeness = Closeness::Open;
             met.values = leg.to.value_or(Values{});
         }
         note(pair, met, touches, contacts);
         ++pair.not_clear;
+        pair.met_before = met.closeness == Closeness::Certain;
         pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
     }
 }

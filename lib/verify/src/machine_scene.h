@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace ncsim::verify {
@@ -64,6 +65,7 @@ private:
         const RigidBody* asked_with = nullptr;
         std::uint64_t measured = 0;   // times that its depth was
         std::uint64_t not_clear = 0;  // motions in which it was not
+        bool met_before = false;      // in the last one that it was asked in
     };
     struct Leg {
         gcode::Motion motion;
@@ -73,11 +75,12 @@ private:
     };
     struct Open {
         std::size_t pair = 0, leg = 0;
-        bool follows = false;  // where the tool has cut
+        bool follows = false;  // what is in the way is where the tool cuts first
     };
     void add_pairs();
     bool is_told(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
     const RigidBody* tool(int number, double gauge_mm, double finer = 1.0);
+    const RigidBody* beside_cutter(const RigidBody& body, int tool);
     PairOnLeg on_leg(const Pair& pair, const Leg& leg) const;
     bool moves(const Pair& pair, const Leg& leg) const;
     bool needs_length(const Pair& pair) const;
@@ -97,6 +100,8 @@ private:
     // By number, gauge length, and how much finer than their accuracy they are.
     std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;
     bool misses_length_ = false;
+    // Of links, what is beside the cutter of a tool; never asked in the order of its keys.
+    std::map<std::pair<const RigidBody*, int>, std::unique_ptr<const RigidBody>> beside_;
     // Of the motion at hand.
     std::vector<Leg> legs_;
     double length_mm_ = 0.0;

@@ -128,6 +128,15 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
         leave_open(0.0, {});
         return result;
     }
+    const auto is_certain = [&](double time, const Values& values) {
+        Encounter found;
+        if (!find(values, found)) return false;
+        result = found;
+        result.time = time;
+        return true;
+    };
+    if (pair.met_before && (is_certain(0.0, *pair.from) || is_certain(1.0, *pair.to)))
+        return result;
     std::deque<Stretch> waiting;
     waiting.push_back({0.0, 1.0, *pair.from, *pair.to, {}, false});
     for (std::size_t looked = 0; !waiting.empty(); ++looked) {
@@ -153,13 +162,6 @@ Encounter search(const PairOnLeg& pair, const RigidBody& body, double rounding_m
             leave_open(s.begin, s.from);
             break;
         }
-        const auto is_certain = [&](double time, const Values& values) {
-            Encounter found;
-            if (!find(values, found)) return false;
-            result = found;
-            result.time = time;
-            return true;
-        };
         const bool is_whole = s.begin == 0.0 && s.end == 1.0;
         if (is_whole && (is_certain(0.0, s.from) || is_certain(1.0, s.to))) return result;
         if (is_certain(middle, *between)) return result;
@@ -217,6 +219,25 @@ std::vector<std::uint32_t> pieces_near(const RigidBody& body, const Span& place,
     return near;
 }
 
+// Of each piece of a body, as it is asked for.
+class PointsOfPieces {
+public:
+    PointsOfPieces(const RigidBody& body, const Span& place, const cda::Lattice& lattice)
+        : body_(body), place_(place), lattice_(lattice), points_(body.pieces().size()) {}
+
+    const std::vector<LatticePoint>& operator[](std::uint32_t piece) {
+        std::vector<LatticePoint>& points = points_[piece];
+        if (points.empty()) points = points_of(body_.pieces()[piece].outer, place_, lattice_);
+        return points;
+    }
+
+private:
+    const RigidBody& body_;
+    Span place_;
+    cda::Lattice lattice_;
+    std::vector<std::vector<LatticePoint>> points_;
+};
+
 class Pair {
 public:
     Pair(const PairOnLeg& pair, const RigidBody& observer, const RigidBody& body,
@@ -243,23 +264,23 @@ public:
         if (!s.is_listed) list_near(observer_, body_, place, s.open);
         s.is_listed = true;
         const std::int64_t width = units_up(place.grow_mm, lattice_);
-        std::optional<Span> other_way;  // how the observer goes, if that is asked
-        std::erase_if(s.open, [&](const PiecePair& pieces) {
-            const Box& box = observer_.boxes()[pieces.first];
-            if (!box.overlaps(swept(place, body_.boxes()[pieces.second]))) return true;
-            const std::vector<Vec3>& one = observer_.pieces()[pieces.first].outer;
-            const std::vector<Vec3>& other = body_.pieces()[pieces.second].outer;
-            if (cda::nearness(points_of(one, {}, lattice_), points_of(other, place, lattice_),
-                              width)
-                    .is_apart) {
-                return true;
-            }
+        PointsOfPieces resting(observer_, {}, lattice_), going(body_, place, lattice_);
+        // How the observer goes, if that is asked.
+        std::optional<Span> other_way;
+        std::optional<PointsOfPieces> observer_going, body_resting;
+        std::erase_if(s.open, [&](const PiecePair& p) {
+            const Box& box = observer_.boxes()[p.first];
+            if (!box.overlaps(swept(place, body_.boxes()[p.second]))) return true;
+            if (cda::nearness(resting[p.first], going[p.second], width).is_apart) return true;
             // A hull of two places has what lies between the ends of a long piece that turned:
             // less, where the shorter one is taken to go.
             if (place.X_0.rows == place.X_1.rows) return false;
-            if (!other_way) other_way = as_seen_from_body(place, clearance_mm, s);
-            return cda::nearness(points_of(other, {}, lattice_),
-                                 points_of(one, *other_way, lattice_),
+            if (!other_way) {
+                other_way = as_seen_from_body(place, clearance_mm, s);
+                observer_going.emplace(observer_, *other_way, lattice_);
+                body_resting.emplace(body_, Span{}, lattice_);
+            }
+            return cda::nearness((*body_resting)[p.second], (*observer_going)[p.first],
                                  units_up(other_way->grow_mm, lattice_))
                 .is_apart;
         });
@@ -443,7 +464,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
         bool is_found = false;
         for (const std::uint32_t i : pieces_near(body, {X, X, 0.0}, place_of_part)) {
             const ConvexPiece& piece = body.pieces()[i];
-            if (piece.inner.empty()) continue;
+            if (piece.inner.empty() || (is_found && !measured)) continue;
             const auto points = points_of(piece.inner, {X, X, 0.0}, lattice);
             const auto cell =
                 cda::convex_hull(points, lattice, cda::kStockOrigin, cda::Rounding::Inward);

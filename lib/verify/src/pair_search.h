@@ -50,6 +50,7 @@ struct PairOnLeg {
     bool of_part_and_tool = false;
     cda::Vec3 tip;
     std::size_t most_stretches = kMostStretches;
+    bool met_before = false;  ///< In the motion before: then they are likely to be in each other.
 };
 
 /// Do they meet? Certain ones are deep in each other by more than rounding. `measured`: how deep,
