@@ -64,7 +64,7 @@ double across_bar(double y) {
 }
 
 std::vector<Golden> goldens() {
-    const double tip = 3.0 / std::tan(59.0 * kPi / 180.0);
+    const double slope = std::tan(59.0 * kPi / 180.0), tip = 3.0 / slope;
     return {
         {"bores",
          "T1 M6\nG0 X45 Y30 Z5\nG1 Z-25\nG3 X45 Y30 I-5 J0\nG0 Z5\nG0 X50 Y30\nG1 Z-5\n"
@@ -95,6 +95,11 @@ std::vector<Golden> goldens() {
          "T5 M6\nG0 X-10 Y-3 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
          {7, 0, 0, 0, 0},
          kBlock - 40.0},
+        // Of each wall two parts touch in a point, and are one face where no lattice has the slope.
+        {"crossing_points",
+         "T2 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X60\nG0 Z5\nG0 X40 Y10\nG1 Z-1\nG1 Y50\nG0 Z5\n",
+         {10, 0, 4, 0, 0},
+         kBlock - (80.0 * slope - 4.0 * slope * slope / 3.0 + 2.0 * kPi * slope * slope / 3.0)},
         {"ball_groove",
          "T3 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\n",
          {7, 1, 0, 0, 0},

@@ -272,8 +272,42 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
-    if (any_interfere(map, std::move(all), clear_mm)) tell("its loops cross or touch");
+    if (any_interfere(map, std::move(all), clear_mm)) tell(kCrossOrTouch);
     return faults;
+}
+
+bool only_touches_itself(const Part& part, const Face& face, double clear_mm) {
+    const auto* plane = std::get_if<Plane>(&face.surface.form);
+    if (!plane) return false;
+    struct Straight {
+        std::uint32_t from, to;
+        Vec3 a, b;
+    };
+    std::vector<Straight> edges;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            if (!std::holds_alternative<Line>(edge.curve)) return false;
+            edges.push_back({edge.from, edge.to, part.vertices[edge.from], part.vertices[edge.to]});
+        }
+    }
+    // How far a point is on the left of an edge.
+    const auto beside = [&](const Straight& s, Vec3 p) {
+        return dot(plane->normal, cross(normalized(s.b - s.a), p - s.a));
+    };
+    const auto parts = [&](const Straight& s, const Straight& t) {
+        const double a = beside(s, t.a), b = beside(s, t.b);
+        return (a > clear_mm && b < -clear_mm) || (a < -clear_mm && b > clear_mm);
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t j = i + 1; j < edges.size(); ++j) {
+            const Straight &s = edges[i], &t = edges[j];
+            const bool have_an_end =
+                s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
+            if (!have_an_end && parts(s, t) && parts(t, s)) return false;
+        }
+    }
+    return true;
 }
 
 std::vector<Fault> check(Part& part, double tolerance_mm) {

@@ -62,7 +62,11 @@ bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, d
     if (known.tolerance_mm != tolerance_mm) {
         known.tolerance_mm = tolerance_mm;
         known.miss_mm = 0.0;
-        known.is_faulty = !faults_of(part, face, tolerance_mm, known.miss_mm, clear_mm).empty();
+        const auto faults = faults_of(part, face, tolerance_mm, known.miss_mm, clear_mm);
+        const bool may_be_touch = std::ranges::all_of(
+            faults, [](const Fault& fault) { return fault.what == kCrossOrTouch; });
+        known.is_faulty = !faults.empty() &&
+                          !(may_be_touch && only_touches_itself(part, part.faces[face], clear_mm));
     }
     miss_mm = std::max(miss_mm, known.miss_mm);
     return known.is_faulty;

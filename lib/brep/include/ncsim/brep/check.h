@@ -21,6 +21,14 @@ struct Fault {
 /// Nearer than this, readers take two points for one, mm.
 inline constexpr double kClear = 2e-6;
 
+/// What is said of loops that do.
+inline constexpr const char* kCrossOrTouch = "its loops cross or touch";
+
+/// Of a flat face with straight edges alone: does it do no more than touch itself, in corners that
+/// lie on edges or in each other within `clear_mm`? Polyhedra of tools that come to a point do,
+/// where grooves of one depth cross: readers part such faces there. O(n²) for n edges.
+bool only_touches_itself(const Part& part, const Face& face, double clear_mm = kClear);
+
 /// Of edges on the surface of the face within `tolerance_mm`; of loops that neither cross nor come
 /// nearer to themselves or each other than `clear_mm`, go round the face on the side where it is,
 /// and one of them around all others on planes. Also what the edges miss: `miss_mm` is raised to
