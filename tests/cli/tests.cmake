@@ -26,6 +26,7 @@ if(TARGET ncsim)
       samples_test.cpp
       set_ups_test.cpp
       shards_test.cpp
+      tiles_test.cpp
       tools_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp

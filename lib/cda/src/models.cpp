@@ -16,8 +16,10 @@ namespace {
 using Maker = std::unique_ptr<WorkpieceModel> (*)(const ModelParameters&);
 
 std::unique_ptr<WorkpieceModel> make_tree(const ModelParameters& parameters) {
+    if (parameters.tiles) return Tiles::model(parameters.tiles);
     TreeParameters tree;
     tree.threads = parameters.threads;
+    tree.tile = parameters.tile;
     return std::make_unique<TreeCda>(tree);
 }
 

@@ -107,7 +107,9 @@ const Cutter* Walk::cutter(int number) const {
 void Walk::trace(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                  const Liberties& liberties) {
     cells_.clear();
-    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB, liberties))) return;
+    const cda::Box bounds = cutter.bounds(X_WA, X_WB, liberties);
+    is_near_ = stock_.overlaps(bounds);
+    if (!is_near_ || (wanted_ && !wanted_->overlaps(bounds))) return;
     cutter.trace(X_WA, X_WB, origin, cells_, liberties);
     std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
@@ -119,7 +121,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = Poses(told_.get(), motion).at(*end);
     trace(found->second.cutter, X_WT, X_WT, origin, {});
-    step({X_WT, X_WT, cells_, {}, {}});
+    step({X_WT, X_WT, cells_, is_near_, {}, {}});
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
@@ -149,7 +151,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
             trace(cutter, X_WA, X_WB, origin, liberties);
-            step({X_WA, X_WB, cells_, samples.bounds, samples.turning});
+            step({X_WA, X_WB, cells_, is_near_, samples.bounds, samples.turning});
         }
     };
 
