@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_command.h"
 
-#include "ncsim/brep/measure.h"
 #include "ncsim/brep/features.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/cda/mesh.h"
-#include "ncsim/cda/models.h"
 #include "ncsim/cda/triangle_tree.h"
 #include "ncsim/export/step.h"
 #include "ncsim/report/measure_sheet.h"
 #include "ncsim/setup/machine_formats.h"
+#include "ncsim/simulation/models.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/take_machine.h"
@@ -99,7 +99,7 @@ int run(const MeasureOptions& options) {
     simulation::Plan plan = plan_for(options, options, inputs);
     if (!options.machine.empty())
         simulation::take_machine(plan, setup::read_machine(options.machine, inputs));
-    if (plan.model.empty()) plan.model = cda::models().front().name;
+    if (plan.model.empty()) plan.model = simulation::models().front().name;
     plan.keep_boundary = true;
     outputs.reserve(options.json);
     simulation::Survey survey = simulation::survey(plan);

@@ -152,6 +152,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
         refuse_empty_names(*chosen());
         if (chosen() == run) {
             complete(run_options);
+            run_options.words = words_of_part(*run);
             return run_options;
         }
         if (chosen() == tools) {

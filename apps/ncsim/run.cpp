@@ -16,6 +16,7 @@
 #include "ncsim/report/run_report.h"
 #include "ncsim/report/sheet.h"
 #include "ncsim/setup/machine_formats.h"
+#include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
@@ -30,6 +31,7 @@
 #include "plan_options.h"
 #include "progress.h"
 #include "save_job.h"
+#include "tiles.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -136,15 +138,19 @@ std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
 }  // namespace
 
 int run(Options options) {
+    if (!options.tile.empty()) return run_tile(std::move(options));
     setup::InputSet inputs;
     OutputSet outputs(inputs);
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
-    simulation::Plan plan = plan_for(options, inputs);
+    setup::RecordedInput recorded(inputs);
+    setup::InputSet& read = options.tiles ? recorded : inputs;
+    simulation::Plan plan = plan_for(options, read);
+    plan.tiles = options.tiles;
     std::vector<std::string> not_used;
     std::optional<setup::MachineFile> machine;
-    if (!options.machine.empty()) machine = setup::read_machine(options.machine, inputs);
+    if (!options.machine.empty()) machine = setup::read_machine(options.machine, read);
     if (machine) not_used = simulation::take_machine(plan, *machine);
     if (options.shows_machine && (!machine || machine->bodies.empty()))
         throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
@@ -188,6 +194,7 @@ int run(Options options) {
         simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
+        if (o.tiles) expect_same_files(o.tile_files, recorded.files());
         if (animation.every() != 0) take_frame(*simulation);
         print_findings(plan.job.program, simulation->diagnostics);
         survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),

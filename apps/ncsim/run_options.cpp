@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_options.h"
 
+#include "ncsim/cda/tiles.h"
 #include "ncsim/simulation/models.h"
 
 #include <fmt/format.h>
@@ -8,6 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <functional>
+#include <set>
 
 namespace ncsim::app {
 
@@ -251,6 +254,13 @@ CLI::App* add_run(CLI::App& app, Options& options) {
                     "Between the rays of --model dexel, mm [the stock's longest side / 250]")
         ->type_name("MM")
         ->check(CLI::Range(1e-4, 1e4));
+    run->add_option(
+           "--tile", o.tile,
+           "Only part I of N of the part, from 0 on, N up to 64, for ncsim merge; auto: as "
+           "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
+        ->type_name("I/N");
+    run->add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
+    run->add_flag("--redo", o.redo, "Cut a tile again whose result is there");
     run->add_flag("--draft", o.draft,
                   "A first look: guess tools that nobody describes, say so in the picture, and be "
                   "quick");
@@ -262,6 +272,53 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     return run;
 }
 
+std::vector<std::string> words_of_part(const CLI::App& command) {
+    static const std::set<std::string, std::less<>> kOthers{
+        "tile", "tile-out", "redo", "threads", "quiet", "max-time", "max-memory"};
+    std::vector<std::string> words{command.get_name()};
+    std::vector<std::string> programs;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0) continue;
+        if (option->get_positional()) {
+            programs = option->results();
+            continue;
+        }
+        const std::string name = option->get_lnames().front();
+        if (kOthers.contains(name)) continue;
+        if (option->get_expected_max() == 0) {
+            words.push_back("--" + name);
+            continue;
+        }
+        for (const std::string& value : option->results())
+            words.push_back("--" + name + "=" + value);
+    }
+    if (!programs.empty()) words.emplace_back("--");
+    words.insert(words.end(), programs.begin(), programs.end());
+    return words;
+}
+
+namespace {
+
+void complete_tile(Options& o) {
+    if (o.tile.empty() != o.tile_out.empty()) {
+        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
+                                     : "--tile: where to is its result to go? --tile-out DIR"};
+    }
+    if (o.tile.empty() && o.redo) throw Refusal{"--redo is about a --tile"};
+    if (o.tile.empty()) return;
+    o.number = shard_number(o.tile, 0, "--tile");
+    if (o.number.of > cda::kMostTiles)
+        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
+    if (!outputs_of(o).empty() || !o.frames.empty())
+        throw Refusal{"--tile: pictures, meshes and reports are written by ncsim merge"};
+    if (o.program == "-") throw Refusal{"--tile: the program has to have a name"};
+    if (o.model != simulation::models().front().name)
+        throw Refusal{
+            fmt::format("--tile: of --model {} alone", simulation::models().front().name)};
+}
+
+}  // namespace
+
 void complete(Options& options) {
     complete(static_cast<const ProgramOptions&>(options));
     choose_model(options);
@@ -270,6 +327,7 @@ void complete(Options& options) {
     if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
         throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
     }
+    complete_tile(options);
 }
 
 }  // namespace ncsim::app

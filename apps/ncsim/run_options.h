@@ -7,11 +7,15 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/step.h"
+#include "ncsim/report/file_digests.h"
+#include "ncsim/simulation/plan.h"
 
 #include "program_options.h"
+#include "shard_number.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +59,15 @@ struct Options : ProgramOptions, SimulationOptions {
     bool draft = false;
     /// In the report: what each block removed, which is several times the work.
     bool block_volumes = false;
+
+    std::string tile;                ///< "17/64", "auto"; empty: all of the part.
+    ShardNumber number;              ///< What that says.
+    std::string tile_out;            ///< Folder for its result.
+    bool redo = false;               ///< Though its result is there.
+    std::vector<std::string> words;  ///< What decides what the part is like, in one way to say it.
+    /// All tiles, cut before, and the files they were made of; null: the part is cut now.
+    std::shared_ptr<const simulation::CutTiles> tiles;
+    report::FileDigests tile_files;
 };
 
 /// Is the surface of the part needed as faces, for what was asked for?
@@ -65,6 +78,8 @@ std::vector<std::string> outputs_of(const Options& options);
 
 /// The command `run` of `app`. It reads into `options`, which must outlive it.
 CLI::App* add_run(CLI::App& app, Options& options);
+/// The command line that makes the same part: "run", the options that matter, the program.
+std::vector<std::string> words_of_part(const CLI::App& command);
 /// What can be judged only when all options were read; throws Refusal.
 void complete(Options& options);
 

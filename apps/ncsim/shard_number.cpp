@@ -29,7 +29,7 @@ std::optional<std::uint32_t> from_environment(const char* name) {
 
 }  // namespace
 
-ShardNumber shard_number(const std::string& text, std::uint32_t of) {
+ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* option) {
     ShardNumber number;
     if (text == "auto") {
         struct Service {
@@ -47,17 +47,18 @@ ShardNumber shard_number(const std::string& text, std::uint32_t of) {
             if (of == 0 && s.count) of = from_environment(s.count).value_or(0);
             if (of == 0) {
                 throw Refusal{fmt::format(
-                    "--shard auto: {} is set, but not how many there are: --shards N", s.index)};
+                    "{0} auto: {1} is set, but not how many there are: {0}s N, or {0} I/N", option,
+                    s.index)};
             }
             if (*index < first || *index - first >= of) {
-                throw Refusal{fmt::format("--shard auto: {} is {}, of {} shards from {} on",
-                                          s.index, *index, of, first)};
+                throw Refusal{fmt::format("{} auto: {} is {}, of {} from {} on", option, s.index,
+                                          *index, of, first)};
             }
             return {*index - first, of};
         }
-        throw Refusal{
-            "--shard auto: none of SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX, CI_NODE_INDEX is "
-            "set"};
+        throw Refusal{fmt::format(
+            "{} auto: none of SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX, CI_NODE_INDEX is set",
+            option)};
     }
     const std::size_t slash = text.find('/');
     const auto shard = number_of(std::string_view(text).substr(0, slash));
@@ -67,7 +68,7 @@ ShardNumber shard_number(const std::string& text, std::uint32_t of) {
     constexpr std::uint32_t kMost = 1'000'000;
     if (!shard || !count || *count == 0 || *count > kMost || *shard >= *count) {
         throw Refusal{
-            fmt::format("--shard '{}': expected i/n with i from 0 to n-1, or auto", text)};
+            fmt::format("{} '{}': expected i/n with i from 0 to n-1, or auto", option, text)};
     }
     return {*shard, *count};
 }

@@ -13,6 +13,7 @@ struct ShardNumber {
 
 /// "3/200", or "auto": what the environment of a Slurm array task, a Kubernetes indexed job or a
 /// job of GitLab says, where `of` may have to be told. Throws Refusal.
-ShardNumber shard_number(const std::string& text, std::uint32_t of);
+/// `option`: whose text it is.
+ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* option = "--shard");
 
 }  // namespace ncsim::app

@@ -28,6 +28,7 @@ ncsim_add_test(cda
     predicates_test.cpp
     separation_test.cpp
     shape_test.cpp
+    tiles_test.cpp
     tree_test.cpp
     triangulate_test.cpp
     wide_test.cpp

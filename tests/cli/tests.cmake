@@ -34,6 +34,7 @@ if(TARGET ncsim)
       set_ups_test.cpp
       shards_test.cpp
       step_input_test.cpp
+      tiles_test.cpp
       tools_test.cpp
       verdicts_test.cpp
       ../support/random_programs.cpp

@@ -61,6 +61,8 @@ public:
     /// The meeting point of three planes of the table; they must meet in one. Of the points since
     /// turn_page(), those of the same three planes are the same.
     std::uint32_t point(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+    /// A point that was made elsewhere, once: point() does not know it.
+    void add_point(const Point& point) { points_.push_back(point); }
     /// Points that follow have nothing to do with those before: what is looked up stays small. A
     /// point that stands on two pages stands there twice.
     void turn_page();

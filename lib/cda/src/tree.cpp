@@ -10,6 +10,7 @@
 #include "evaluation.h"
 #include "query_point.h"
 #include "stitch.h"
+#include "tile_bytes.h"
 
 #include <algorithm>
 #include <array>
@@ -72,7 +73,8 @@ struct TreeCda::Block {
     std::shared_ptr<BlockTree> tree;
     std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in the order they came
     mutable std::optional<double> volume;  // cubic units; of what is there now, once asked for
-    std::vector<std::pair<Origin, Taking>> taken;  // what is not in the books yet; cubic units
+    mutable std::shared_ptr<const Outlines> outlines;  // likewise, of a tile
+    std::vector<std::pair<Origin, Taking>> taken;      // what is not in the books yet; cubic units
 
     // To change it: not what others see.
     BlockTree& own() {
@@ -81,6 +83,7 @@ struct TreeCda::Block {
         std::shared_ptr<BlockTree>(tree).reset();
         if (tree.use_count() > 1) tree = std::make_shared<BlockTree>(*tree);
         volume.reset();
+        outlines.reset();
         return *tree;
     }
 };
@@ -114,10 +117,13 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       stock_planes_(other.stock_planes_),
       stock_volume_(other.stock_volume_),
       cells_(std::make_unique<CellTable>(*other.cells_)),
+      first_own_(other.first_own_),
+      own_(other.own_),
       blocks_(other.blocks_),
       waiting_(other.waiting_),
       account_(other.account_),
-      counts_(other.counts_) {}
+      counts_(other.counts_),
+      volumes_asked_(other.volumes_asked_) {}
 TreeCda& TreeCda::operator=(const TreeCda& other) {
     if (this != &other) *this = TreeCda(other);
     return *this;
@@ -144,7 +150,14 @@ void TreeCda::split_into_blocks() {
         boxes = std::move(halves);
     }
     for (const HalfBox& box : boxes)
-        blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, {}});
+        blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
+    const auto [tile, of] = parameters_.tile.value_or(TileNumber{});
+    first_own_ = blocks_.size() * tile / of;
+    own_ = blocks_.size() * (tile + 1) / of - first_own_;
+}
+
+std::span<TreeCda::Block> TreeCda::own_blocks() const {
+    return std::span(blocks_).subspan(first_own_, own_);
 }
 
 std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice& lattice) const {
@@ -158,13 +171,33 @@ std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     for (const Cell& cell : cells) {
-        take_in(cell);
+        if (take_in(cell)) ++waiting_;
         if (waiting_ >= parameters_.batch) settle_all();
     }
 }
 
-// Hands a cell to the blocks that it may meet.
-void TreeCda::take_in(const Cell& cell) {
+void TreeCda::subtract_step(std::span<const Cell> cells) {
+    for (const Cell& cell : cells)
+        take_in(cell);
+    if (++waiting_ >= parameters_.batch) settle_all();
+}
+
+std::optional<Box> TreeCda::wanted() const {
+    if (!parameters_.tile) return std::nullopt;
+    Box place;
+    for (const Block& block : own_blocks()) {
+        const HalfBox box = block.tree->box();
+        for (const auto& corner : {box.min, box.max}) {
+            place.add(lattice_.to_mm(Vec3{0.5 * static_cast<double>(corner[0]),
+                                          0.5 * static_cast<double>(corner[1]),
+                                          0.5 * static_cast<double>(corner[2])}));
+        }
+    }
+    return place.is_empty() ? place : near(place);
+}
+
+// Hands a cell to the blocks that it may meet. False: it does not meet the stock.
+bool TreeCda::take_in(const Cell& cell) {
     assert(stands_once(cell.planes));
     // What is not below here does not cut the stock.
     constexpr double kBeyond = std::numeric_limits<double>::infinity();
@@ -174,7 +207,7 @@ void TreeCda::take_in(const Cell& cell) {
     here.facets.reserve(facets);
     for (std::size_t i = 0; i < cell.planes.size(); ++i) {
         const Side side = classify_box(stock_box_, cell.planes[i]);
-        if (side == Side::Above) return;
+        if (side == Side::Above) return false;
         if (i < facets) {
             here.facets.push_back(side == Side::On ? 2.0 * static_cast<double>(cell.planes[i].d)
                                                    : kBeyond);
@@ -191,10 +224,10 @@ void TreeCda::take_in(const Cell& cell) {
         counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
-    for (Block& block : blocks_) {
+    for (Block& block : own_blocks()) {
         if (block.tree->meets(here)) block.waiting.push_back(taken);
     }
-    ++waiting_;
+    return true;
 }
 
 void TreeCda::settle(Block& block) const {
@@ -404,17 +437,28 @@ double TreeCda::volume() const {
     const Asked asked(asking_.mutex);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
-    in_parallel(parameters_.threads, blocks_.size(), [&](std::size_t i) {
-        const Block& block = blocks_[i];
-        if (!block.volume) block.volume = evaluate(*block.tree, input).volume;
+    const std::span<Block> own = own_blocks();
+    in_parallel(parameters_.threads, own.size(), [&](std::size_t i) {
+        const Block& block = own[i];
+        if (block.volume) return;
+        Evaluation result = evaluate(*block.tree, input);
+        block.volume = result.volume;
+        if (parameters_.tile)
+            block.outlines = std::make_shared<const Outlines>(std::move(result.outlines));
     });
     double sum = 0.0;
-    for (const Block& block : blocks_)
+    for (const Block& block : own)
         sum += *block.volume;
+    if (parameters_.tile) {
+        std::vector<double>& volumes = volumes_asked_.emplace_back();
+        for (const Block& block : own)
+            volumes.push_back(*block.volume);
+    }
     return sum * lattice_.cubic_unit_mm3();
 }
 
 Boundary TreeCda::boundary() const {
+    if (parameters_.tile) throw CannotAnswer(name(), "the surface of a tile");
     const Asked asked(asking_.mutex);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
@@ -432,6 +476,31 @@ Boundary TreeCda::boundary() const {
             stitcher.take(result.outlines);
         });
     return stitcher.finish();
+}
+
+// Tile, of how many; blocks of the part, the first one and the one after the last; how often
+// volumes were asked for, and what they were; outlines block by block.
+void TreeCda::write_tile(std::ostream& out) const {
+    if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
+    const Asked asked(asking_.mutex);
+    settle_all();
+    for (const std::size_t n :
+         {std::size_t{parameters_.tile->tile}, std::size_t{parameters_.tile->of}, blocks_.size(),
+          first_own_, first_own_ + own_, volumes_asked_.size()})
+        put_u32(out, static_cast<std::uint32_t>(n));
+    for (const std::vector<double>& volumes : volumes_asked_) {
+        for (const double volume : volumes)
+            put_double(out, volume);
+    }
+    const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
+    const std::span<Block> own = own_blocks();
+    for (const Block& block : own) {
+        if (block.outlines) {
+            put_outlines(out, *block.outlines);
+        } else {
+            put_outlines(out, evaluate(*block.tree, input).outlines);
+        }
+    }
 }
 
 TreeCounts TreeCda::counts() const {

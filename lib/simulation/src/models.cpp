@@ -17,8 +17,10 @@ namespace {
 using Maker = std::unique_ptr<cda::WorkpieceModel> (*)(const ModelParameters&);
 
 std::unique_ptr<cda::WorkpieceModel> make_tree(const ModelParameters& parameters) {
+    if (parameters.tiles) return cda::Tiles::model(parameters.tiles);
     cda::TreeParameters tree;
     tree.threads = parameters.threads;
+    tree.tile = parameters.tile;
     return std::make_unique<cda::TreeCda>(tree);
 }
 

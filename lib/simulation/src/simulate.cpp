@@ -19,6 +19,7 @@
 #include <chrono>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -32,7 +33,8 @@ double now_in_seconds() {
 
 std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan) {
     return make_model(plan.model,
-                      {plan.threads, plan.hull_times ? &now_in_seconds : nullptr, plan.resolution});
+                      {plan.threads, plan.hull_times ? &now_in_seconds : nullptr, plan.resolution,
+                       plan.tile, plan.tiles ? plan.tiles->tiles : nullptr});
 }
 
 toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
@@ -64,6 +66,8 @@ public:
           measured_(verifier_ && verifier_->measures_all()),
           keep_cuts_(verification.keep_cuts),
           keeps_cells_(plan.keep_carved),
+          tile_(plan.tile),
+          tiles_(plan.tiles),
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
           machine_(plan.placed),
@@ -92,8 +96,8 @@ public:
         if (machine_ && start_of(motion)) result_.last_move = motion;
         if (most_cuts_ && result_.provenance.entries.size() > *most_cuts_) return;
         if (motion.tool != tool_) change_tool(motion.tool);
-        const cda::Origin origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
-        bool met_stock = false;
+        const std::uint64_t hulls_before = result_.hulls;
+        const cda::Origin origin = begin_cut();
         verify::Verifier* const verifier =
             !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
         if (verifier) verifier->begin(motion, result_.part.get());
@@ -101,7 +105,7 @@ public:
             walk_.take(motion, origin, [&](const toolpath::Step& step) {
                 if (++result_.steps > most_steps_) throw StepLimit{};
                 follow(motion, step);
-                met_stock |= !step.cells.empty() || !step.sweeps.empty();
+                is_near_stock_ |= step.is_near;
                 if (verifier) verifier->look(step, *result_.part);
                 const double removed = cut(step);
                 if (verifier) verifier->look_back(step, *result_.part, removed);
@@ -115,8 +119,7 @@ public:
         } else if (!verifier_ && bounds.missed_mm > 1.001 * tolerance_mm_) {
             tell_missed(motion, bounds.missed_mm);
         }
-        if (!met_stock) return;
-        cut_since_change_ = true;
+        if (!has_met_stock(hulls_before)) return;
         result_.last_cut = {motion.file, motion.span};
         result_.last_motion = motions_;
         result_.provenance.entries.push_back(
@@ -137,6 +140,8 @@ public:
     void finish(bool needs_surface) {
         // The surface first: on the way to it, the volume is found.
         if (needs_surface) result_.boundary = result_.part->boundary();
+        if (result_.boundary && tiles_) name_motions(*result_.boundary);
+        if (tiles_ && next_met_ != tiles_->met.size()) refuse_tiles();
         const auto standing = result_.standing;
         change_tool(0);
         result_.standing = standing;
@@ -176,21 +181,65 @@ private:
             if (measured_) {
                 // A difference of sums: rounding may leave less than nothing.
                 removed += std::max(0.0, result_.part->subtract(cell));
-            } else {
+            } else if (verifier_) {
                 result_.part->subtract_unmeasured(cell);
             }
         }
+        if (!verifier_ && step.is_near) result_.part->subtract_step(step.cells);
         return removed;
+    }
+
+    // Which cells of the next motion are made, and what it is called. A tile does not know which
+    // motions met the stock where it is not, and calls each by its number: their order is the same.
+    cda::Origin begin_cut() {
+        if (!tile_) {
+            if (tiles_) walk_.want_cells(result_.part->wanted());
+            return cda::Origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
+        }
+        const bool is_turn = motions_ % tile_->of == tile_->tile;
+        walk_.want_cells(is_turn ? std::nullopt : result_.part->wanted());
+        return cda::Origin{static_cast<std::uint32_t>(motions_)};
+    }
+
+    // Did the motion at hand? Of a tile: where it was its turn to look, and nobody asks for more.
+    bool has_met_stock(std::uint64_t hulls_before) {
+        if (tiles_) {
+            const auto& met = tiles_->met;
+            if (next_met_ == met.size() || met[next_met_].motion != motions_) return false;
+            result_.hulls += met[next_met_++].hulls;
+            origins_.emplace_back(motions_, result_.provenance.entries.size());
+            return true;
+        }
+        const std::uint64_t hulls = result_.hulls - hulls_before;
+        if (tile_ && hulls > 0 && motions_ % tile_->of == tile_->tile)
+            result_.met.push_back({motions_, hulls});
+        return !tile_ && hulls > 0;
+    }
+
+    [[noreturn]] static void refuse_tiles() {
+        throw std::runtime_error("the tiles do not agree on which motions met the stock");
+    }
+
+    // Faces that tiles cut get the origins that they would have without.
+    void name_motions(cda::Boundary& boundary) const {
+        for (cda::BoundaryFace& face : boundary.faces) {
+            if (face.origin == cda::kStockOrigin) continue;
+            const auto motion = static_cast<std::uint64_t>(face.origin);
+            const auto found = std::ranges::lower_bound(origins_, motion, {},
+                                                        [](const auto& o) { return o.first; });
+            if (found == origins_.end() || found->first != motion) refuse_tiles();
+            face.origin = cda::Origin{static_cast<std::uint32_t>(found->second)};
+        }
     }
 
     // What a tool removed is the difference of volumes.
     void change_tool(int next) {
-        if (cut_since_change_ && !verifier_) {
+        if (is_near_stock_ && !verifier_) {
             const double volume = result_.part->volume();
             result_.removed_by_tool[tool_] += volume_ - volume;
             volume_ = volume;
         }
-        cut_since_change_ = false;
+        is_near_stock_ = false;
         tool_ = next;
         result_.standing.reset();
     }
@@ -218,13 +267,17 @@ private:
     std::optional<std::map<cda::Origin, report::BlockPlace>> places_;  // where blocks are asked for
     bool keep_cuts_;
     bool keeps_cells_;
+    std::optional<cda::TileNumber> tile_;
+    std::shared_ptr<const CutTiles> tiles_;
     setup::Budget budget_;
     double tolerance_mm_;
     std::shared_ptr<const toolpath::Kinematics> machine_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
     double volume_;
-    bool cut_since_change_ = false;
+    bool is_near_stock_ = false;  // was the tool, since it was changed
+    std::size_t next_met_ = 0;    // of tiles_
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> origins_;  // by motion; of tiles_
 };
 
 // Motions until `line` of the program has been run for the first time. If it makes none, the

@@ -133,7 +133,9 @@ void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin or
     Cutter& cutter = tool.cutter;
     cells_.clear();
     sweeps_.clear();
-    if (!stock_.overlaps(cutter.bounds(X_WA, X_WB, liberties))) return;
+    const cda::Box bounds = cutter.bounds(X_WA, X_WB, liberties);
+    is_near_ = stock_.overlaps(bounds);
+    if (!is_near_ || (wanted_ && !wanted_->overlaps(bounds))) return;
     const cda::Vec3 up{0, 0, 1};
     if (leaves_round_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
         for (cda::RoundSweep sweep : tool.round) {
@@ -159,7 +161,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = Poses(told_.get(), motion).at(*end);
     trace(found->second, X_WT, X_WT, origin, {});
-    step({X_WT, X_WT, cells_, sweeps_, {}, {}});
+    step({X_WT, X_WT, cells_, sweeps_, is_near_, {}, {}});
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
@@ -189,7 +191,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
             trace(found->second, X_WA, X_WB, origin, liberties);
-            step({X_WA, X_WB, cells_, sweeps_, samples.bounds, samples.turning});
+            step({X_WA, X_WB, cells_, sweeps_, is_near_, samples.bounds, samples.turning});
         }
     };
 

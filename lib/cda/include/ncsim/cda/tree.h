@@ -4,6 +4,7 @@
 // without zero cells and without its quadratic cost. docs/cda.md, "The tree".
 #pragma once
 
+#include "ncsim/cda/tiles.h"
 #include "ncsim/cda/workpiece.h"
 
 #include <cstddef>
@@ -39,7 +40,10 @@ struct TreeCounts {
 struct TreeParameters {
     std::uint32_t leaf = 80;     ///< Planes in a leaf before it is split.
     std::uint32_t threads = 0;   ///< 0: as many as the machine has.
-    std::uint32_t batch = 8192;  ///< Cells that may wait.
+    std::uint32_t batch = 8192;  ///< Cells that may wait, or steps.
+    /// Only some of its blocks: volumes are a share then, write_tile() is what it is for, and
+    /// nothing else may be asked.
+    std::optional<TileNumber> tile = std::nullopt;
 };
 
 /// Cells that were taken away may wait until somebody asks about the part where they are: many at a
@@ -68,6 +72,8 @@ public:
     using WorkpieceModel::subtract_unmeasured;
     /// The same without. Many cells at a time are shared between threads.
     void subtract_unmeasured(std::span<const Cell> cells) override;
+    void subtract_step(std::span<const Cell> cells) override;
+    std::optional<Box> wanted() const override;
     /// Lets no cell wait any longer.
     void settle() const;
     /// In one pass over many cells at a time: about as dear as taking them away.
@@ -83,6 +89,9 @@ public:
     /// Stops at the first place. Cells that wait are only taken in where it matters.
     std::optional<Vec3> contact(const Cell& cell) const override;
     double common_volume(const Cell& cell) const override;
+
+    /// Of what `tile` in the parameters says.
+    void write_tile(std::ostream& out) const override;
 
     const Lattice& lattice() const override { return lattice_; }
     /// Of the cutting so far and of the last evaluation.
@@ -104,7 +113,8 @@ private:
     TreeCda(const TreeCda& other, const Asked&);
 
     void split_into_blocks();
-    void take_in(const Cell& cell);
+    std::span<Block> own_blocks() const;
+    bool take_in(const Cell& cell);
     void settle_all() const;
     void settle(Block& block) const;
     Box near(const Box& bounds) const;
@@ -123,12 +133,15 @@ private:
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
+    std::size_t first_own_ = 0, own_ = 0;  // blocks: all, or those of the tile
     // What asking changes.
     mutable Asking asking_;
     mutable std::vector<Block> blocks_;
     mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
     mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;
+    mutable std::vector<std::vector<double>>
+        volumes_asked_;  // of own blocks, cubic units; of a tile
 };
 
 }  // namespace ncsim::cda

@@ -119,6 +119,17 @@ public:
         throw CannotAnswer(name(), "what a body has in common with the part");
     }
 
+    // Of models that may be cut in tiles.
+
+    /// Takes away the cells of one step of a tool near the stock: those that are wanted, and maybe
+    /// others. When what waits is taken in depends on the number of steps then, not on their cells:
+    /// who gets fewer of them makes of his share the same, to the last bit.
+    virtual void subtract_step(std::span<const Cell> cells) { subtract_unmeasured(cells); }
+    /// Near which place (mm) cells are wanted; nothing: near all of the part.
+    virtual std::optional<Box> wanted() const { return std::nullopt; }
+    /// What this tile of a part knows, for Tiles.
+    virtual void write_tile(std::ostream&) const { throw CannotAnswer(name(), "tiles of it"); }
+
     // Of models that are made of cells which people look at.
 
     /// One row a subtraction, comma-separated, after a row of names: costs in milliseconds and

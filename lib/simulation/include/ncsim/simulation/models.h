@@ -4,9 +4,11 @@
 // help, refusals and tests read.
 #pragma once
 
+#include "ncsim/cda/tiles.h"
 #include "ncsim/cda/workpiece.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +43,9 @@ struct ModelParameters {
     unsigned threads = 0;         ///< 0: as many as the machine has.
     double (*clock)() = nullptr;  ///< Seconds; where given, what hulls cost is measured.
     double resolution_mm = 0.0;   ///< Of a model that has one; 0: it chooses.
+    // Of the tree alone:
+    std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
+    std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All of them, which were cut before.
 };
 
 /// An empty prototype. Throws std::invalid_argument if there is no such model.

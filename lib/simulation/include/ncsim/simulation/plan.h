@@ -3,6 +3,7 @@
 // What is to be simulated, and how: what options become.
 #pragma once
 
+#include "ncsim/cda/tiles.h"
 #include "ncsim/report/facts.h"
 #include "ncsim/setup/budget.h"
 #include "ncsim/setup/job.h"
@@ -13,8 +14,23 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ncsim::simulation {
+
+/// A motion that met the stock. What motions met is found out by tiles in turns: by tile i of n the
+/// motions i, i + n …
+struct MetStock {
+    std::uint64_t motion = 0;  ///< From 1, in the order of execution.
+    std::uint64_t hulls = 0;   ///< How many cells did.
+    bool operator==(const MetStock&) const = default;
+};
+
+/// What all tiles found.
+struct CutTiles {
+    std::shared_ptr<const cda::Tiles> tiles;
+    std::vector<MetStock> met;  ///< By motion.
+};
 
 /// Lengths in mm.
 struct Plan {
@@ -34,6 +50,10 @@ struct Plan {
     /// Line of the program after which the simulation stops; from 1.
     std::optional<std::uint32_t> at_line;
     unsigned threads = 0;  ///< 0: as many as the machine has.
+    /// Only this tile of the part, for its write_tile(); or all of them, which were cut before: the
+    /// program is followed, and nothing is cut. Of the model "cda".
+    std::optional<cda::TileNumber> tile;
+    std::shared_ptr<const CutTiles> tiles;
     setup::Budget budget;
 
     // What is kept beside the part.

@@ -37,6 +37,7 @@ struct Simulation : report::PartFacts {
     std::optional<cda::Boundary> boundary;  ///< Of `part`, if it is kept.
     std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
     std::vector<cda::Cell> carved;          ///< What was taken away, if it is kept.
+    std::vector<MetStock> met;              ///< Of a tile: what it found out for all.
     verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
     std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
     std::uint32_t line = 0;         ///< Of the last motion that was made; 0: none yet.

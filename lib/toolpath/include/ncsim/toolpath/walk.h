@@ -17,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,12 +40,14 @@ std::vector<gcode::Linear> legs_of(const gcode::Linear& rapid, const RapidPath& 
 struct Step {
     const Pose& X_WA;
     const Pose& X_WB;
-    /// Of the cutting pieces; only those that may meet the stock. Often none.
+    /// Of the cutting pieces; only those that may meet the stock, where they are wanted. Often
+    /// none.
     std::span<const cda::Cell> cells;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
-    SampleBounds bounds;  ///< Of the motion the step belongs to.
-    Turning turning;      ///< And how the tool turns in it: for other parts of the tool.
+    bool is_near = false;  ///< Is the stock near enough for cells?
+    SampleBounds bounds;   ///< Of the motion the step belongs to.
+    Turning turning;       ///< And how the tool turns in it: for other parts of the tool.
 };
 
 /// What has to be followed besides the cutter in the stock: there, too, `bounds` and `turning` of
@@ -67,6 +70,8 @@ public:
     void leave_round() { leaves_round_ = true; }
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
+    /// From now on no more cells are made than those near `place` (mm, W); nothing: all.
+    void want_cells(const std::optional<cda::Box>& place) { wanted_ = place; }
     /// Null if there is none of this number.
     const Cutter* cutter(int number) const;
 
@@ -98,11 +103,13 @@ private:
     RapidPath rapid_;
     Watch watch_;
     std::shared_ptr<const Kinematics> told_;
-    cda::Box place_;  // that matters: the stock and what is watched
+    cda::Box place_;                  // that matters: the stock and what is watched
+    std::optional<cda::Box> wanted_;  // cells
     std::map<int, Known> tools_;
     bool leaves_round_ = false;
     std::vector<cda::Cell> cells_;         // of one step, kept for its memory
     std::vector<cda::RoundSweep> sweeps_;  // likewise
+    bool is_near_ = false;                 // the stock, in that step
 };
 
 }  // namespace ncsim::toolpath

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/report/tile_file.h"
+
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+
+#include "json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace ncsim::report {
+
+namespace {
+
+constexpr int kFormat = 1;
+constexpr std::uint32_t kMost = 1'000'000;
+
+[[noreturn]] void fail(const std::string& file, const std::string& why) {
+    throw std::runtime_error(fmt::format("'{}': {}", file, why));
+}
+
+// Words and names of files are what they are, UTF-8 or not: as numbers they come back.
+Json bytes_json(const std::string& text) {
+    Json json = Json::array();
+    for (const char c : text)
+        json.push_back(static_cast<std::uint8_t>(c));
+    return json;
+}
+
+Json text_json(const std::string& text) {
+    try {
+        (void)Json(text).dump();
+        return text;
+    } catch (const Json::exception&) {
+        return bytes_json(text);
+    }
+}
+
+std::string text_from(const Json& json) {
+    if (json.is_string()) return json.get<std::string>();
+    std::string text;
+    for (const Json& byte : json)
+        text += static_cast<char>(byte.get<std::uint8_t>());
+    return text;
+}
+
+std::string line_of(const TileHead& head) {
+    Json words = Json::array(), files = Json::array();
+    for (const std::string& word : head.words)
+        words.push_back(text_json(word));
+    for (const auto& [name, digest] : head.files)
+        files.push_back({text_json(name), digest ? Json(*digest) : Json(nullptr)});
+    return Json{{"ncsim-tile", kFormat}, {"version", kVersion}, {"tile", head.tile},
+                {"of", head.of},         {"words", words},      {"files", files}}
+        .dump();
+}
+
+TileHead head_from(const Json& json) {
+    TileHead head;
+    for (const Json& word : json.at("words"))
+        head.words.push_back(text_from(word));
+    for (const Json& file : json.at("files")) {
+        auto& digest = head.files[text_from(file.at(0))];
+        if (!file.at(1).is_null()) digest = file.at(1).get<std::string>();
+    }
+    head.tile = json.at("tile").get<std::uint32_t>();
+    head.of = json.at("of").get<std::uint32_t>();
+    return head;
+}
+
+}  // namespace
+
+std::string tile_file_name(std::uint32_t tile, std::uint32_t of) {
+    return fmt::format("tile-{:04}-of-{:04}.nctile", tile, of);
+}
+
+std::string bytes_of(const TileFile& file, Digest digest_of) {
+    std::string bytes = line_of(file.head) + '\n';
+    for (const auto& [motion, hulls] : file.met)
+        bytes += fmt::format("{} {}\n", motion, hulls);
+    bytes += '\n' + file.tile;
+    bytes += '\n' + digest_of(bytes) + '\n';
+    return bytes;
+}
+
+TileFile tile_file_from(std::string bytes, const std::string& name, Digest digest_of) {
+    const std::size_t line = bytes.find('\n');
+    TileFile file;
+    try {
+        const Json json = Json::parse(std::string_view(bytes).substr(0, line));
+        if (!json.is_object() || json.at("ncsim-tile").get<int>() != kFormat)
+            throw std::invalid_argument("");
+        const auto version = json.at("version").get<std::string>();
+        if (version != kVersion)
+            fail(name, fmt::format("it was written by ncsim {}", one_line(version)));
+        file.head = head_from(json);
+    } catch (const Json::exception&) {
+        fail(name, "it is no result of ncsim run --tile");
+    } catch (const std::invalid_argument&) {
+        fail(name, "it is no result of ncsim run --tile");
+    }
+    constexpr std::size_t kDigest = 64;
+    constexpr std::size_t kEnd = kDigest + 2;
+    const std::size_t end = bytes.size() < line + 1 + kEnd ? 0 : bytes.size() - kEnd;
+    if (end == 0 || bytes[end] != '\n' || bytes.back() != '\n' ||
+        digest_of(std::string_view(bytes).substr(0, end)) !=
+            std::string_view(bytes).substr(end + 1, kDigest))
+        fail(name, "it is cut off, or was changed");
+    if (file.head.of == 0 || file.head.of > kMost || file.head.tile >= file.head.of)
+        fail(name, "there is no such tile");
+    bytes.resize(end);
+    std::size_t at = line + 1;
+    while (at < bytes.size() && bytes[at] != '\n') {
+        std::pair<std::uint64_t, std::uint64_t> met;
+        const char* const last = bytes.data() + bytes.size();
+        const auto motion = std::from_chars(bytes.data() + at, last, met.first);
+        if (motion.ec != std::errc() || motion.ptr == last || *motion.ptr != ' ')
+            fail(name, "its motions cannot be read");
+        const auto hulls = std::from_chars(motion.ptr + 1, last, met.second);
+        if (hulls.ec != std::errc() || hulls.ptr == last || *hulls.ptr != '\n')
+            fail(name, "its motions cannot be read");
+        at = static_cast<std::size_t>(hulls.ptr - bytes.data()) + 1;
+        file.met.push_back(met);
+    }
+    bytes.erase(0, std::min(at + 1, bytes.size()));
+    file.tile = std::move(bytes);
+    return file;
+}
+
+std::vector<TileFile> in_order(std::vector<TileFile> files, const std::vector<std::string>& names) {
+    if (files.empty()) throw std::runtime_error("there are no tiles");
+    const TileHead first = files[0].head;
+    std::vector<TileFile> ordered(first.of);
+    std::vector<const std::string*> found(first.of, nullptr);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const TileHead& head = files[i].head;
+        if (head.of != first.of) fail(names[i], "it is of another number of tiles");
+        if (head.words != first.words) fail(names[i], "something else was asked for");
+        if (head.files != first.files) fail(names[i], "it was made of other files");
+        const std::uint32_t tile = head.tile;
+        if (found[tile] &&
+            (ordered[tile].tile != files[i].tile || ordered[tile].met != files[i].met)) {
+            fail(names[i], fmt::format("'{}' is the same tile, and not the same", *found[tile]));
+        }
+        found[tile] = &names[i];
+        ordered[tile] = std::move(files[i]);
+    }
+    const auto missing = std::ranges::count(found, nullptr);
+    if (missing > 0)
+        throw std::runtime_error(fmt::format("{} of {} tiles are missing", missing, first.of));
+    return ordered;
+}
+
+}  // namespace ncsim::report

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One part in tiles: the same bytes as in one run, or an error.
+#include "cli/run_program.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ncsim::cli_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+Words operator+(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::string sample(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(std::filesystem::path(NCSIM_SOURCE_DIR) / "samples" / name).rdbuf();
+    return text.str();
+}
+
+std::string tile_name(int i, int n) {
+    return fmt::format("tiles/tile-{:04}-of-{:04}.nctile", i, n);
+}
+
+Ran cut(const Folder& folder, const Words& program, int i, int n, const Words& more = {}) {
+    return folder.run(Words{"run"} + program + Words{"--tile", fmt::format("{}/{}", i, n)} +
+                      Words{"--tile-out", "tiles", "-q"} + more);
+}
+
+const Words kFormats{"--gltf", "--stl", "--3mf", "--ply", "--vrml", "--png", "--report"};
+
+// What a command writes in all formats, and says.
+std::vector<std::string> written(const Folder& folder, Words command) {
+    for (const std::string& format : kFormats)
+        command = command + Words{format, "out" + format};
+    const Ran ran = folder.run(command);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    std::vector<std::string> all{ran.out, ran.err};
+    for (const std::string& format : kFormats) {
+        all.push_back(folder.read("out" + format));
+        EXPECT_FALSE(all.back().empty()) << format;
+        std::filesystem::remove(folder.path() / ("out" + format));
+    }
+    return all;
+}
+
+void expect_one_run(const Folder& folder, const Words& program, int n) {
+    SCOPED_TRACE(n);
+    const std::vector<std::string> once = written(folder, Words{"run"} + program);
+    // In any order, some of them twice.
+    for (int k = 0; k < n + 2; ++k) {
+        const int i = (k * 5 + 3) % n;
+        const Ran ran = cut(folder, program, i, n);
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    }
+    for (int i = 0; i < n; ++i)
+        ASSERT_EQ(cut(folder, program, i, n).exit_code, 0);
+    EXPECT_TRUE(written(folder, {"merge", "tiles"}) == once);
+    std::filesystem::remove_all(folder.path() / "tiles");
+}
+
+TEST(Tiles, AreOneRun) {
+    const Folder folder;
+    folder.write("complex.nc", sample("complex.nc"));
+    for (const int n : {1, 2, 7, 64})
+        expect_one_run(folder, {"complex.nc"}, n);
+}
+
+TEST(Tiles, KnowWhatWasAsked) {
+    const Folder folder;
+    folder.write("wave.nc", sample("wave.nc"));
+    expect_one_run(folder, {"wave.nc", "--tool-tolerance", "0.3", "--at-line", "60"}, 3);
+    // A program with a subprogram, tools from the command line, in a folder.
+    std::filesystem::create_directories(folder.path() / "a b");
+    folder.write("a b/main.ngc",
+                 "G21 G90\nT1 M6\nG0 X-30. Y0. Z5.\nG0 Z-2.\no<cut> call\nG0 Z5.\nM2\n");
+    folder.write("a b/cut.ngc", "o<cut> sub\nG1 X30. F500.\no<cut> endsub\nM2\n");
+    expect_one_run(
+        folder,
+        {"--tool", "T1=ball:D6:L30", "--start=0,0,50", "--stock", "40x30x10", "a b/main.ngc"}, 2);
+    ASSERT_EQ(cut(folder, {"wave.nc"}, 0, 1).exit_code, 0);
+    ASSERT_EQ(
+        folder.run({"run", "wave.nc", "-q", "--simplify", "0.05", "--stl", "a.stl"}).exit_code, 0);
+    ASSERT_EQ(
+        folder.run({"merge", "tiles", "-q", "--simplify", "0.05", "--stl", "b.stl"}).exit_code, 0);
+    EXPECT_TRUE(folder.read("a.stl") == folder.read("b.stl"));
+}
+
+TEST(Tiles, AreCutAgainWhereTheyAreNotWhole) {
+    const Folder folder;
+    folder.write("slot.nc", kSlot);
+    const std::string name = tile_name(1, 3);
+    EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut: " + name + "\n");
+    const std::string whole = folder.read(name);
+    EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut before: " + name + "\n");
+    EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3, {"--redo"}).out,
+              "tile 1 of 3 was cut: " + name + "\n");
+    std::string changed = whole;
+    changed[changed.size() / 2] ^= 1;
+    for (const std::string& text : {std::string(), whole.substr(0, whole.size() / 2),
+                                    whole.substr(0, whole.size() - 1), whole + "x", changed}) {
+        folder.write(name, text);
+        EXPECT_EQ(folder.run({"merge", name, "--stl", "a.stl"}).exit_code, 2);
+        EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut: " + name + "\n");
+        EXPECT_TRUE(folder.read(name) == whole);
+    }
+    // Of another program, of another file.
+    folder.write("slot.nc", replaced(kSlot, "Z-2.", "Z-1."));
+    EXPECT_EQ(cut(folder, {"slot.nc"}, 1, 3).out, "tile 1 of 3 was cut: " + name + "\n");
+    EXPECT_FALSE(folder.read(name) == whole);
+}
+
+TEST(Tiles, ThatAreNotOfOnePartAreRefused) {
+    const Folder folder;
+    folder.write("slot.nc", kSlot);
+    const auto refused = [&](const Words& more, const std::string& why) {
+        const Ran ran = folder.run(Words{"merge", "tiles", "--stl", "a.stl"} + more);
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_TRUE(contains(ran.err, why)) << ran.err;
+        EXPECT_FALSE(folder.has("a.stl"));
+    };
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 0, 3).exit_code, 0);
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 2, 3).exit_code, 0);
+    refused({}, "1 of 3 tiles are missing");
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 1, 3, {"--tolerance", "0.01"}).exit_code, 0);
+    refused({}, "tile-0001-of-0003.nctile': something else was asked for");
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 1, 3).exit_code, 0);
+    EXPECT_EQ(folder.run({"merge", "tiles", "--stl", "a.stl"}).exit_code, 0);
+    std::filesystem::remove(folder.path() / "a.stl");
+    // The same twice is no harm, unless it is not the same.
+    folder.write("tiles/copy.nctile", folder.read(tile_name(1, 3)));
+    EXPECT_EQ(folder.run({"merge", "tiles"}).exit_code, 0);
+    std::filesystem::remove(folder.path() / "tiles/copy.nctile");
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 0, 2).exit_code, 0);
+    refused({}, "it is of another number of tiles");
+    std::filesystem::remove(folder.path() / tile_name(0, 2));
+    refused({"--json", "a.json"}, "no verdicts");
+    // What was cut is not what would be told of it.
+    folder.write("slot.nc", replaced(kSlot, "Z-2.", "Z-1."));
+    refused({}, "'slot.nc' is not what it was when the tiles were cut");
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 1, 3).exit_code, 0);
+    refused({}, "tile-0001-of-0003.nctile': it was made of other files");
+    folder.write("tiles/x.ndjson", "{}\n");
+    refused({}, "shards and tiles are not put together");
+}
+
+TEST(Tiles, TakeOptionsThatMakeSense) {
+    const Folder folder;
+    folder.write("slot.nc", kSlot);
+    for (const Words& wrong :
+         {Words{"--tile", "0/2"}, Words{"--tile-out", "tiles"}, Words{"--redo"},
+          Words{"--tile", "2/2", "--tile-out", "tiles"},
+          Words{"--tile", "0/65", "--tile-out", "tiles"},
+          Words{"--tile", "auto", "--tile-out", "tiles"},
+          Words{"--tile", "0/2", "--tile-out", "tiles", "--stl", "a.stl"},
+          Words{"--tile", "0/2", "--tile-out", "tiles", "--model", "cda-flat"}})
+        EXPECT_EQ(folder.run(Words{"run", "slot.nc"} + wrong).exit_code, 2);
+    EXPECT_EQ(folder
+                  .shell("SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_COUNT=4 "
+                         "\"$0\" run slot.nc --tile auto --tile-out tiles -q")
+                  .out,
+              "tile 1 of 4 was cut: " + tile_name(1, 4) + "\n");
+    folder.write("x.ndjson", "{}\n");
+    const Ran ran = folder.run({"merge", "x.ndjson", "--stl", "a.stl"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.err, "--stl is written of tiles")) << ran.err;
+    folder.write("rest.nc", "G21\nG0 X1.\nG2 X5. F10.\n");
+    EXPECT_EQ(cut(folder, {"rest.nc"}, 0, 1).exit_code, 1);
+    EXPECT_FALSE(folder.has(tile_name(0, 1)));
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
