@@ -173,8 +173,8 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
                  for (const std::string& name : names)
                      o.accept.push_back(known_reason("--accept", name));
              });
-    add_list(*check, "--require", "THINGS", "What has to be told: holder,fixtures,travels,offsets,links",
-             [&o](const auto& names) {
+    add_list(*check, "--require", "THINGS",
+             "What has to be told: holder,fixtures,travels,offsets,links", [&o](const auto& names) {
                  for (const std::string& name : names)
                      o.require.push_back(known_requirement("--require", name));
              });

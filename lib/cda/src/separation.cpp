@@ -18,7 +18,7 @@ namespace {
 
 using Points = std::span<const LatticePoint>;
 
-Vec3 as_vector(LatticePoint p) {
+Vec3 in_doubles(LatticePoint p) {
     return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
@@ -32,7 +32,7 @@ std::size_t farthest(Points points, Vec3 way) {
     std::size_t best = 0;
     double most = -Box::kInf;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double height = dot(way, as_vector(points[i]));
+        const double height = dot(way, in_doubles(points[i]));
         if (height > most) most = height, best = i;
     }
     return best;
@@ -41,7 +41,7 @@ std::size_t farthest(Points points, Vec3 way) {
 // Of b - a, the farthest against `way`.
 Corner support(Points a, Points b, Vec3 way) {
     const std::size_t i = farthest(a, way), k = farthest(b, -way);
-    return {as_vector(b[k] - a[i]), i, k};
+    return {in_doubles(b[k] - a[i]), i, k};
 }
 
 // Whole numbers of kNormalBits along `way`; 0 for no direction.
@@ -178,7 +178,7 @@ Nearness nearness(Points a, Points b, std::int64_t width, Vec3 hint) {
     }
     std::vector<Corner> simplex;
     simplex.reserve(4);
-    simplex.push_back({as_vector(b[0] - a[0]), 0, 0});
+    simplex.push_back({in_doubles(b[0] - a[0]), 0, 0});
     Vec3 v = simplex[0].at;
     constexpr int kMostSteps = 64;
     constexpr double kRounding = 1e-10;
@@ -218,9 +218,9 @@ Nearness nearness(Points a, Points b, std::int64_t width, Vec3 hint) {
 std::optional<Vec3> common_point(Points a, Points b, std::int64_t margin) {
     Box box_a, box_b;
     for (const LatticePoint& p : a)
-        box_a.add(as_vector(p));
+        box_a.add(in_doubles(p));
     for (const LatticePoint& p : b)
-        box_b.add(as_vector(p));
+        box_b.add(in_doubles(p));
     if (!box_a.overlaps(box_b)) return std::nullopt;
     // Near the origin, where the kernel has its range.
     const LatticePoint centre = a[0];
@@ -236,7 +236,7 @@ std::optional<Vec3> common_point(Points a, Points b, std::int64_t margin) {
     std::vector<Plane> planes = drawn_in(*in_a, margin);
     const std::vector<Plane> others = drawn_in(*in_b, margin);
     planes.insert(planes.end(), others.begin(), others.end());
-    const Vec3 origin = as_vector(centre);
+    const Vec3 origin = in_doubles(centre);
     const Box box{{std::max(box_a.min.x, box_b.min.x) - origin.x,
                    std::max(box_a.min.y, box_b.min.y) - origin.y,
                    std::max(box_a.min.z, box_b.min.z) - origin.z},

@@ -68,7 +68,8 @@ Ball moved(const Chain& chain, const Going& going, Ball body) {
             body.bend += turn * turn * distance + 2.0 * turn * body.speed;
             body.speed += turn * distance;
             body.centre = moved(joint, 0.5 * (from + to), body.centre);
-            body.radius += 0.5 * turn * aside;
+            // No farther from the middle than across the axis.
+            body.radius += std::min(0.5 * turn, 2.0) * aside;
             continue;
         }
         // Those that follow one another move it as one.

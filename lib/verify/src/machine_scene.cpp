@@ -26,7 +26,7 @@ namespace {
 constexpr std::uint64_t kMostMeasured = 16;
 
 // How much finer a tool is looked at where it matters.
-constexpr double kFiner = 16.0;
+constexpr double kFinerTool = 16.0;
 
 // The corners of a polytope on the lattice, and of one inside of it.
 ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccuracy accuracy,
@@ -301,7 +301,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     Encounter met = meet(on_leg, *observer, *other, lattice_, pair.measured < kMostMeasured);
     // Where the accuracy of the tool leaves it open, a finer one may decide.
     if (met.closeness == Closeness::Open && members_[pair.body].is_tool) {
-        const RigidBody* finer = this->tool(leg.motion.tool, *length.gauge_mm, kFiner);
+        const RigidBody* finer = this->tool(leg.motion.tool, *length.gauge_mm, kFinerTool);
         met = meet(on_leg, *observer, *finer, lattice_, false);
     }
     const bool touches = met.closeness != Closeness::Clear;

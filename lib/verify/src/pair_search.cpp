@@ -45,7 +45,7 @@ struct Span {
     double grow_mm = 0.0;  // nothing of it is farther from the straight way between them
 };
 
-Box grown(const Box& box, double by) {
+Box widened(const Box& box, double by) {
     return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
 }
 
@@ -64,7 +64,7 @@ Box placed(const Pose& X, const Box& box) {
 Box swept(const Span& place, const Box& box) {
     Box both = placed(place.X_0, box);
     both.add(placed(place.X_1, box));
-    return grown(both, place.grow_mm);
+    return widened(both, place.grow_mm);
 }
 
 void add_points(std::vector<LatticePoint>& points, const std::vector<Vec3>& corners, const Pose& X,
@@ -432,7 +432,7 @@ Encounter meet_part(const PairOnLeg& pair, const cda::WorkpieceModel& part, cons
     const cda::Lattice& lattice = part.lattice();
     // Corners, and the planes of hulls of turned ones.
     const double rounding_mm = body.accuracy_mm() + 4.0 * lattice.unit_mm;
-    const Box place_of_part = grown(stock, clearance_mm);
+    const Box place_of_part = widened(stock, clearance_mm);
     const auto in_W = [zero](Pose X) {
         X.translation = X.translation - zero;
         return X;
