@@ -8,6 +8,7 @@
 #include "diff.h"
 #include "machine_command.h"
 #include "measure_command.h"
+#include "merge.h"
 #include "options.h"
 #include "run.h"
 

@@ -3,13 +3,12 @@
 
 #include "ncsim/report/shard.h"
 
+#include "merge_tiles.h"
 #include "output.h"
 #include "reports.h"
-#include "tiles.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -47,33 +46,6 @@ std::vector<std::string> files_of(const std::vector<std::string>& sources) {
 }
 
 }  // namespace
-
-CLI::App* add_merge(CLI::App& app, MergeOptions& o) {
-    CLI::App* merge = app.add_subcommand(
-        "merge",
-        "Put results of ncsim check --shard or ncsim run --tile together: what one run writes");
-    merge->add_option("sources", o.sources, "Folders of results, or the files")
-        ->required()
-        ->type_name("DIRS");
-    add_report_options(*merge, o);
-    const auto of_run = [&](const char* name, const char* type, const char* what) {
-        merge
-            ->add_option_function<std::string>(
-                std::string("--") + name,
-                [&o, name](const std::string& value) { o.of_run.emplace_back(name, value); }, what)
-            ->type_name(type);
-    };
-    of_run("gltf", "FILE", "Of tiles: mesh with the NC line of every face, glTF 2.0 binary");
-    of_run("stl", "FILE", "Of tiles: mesh, binary STL");
-    of_run("3mf", "FILE", "Of tiles: mesh with a material for each tool, 3MF");
-    of_run("ply", "FILE", "Of tiles: mesh with the NC line of every face, PLY");
-    of_run("vrml", "FILE", "Of tiles: mesh with the NC line of every face, VRML97");
-    of_run("png", "FILE", "Of tiles: picture of the part");
-    of_run("view", "VIEW", "Of the picture: iso, top, bottom, front, back, left, right");
-    of_run("simplify", "TOL", "Of tiles: merge faces and edges in meshes within TOL mm");
-    of_run("report", "FILE", "Of tiles: what happened, JSON");
-    return merge;
-}
 
 int run(MergeOptions options) {
     const std::vector<std::string> files = files_of(options.sources);

@@ -8,7 +8,7 @@
 #include "diff.h"
 #include "machine_command.h"
 #include "measure_command.h"
-#include "merge.h"
+#include "merge_options.h"
 #include "parse_command.h"
 #include "run_options.h"
 #include "tools_command.h"

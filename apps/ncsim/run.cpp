@@ -31,7 +31,7 @@
 #include "plan_options.h"
 #include "progress.h"
 #include "save_job.h"
-#include "tiles.h"
+#include "tile.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

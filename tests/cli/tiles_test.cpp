@@ -162,6 +162,28 @@ TEST(Tiles, ThatAreNotOfOnePartAreRefused) {
     refused({}, "shards and tiles are not put together");
 }
 
+// Somebody else may have written them.
+TEST(Tiles, DoNotSayWhatIsWritten) {
+    const Folder folder;
+    folder.write("slot.nc", kSlot);
+    ASSERT_EQ(cut(folder, {"slot.nc"}, 0, 1).exit_code, 0);
+    const std::string whole = folder.read(tile_name(0, 1));
+    for (const char* word :
+         {"--png=evil.png", "--frames=evil", "--save-job=evil.toml", "--no-such-option", "check"}) {
+        const std::string head = "\"words\":[\"run\"";
+        std::string body = whole.substr(0, whole.size() - 66);
+        body = std::string(word) == "check" ? replaced(body, head, "\"words\":[\"check\"")
+                                            : replaced(body, head, head + ",\"" + word + "\"");
+        folder.write("body", body);
+        const std::string digest = folder.shell("sha256sum < body").out.substr(0, 64);
+        folder.write(tile_name(0, 1), body + '\n' + digest + '\n');
+        const Ran ran = folder.run({"merge", "tiles", "--stl", "a.stl"});
+        EXPECT_EQ(ran.exit_code, 2) << word;
+        EXPECT_FALSE(contains(ran.err, "cut off")) << ran.err;
+        EXPECT_EQ(folder.files(), (Words{"body", "slot.nc", "tiles"}));
+    }
+}
+
 TEST(Tiles, TakeOptionsThatMakeSense) {
     const Folder folder;
     folder.write("slot.nc", kSlot);

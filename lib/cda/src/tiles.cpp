@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/tiles.h"
 
-#include "ncsim/cda/tree.h"
-
 #include "stitch.h"
 #include "tile_bytes.h"
 
@@ -22,7 +20,7 @@ public:
     explicit Model(std::shared_ptr<const Tiles> tiles, const Lattice& lattice = {})
         : tiles_(std::move(tiles)), lattice_(lattice) {}
 
-    std::string_view name() const override { return TreeCda::kName; }
+    std::string_view name() const override { return kTiledModel; }
     const Lattice& lattice() const override { return lattice_; }
     std::unique_ptr<WorkpieceModel> create(const Cell&, const Lattice& lattice) const override {
         return std::make_unique<Model>(tiles_, lattice);

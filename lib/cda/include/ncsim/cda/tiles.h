@@ -6,22 +6,15 @@
 // docs/cda.md, "Tiles".
 #pragma once
 
-#include "ncsim/cda/boundary.h"
+#include "ncsim/cda/tile_number.h"
 #include "ncsim/cda/workpiece.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace ncsim::cda {
-
-/// Of `of` tiles that one. A tree has no more than kMostTiles blocks.
-struct TileNumber {
-    std::uint32_t tile = 0, of = 1;
-    bool operator==(const TileNumber&) const = default;
-};
-inline constexpr std::uint32_t kMostTiles = 64;
 
 /// What all tiles of a part know.
 class Tiles {

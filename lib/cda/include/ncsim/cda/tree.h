@@ -4,7 +4,7 @@
 // without zero cells and without its quadratic cost. docs/cda.md, "The tree".
 #pragma once
 
-#include "ncsim/cda/tiles.h"
+#include "ncsim/cda/tile_number.h"
 #include "ncsim/cda/workpiece.h"
 
 #include <cstddef>
@@ -52,7 +52,7 @@ struct TreeParameters {
 /// asked, and copied, by many threads.
 class TreeCda final : public WorkpieceModel {
 public:
-    static constexpr std::string_view kName = "cda";
+    static constexpr std::string_view kName = kTiledModel;
 
     explicit TreeCda(TreeParameters parameters = {});
     TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters parameters = {});

@@ -4,6 +4,7 @@
 // help, refusals and tests read.
 #pragma once
 
+#include "ncsim/cda/tile_number.h"
 #include "ncsim/cda/tiles.h"
 #include "ncsim/cda/workpiece.h"
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts in tiles: `ncsim run --tile`, and what `ncsim merge` makes of the results.
+// `ncsim run --tile`: one tile of a part, and its file.
 #pragma once
 
 #include "ncsim/report/tile_file.h"
 
-#include "merge.h"
 #include "run_options.h"
 
 #include <string>
-#include <vector>
 
 namespace ncsim::app {
 
@@ -17,9 +15,8 @@ namespace ncsim::app {
 /// exit code. Throws std::runtime_error as run() does.
 int run_tile(Options options);
 
-/// Makes of tiles what one `ncsim run` of the same words makes. Throws std::runtime_error if one is
-/// missing, cut off or foreign, or if it is asked for what tiles do not know.
-int merge_tiles(const MergeOptions& options, std::vector<std::string> files);
+/// Throws std::runtime_error, naming it, if it is no result of that, or not whole.
+report::TileFile read_tile(const std::string& path);
 
 /// The part was made of these files, and of no others: throws std::runtime_error otherwise.
 void expect_same_files(const report::FileDigests& then, const report::FileDigests& now);

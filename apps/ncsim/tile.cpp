@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tiles.h"
+#include "tile.h"
 
-#include "ncsim/cda/tiles.h"
+#include "ncsim/cda/tile_number.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/setup/digest.h"
 #include "ncsim/setup/machine_formats.h"
@@ -13,28 +13,22 @@
 #include "ncsim/simulation/take_machine.h"
 
 #include "console.h"
-#include "options.h"
 #include "output.h"
 #include "plan_options.h"
 #include "progress.h"
-#include "run.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
-#include <variant>
 
 namespace ncsim::app {
-
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -44,6 +38,8 @@ report::TileFile read_tile(const std::string& path) {
     setup::InputSet inputs;
     return report::tile_file_from(inputs.read(path, kMost), path, setup::digest_of);
 }
+
+namespace {
 
 // Is it this tile, made of files that are still what they were?
 bool is_done(const std::string& path, const report::TileHead& head, setup::InputSet& inputs) {
@@ -118,46 +114,6 @@ int run_tile(Options options) {
     progress.hide();
     say_done("was cut");
     return kClean;
-}
-
-int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
-    std::ranges::sort(files);
-    if (!merge.json.empty() || !merge.sarif.empty() || !merge.junit.empty() ||
-        !merge.write_baseline.empty() || merge.github || merge.notes || merge.exit_zero)
-        throw std::runtime_error("tiles are of ncsim run, which writes no verdicts");
-    std::vector<report::TileFile> read;
-    for (const std::string& file : files)
-        read.push_back(read_tile(file));
-    read = report::in_order(std::move(read), files);
-
-    std::vector<std::string> words = read[0].head.words;
-    for (const auto& [option, value] : merge.of_run) {
-        // What was told last counts nowhere else.
-        words.insert(words.begin() + 1, "--" + option + "=" + value);
-    }
-    if (merge.quiet) words.insert(words.begin() + 1, "--quiet");
-    Command command = parse_options(words);
-    if (const auto* farewell = std::get_if<Farewell>(&command))
-        throw std::runtime_error("the tiles: " +
-                                 farewell->text.substr(0, farewell->text.find('\n')));
-    auto* options = std::get_if<Options>(&command);
-    if (!options) throw std::runtime_error("the tiles are of no ncsim run");
-    options->tile_files = read[0].head.files;
-    auto cut = std::make_shared<simulation::CutTiles>();
-    std::vector<std::string> tiles;
-    for (report::TileFile& file : read) {
-        for (const auto& [motion, hulls] : file.met)
-            cut->met.push_back({motion, hulls});
-        tiles.push_back(std::move(file.tile));
-    }
-    std::ranges::sort(cut->met, {}, &simulation::MetStock::motion);
-    try {
-        cut->tiles = std::make_shared<const cda::Tiles>(std::move(tiles));
-    } catch (const std::invalid_argument& e) {
-        throw std::runtime_error(e.what());
-    }
-    options->tiles = std::move(cut);
-    return run(std::move(*options));
 }
 
 void expect_same_files(const report::FileDigests& then, const report::FileDigests& now) {
