@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure_command.h"
 
-#include "ncsim/brep/measure.h"
 #include "ncsim/brep/features.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/models.h"
 #include "ncsim/cda/triangle_tree.h"
