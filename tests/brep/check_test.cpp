@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/check.h"
-#include "ncsim/brep/measure.h"
 
 #include "ncsim/brep/apart.h"
+#include "ncsim/brep/measure.h"
 
 #include "brep/solids.h"
 

@@ -54,6 +54,14 @@ TEST(Dxf, HasALineAnArcAndACircleOnTheLayersOfTheirTools) {
     EXPECT_NE(text.find("1\nz=-4 of a&b.nc\n"), std::string::npos);
 }
 
+TEST(Dxf, NamesOtherAlphabetsByNumber) {
+    const Section section = half_disc();
+    const Provenance from = provenance();
+    std::ostringstream out;
+    write_dxf(out, {{&section, &from}}, "M\xC3\xBCller\xF0\x9F\x94\xA7.nc");
+    EXPECT_NE(out.str().find("z=-4 of M\\U+00FCller?.nc\n"), std::string::npos) << out.str();
+}
+
 // DXF knows arcs counter-clockwise only.
 TEST(Dxf, TurnsAnArcAroundThatGoesClockwise) {
     Section section;

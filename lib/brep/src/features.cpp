@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/brep/features.h"
 
-#include "ncsim/brep/measure.h"
 #include "ncsim/brep/frames.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/trig/angles.h"
 
 #include "around.h"

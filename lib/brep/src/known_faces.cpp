@@ -3,6 +3,8 @@
 
 #include "ncsim/brep/frames.h"
 
+#include "contact.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -65,8 +67,10 @@ bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, d
         const auto faults = faults_of(part, face, tolerance_mm, known.miss_mm, clear_mm);
         const bool may_be_touch = std::ranges::all_of(
             faults, [](const Fault& fault) { return fault.what == kCrossOrTouch; });
-        known.is_faulty = !faults.empty() &&
-                          !(may_be_touch && only_touches_itself(part, part.faces[face], clear_mm));
+        // Beside facets readers make edges as wide as they are off, and touching is folding.
+        const bool touches = may_be_touch && tolerance_mm <= kTouchMm &&
+                             only_touches_itself(part, part.faces[face], clear_mm);
+        known.is_faulty = !faults.empty() && !touches;
     }
     miss_mm = std::max(miss_mm, known.miss_mm);
     return known.is_faulty;

@@ -163,14 +163,8 @@ private:
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
             constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
-            if (!part.faces[f].is_facet) continue;
-            const std::vector<Fault> faults = faults_of(part, f, kAnywhere, miss);
-            // As its facets would, if all of them were kept.
-            const bool is_as_before =
-                std::ranges::all_of(
-                    faults, [](const Fault& fault) { return fault.what == kCrossOrTouch; }) &&
-                only_touches_itself(part, part.faces[f]);
-            if (!faults.empty() && !is_as_before) return false;
+            if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
+                return false;
         }
         return true;
     }

@@ -4,6 +4,7 @@
 // needs neither handles nor classes.
 #include "drawing.h"
 
+#include <cstdint>
 #include <ostream>
 #include <set>
 #include <stdexcept>
@@ -17,6 +18,30 @@ using brep::FlatPoint;
 
 // Colours of AutoCAD: black or white for stock and notes, then those that can be told apart.
 constexpr int kPlain = 7, kGrey = 8;
+
+// Text of DXF is in the code page of whoever reads it: beyond ASCII characters are told by number,
+// and those that have more than four digits not at all. `utf8` is well-formed.
+std::string ascii(const std::string& utf8) {
+    std::string text;
+    for (std::size_t i = 0; i < utf8.size();) {
+        const auto lead = static_cast<std::uint8_t>(utf8[i]);
+        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        std::uint32_t number = length == 1 ? lead : lead & (0xFFU >> (length + 1));
+        for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
+            number = number << 6 | (static_cast<std::uint8_t>(utf8[i + k]) & 0x3FU);
+        i += length;
+        if (length == 1) {
+            text += static_cast<char>(lead);
+        } else if (length == 4) {
+            text += '?';
+        } else {
+            text += "\\U+";
+            for (int shift = 12; shift >= 0; shift -= 4)
+                text += "0123456789ABCDEF"[(number >> shift) & 0xF];
+        }
+    }
+    return text;
+}
 
 struct Layer {
     std::string name;
@@ -131,7 +156,7 @@ private:
         point(10, moved({box.is_empty() ? 0.0 : box.left,
                          (box.is_empty() ? 0.0 : box.bottom) - kBelow}));
         group(40, drawn(kHeight));
-        group(1, title_of(section, places_[number_], program_));
+        group(1, ascii(title_of(section, places_[number_], program_)));
     }
 
     FlatPoint moved(FlatPoint p) const { return {p.u + places_[number_], p.v}; }
