@@ -28,7 +28,7 @@ using cda::norm;
 using cda::normalized;
 
 // Directions that are equal but for rounding, and lengths, mm.
-constexpr double kEqual = 1e-9, kSame = 1e-6;
+constexpr double kAligned = 1e-9, kSame = 1e-6;
 
 struct Span {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -113,7 +113,7 @@ private:
                 take_cylinder(f, *cylinder);
             } else if (const auto* plane = std::get_if<Plane>(&face.surface.form)) {
                 planes_.push_back(f);
-                if (plane->normal.z > 1.0 - kEqual) take_floor(f, *plane);
+                if (plane->normal.z > 1.0 - kAligned) take_floor(f, *plane);
             }
         }
     }
@@ -130,7 +130,7 @@ private:
     void take_cylinder(std::uint32_t f, const Cylinder& form) {
         const Face& face = part_.faces[f];
         Vec3 up = form.axis;
-        if (up.z < -kEqual || (std::abs(up.z) <= kEqual && up.x + up.y < 0.0)) up = -up;
+        if (up.z < -kAligned || (std::abs(up.z) <= kAligned && up.x + up.y < 0.0)) up = -up;
         const auto loops = points_along(part_, face);
         Span along;
         for (const auto& points : loops) {
@@ -213,7 +213,7 @@ private:
         const Face& beyond = part_.faces[bottom.beyond];
         const Form& form = beyond.surface.form;
         if (const auto* plane = std::get_if<Plane>(&form)) {
-            if (dot(plane->normal, bore.axis) < 1.0 - kEqual) return BoreEnd::Other;
+            if (dot(plane->normal, bore.axis) < 1.0 - kAligned) return BoreEnd::Other;
             return beyond.loops.size() > 1 ? BoreEnd::Shoulder : BoreEnd::Flat;
         }
         const auto depth_of = [&](Vec3 p) { return dot(bore.mouth - p, bore.axis); };
@@ -284,7 +284,7 @@ private:
             const bool is_back = std::tuple(n.z, n.y, n.x) < std::tuple(-n.z, -n.y, -n.x);
             if (is_back) n = -n;
             auto found = std::ranges::find_if(
-                directions, [&](const Direction& d) { return norm(d.n - n) < kEqual; });
+                directions, [&](const Direction& d) { return norm(d.n - n) < kAligned; });
             if (found == directions.end()) {
                 const Vec3 u = across(n);
                 directions.push_back({n, u, cross(n, u), {}, {}});

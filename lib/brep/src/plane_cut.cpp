@@ -18,7 +18,7 @@ using trig::angle_of;
 using trig::sin_cos;
 
 // Directions that are equal but for rounding.
-constexpr double kEqual = 1e-9;
+constexpr double kParallel = 1e-9;
 // A plane that passes an axis or an apex by no more than this, mm, holds it.
 constexpr double kHolds = 4e-6;
 
@@ -35,7 +35,7 @@ void PlaneCut::add(const CutBranch& branch) {
 
 void PlaneCut::cut(const Plane& f) {
     const Vec3 along = cross(plane_.normal, f.normal);
-    if (norm(along) < kEqual) return;
+    if (norm(along) < kParallel) return;
     kind_ = Kind::Straight;
     // Of both planes the point that is nearest to the origin of one of them.
     const Vec3 level = normalized(cross(f.normal, along));
@@ -45,7 +45,7 @@ void PlaneCut::cut(const Plane& f) {
 
 void PlaneCut::cut(const Cylinder& f) {
     const double cosine = dot(f.axis, plane_.normal);
-    if (std::abs(cosine) < kEqual) {
+    if (std::abs(cosine) < kParallel) {
         kind_ = Kind::Straight;
         const double h = plane_.height(f.origin);
         if (std::abs(h) > f.radius) return;
@@ -60,7 +60,7 @@ void PlaneCut::cut(const Cylinder& f) {
     const Vec3 centre = f.origin - (plane_.height(f.origin) / cosine) * f.axis;
     Vec3 x = f.axis - cosine * plane_.normal;
     double longer = f.radius / std::abs(cosine);
-    if (norm(x) < kEqual) {
+    if (norm(x) < kParallel) {
         x = across(plane_.normal);
         longer = f.radius;
     }
@@ -74,7 +74,7 @@ void PlaneCut::cut(const Cone& f) {
     const Vec3 lean = plane_.normal - cosine * f.axis;
     const double sine = norm(lean);
     through_apex_ = std::abs(h) <= kHolds;
-    if (sine < kEqual) {
+    if (sine < kParallel) {
         kind_ = Kind::Round;
         const double height = h / cosine;
         if (height <= 0.0) return;
@@ -129,7 +129,7 @@ void PlaneCut::cut(const Sphere& f) {
 void PlaneCut::cut(const Torus& f) {
     const double cosine = dot(f.axis, plane_.normal);
     const double h = plane_.height(f.centre);
-    if (norm(cross(f.axis, plane_.normal)) < kEqual) {
+    if (norm(cross(f.axis, plane_.normal)) < kParallel) {
         kind_ = Kind::Round;
         if (std::abs(h) >= f.minor) return;
         const double half = std::sqrt(f.minor * f.minor - h * h);
@@ -138,7 +138,7 @@ void PlaneCut::cut(const Torus& f) {
             add({centre, radius * x, radius * cross(plane_.normal, x)});
         return;
     }
-    if (std::abs(cosine) > kEqual) return;
+    if (std::abs(cosine) > kParallel) return;
     kind_ = Kind::Spiric;
     if (std::abs(h) >= f.major + f.minor) return;
     major_ = f.major;

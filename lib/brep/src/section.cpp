@@ -144,7 +144,7 @@ struct Event {
 };
 
 // From one to the other, so many degrees where it is no line, so that places grow or not.
-struct Way {
+struct Trace {
     const Event* begin;
     const Event* end;
     bool grows;
@@ -366,7 +366,7 @@ private:
         return normalized(angle.cos * x + angle.sin * cross(out, x));
     }
 
-    bool add(const Face& face, const PlaneCut& exact, std::size_t branch, const Way& way) {
+    bool add(const Face& face, const PlaneCut& exact, std::size_t branch, const Trace& way) {
         Made made;
         made.begin = way.begin->crossing;
         made.end = way.end->crossing;
@@ -397,7 +397,7 @@ private:
     }
 
     bool curve(SectionPiece& piece, const PlaneCut& exact, std::size_t branch,
-               const Way& way) const {
+               const Trace& way) const {
         const double from = exact.place_of(way.begin->at);
         double turn = 360.0;
         if (!way.is_whole()) turn = turn_of(from, exact.place_of(way.end->at), way.grows);

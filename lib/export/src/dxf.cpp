@@ -49,9 +49,9 @@ struct Layer {
     bool operator<(const Layer& other) const { return name < other.name; }
 };
 
-class Writer {
+class DxfWriter {
 public:
-    Writer(const std::vector<DrawnSection>& sections, std::string program)
+    DxfWriter(const std::vector<DrawnSection>& sections, std::string program)
         : sections_(sections), places_(places_of(sections)), program_(std::move(program)) {}
 
     std::string operator()() {
@@ -214,7 +214,7 @@ private:
 
 void write_dxf(std::ostream& out, const std::vector<DrawnSection>& sections,
                const std::string& program) {
-    out << Writer(sections, program)();
+    out << DxfWriter(sections, program)();
     if (!out) throw std::runtime_error("cannot write DXF: the stream failed");
 }
 

@@ -104,10 +104,10 @@ std::string uncertainty_of(const brep::Part& part) {
     return part.miss_mm > kUncertaintyMm ? real(part.miss_mm) : kUncertainty;
 }
 
-class Writer {
+class StepWriter {
 public:
-    Writer(std::ostream& out, const brep::Part& part, const Provenance& provenance,
-           const StepOptions& options)
+    StepWriter(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+               const StepOptions& options)
         : out_(out),
           part_(part),
           provenance_(provenance),
@@ -545,7 +545,7 @@ void write_step_solid(std::ostream& out, const brep::Part& part, const Provenanc
                                  " faces, more than the " + std::to_string(options.max_faces) +
                                  " that a STEP file is to have (--step-max-faces, --simplify)");
     }
-    Writer(out, part, provenance, options).write();
+    StepWriter(out, part, provenance, options).write();
 }
 
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,

@@ -40,9 +40,9 @@ std::string hex(Rgba8 colour) {
     return text;
 }
 
-class Writer {
+class SvgWriter {
 public:
-    Writer(const std::vector<DrawnSection>& sections, const std::string& program)
+    SvgWriter(const std::vector<DrawnSection>& sections, const std::string& program)
         : sections_(sections), places_(places_of(sections)), program_(program) {}
 
     std::string operator()() {
@@ -149,7 +149,7 @@ private:
 
 void write_svg(std::ostream& out, const std::vector<DrawnSection>& sections,
                const std::string& program) {
-    out << Writer(sections, program)();
+    out << SvgWriter(sections, program)();
     if (!out) throw std::runtime_error("cannot write SVG: the stream failed");
 }
 

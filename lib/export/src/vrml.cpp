@@ -26,9 +26,9 @@ namespace {
 
 using FaceIndex = std::uint32_t;
 
-class Writer {
+class VrmlWriter {
 public:
-    Writer(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance)
+    VrmlWriter(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance)
         : out_(out),
           boundary_(boundary),
           provenance_(provenance),
@@ -177,7 +177,7 @@ private:
 }  // namespace
 
 void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
-    Writer(out, boundary, provenance).write();
+    VrmlWriter(out, boundary, provenance).write();
 }
 
 }  // namespace ncsim::exporter
