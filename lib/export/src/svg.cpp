@@ -4,6 +4,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "drawing.h"
+#include "text.h"
 
 #include <map>
 #include <ostream>
@@ -15,20 +16,6 @@ namespace ncsim::exporter {
 namespace {
 
 using brep::FlatPoint;
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            default: result += c;
-        }
-    }
-    return result;
-}
 
 std::string hex(Rgba8 colour) {
     constexpr const char* kDigits = "0123456789abcdef";
@@ -66,7 +53,7 @@ private:
     static std::string at(FlatPoint p) { return drawn(p.u) + " " + drawn(-p.v); }
 
     void draw(const DrawnSection& section, double place) {
-        const std::string title = escaped(title_of(section, place, program_));
+        const std::string title = xml_text(title_of(section, place, program_));
         text_ +=
             "<g transform=\"translate(" + drawn(place) + " 0)\">\n<title>" + title + "</title>\n";
         const Palette palette(*section.provenance);

@@ -47,6 +47,20 @@ std::string printable_utf8(std::string_view text) {
     return result;
 }
 
+std::string xml_text(std::string_view text) {
+    std::string result;
+    for (const char c : printable_utf8(text)) {
+        switch (c) {
+            case '&': result += "&amp;"; break;
+            case '<': result += "&lt;"; break;
+            case '>': result += "&gt;"; break;
+            case '"': result += "&quot;"; break;
+            default: result += c;
+        }
+    }
+    return result;
+}
+
 void append_number(std::string& text, double number) {
     std::array<char, 32> buffer{};
     const double positive_zero = number + 0.0;  // -0 + 0 is 0

@@ -16,6 +16,9 @@ inline constexpr std::size_t kFlushSize = std::size_t{1} << 20;
 /// may hold anything, the formats may not.
 std::string printable_utf8(std::string_view text);
 
+/// The same, with what XML has a meaning for spelled out.
+std::string xml_text(std::string_view text);
+
 /// Appends the shortest text that reads back as `number`; never an exponent's worth of surprise: no
 /// locale, no "-0".
 void append_number(std::string& text, double number);

@@ -33,19 +33,6 @@ constexpr std::string_view kModelStart =
 <model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 )";
 
-std::string escaped(std::string_view words) {
-    std::string text;
-    for (const char c : printable_utf8(words)) {
-        switch (c) {
-            case '&': text += "&amp;"; break;
-            case '<': text += "&lt;"; break;
-            case '>': text += "&gt;"; break;
-            default: text += c;
-        }
-    }
-    return text;
-}
-
 void append_attribute(std::string& text, std::string_view name, double value) {
     text += ' ';
     text += name;
@@ -108,7 +95,7 @@ void append_object(std::string& text, const cda::Boundary& boundary, const Prove
 void write_3mf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
     const Palette palette(provenance);
     std::string model(kModelStart);
-    model += "<metadata name=\"Title\">" + escaped(provenance.program) + "</metadata>\n";
+    model += "<metadata name=\"Title\">" + xml_text(provenance.program) + "</metadata>\n";
     model += "<metadata name=\"Application\">ncsim</metadata>\n<resources>\n";
     append_materials(model, palette);
     if (!boundary.faces.empty()) append_object(model, boundary, provenance, palette);
