@@ -28,7 +28,7 @@ namespace {
 using verify::Finding;
 using verify::Severity;
 
-constexpr int kFormat = 1;
+constexpr int kBaselineFormat = 1;
 
 // Places of the part are the same within a thousandth of a millimetre; other numbers to rounding.
 constexpr double kSamePlace = 1e-3;
@@ -246,7 +246,7 @@ Baseline::Baseline(std::string file, const std::string& text) : file_(std::move(
         const Json json = Json::parse(text);
         if (!json.is_object() || !json.contains("ncsim-baseline"))
             throw std::runtime_error("it is no baseline of ncsim check");
-        if (json.at("ncsim-baseline").get<int>() != kFormat)
+        if (json.at("ncsim-baseline").get<int>() != kBaselineFormat)
             throw std::runtime_error("it was written by another version of ncsim");
         for (const Json& finding : json.at("findings")) {
             ++number;
@@ -341,7 +341,7 @@ void write_baseline(std::ostream& out, const std::string& file, const Entries& a
         kept = std::move(now);
     });
     // A finding a line: who changes one does not get in the way of who changes another.
-    out << "{\"ncsim-baseline\": " << kFormat << ", \"findings\": [";
+    out << "{\"ncsim-baseline\": " << kBaselineFormat << ", \"findings\": [";
     const char* comma = "";
     for (const auto& [program, findings] : known) {
         for (const KnownFinding& f : findings) {

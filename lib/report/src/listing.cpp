@@ -95,22 +95,22 @@ Json to_json(const gcode::Block& block) {
 }
 
 // As in the text of motions: to 1e-9 mm.
-double tidy(gcode::Length length) {
+double tidy_mm(gcode::Length length) {
     const double mm = length.mm();
     return std::abs(mm) < 1e6 ? std::round(mm * 1e9) / 1e9 + 0.0 : mm;
 }
 
 Json to_json(const gcode::Position& p) {
-    Json json{{"x", tidy(p.x)}, {"y", tidy(p.y)}, {"z", tidy(p.z)}};
+    Json json{{"x", tidy_mm(p.x)}, {"y", tidy_mm(p.y)}, {"z", tidy_mm(p.z)}};
     const auto more = [&json](const char* name, double value) {
         if (value != 0.0) json[name] = value;
     };
     more("a", p.a.degrees());
     more("b", p.b.degrees());
     more("c", p.c.degrees());
-    more("u", tidy(p.u));
-    more("v", tidy(p.v));
-    more("w", tidy(p.w));
+    more("u", tidy_mm(p.u));
+    more("v", tidy_mm(p.v));
+    more("w", tidy_mm(p.w));
     return json;
 }
 
@@ -148,7 +148,7 @@ struct WhatJson {
         json["from"] = to_json(arc.from);
         json["to"] = to_json(arc.to);
         json["plane"] = name_of(arc.plane);
-        json["centre"] = {tidy(arc.centre_1), tidy(arc.centre_2)};
+        json["centre"] = {tidy_mm(arc.centre_1), tidy_mm(arc.centre_2)};
         json["turns"] = arc.turns;
         if (!arc.tilted) return;
         json["tilted"] = {{"origin", arc.tilted->origin}, {"rows", arc.tilted->rows}};
@@ -159,7 +159,7 @@ struct WhatJson {
         json["to"] = to_json(spline.to);
         json["order"] = spline.order;
         for (const auto& p : spline.control_points) {
-            json["control_points"].push_back({tidy(p.x), tidy(p.y), p.weight});
+            json["control_points"].push_back({tidy_mm(p.x), tidy_mm(p.y), p.weight});
         }
         json["knots"] = spline.knots;
     }

@@ -64,7 +64,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-Json rules_json() {
+Json sarif_rules() {
     Json rules = Json::array();
     for (const verify::RuleInfo& rule : verify::rules()) {
         rules.push_back({{"id", rule.id},
@@ -231,7 +231,7 @@ void write_sarif(std::ostream& out, const Entries& all) {
     json.begin_array("runs");
     json.begin_object();
     json.value("tool",
-               {{"driver", {{"name", "ncsim"}, {"version", kVersion}, {"rules", rules_json()}}}});
+               {{"driver", {{"name", "ncsim"}, {"version", kVersion}, {"rules", sarif_rules()}}}});
     json.begin_array("invocations");
     json.begin_object();
     json.value("executionSuccessful", all_verified);

@@ -19,10 +19,10 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kTileFormat = 1;
 constexpr std::uint32_t kMost = 1'000'000;
 
-[[noreturn]] void fail(const std::string& file, const std::string& why) {
+[[noreturn]] void refuse_tile(const std::string& file, const std::string& why) {
     throw std::runtime_error(fmt::format("'{}': {}", file, why));
 }
 
@@ -57,8 +57,12 @@ std::string line_of(const TileHead& head) {
         words.push_back(text_json(word));
     for (const auto& [name, digest] : head.files)
         files.push_back({text_json(name), digest ? Json(*digest) : Json(nullptr)});
-    return Json{{"ncsim-tile", kFormat}, {"version", kVersion}, {"tile", head.tile},
-                {"of", head.of},         {"words", words},      {"files", files}}
+    return Json{{"ncsim-tile", kTileFormat},
+                {"version", kVersion},
+                {"tile", head.tile},
+                {"of", head.of},
+                {"words", words},
+                {"files", files}}
         .dump();
 }
 
@@ -95,16 +99,16 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     TileFile file;
     try {
         const Json json = Json::parse(std::string_view(bytes).substr(0, line));
-        if (!json.is_object() || json.at("ncsim-tile").get<int>() != kFormat)
+        if (!json.is_object() || json.at("ncsim-tile").get<int>() != kTileFormat)
             throw std::invalid_argument("");
         const auto version = json.at("version").get<std::string>();
         if (version != kVersion)
-            fail(name, fmt::format("it was written by ncsim {}", one_line(version)));
+            refuse_tile(name, fmt::format("it was written by ncsim {}", one_line(version)));
         file.head = head_from(json);
     } catch (const Json::exception&) {
-        fail(name, "it is no result of ncsim run --tile");
+        refuse_tile(name, "it is no result of ncsim run --tile");
     } catch (const std::invalid_argument&) {
-        fail(name, "it is no result of ncsim run --tile");
+        refuse_tile(name, "it is no result of ncsim run --tile");
     }
     constexpr std::size_t kDigest = 64;
     constexpr std::size_t kEnd = kDigest + 2;
@@ -112,9 +116,9 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     if (end == 0 || bytes[end] != '\n' || bytes.back() != '\n' ||
         digest_of(std::string_view(bytes).substr(0, end)) !=
             std::string_view(bytes).substr(end + 1, kDigest))
-        fail(name, "it is cut off, or was changed");
+        refuse_tile(name, "it is cut off, or was changed");
     if (file.head.of == 0 || file.head.of > kMost || file.head.tile >= file.head.of)
-        fail(name, "there is no such tile");
+        refuse_tile(name, "there is no such tile");
     bytes.resize(end);
     std::size_t at = line + 1;
     while (at < bytes.size() && bytes[at] != '\n') {
@@ -122,10 +126,10 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
         const char* const last = bytes.data() + bytes.size();
         const auto motion = std::from_chars(bytes.data() + at, last, met.first);
         if (motion.ec != std::errc() || motion.ptr == last || *motion.ptr != ' ')
-            fail(name, "its motions cannot be read");
+            refuse_tile(name, "its motions cannot be read");
         const auto hulls = std::from_chars(motion.ptr + 1, last, met.second);
         if (hulls.ec != std::errc() || hulls.ptr == last || *hulls.ptr != '\n')
-            fail(name, "its motions cannot be read");
+            refuse_tile(name, "its motions cannot be read");
         at = static_cast<std::size_t>(hulls.ptr - bytes.data()) + 1;
         file.met.push_back(met);
     }
@@ -141,13 +145,14 @@ std::vector<TileFile> in_order(std::vector<TileFile> files, const std::vector<st
     std::vector<const std::string*> found(first.of, nullptr);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const TileHead& head = files[i].head;
-        if (head.of != first.of) fail(names[i], "it is of another number of tiles");
-        if (head.words != first.words) fail(names[i], "something else was asked for");
-        if (head.files != first.files) fail(names[i], "it was made of other files");
+        if (head.of != first.of) refuse_tile(names[i], "it is of another number of tiles");
+        if (head.words != first.words) refuse_tile(names[i], "something else was asked for");
+        if (head.files != first.files) refuse_tile(names[i], "it was made of other files");
         const std::uint32_t tile = head.tile;
         if (found[tile] &&
             (ordered[tile].tile != files[i].tile || ordered[tile].met != files[i].met)) {
-            fail(names[i], fmt::format("'{}' is the same tile, and not the same", *found[tile]));
+            refuse_tile(names[i],
+                        fmt::format("'{}' is the same tile, and not the same", *found[tile]));
         }
         found[tile] = &names[i];
         ordered[tile] = std::move(files[i]);
