@@ -5,6 +5,8 @@
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/setup.h"
 
+#include "number_range.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -128,7 +130,7 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
         ->add_option("--design-tol", o.design_tolerance,
                      "How far the part may be off the design, mm [0.1]")
         ->type_name("MM")
-        ->check(CLI::Range(1e-4, 1e4));
+        ->check(number_range(1e-4, 1e4));
     CLI::Option* selected = add_list(*check, "--select", "RULES", "Only these rules or categories",
                                      [&o](const auto& names) { select(o.selection, names); });
     // After --select, wherever it stands on the command line.

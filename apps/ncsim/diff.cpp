@@ -9,6 +9,7 @@
 #include "ncsim/simulation/take_machine.h"
 
 #include "console.h"
+#include "number_range.h"
 #include "output.h"
 #include "plan_options.h"
 
@@ -62,7 +63,7 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& o) {
         ->type_name("FILE");
     diff->add_option("--tol", o.tolerance_mm3, "Volume that may differ on each side, mm3 [0]")
         ->type_name("MM3")
-        ->check(CLI::NonNegativeNumber);
+        ->check(number_range(0.0, 1e15));
     diff->add_option("--json", o.json, "The difference, JSON")->type_name("FILE");
     diff->add_flag("--quiet,-q", o.quiet, "Only the exit code");
     return diff;

@@ -87,6 +87,7 @@ CLI::App* add_measure(CLI::App& app, MeasureOptions& o) {
 
 void complete(const MeasureOptions& o) {
     complete(static_cast<const ProgramOptions&>(o));
+    require_exact(o, "measure");
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
 }
 

@@ -5,6 +5,8 @@
 #include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/stock.h"
 
+#include "number_range.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -114,12 +116,18 @@ std::string models_told() {
 
 void require_verifying(const SimulationOptions& options) {
     if (options.model.empty() || simulation::find_model(options.model)->verifies) return;
+    throw Refusal{fmt::format("--model {}: programs are verified, and parts compared, with {}",
+                              options.model,
+                              simulation::model_names([](const simulation::ModelInfo& model) {
+                                  return model.verifies;
+                              }))};
+}
+
+void require_exact(const SimulationOptions& options, std::string_view what) {
+    if (options.model.empty() || simulation::find_model(options.model)->exact) return;
     throw Refusal{fmt::format(
-        "--model {}: it shows how a part is made; programs are verified, and parts compared, with "
-        "{}",
-        options.model, simulation::model_names([](const simulation::ModelInfo& model) {
-            return model.verifies;
-        }))};
+        "{}: what --model {} tells is not exact; take {}", what, options.model,
+        simulation::model_names([](const simulation::ModelInfo& model) { return model.exact; }))};
 }
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
@@ -253,12 +261,12 @@ void add_simulation_options(CLI::App& command, SimulationOptions& options) {
         .add_option("--max-memory", o.max_memory_gb,
                     "Give up, saying where, before more than this is used, GB")
         ->type_name("GB")
-        ->check(CLI::PositiveNumber);
+        ->check(number_range(1e-6, 1e9));
     command
         .add_option("--max-time", o.max_seconds,
                     "Give up, saying where, after so many seconds with one program")
         ->type_name("S")
-        ->check(CLI::PositiveNumber);
+        ->check(number_range(1e-6, 1e9));
 }
 
 }  // namespace ncsim::app

@@ -60,5 +60,7 @@ void complete(const ProgramOptions& options);
 void add_simulation_options(CLI::App& command, SimulationOptions& options);
 /// Throws Refusal if a model was asked for that programs are not verified with.
 void require_verifying(const SimulationOptions& options);
+/// Throws Refusal if a model was asked for whose parts are not exact, as `what` needs them.
+void require_exact(const SimulationOptions& options, std::string_view what);
 
 }  // namespace ncsim::app

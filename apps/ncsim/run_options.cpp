@@ -4,6 +4,8 @@
 #include "ncsim/cda/tiles.h"
 #include "ncsim/simulation/models.h"
 
+#include "number_range.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -115,15 +117,10 @@ void choose_model(Options& o) {
             "--resolution is that of --model {}",
             simulation::model_names([](const auto& known) { return known.has_resolution; }))};
     }
-    const auto is_exact = [](const simulation::ModelInfo& known) { return known.exact; };
-    const auto refuse = [&](std::string_view what) {
-        throw Refusal{fmt::format("{}: what --model {} tells is not exact; take {}", what, o.model,
-                                  simulation::model_names(is_exact))};
-    };
-    if (!model.exact && !o.step.empty()) refuse("--step");
-    if (!model.exact && !o.sections.empty()) refuse("--section");
-    if (!model.exact && o.block_volumes) refuse("--block-volumes");
-    if (!model.exact && !o.save_stock.empty()) refuse("--save-stock");
+    if (!o.step.empty()) require_exact(o, "--step");
+    if (!o.sections.empty()) require_exact(o, "--section");
+    if (o.block_volumes) require_exact(o, "--block-volumes");
+    if (!o.save_stock.empty()) require_exact(o, "--save-stock");
 }
 
 }  // namespace
@@ -253,7 +250,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option("--resolution", o.resolution,
                     "Between the rays of --model dexel, mm [the stock's longest side / 250]")
         ->type_name("MM")
-        ->check(CLI::Range(1e-4, 1e4));
+        ->check(number_range(1e-4, 1e4));
     run->add_option(
            "--tile", o.tile,
            "Only part I of N of the part, from 0 on, N up to 64, for ncsim merge; auto: as "

@@ -497,7 +497,7 @@ TEST(Run, LooksAtTheSlotWithRays) {
                                   "--threads", "3", "--stl", "b.stl"});
     ASSERT_EQ(again.exit_code, 0) << again.err;
     EXPECT_TRUE(folder.read("a.stl") == folder.read("b.stl"));
-    // Sixteen million rays of a direction are the most.
+    // Two million rays are the most.
     const Ran fine = folder.run({"run", "slot.nc", "--model", "dexel", "--resolution", "0.001"});
     EXPECT_EQ(fine.exit_code, 2) << fine.err;
     EXPECT_NE(fine.err.find("too fine for this stock"), std::string::npos) << fine.err;

@@ -104,5 +104,58 @@ TEST(SweptTool, MeetsRaysWhereTheToolComesBy) {
     EXPECT_GT(met, 300);
 }
 
+// Wherever the surface is smooth, its normal is across what neighbouring rays find.
+TEST(SweptTool, NormalsAreAcrossTheSurface) {
+    test::Random random(12);
+    int smooth = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        cda::RoundSweep sweep;
+        sweep.radius = random.within(1, 4);
+        sweep.height = sweep.radius + random.within(1, 8);
+        sweep.is_ball = random.one_in(2);
+        sweep.from = {random.within(-2, 2), random.within(-2, 2), random.within(-2, 2)};
+        sweep.to = sweep.from;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!random.one_in(3)) sweep.to[axis] += random.within(-6, 6);
+        }
+        const Grid grid({-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}, 1e5);
+        const SweptTool tool(sweep, kLattice, grid);
+        const std::size_t axis = random.next() % 3;
+        const double u = random.within(-3e5, 3e5), v = random.within(-3e5, 3e5);
+        for (const bool is_low : {true, false}) {
+            const auto at = [&](double du, double dv, Meeting& meeting) {
+                SweptTool::Interval found;
+                if (!tool.meet(axis, u + du, v + dv, found)) return false;
+                meeting = is_low ? found.low : found.high;
+                return true;
+            };
+            Meeting here;
+            if (!at(0, 0, here)) continue;
+            // By both neighbours at two distances: where these differ, there is an edge between.
+            const auto slope = [&](double du, double dv) {
+                Meeting ahead, behind;
+                if (!at(du, dv, ahead) || !at(-du, -dv, behind)) return std::nan("");
+                const double step = du + dv;
+                const double there = (ahead.at - here.at) / step;
+                const double back = (here.at - behind.at) / step;
+                return std::abs(there - back) < 0.02 * (1 + std::abs(there)) ? 0.5 * (there + back)
+                                                                             : std::nan("");
+            };
+            const double along_u = slope(50, 0), along_v = slope(0, 50);
+            if (std::isnan(along_u) || std::isnan(along_v)) continue;
+            // Steeper than that, ten units are no neighbours.
+            if (std::abs(along_u) > 10 || std::abs(along_v) > 10) continue;
+            const Vec3 n = normalized(here.normal);
+            const auto a = static_cast<int>(axis);
+            EXPECT_NEAR(n[(a + 1) % 3] + n[a] * along_u, 0.0, 0.02)
+                << trial << " axis " << axis << " low " << is_low;
+            EXPECT_NEAR(n[(a + 2) % 3] + n[a] * along_v, 0.0, 0.02)
+                << trial << " axis " << axis << " low " << is_low;
+            ++smooth;
+        }
+    }
+    EXPECT_GT(smooth, 5000);
+}
+
 }  // namespace
 }  // namespace ncsim::dexel

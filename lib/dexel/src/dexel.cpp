@@ -35,10 +35,9 @@ cda::Vec3 in_units(cda::Vec3 mm, const cda::Lattice& lattice) {
 }  // namespace
 
 double finest_resolution(cda::Vec3 size) {
-    const double largest =
-        std::max({size.x * size.y, size.y * size.z, size.z * size.x}) / kMostRays;
+    const double all = size.x * size.y + size.y * size.z + size.z * size.x;
     constexpr double kEdges = 1.01;  // rays beyond the stock
-    return kEdges * std::sqrt(largest);
+    return kEdges * std::sqrt(all / kMostRays);
 }
 
 class Dexel::Impl {

@@ -27,11 +27,11 @@ std::size_t GridAxis::from(double place) const {
 Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)
     : axes{GridAxis(min.x, max.x, pitch), GridAxis(min.y, max.y, pitch),
            GridAxis(min.z, max.z, pitch)} {
-    for (std::size_t d = 0; d < 3; ++d) {
-        const double rays = static_cast<double>(axes[(d + 1) % 3].corners()) *
-                            static_cast<double>(axes[(d + 2) % 3].corners());
-        if (!(rays <= kMostRays)) throw std::invalid_argument("the resolution is too fine");
-    }
+    const auto corners = [this](std::size_t axis) {
+        return static_cast<double>(axes[axis].corners());
+    };
+    const double rays = corners(0) * corners(1) + corners(1) * corners(2) + corners(2) * corners(0);
+    if (!(rays <= kMostRays)) throw std::invalid_argument("the resolution is too fine");
 }
 
 GridBox::GridBox(const cda::Box& bounds, const cda::Lattice& lattice, const Grid& grid) {

@@ -26,8 +26,8 @@ struct GridAxis {
     double pitch = 1.0;      ///< Units; a whole number of them is the stock.
 };
 
-/// Of a direction.
-inline constexpr double kMostRays = 16e6;
+/// Of all directions together: the surface takes about a kilobyte a ray.
+inline constexpr double kMostRays = 2e6;
 
 struct Grid {
     /// Of a box in units. Throws std::invalid_argument if there were more than kMostRays.

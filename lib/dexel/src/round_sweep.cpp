@@ -86,9 +86,11 @@ Vec3 SweptTool::rim_normal(double x, double y, double s, bool is_lower) const {
     const double dx = from_[0] + s * way_[0] - x, dy = from_[1] + s * way_[1] - y;
     const double across = dx * way_[0] + dy * way_[1];
     const double sign = is_lower ? 1.0 : -1.0;
-    if (way_[2] == 0.0 || std::abs(across) < 1e-9 * radius_ * radius_) return {0.0, 0.0, -sign};
-    const double slope = way_[2] / across;
-    return {sign * slope * dx, sign * slope * dy, -sign};
+    // (F_x, F_y, -1) for z = F(x, y), times |across|, so that where the rim stands still beside the
+    // ray it is level.
+    const double climb = across < 0.0 ? -way_[2] : way_[2];
+    const Vec3 normal{sign * climb * dx, sign * climb * dy, -sign * std::abs(across)};
+    return cda::norm(normal) > 0.0 ? normal : Vec3{0.0, 0.0, -sign};
 }
 
 bool SweptTool::meet_along_z(double x, double y, Interval& result) const {

@@ -26,7 +26,7 @@ inline double default_resolution(double longest) {
     return longest / 250.0;
 }
 
-/// Of stock of this size, mm: finer ones take more rays than are kept, 16 million of a direction.
+/// Of stock of this size, mm: finer ones take more rays than are kept, two million.
 double finest_resolution(cda::Vec3 size);
 
 /// Between rays, a wall or a slot may be missing; on a ray, the surface is that of the round tool,
