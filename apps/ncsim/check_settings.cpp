@@ -209,6 +209,13 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     }
     if (!options.design.empty()) {
         setup::SurfaceFile file = setup::read_surface_file(options.design, read);
+        if (options.design_tolerance < 2.0 * file.deflection_mm) {
+            throw std::runtime_error(
+                fmt::format("--design-tol {:g}: '{}' is read as triangles within {:g} mm of its "
+                            "surfaces; {:g} or more",
+                            options.design_tolerance, setup::name_of_input(options.design),
+                            file.deflection_mm, 2.0 * file.deflection_mm));
+        }
         made.design = simulation::Design{setup::name_of_input(options.design), std::move(file.mesh),
                                          options.design_tolerance, std::move(file.face_names),
                                          file.deflection_mm};

@@ -176,6 +176,10 @@ TEST(StepInput, ADesignNamesItsFacesInFindings) {
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_TRUE(contains(ran.out + ran.err, "at the face 'LINE_8' of the design")) << ran.out;
     EXPECT_TRUE(contains(ran.out + ran.err, "triangles within 0.01 mm of its surfaces")) << ran.out;
+    const Ran finer =
+        folder.run({"check", "slot.nc", "--design", "slot.step", "--design-tol", "0.019"});
+    EXPECT_EQ(finer.exit_code, 2);
+    EXPECT_TRUE(contains(finer.err, "within 0.01 mm of its surfaces; 0.02 or more")) << finer.err;
 }
 
 TEST(StepInput, AFixtureMayBeStep) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What run, check and diff do, asked by a program instead of a command line.
+#include "ncsim/cda/mesh.h"
 #include "ncsim/simulation/check.h"
 #include "ncsim/simulation/compare_parts.h"
+#include "ncsim/simulation/design.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/verify/rule.h"
@@ -108,6 +110,26 @@ TEST(Check, AsksOnlyWhatIsSelected) {
     const report::Checked checked = check(plan_of(kTool + kStock + kSlot), questions);
     EXPECT_FALSE(checked.simulated);
     EXPECT_TRUE(checked.verdict.findings.empty());
+}
+
+// The slot is 80 µm deeper than the triangles of the design say, which may be 30 µm from it.
+TEST(Check, FindsWhatTheTrianglesOfADesignMayHide) {
+    Plan made = plan_of(kTool + kStock + kSlot);
+    made.keep_boundary = true;
+    Design design{"part.step", cda::triangulate(*simulate(made).boundary), 0.1};
+    std::string deeper = kTool + kStock + kSlot;
+    deeper.replace(deeper.find("Z-5."), 4, "Z-5.08");
+    Questions questions;
+    questions.design = &design;
+    const auto gouges = [&] {
+        return std::ranges::count(check(plan_of(deeper), questions).verdict.findings, "gouge",
+                                  &verify::Finding::rule);
+    };
+    EXPECT_EQ(gouges(), 0);
+    design.deflection_mm = 0.03;
+    EXPECT_EQ(gouges(), 1);
+    const report::Checked checked = check(plan_of(deeper), questions);
+    EXPECT_NE(checked.verdict.outcome(), verify::Outcome::Clean);
 }
 
 TEST(CompareParts, TellsWhatOnlyOneOfThemHas) {

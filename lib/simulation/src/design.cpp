@@ -152,7 +152,9 @@ std::vector<Finding> compare_with(const Design& design, const Simulation& simula
         facts.gouge.volume_mm3 = cda::volume(design.mesh);
         findings.push_back(nothing_left(design));
     } else {
-        const verify::DesignComparison c = verify::compare(part, design.mesh, design.tolerance_mm);
+        // What the triangles of the design may hide is looked for, too: it is not certain then.
+        const double looked_for = design.tolerance_mm - design.deflection_mm;
+        const verify::DesignComparison c = verify::compare(part, design.mesh, looked_for);
         facts.resolution_mm = c.resolution_mm;
         facts.deviation_mm = c.deviation_mm;
         facts.gouge = side_of(c.gouge);

@@ -18,7 +18,9 @@ struct Design {
     cda::TriangleMesh mesh;
     double tolerance_mm = 0.0;
     std::vector<std::string> face_names{};  ///< Of the faces that mesh.face counts, if it has any.
-    double deflection_mm = 0.0;             ///< How far the triangles may be from the design.
+    /// How far the triangles may be from the design, less than the tolerance. What is beyond the
+    /// tolerance less this is found.
+    double deflection_mm = 0.0;
 };
 
 /// Findings of the rules gouge and excess, one for each region, at the line that cut the part
