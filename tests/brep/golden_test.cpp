@@ -24,8 +24,8 @@ using test::Made;
 constexpr double kPi = std::numbers::pi;
 constexpr double kBlock = 80.0 * 60.0 * 20.0;
 
-// Planes, cylinders, cones, spheres, tori.
-using Kinds = std::array<int, 5>;
+// Planes, cylinders, cones, spheres, tori, extrusions.
+using Kinds = std::array<int, 6>;
 
 struct Golden {
     std::string name;
@@ -126,6 +126,23 @@ std::vector<Golden> goldens() {
          "T4 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {8, 2, 0, 0, 2},
          kBlock - 30.0 * kPi * bull_section()},
+        // The rim of the tool leaves the floor, which is as deep as where it passed last.
+        {"ramp",
+         "T1 M6\nG0 X20 Y30 Z0\nG1 X60 Z-4\nG0 Z5\n",
+         {9, 1, 0, 0, 0, 1},
+         kBlock - (800.0 + 100.0 * kPi)},
+        {"ramp_askew",
+         "T1 M6\nG0 X20 Y20 Z0\nG1 X44 Y27 Z-5\nG0 Z5\n",
+         {9, 1, 0, 0, 0, 1},
+         kBlock - (625.0 + 125.0 * kPi)},
+        {"ramp_up",
+         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X60 Z0\nG0 Z5\n",
+         {9, 1, 0, 0, 0, 1},
+         kBlock - (800.0 + 100.0 * kPi)},
+        {"ramp_to_and_fro",
+         "T1 M6\nG0 X20 Y30 Z0\nG1 X60 Z-2\nG1 X20 Z-4\nG0 Z5\n",
+         {9, 2, 0, 0, 0, 1},
+         kBlock - (1200.0 + 100.0 * kPi)},
         {"drill",
          "T2 M6\nG0 X40 Y30 Z5\nG1 Z-10\nG0 Z5\n",
          {6, 1, 1, 0, 0},

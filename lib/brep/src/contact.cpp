@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact.h"
 
+#include "plane_cut.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,6 +58,15 @@ struct Touch {
         if (!is_parallel(a.normal, b.axis) || !near(std::abs(distance(a, b.centre)), b.minor))
             return {};
         return Cylinder{b.centre, b.axis, b.major};
+    }
+    // A wall along the line, at the end of its way across.
+    Answer operator()(const Plane& a, const Extrusion& b) const {
+        if (!is_across(a.normal, b.along)) return {};
+        const Vec3 level = a.normal - dot(a.normal, b.axis) * b.axis;
+        const double support = b.radius * norm(level), off = distance(a, b.centre);
+        if (!near(std::abs(off), support)) return {};
+        const double side = off > 0.0 ? -b.radius : b.radius;
+        return plane_at(b.centre + side * normalized(level), cross(a.normal, b.along));
     }
     Answer operator()(const Cylinder& a, const Cylinder& b) const {
         if (!is_parallel(a.axis, b.axis)) return {};
@@ -180,6 +191,12 @@ Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
     return Circle{torus.centre + torus.major * in_plane, normal, torus.minor};
 }
 
+Curve ellipse(const Plane& plane, const Extrusion& extrusion) {
+    const PlaneCut cut(extrusion, {plane.normal, dot(plane.normal, plane.origin)});
+    const auto [centre, x, y] = *cut.exact(0);
+    return Ellipse{centre, plane.normal, normalized(x), norm(x), norm(y)};
+}
+
 Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
     const double lean = dot(plane.normal, cylinder.axis);
     const double height = dot(plane.normal, cylinder.origin - plane.origin) / lean;
@@ -201,13 +218,45 @@ std::optional<std::array<Plane, 2>> mitres(const Cylinder& a, const Cylinder& b)
         {Plane{centre, normalized(a.axis - b.axis)}, Plane{centre, normalized(a.axis + b.axis)}}};
 }
 
+// Of level circles of one radius that move along lines the one where the lines cross, and the plane
+// of the ellipse in which the circles of every height meet. A cylinder moves along its axis.
+std::optional<std::array<Plane, 2>> bends(const Extrusion& a, const Extrusion& b) {
+    constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
+    if (std::abs(a.radius - b.radius) > kEqual || !is_parallel(a.axis, b.axis)) return std::nullopt;
+    // How far apart they are where the first has its centre, and how much farther 1 mm above.
+    const auto lean = [&](const Extrusion& e) { return (1.0 / dot(e.along, a.axis)) * e.along; };
+    const Vec3 first = lean(a), second = lean(b), drift = second - first;
+    const Vec3 apart = b.centre + dot(a.centre - b.centre, a.axis) * second - a.centre;
+    const double length = norm(drift);
+    if (length < kLeastAngle || norm(cross(apart, drift)) > kEqual * length) return std::nullopt;
+    const Vec3 centre = a.centre - (dot(apart, drift) / (length * length)) * first;
+    return {{Plane{centre, a.axis},
+             Plane{centre, normalized(cross(first + second, cross(a.axis, drift)))}}};
+}
+
+std::optional<Extrusion> moved_circle(const Form& form, Vec3 axis) {
+    if (const auto* f = std::get_if<Extrusion>(&form)) return *f;
+    const auto* f = std::get_if<Cylinder>(&form);
+    if (!f || !is_parallel(f->axis, axis)) return std::nullopt;
+    return Extrusion{f->origin, axis, axis, f->radius};
+}
+
+std::optional<std::array<Plane, 2>> bends(const Form& a, const Form& b) {
+    const auto* one = std::get_if<Extrusion>(&a);
+    const auto* other = std::get_if<Extrusion>(&b);
+    if (!one && !other) return std::nullopt;
+    const Vec3 axis = one ? one->axis : other->axis;
+    const auto first = moved_circle(a, axis), second = moved_circle(b, axis);
+    return first && second ? bends(*first, *second) : std::nullopt;
+}
+
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
     return std::abs(distance(one, p)) < std::abs(distance(other, p));
 }
 
 bool is_ruled(const Form& form) {
     return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
-           std::holds_alternative<Cone>(form);
+           std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
 }
 
 // Eigenvectors of a symmetric matrix, by rotations (Jacobi).
@@ -284,8 +333,7 @@ std::optional<Form> touch(const Form& a, const Form& b) {
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     const auto* first = std::get_if<Cylinder>(&a);
     const auto* second = std::get_if<Cylinder>(&b);
-    if (!first || !second) return std::nullopt;
-    const auto planes = mitres(*first, *second);
+    const auto planes = first && second ? mitres(*first, *second) : bends(a, b);
     if (!planes) return std::nullopt;
     const auto& [one, other] = *planes;
     return is_nearer(one, other, p) ? one : other;
@@ -325,11 +373,33 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
         const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
         return ellipse(is_first ? one : other, *first);
     }
+    if (const auto planes = bends(a, b)) {
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [level, other] = *planes;
+        if (!is_on(level) && !is_on(other)) return std::nullopt;
+        const bool is_level = is_on(level) && (!is_on(other) || is_nearer(level, other, near_to));
+        const auto* moved = std::get_if<Extrusion>(&a);
+        if (!moved) moved = std::get_if<Extrusion>(&b);
+        if (is_level) return Circle{level.origin, level.normal, moved->radius};
+        return ellipse(other, *moved);
+    }
     if (!is_first_plane && !is_second_plane) return std::nullopt;
     const auto& plane = std::get<Plane>(is_first_plane ? a : b);
     const Form& other = is_first_plane ? b : a;
     if (const auto* f = std::get_if<Cylinder>(&other)) {
         if (std::abs(dot(plane.normal, f->axis)) <= kParallel) return Line{};
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Extrusion>(&other)) {
+        if (is_across(plane.normal, f->along)) return Line{};
+        if (is_parallel(plane.normal, f->axis)) {
+            const double height = dot(plane.normal, plane.origin - f->centre);
+            const Vec3 centre = f->centre + (height / dot(plane.normal, f->along)) * f->along;
+            return Circle{centre, f->axis, f->radius};
+        }
         return ellipse(plane, *f);
     }
     if (const auto* f = std::get_if<Torus>(&other)) {

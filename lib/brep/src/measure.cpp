@@ -103,6 +103,21 @@ struct BelowTorus {
     }
 };
 
+// For each angle: how much area there is along a mm of the line, and how much volume.
+struct BelowExtrusion {
+    double radius;
+    Vec3 w, lean;
+    Below per_mm(const Local& p) const {
+        const Vec3 out{p.x / p.away, p.y / p.away, 0.0};
+        const Vec3 normal = cross(Vec3{-radius * out.y, radius * out.x, 0.0}, lean);
+        return {norm(normal), dot(w + radius * out, normal)};
+    }
+    Below operator()(const Local& p) const {
+        const Below b = per_mm(p);
+        return {b.area * p.z, b.volume * p.z};
+    }
+};
+
 // The angle around the axis that a step makes, per its parameter.
 double turn(const Local& p, Vec3 step) {
     return (p.x * step.y - p.y * step.x) / (p.away * p.away);
@@ -244,6 +259,15 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
                                [&](double angle) { return round(0.0, f->radius, angle); });
         }));
     }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        const Axes axes(*f, face.frame);
+        const BelowExtrusion below{f->radius, axes.upright(f->centre - apex), axes.lean};
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            const Vec3 start =
+                f->centre - apex + (f->radius / p.away) * (p.x * axes.x + p.y * axes.y);
+            return (below.per_mm(p).volume * p.z) * (start + (0.5 * p.z) * f->along);
+        }));
+    }
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -307,6 +331,11 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
         return around(part, face, axes,
                       BelowSphere{f->radius, axes.turned(f->centre - apex), pole});
+    }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        const Axes axes(*f, face.frame);
+        return around(part, face, axes,
+                      BelowExtrusion{f->radius, axes.upright(f->centre - apex), axes.lean});
     }
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);

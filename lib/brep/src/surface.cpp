@@ -3,6 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,6 +36,59 @@ struct Opening {
     double cos, sin;
 };
 
+// The point of an ellipse about the origin, with half axes `a` >= `b` along X and Y, that is
+// nearest to (x, y). By Newton's method for the one parameter t for which (x a² / (t + a²), y b² /
+// (t + b²)) lies on it (Eberly, Distance from a Point to an Ellipse, 2013), from where it goes up
+// only.
+struct EllipseFoot {
+    double distance = 0.0;    // negative inside
+    double x = 0.0, y = 0.0;  // normal, unit, outwards
+};
+
+EllipseFoot foot_on_ellipse(double a, double b, double x, double y) {
+    const double u = std::abs(x), v = std::abs(y), a2 = a * a, b2 = b * b;
+    double px = 0.0, py = 0.0;
+    if (v * b2 <= 1e-30 * a2 * a && u * a <= a2 - b2) {
+        px = a2 * u / (a2 - b2);
+        py = b * std::sqrt(std::max(0.0, 1.0 - px * px / a2));
+    } else {
+        double t = std::max(a * u - a2, b * v - b2);
+        constexpr int kMostSteps = 100;
+        for (int step = 0; step < kMostSteps; ++step) {
+            const double p = a * u / (t + a2), q = b * v / (t + b2);
+            const double f = p * p + q * q - 1.0;
+            const double slope = -2.0 * (p * p / (t + a2) + q * q / (t + b2));
+            const double next = t - f / slope;
+            if (!(next > t)) break;
+            t = next;
+        }
+        px = a2 * u / (t + a2);
+        py = b2 * v / (t + b2);
+    }
+    const double nx = px / a2, ny = py / b2;
+    const double length = std::sqrt(nx * nx + ny * ny);
+    EllipseFoot foot{0.0, nx / length, ny / length};
+    foot.distance = (u - px) * foot.x + (v - py) * foot.y;
+    if (x < 0.0) foot.x = -foot.x;
+    if (y < 0.0) foot.y = -foot.y;
+    return foot;
+}
+
+// An elliptic cylinder seen along its rulings.
+struct AlongRulings {
+    explicit AlongRulings(const Extrusion& f)
+        : x(normalized(cross(f.axis, f.along))),
+          y(cross(f.along, x)),
+          a(f.radius),
+          b(f.radius * dot(f.axis, f.along)) {}
+    Vec3 x, y;
+    double a, b;
+    EllipseFoot foot(const Extrusion& f, Vec3 p) const {
+        const Vec3 v = p - f.centre;
+        return foot_on_ellipse(a, b, dot(v, x), dot(v, y));
+    }
+};
+
 struct Distance {
     Vec3 p;
     double operator()(const Plane& f) const { return dot(f.normal, p - f.origin); }
@@ -52,6 +106,7 @@ struct Distance {
         const double out = at.radius - f.major;
         return std::sqrt(out * out + at.height * at.height) - f.minor;
     }
+    double operator()(const Extrusion& f) const { return AlongRulings(f).foot(f, p).distance; }
 };
 
 struct Gradient {
@@ -67,6 +122,11 @@ struct Gradient {
     Vec3 operator()(const Torus& f) const {
         const Polar at = polar(f.centre, f.axis, p);
         return normalized((at.radius - f.major) * at.away + at.height * f.axis);
+    }
+    Vec3 operator()(const Extrusion& f) const {
+        const AlongRulings seen(f);
+        const EllipseFoot foot = seen.foot(f, p);
+        return foot.x * seen.x + foot.y * seen.y;
     }
 };
 
@@ -102,6 +162,10 @@ struct Same {
         return near(a.centre, b.centre) && near(a.major, b.major) && near(a.minor, b.minor) &&
                !turned(a.axis, b.axis);
     }
+    bool operator()(const Extrusion& a, const Extrusion& b) const {
+        return near(a.radius, b.radius) && !turned(a.axis, b.axis) && !turned(a.along, b.along) &&
+               polar(a.centre, a.along, b.centre).radius <= tolerance;
+    }
     template <typename A, typename B>
     bool operator()(const A&, const B&) const {
         return false;
@@ -131,7 +195,12 @@ double radius_of(const Form& form) {
     if (const auto* f = std::get_if<Cylinder>(&form)) return f->radius;
     if (const auto* f = std::get_if<Sphere>(&form)) return f->radius;
     if (const auto* f = std::get_if<Torus>(&form)) return f->major + f->minor;
+    if (const auto* f = std::get_if<Extrusion>(&form)) return f->radius / dot(f->axis, f->along);
     return 0.0;
+}
+
+double place_along(const Extrusion& extrusion, Vec3 p) {
+    return dot(p - extrusion.centre, extrusion.axis) / dot(extrusion.along, extrusion.axis);
 }
 
 double half_angle_rad(const Cone& cone) {

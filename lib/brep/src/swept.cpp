@@ -123,6 +123,14 @@ public:
         }
     }
 
+    // The corner in which a piece starts, on a line askew.
+    void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        if (e.radius <= kEqual || std::abs(along) <= kEqual || norm(cross(axis, d)) <= kEqual)
+            return;
+        add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
+    }
+
     // About `centre`, at the height of the tip, at `reach` from it.
     void arc(const Element& e, Vec3 centre, Vec3 axis, double reach, bool is_level) {
         const Vec3 at = centre + e.height * axis;
@@ -248,7 +256,9 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
     Sweeps sweeps(candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
-        for (const Element& e : elements_of(piece)) {
+        const std::vector<Element> elements = elements_of(piece);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const Element& e = elements[i];
             sweeps.set_at_rest(false);
             if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
                 sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
@@ -256,8 +266,10 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
                 sweeps.arc_across(e, way->centre, axis, way->about, way->radius);
             } else if (!turns && std::holds_alternative<gcode::Linear>(motion.what) &&
                        start.translation != end.translation) {
-                sweeps.line(e, start.translation, axis,
-                            normalized(end.translation - start.translation));
+                const Vec3 d = normalized(end.translation - start.translation);
+                sweeps.line(e, start.translation, axis, d);
+                const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
+                if (is_corner) sweeps.rim(e, start.translation, axis, d);
             }
             sweeps.set_at_rest(true);
             sweeps.rest(e, start.translation, axis);

@@ -470,6 +470,12 @@ private:
     Entity surface_of(const brep::Sphere& form, const brep::Face& face) {
         return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
     }
+    Entity surface_of(const brep::Extrusion& form, const brep::Face& face) {
+        const Entity circle =
+            add("CIRCLE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+        const Entity vector = add("VECTOR(''," + ref(direction(form.along)) + ",1.)");
+        return add("SURFACE_OF_LINEAR_EXTRUSION(''," + ref(circle) + "," + ref(vector) + ")");
+    }
     Entity surface_of(const brep::Torus& form, const brep::Face& face) {
         return add("TOROIDAL_SURFACE(''," + place_of(face.frame) + "," + real(form.major) + "," +
                    real(form.minor) + ")");

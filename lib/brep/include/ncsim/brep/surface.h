@@ -40,7 +40,15 @@ struct Torus {
     bool operator==(const Torus&) const = default;
 };
 
-using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus>;
+/// What a circle passes that moves along a line askew to its plane: an elliptic cylinder.
+struct Extrusion {
+    Vec3 centre, axis;  ///< Of the circle in any of its places; unit, at right angles to its plane.
+    Vec3 along;         ///< Of the line: unit; to the side to which the axis points.
+    double radius = 0.0;
+    bool operator==(const Extrusion&) const = default;
+};
+
+using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion>;
 
 /// A form, and on which side of it the material is.
 struct Surface {
@@ -62,10 +70,13 @@ Vec3 outward(const Surface& surface, Vec3 p);
 bool is_same(const Surface& a, const Surface& b, double tolerance_mm);
 
 /// What forms are called, by their index.
-inline constexpr std::array<std::string_view, 5> kForms{"plane", "cylinder", "cone", "sphere",
-                                                        "torus"};
-/// The largest radius; 0 for planes, and for cones, which have any.
+inline constexpr std::array<std::string_view, 6> kForms{"plane",  "cylinder", "cone",
+                                                        "sphere", "torus",    "extrusion"};
+/// The largest radius of curvature; 0 for planes, and for cones, which have any.
 double radius_of(const Form& form);
+
+/// Where along its line the circle of an extrusion passes `p`: how far from `centre`.
+double place_along(const Extrusion& extrusion, Vec3 p);
 
 /// Between the axis and the side.
 double half_angle_rad(const Cone& cone);
