@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -99,6 +100,56 @@ TEST(Extrusion, IsTheSameWhereverItsCircleIs) {
     moved = e;
     moved.along = normalized({0.6, 0.01, 0.8});
     EXPECT_FALSE(is_same({e, true}, {moved, true}, 1e-3));
+}
+
+Dome random_dome(Draw& draw) {
+    Dome dome;
+    dome.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
+    dome.axis = draw.direction();
+    const double turn = draw.from(0.0, 6.2);
+    const Vec3 x = across(dome.axis);
+    dome.ahead = std::cos(turn) * x + std::sin(turn) * cross(dome.axis, x);
+    dome.reach = draw.from(0.2, 9.0);
+    dome.radius = draw.from(0.5, 9.0);
+    return dome;
+}
+
+// Angles in radians: of the arc, and of the circle from `ahead`.
+Vec3 point_of(const Dome& d, double arc, double circle) {
+    return d.centre + (d.reach * std::cos(arc) + d.radius * std::cos(circle)) * d.ahead +
+           d.reach * std::sin(arc) * d.axis + d.radius * std::sin(circle) * cross(d.axis, d.ahead);
+}
+
+TEST(Dome, HasItsPlacesNormalsAndDistances) {
+    Draw draw;
+    for (int i = 0; i < 2000; ++i) {
+        const Dome dome = random_dome(draw);
+        const double arc = draw.from(-1.5, 1.5), circle = draw.from(0.0, 6.28);
+        const Vec3 p = point_of(dome, arc, circle);
+        // The side points of its ends have no normal, and near them it bends sharply.
+        if (std::abs(std::cos(circle)) + std::cos(arc) < 0.3) continue;
+        constexpr double kStep = 1e-6;
+        const Vec3 u = point_of(dome, arc, circle + kStep) - point_of(dome, arc, circle - kStep);
+        const Vec3 v = point_of(dome, arc + kStep, circle) - point_of(dome, arc - kStep, circle);
+        const Vec3 n = normalized(cross(u, v));
+        EXPECT_NEAR(distance(dome, p), 0.0, 1e-11);
+        EXPECT_NEAR(norm(gradient(dome, p) - n), 0.0, 1e-7);
+        EXPECT_NEAR(place_on(dome, p).degrees(), arc * 180.0 / std::numbers::pi, 1e-6);
+        // Nearer than it bends.
+        const double off = draw.from(-0.03, 0.03) * std::min(dome.reach, dome.radius);
+        EXPECT_NEAR(distance(dome, p + off * n), off, 1e-6);
+    }
+}
+
+TEST(Dome, IsTheSameOnOneSideOnly) {
+    const Dome dome{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 6.0, 5.0};
+    Dome other = dome;
+    other.centre.z += 1e-4;
+    EXPECT_TRUE(is_same({dome, true}, {other, true}, 1e-3));
+    EXPECT_FALSE(is_same({dome, true}, {other, true}, 1e-5));
+    other = dome;
+    other.ahead = -other.ahead;
+    EXPECT_FALSE(is_same({dome, true}, {other, true}, 1e-3));
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ struct Axes {
     }
 };
 
+/// The same of a point of a dome: about the centre of its circle, and along the arc.
+Local local_on(const Dome& dome, const Axes& axes, Vec3 p);
+
 /// Of the face of a form that has an axis, from `origin`.
 inline Axes axes_of(const Face& face, Vec3 origin) {
     const auto* askew = std::get_if<Extrusion>(&face.surface.form);

@@ -44,7 +44,7 @@ public:
             low_ = std::numeric_limits<double>::infinity();
             for_edges(part, face, [&](const Track& track, double) {
                 for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-                    const Local p = axes_(track.at(t));
+                    const Local p = local(track.at(t));
                     low_ = std::min(low_, p.z);
                     // The x axis points away from the face.
                     constexpr double kSteep = 0.2;
@@ -70,7 +70,7 @@ public:
     }
 
     Point operator()(Vec3 at) const {
-        const Local p = axes_(at);
+        const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
         if (is_straight_up()) return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
@@ -87,14 +87,18 @@ public:
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
-               (is_straight_up() && faces_one_way_);
+               (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
     }
 
 private:
     // In the coordinates of its axes.
     bool is_straight_up() const {
         return std::holds_alternative<Cylinder>(*form_) ||
-               std::holds_alternative<Extrusion>(*form_);
+               std::holds_alternative<Extrusion>(*form_) || std::holds_alternative<Dome>(*form_);
+    }
+    Local local(Vec3 p) const {
+        const auto* dome = std::get_if<Dome>(form_);
+        return dome ? local_on(*dome, axes_, p) : axes_(p);
     }
     static Point out(const Local& p, double radius) {
         return {radius * p.x / p.away, radius * p.y / p.away};

@@ -68,6 +68,37 @@ struct Touch {
         const double side = off > 0.0 ? -b.radius : b.radius;
         return plane_at(b.centre + side * normalized(level), cross(a.normal, b.along));
     }
+    Answer operator()(const Plane& a, const Dome& b) const {
+        const double off = distance(a, b.centre);
+        // Where the arc is level.
+        if (is_parallel(a.normal, b.axis) && near(std::abs(off), b.reach))
+            return Cylinder{b.centre, b.axis, b.radius};
+        // A wall beside the arc.
+        if (is_across(a.normal, b.axis) && is_across(a.normal, b.ahead) &&
+            near(std::abs(off), b.radius))
+            return Cylinder{b.centre, a.normal, b.reach};
+        return {};
+    }
+    // The arc ends upright.
+    Answer operator()(const Cylinder& a, const Dome& b) const {
+        const Vec3 end = b.centre + b.reach * b.ahead;
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius) ||
+            !near(norm(away(a.origin, a.axis, end)), 0.0))
+            return {};
+        return plane_at(end, b.axis);
+    }
+    // The arc goes on as a line.
+    Answer operator()(const Extrusion& a, const Dome& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius)) return {};
+        const double cosine = std::abs(dot(a.along, b.axis));
+        const double sine =
+            dot(a.along, b.axis) > 0.0 ? -dot(a.along, b.ahead) : dot(a.along, b.ahead);
+        const Vec3 end = b.centre + b.reach * (cosine * b.ahead + sine * b.axis);
+        if (std::abs(cosine * cosine + sine * sine - 1.0) > kParallel ||
+            !near(norm(away(a.centre, a.along, end)), 0.0))
+            return {};
+        return plane_at(end, b.axis);
+    }
     Answer operator()(const Cylinder& a, const Cylinder& b) const {
         if (!is_parallel(a.axis, b.axis)) return {};
         const Vec3 apart = away(a.origin, a.axis, b.origin);
@@ -250,6 +281,56 @@ std::optional<std::array<Plane, 2>> bends(const Form& a, const Form& b) {
     return first && second ? bends(*first, *second) : std::nullopt;
 }
 
+// Where the circle of a dome and one of the same size that moves along a line are one: the centre
+// nearest to the height of `p`.
+std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
+    constexpr double kEqual = 1e-6;
+    const auto moved = moved_circle(other, dome.axis);
+    if (!moved || std::abs(moved->radius - dome.radius) > kEqual ||
+        !is_parallel(moved->axis, dome.axis))
+        return std::nullopt;
+    const Vec3 side = cross(dome.axis, dome.ahead), v = moved->centre - dome.centre;
+    if (std::abs(dot(moved->along, side)) > kParallel || !near(dot(v, side), 0.0))
+        return std::nullopt;
+    // Of the line the point nearest to the arc's centre, and from there to the arc.
+    const Vec3 nearest = v - dot(v, moved->along) * moved->along;
+    const double off = norm(nearest);
+    if (off > dome.reach + kTouchMm) return std::nullopt;
+    const double half = std::sqrt(std::max(0.0, dome.reach * dome.reach - off * off));
+    std::optional<Vec3> best;
+    for (const double sign : {-1.0, 1.0}) {
+        const Vec3 centre = nearest + (sign * half) * moved->along;
+        if (dot(centre, dome.ahead) < -kTouchMm) continue;
+        const auto far = [&](Vec3 c) { return std::abs(dot(p - dome.centre - c, dome.axis)); };
+        if (!best || far(centre) < far(*best)) best = centre;
+    }
+    if (best) *best = *best + dome.centre;
+    return best;
+}
+
+std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p) {
+    if (const auto* dome = std::get_if<Dome>(&b)) return common_circle(*dome, a, p);
+    if (const auto* dome = std::get_if<Dome>(&a)) return common_circle(*dome, b, p);
+    return std::nullopt;
+}
+
+// Of a dome and another form, through `p` and `q`.
+std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q) {
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        const bool is_level = is_parallel(plane->normal, dome.axis);
+        if (touch(other, dome)) {
+            const Vec3 centre = dome.centre - distance(other, dome.centre) * plane->normal;
+            return Circle{centre, plane->normal, is_level ? dome.radius : dome.reach};
+        }
+        if (!is_level) return std::nullopt;
+        return Circle{centre_at_height(dome, plane->origin), dome.axis, dome.radius};
+    }
+    const auto centre = common_circle(dome, other, p);
+    const auto is_level = [&](Vec3 at) { return near(dot(at - *centre, dome.axis), 0.0); };
+    if (!centre || !is_level(p) || !is_level(q)) return std::nullopt;
+    return Circle{*centre, dome.axis, dome.radius};
+}
+
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
     return std::abs(distance(one, p)) < std::abs(distance(other, p));
 }
@@ -333,14 +414,35 @@ std::optional<Form> touch(const Form& a, const Form& b) {
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     const auto* first = std::get_if<Cylinder>(&a);
     const auto* second = std::get_if<Cylinder>(&b);
+    if (const auto centre = common_circle(a, b, p)) {
+        const auto* dome = std::get_if<Dome>(&a);
+        return Plane{*centre, (dome ? dome : std::get_if<Dome>(&b))->axis};
+    }
     const auto planes = first && second ? mitres(*first, *second) : bends(a, b);
     if (!planes) return std::nullopt;
     const auto& [one, other] = *planes;
     return is_nearer(one, other, p) ? one : other;
 }
 
+std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
+    for (const Form* form : forms) {
+        const auto* dome = std::get_if<Dome>(form);
+        if (!dome) continue;
+        bool has_floor = false, has_wall = false;
+        for (const Form* other : forms) {
+            const auto* plane = std::get_if<Plane>(other);
+            if (!plane || !touch(*plane, *dome)) continue;
+            (is_parallel(plane->normal, dome->axis) ? has_floor : has_wall) = true;
+        }
+        if (has_floor && has_wall) return Plane{dome->centre, dome->ahead};
+    }
+    return std::nullopt;
+}
+
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
+    if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);
+    if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q);
     const bool is_first_plane = std::holds_alternative<Plane>(a);
     const bool is_second_plane = std::holds_alternative<Plane>(b);
     if (is_first_plane && is_second_plane) return Line{};

@@ -108,6 +108,15 @@ Frame frame_for(const Part& part, const Face& face) {
         }
         return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
     }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form)) {
+        // About the centre of the circle wherever it is.
+        auto seen = loops;
+        for (auto& points : seen) {
+            for (Vec3& p : points)
+                p = p - f->reach * place_on(*f, p).up;
+        }
+        return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
+    }
     const auto& plane = std::get<Plane>(face.surface.form);
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];

@@ -245,6 +245,8 @@ private:
     bool may_be_cut(const Form& form) const {
         if (const auto* f = std::get_if<Torus>(&form))
             return std::abs(plane_.height(f->centre)) < f->major + f->minor;
+        if (const auto* f = std::get_if<Dome>(&form))
+            return std::abs(plane_.height(f->centre)) < f->reach + f->radius;
         return false;
     }
 

@@ -89,6 +89,11 @@ struct AlongRulings {
     }
 };
 
+// Out of its circle. Zero where the circle's way is level and goes along it.
+Vec3 normal_at(const Dome& f, const DomePlace& place) {
+    return normalized(place.cosine * place.out - dot(place.out, place.along) * f.axis);
+}
+
 struct Distance {
     Vec3 p;
     double operator()(const Plane& f) const { return dot(f.normal, p - f.origin); }
@@ -107,6 +112,11 @@ struct Distance {
         return std::sqrt(out * out + at.height * at.height) - f.minor;
     }
     double operator()(const Extrusion& f) const { return AlongRulings(f).foot(f, p).distance; }
+    double operator()(const Dome& f) const {
+        const DomePlace place = place_on(f, p);
+        const Vec3 off = p - point_at(f, place);
+        return dot(off, normal_at(f, place)) < 0.0 ? -norm(off) : norm(off);
+    }
 };
 
 struct Gradient {
@@ -128,6 +138,7 @@ struct Gradient {
         const EllipseFoot foot = seen.foot(f, p);
         return foot.x * seen.x + foot.y * seen.y;
     }
+    Vec3 operator()(const Dome& f) const { return normal_at(f, place_on(f, p)); }
 };
 
 bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
@@ -166,6 +177,11 @@ struct Same {
         return near(a.radius, b.radius) && !turned(a.axis, b.axis) && !turned(a.along, b.along) &&
                polar(a.centre, a.along, b.centre).radius <= tolerance;
     }
+    bool operator()(const Dome& a, const Dome& b) const {
+        return near(a.radius, b.radius) && near(a.reach, b.reach) && near(a.centre, b.centre) &&
+               !turned(a.axis, b.axis) && !turned(a.ahead, b.ahead) && dot(a.axis, b.axis) > 0.0 &&
+               dot(a.ahead, b.ahead) > 0.0;
+    }
     template <typename A, typename B>
     bool operator()(const A&, const B&) const {
         return false;
@@ -196,7 +212,60 @@ double radius_of(const Form& form) {
     if (const auto* f = std::get_if<Sphere>(&form)) return f->radius;
     if (const auto* f = std::get_if<Torus>(&form)) return f->major + f->minor;
     if (const auto* f = std::get_if<Extrusion>(&form)) return f->radius / dot(f->axis, f->along);
+    if (const auto* f = std::get_if<Dome>(&form)) return f->reach + f->radius;
     return 0.0;
+}
+
+double DomePlace::degrees() const {
+    return trig::angle_of(cosine, sine);
+}
+
+DomePlace place_on(const Dome& dome, Vec3 p) {
+    const Vec3 v = p - dome.centre;
+    const auto turn = [&](DomePlace& place, double cosine, double sine) {
+        place.cosine = cosine;
+        place.sine = sine;
+        place.up = cosine * dome.ahead + sine * dome.axis;
+        place.along = cosine * dome.axis - sine * dome.ahead;
+    };
+    DomePlace place;
+    const double height = std::clamp(dot(v, dome.axis) / dome.reach, -1.0, 1.0);
+    turn(place, std::sqrt(1.0 - height * height), height);
+    const auto level = [&](Vec3 w) { return w - dot(w, dome.axis) * dome.axis; };
+    place.out = normalized(level(v - dome.reach * place.up));
+    if (place.out == Vec3{}) place.out = dome.ahead;
+    // Both angles at once, by least squares (Gauss and Newton).
+    constexpr int kMostSteps = 40;
+    constexpr double kLongest = 0.3, kRounding = 1e-15, kFlat = 1e-7;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const Vec3 off = v - dome.reach * place.up - dome.radius * place.out;
+        const Vec3 around = cross(dome.axis, place.out);
+        const double k = dot(around, place.along), det = 1.0 - k * k;
+        const double a = dot(around, off), b = dot(place.along, off);
+        double first = a, second = 0.0;
+        if (det > kFlat) {
+            first = (a - k * b) / det;
+            second = (b - k * a) / det;
+        }
+        first = std::clamp(first / dome.radius, -kLongest, kLongest);
+        second = std::clamp(second / dome.reach, -kLongest, kLongest);
+        place.out = normalized(place.out + first * around);
+        const double c = place.cosine - second * place.sine, s = place.sine + second * place.cosine;
+        const double length = std::sqrt(c * c + s * s);
+        turn(place, c / length, s / length);
+        if (std::abs(first) + std::abs(second) < kRounding) break;
+    }
+    return place;
+}
+
+Vec3 point_at(const Dome& dome, const DomePlace& place) {
+    return dome.centre + dome.reach * place.up + dome.radius * place.out;
+}
+
+Vec3 centre_at_height(const Dome& dome, Vec3 p) {
+    const double sine = std::clamp(dot(p - dome.centre, dome.axis) / dome.reach, -1.0, 1.0);
+    return dome.centre +
+           dome.reach * (std::sqrt(1.0 - sine * sine) * dome.ahead + sine * dome.axis);
 }
 
 double place_along(const Extrusion& extrusion, Vec3 p) {

@@ -41,6 +41,10 @@ struct Key {
     double operator()(const Extrusion& f) const {
         return place(f.centre, f.along) + 0.7 * f.radius + along(f.along) + 0.5 * along(f.axis);
     }
+    double operator()(const Dome& f) const {
+        return dot(f.centre, kAskew) + 0.7 * f.radius + 0.3 * f.reach + along(f.axis) +
+               dot(f.ahead, kAskew);
+    }
 };
 
 }  // namespace

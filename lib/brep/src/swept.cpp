@@ -150,6 +150,13 @@ public:
         }
     }
 
+    // The same on an arc about an axis across the tool's.
+    void rim_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+        if (e.radius <= kEqual || reach <= kEqual || std::abs(dot(about, axis)) > kEqual) return;
+        for (const double sign : {-1.0, 1.0})
+            add(Dome{centre + e.height * axis, axis, sign * cross(about, axis), reach, e.radius});
+    }
+
     // About an axis across the tool's: of its sides, which it passes upright.
     void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.fillet > 0.0) {
@@ -211,11 +218,20 @@ bool is_plain(const Position& p) {
     return true;
 }
 
+// How far apart, but for one coordinate.
+double norm_across(Vec3 p, Vec3 q, int left_out) {
+    Vec3 v = p - q;
+    v[left_out] = 0.0;
+    return norm(v);
+}
+
 // The circle of an arc, its centre where it starts.
 struct Way {
     Vec3 centre, about;
     double radius = 0.0;
     bool is_level = true;
+    Vec3 fitted;  // the centre so that both ends are as far from it
+    double fitted_radius = 0.0;
 };
 
 std::optional<Way> way_of(const gcode::Arc& arc) {
@@ -236,6 +252,17 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     };
     if (std::abs(radius(from) - radius(to)) > kMostSpiral) return std::nullopt;
     way.radius = 0.5 * (radius(from) + radius(to));
+    way.fitted = way.centre;
+    Vec3 chord = to - from;
+    chord[third] = 0.0;
+    // Along the chord: programs round both, and what is a micrometre higher where the way is level
+    // is far to the side.
+    if (const double square = dot(chord, chord); square > kEqual) {
+        const Vec3 middle = 0.5 * (from + to);
+        way.fitted = way.centre - (dot(way.centre - middle, chord) / square) * chord;
+    }
+    way.fitted_radius =
+        0.5 * (norm_across(from, way.fitted, third) + norm_across(to, way.fitted, third));
     way.is_level = std::abs(from[third] - to[third]) <= kEqual;
     return way;
 }
@@ -259,16 +286,18 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
         const std::vector<Element> elements = elements_of(piece);
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const Element& e = elements[i];
+            const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
             sweeps.set_at_rest(false);
             if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
                 sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
             } else if (way && way->is_level) {
                 sweeps.arc_across(e, way->centre, axis, way->about, way->radius);
+                if (is_corner)
+                    sweeps.rim_across(e, way->fitted, axis, way->about, way->fitted_radius);
             } else if (!turns && std::holds_alternative<gcode::Linear>(motion.what) &&
                        start.translation != end.translation) {
                 const Vec3 d = normalized(end.translation - start.translation);
                 sweeps.line(e, start.translation, axis, d);
-                const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
                 if (is_corner) sweeps.rim(e, start.translation, axis, d);
             }
             sweeps.set_at_rest(true);
