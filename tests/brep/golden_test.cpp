@@ -141,6 +141,11 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X60 Z0\nG0 Z5\n",
          {9, 1, 0, 0, 0, 1},
          kBlock - (800.0 + 100.0 * kPi)},
+        // Less steep than facets of round tools are off: where it starts is the disc.
+        {"shallow_ramp",
+         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-1.6\nG1 X43 Z-1.44\nG0 Z5\n",
+         {9, 2, 0, 0, 0, 1},
+         kBlock - (349.6 + 40.0 * kPi)},
         {"ramp_to_and_fro",
          "T1 M6\nG0 X20 Y30 Z0\nG1 X60 Z-2\nG1 X20 Z-4\nG0 Z5\n",
          {9, 2, 0, 0, 0, 1},

@@ -336,9 +336,9 @@ TEST(Run, RefusesDrawingsOfNoSection) {
 
 TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     Folder folder;
-    // A ramp: its floor's edge is swept by a circle that leans.
+    // Rounded corners that go down a slope.
     folder.write("ramp.nc",
-                 "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,20.,20.,0.,0.,20.)\n"
+                 "(T1 D=10. CR=2. - bull nose end mill)\n(STOCK/BLOCK,60.,20.,20.,0.,0.,20.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X15. Y10. Z0.\nG1 X45. Z-6. F100.\nG0 Z5.\nM30\n");
     const Ran ran = folder.run({"run", "ramp.nc", "--step", "a.step", "--step-surfaces", "analytic",
                                 "--step-strict", "--report", "a.json"});

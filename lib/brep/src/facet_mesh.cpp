@@ -15,6 +15,8 @@ using cda::norm;
 
 // A facet and the surface it approximates turn away from each other by less, as a chord (0.45 rad).
 constexpr double kMostTurn = 0.45;
+// Of planes that are one but for rounding, as a chord.
+constexpr double kLevel = 1e-6;
 // Corners of hulls that meet may lie farther out than those of the tool.
 constexpr double kSlack = 1.5;
 
@@ -102,6 +104,13 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
             if (!fits(facet, candidate.surface, kSlack * source->second.error_mm, kMostTurn,
                       &score))
                 continue;
+            // What is flat and lies on a plane of the tool is that: ramps may be flatter than
+            // errors.
+            constexpr double kExact = -1.0;
+            if (std::holds_alternative<Plane>(candidate.surface.form) &&
+                fits(facet, candidate.surface, kFlat, kLevel)) {
+                score = kExact;
+            }
             if (candidate.is_at_rest) score += kAtRest;
             if (score < best - 1e-9) {
                 best = score;

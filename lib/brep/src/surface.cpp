@@ -53,8 +53,8 @@ EllipseFoot foot_on_ellipse(double a, double b, double x, double y) {
         py = b * std::sqrt(std::max(0.0, 1.0 - px * px / a2));
     } else {
         double t = std::max(a * u - a2, b * v - b2);
-        constexpr int kMostSteps = 100;
-        for (int step = 0; step < kMostSteps; ++step) {
+        constexpr int kEllipseSteps = 100;
+        for (int step = 0; step < kEllipseSteps; ++step) {
             const double p = a * u / (t + a2), q = b * v / (t + b2);
             const double f = p * p + q * q - 1.0;
             const double slope = -2.0 * (p * p / (t + a2) + q * q / (t + b2));
@@ -235,25 +235,25 @@ DomePlace place_on(const Dome& dome, Vec3 p) {
     place.out = normalized(level(v - dome.reach * place.up));
     if (place.out == Vec3{}) place.out = dome.ahead;
     // Both angles at once, by least squares (Gauss and Newton).
-    constexpr int kMostSteps = 40;
-    constexpr double kLongest = 0.3, kRounding = 1e-15, kFlat = 1e-7;
-    for (int step = 0; step < kMostSteps; ++step) {
+    constexpr int kDomeSteps = 40;
+    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-15, kLeastApart = 1e-7;
+    for (int step = 0; step < kDomeSteps; ++step) {
         const Vec3 off = v - dome.reach * place.up - dome.radius * place.out;
         const Vec3 around = cross(dome.axis, place.out);
         const double k = dot(around, place.along), det = 1.0 - k * k;
         const double a = dot(around, off), b = dot(place.along, off);
         double first = a, second = 0.0;
-        if (det > kFlat) {
+        if (det > kLeastApart) {
             first = (a - k * b) / det;
             second = (b - k * a) / det;
         }
-        first = std::clamp(first / dome.radius, -kLongest, kLongest);
-        second = std::clamp(second / dome.reach, -kLongest, kLongest);
+        first = std::clamp(first / dome.radius, -kFarthestTurn, kFarthestTurn);
+        second = std::clamp(second / dome.reach, -kFarthestTurn, kFarthestTurn);
         place.out = normalized(place.out + first * around);
         const double c = place.cosine - second * place.sine, s = place.sine + second * place.cosine;
         const double length = std::sqrt(c * c + s * s);
         turn(place, c / length, s / length);
-        if (std::abs(first) + std::abs(second) < kRounding) break;
+        if (std::abs(first) + std::abs(second) < kNoTurn) break;
     }
     return place;
 }
