@@ -19,7 +19,7 @@ namespace ncsim::exporter {
 namespace {
 
 using cda::Vec3;
-using tinygltf::Value;
+using Extra = tinygltf::Value;
 
 using Quaternion = std::array<float, 4>;
 
@@ -27,9 +27,9 @@ using Quaternion = std::array<float, 4>;
 constexpr double kMostDegrees = 90.0;
 
 // One by one: there are readers (assimp 5.2) that give up where extras of nodes hold lists.
-void tell(Value::Object& told, const std::string& name, Vec3 v) {
+void tell(Extra::Object& told, const std::string& name, Vec3 v) {
     for (int i = 0; i < 3; ++i)
-        told.emplace(name + "_" + "xyz"[i], Value(v[i] + 0.0));
+        told.emplace(name + "_" + "xyz"[i], Extra(v[i] + 0.0));
 }
 
 std::array<double, 4> turn_of(const SceneJoint& joint, double degrees) {
@@ -79,14 +79,14 @@ public:
             if (!node.shown.empty()) add_visibility(node, target, animation);
         }
         if (animation.channels.empty()) return;
-        Value::Array seconds, lines;
+        Extra::Array seconds, lines;
         for (const SceneLine& line : scene_.lines) {
             seconds.emplace_back(line.seconds);
             lines.emplace_back(static_cast<int>(line.line));
         }
-        animation.extras = Value(Value::Object{{"error_mm", Value(scene_.missed_mm)},
-                                               {"seconds", Value(std::move(seconds))},
-                                               {"lines", Value(std::move(lines))}});
+        animation.extras = Extra(Extra::Object{{"error_mm", Extra(scene_.missed_mm)},
+                                               {"seconds", Extra(std::move(seconds))},
+                                               {"lines", Extra(std::move(lines))}});
         model_.animations.push_back(std::move(animation));
     }
 
@@ -119,11 +119,11 @@ private:
                 const auto turn = turn_of(*from.joint, value);
                 node.rotation.assign(turn.begin(), turn.end());
             }
-            Value::Object told{{"axis", Value(std::string(1, from.joint->letter))},
-                               {"turns", Value(from.joint->turns)}};
+            Extra::Object told{{"axis", Extra(std::string(1, from.joint->letter))},
+                               {"turns", Extra(from.joint->turns)}};
             tell(told, "direction", from.joint->direction);
             if (from.joint->turns) tell(told, "through", from.origin);
-            node.extras = Value(std::move(told));
+            node.extras = Extra(std::move(told));
         }
         if (!from.shown.empty() && visibility_keys(from).front().value == 0.0)
             node.scale = {0.0, 0.0, 0.0};

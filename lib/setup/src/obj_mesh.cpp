@@ -16,16 +16,16 @@ namespace ncsim::setup {
 
 namespace {
 
-constexpr std::string_view kBlank = " \t\r";
+constexpr std::string_view kObjBlanks = " \t\r";
 
 // The next word of a line; empty at its end.
 std::string_view next_word(std::string_view& line) {
-    const std::size_t begin = line.find_first_not_of(kBlank);
+    const std::size_t begin = line.find_first_not_of(kObjBlanks);
     if (begin == std::string_view::npos) {
         line = {};
         return {};
     }
-    const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
+    const std::size_t end = std::min(line.find_first_of(kObjBlanks, begin), line.size());
     const std::string_view word = line.substr(begin, end - begin);
     line.remove_prefix(end);
     return word;

@@ -72,18 +72,18 @@ Affine turn_about(Vec3 axis, double radians) {
     return result;
 }
 
-struct Node;
-using NodePointer = std::shared_ptr<const Node>;
+struct VrmlNode;
+using VrmlNodePointer = std::shared_ptr<const VrmlNode>;
 
-struct Node {
+struct VrmlNode {
     Affine placing;
-    std::vector<NodePointer> children;  // those that are seen
+    std::vector<VrmlNodePointer> children;  // those that are seen
     Polygons faces;
 };
 
 // What a name stands for while the text is read: a node, or the points of one.
-struct Named {
-    NodePointer node;
+struct VrmlNamed {
+    VrmlNodePointer node;
     std::shared_ptr<const std::vector<Vec3>> points;
 };
 
@@ -133,12 +133,12 @@ class VrmlReader {
 public:
     explicit VrmlReader(std::string_view text) : text_(text) {}
 
-    NodePointer read() {
-        auto root = std::make_shared<Node>();
+    VrmlNodePointer read() {
+        auto root = std::make_shared<VrmlNode>();
         for (std::string_view word = next(); !word.empty(); word = next()) {
             if (word == "ROUTE") {
                 skip_route();
-            } else if (const Named named = node(word); named.node) {
+            } else if (const VrmlNamed named = node(word); named.node) {
                 root->children.push_back(named.node);
             }
         }
@@ -286,7 +286,7 @@ private:
     }
 
     // `word` is the first of it.
-    Named node(std::string_view word) {
+    VrmlNamed node(std::string_view word) {
         if (word == "NULL") return {};
         if (word == "USE") {
             const auto known = named_.find(some_word());
@@ -299,14 +299,14 @@ private:
             word = some_word();
         }
         if (++depth_ > kDeepestNode) refuse("nodes stand too deep in each other");
-        Named made = body_of(std::string(word));
+        VrmlNamed made = body_of(std::string(word));
         --depth_;
         // A name that nobody may use has to be known, too: it stands for nothing to be seen.
         if (!name.empty()) named_[name] = made;
         return made;
     }
 
-    Named body_of(const std::string& type) {
+    VrmlNamed body_of(const std::string& type) {
         if (type == "Group" || type == "Transform" || type == "Anchor" || type == "Billboard" ||
             type == "Collision") {
             return {group(), nullptr};
@@ -329,13 +329,13 @@ private:
         return {};
     }
 
-    NodePointer group() {
-        auto made = std::make_shared<Node>();
+    VrmlNodePointer group() {
+        auto made = std::make_shared<VrmlNode>();
         Vec3 translation, centre, scale{1, 1, 1}, axis{0, 0, 1}, scale_axis{0, 0, 1};
         double angle = 0.0, scale_angle = 0.0;
         fields([&](std::string_view name) {
             if (name == "children") {
-                nodes([&](const Named& child) {
+                nodes([&](const VrmlNamed& child) {
                     if (child.node) made->children.push_back(child.node);
                 });
             } else if (name == "translation") {
@@ -363,12 +363,12 @@ private:
         return made;
     }
 
-    NodePointer one_of(std::string_view list, int which) {
-        auto made = std::make_shared<Node>();
-        std::vector<NodePointer> all;
+    VrmlNodePointer one_of(std::string_view list, int which) {
+        auto made = std::make_shared<VrmlNode>();
+        std::vector<VrmlNodePointer> all;
         fields([&](std::string_view name) {
             if (name == list) {
-                nodes([&](const Named& child) { all.push_back(child.node); });
+                nodes([&](const VrmlNamed& child) { all.push_back(child.node); });
             } else if (name == "whichChoice") {
                 which = number<int>();
             } else {
@@ -383,11 +383,11 @@ private:
         return made;
     }
 
-    NodePointer shape() {
-        auto made = std::make_shared<Node>();
+    VrmlNodePointer shape() {
+        auto made = std::make_shared<VrmlNode>();
         fields([&](std::string_view name) {
             if (name != "geometry") return false;
-            const Named geometry = node(some_word());
+            const VrmlNamed geometry = node(some_word());
             if (geometry.node) made->children.push_back(geometry.node);
             return true;
         });
@@ -411,8 +411,8 @@ private:
         return made;
     }
 
-    NodePointer face_set() {
-        auto made = std::make_shared<Node>();
+    VrmlNodePointer face_set() {
+        auto made = std::make_shared<VrmlNode>();
         bool is_ccw = true;
         std::vector<std::uint32_t> face;
         const auto finish_face = [&] {
@@ -428,7 +428,7 @@ private:
         };
         fields([&](std::string_view name) {
             if (name == "coord") {
-                const Named told = node(some_word());
+                const VrmlNamed told = node(some_word());
                 if (!told.points) refuse("expected the points of the faces (Coordinate)");
                 made->faces.points = *told.points;
             } else if (name == "coordIndex") {
@@ -454,8 +454,8 @@ private:
         return made;
     }
 
-    NodePointer box() {
-        auto made = std::make_shared<Node>();
+    VrmlNodePointer box() {
+        auto made = std::make_shared<VrmlNode>();
         Vec3 size{2, 2, 2};
         fields([&](std::string_view name) {
             if (name != "size") return false;
@@ -475,13 +475,13 @@ private:
     std::string_view text_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    std::map<std::string, Named, std::less<>> named_;
+    std::map<std::string, VrmlNamed, std::less<>> named_;
 };
 
 // Few lines may stand for very many shapes (USE in USE).
 class CornerCollector {
 public:
-    void visit(const Node& node, const Affine& above) {
+    void visit(const VrmlNode& node, const Affine& above) {
         if (++visits_ > kMostVisits) throw Refused{"it has more than 100,000 nodes"};
         const Affine placing = above * node.placing;
         Polygons faces = node.faces;
@@ -495,7 +495,7 @@ public:
         if (corners_.size() + more.size() > kMostCorners)
             throw Refused{"it has more than ten million triangles"};
         corners_.insert(corners_.end(), more.begin(), more.end());
-        for (const NodePointer& child : node.children)
+        for (const VrmlNodePointer& child : node.children)
             visit(*child, placing);
     }
     std::vector<Vec3> take() { return std::move(corners_); }
@@ -513,7 +513,7 @@ bool is_vrml(std::string_view bytes) {
 
 std::vector<Vec3> read_vrml(std::string_view bytes) {
     if (!bytes.starts_with("#VRML V2.0 utf8")) throw Refused{"VRML, but not VRML97 (V2.0 utf8)"};
-    const NodePointer root = VrmlReader(bytes).read();
+    const VrmlNodePointer root = VrmlReader(bytes).read();
     CornerCollector collector;
     collector.visit(*root, {});
     return collector.take();
