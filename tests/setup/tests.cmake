@@ -4,6 +4,7 @@ ncsim_add_test(setup
     budget_test.cpp
     digest_test.cpp
     freecad_machine_test.cpp
+    fusion_machine_test.cpp
     job_test.cpp
     linuxcnc_machine_test.cpp
     messages_test.cpp

@@ -86,9 +86,9 @@ void append_appearance(std::string& text, Rgba8 colour) {
 std::string VrmlScene::name_of(std::size_t number) const {
     std::string name = "LINK_" + std::to_string(number) + '_';
     for (const char c : scene_.nodes[number].name) {
-        constexpr std::string_view kPlain =
+        constexpr std::string_view kNameLetters =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
-        name += kPlain.find(c) == std::string_view::npos ? '_' : c;
+        name += kNameLetters.find(c) == std::string_view::npos ? '_' : c;
     }
     return name;
 }

@@ -35,14 +35,14 @@ std::optional<SurfaceFile> MeshKeys::finish() {
     }
     const cda::Vec3 size = box.size();
     const double longest = std::max({size.x, size.y, size.z});
-    constexpr double kSmallest = 5.0, kLargest = 1e6;  // mm
-    if (!scale_ && !file_.has_unit && longest < kSmallest) {
+    constexpr double kShortestMesh = 5.0, kLongestMesh = 1e6;  // mm
+    if (!scale_ && !file_.has_unit && longest < kShortestMesh) {
         r_.fail(*mesh_at_,
                 fmt::format("the mesh is {:.3g} mm long: if it is in metres, scale = 1000 "
                             "makes it millimetres; scale = 1 says that it is that small",
                             longest));
     }
-    if (!(longest < kLargest))
+    if (!(longest < kLongestMesh))
         r_.fail(*mesh_at_, fmt::format("the mesh is {:.3g} m long", 1e-3 * longest));
     return std::move(file_);
 }

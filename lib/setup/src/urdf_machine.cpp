@@ -109,13 +109,13 @@ private:
     // As many as `numbers` has room for, with blanks between them.
     void take_numbers(const XMLElement* e, const char* key, std::string_view rest,
                       std::span<double> numbers) const {
-        constexpr double kLargest = 1e6;
+        constexpr double kLargestNumber = 1e6;
         constexpr std::string_view kBlanks = " \t\r\n+";
         for (double& number : numbers) {
             rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
             const auto [end, error] =
                 std::from_chars(rest.data(), rest.data() + rest.size(), number);
-            if (error != std::errc{} || !(std::abs(number) <= kLargest)) {
+            if (error != std::errc{} || !(std::abs(number) <= kLargestNumber)) {
                 fail(e, fmt::format("'{}': expected {} number{}, at most 1000000", key,
                                     numbers.size(), numbers.size() == 1 ? "" : "s"));
             }

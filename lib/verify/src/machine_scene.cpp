@@ -289,8 +289,8 @@ void MachineScene::note(const Pair& pair, const Encounter& encounter, bool touch
 bool MachineScene::stays_free(Pair& pair, const Leg& leg, const RigidBody& observer,
                               const RigidBody& body) {
     // What rounding makes of sums.
-    constexpr double kRounding = 1e-6;
-    const double needed_mm = pair.clearance_mm + leg.missed_mm + kRounding;
+    constexpr double kSumRounding = 1e-6;
+    const double needed_mm = pair.clearance_mm + leg.missed_mm + kSumRounding;
     const auto is_enough = [&] {
         const auto ways = ways_of(pair.free.at, leg.from, leg.going);
         return ways && keeps_apart(pair.free, *ways, needed_mm);
