@@ -280,7 +280,7 @@ TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
         {"[travel]\nq = 1\n", "m.toml:2:5: 'q' is not known in travel; expected a, b, c, x, y, z"},
         {"[spindle]\nmax = 'fast'\n", "m.toml:2:7: 'spindle.max': expected a number"},
         {"travel = [\n", "m.toml:1:12: "},
-        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box or an stl"},
+        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box or a mesh"},
         {"[[tool]]\nmax_feed = 3\n", "a tool needs its number"}};
     for (const auto& [text, message] : faults) {
         Folder folder;
