@@ -119,8 +119,9 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
     add_setup_options(*check, o);
     add_simulation_options(*check, o);
     check
-        ->add_option("--machine", o.machine,
-                     "Travels, limits, fixtures, how it turns, TOML, LinuxCNC INI, FreeCAD .fcm")
+        ->add_option(
+            "--machine", o.machine,
+            "Travels, limits, fixtures, how it turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
     check
         ->add_option("--design", o.design,

@@ -59,7 +59,7 @@ CLI::App* add_diff(CLI::App& app, DiffOptions& o) {
     add_setup_options(*diff, o);
     add_simulation_options(*diff, o);
     diff->add_option("--machine", o.machine,
-                     "Offsets and how the machine turns, TOML, LinuxCNC INI, FreeCAD .fcm")
+                     "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
     diff->add_option("--tol", o.tolerance_mm3, "Volume that may differ on each side, mm3 [0]")
         ->type_name("MM3")

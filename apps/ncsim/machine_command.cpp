@@ -67,7 +67,7 @@ std::string sheet_of_pose(const setup::MachineFile& file, const std::string& pos
 
 CLI::App* add_machine(CLI::App& app, MachineOptions& o) {
     CLI::App* machine = app.add_subcommand("machine", "Show how a machine is built and turns");
-    machine->add_option("machine", o.machine, "Machine: TOML, LinuxCNC INI, FreeCAD .fcm")
+    machine->add_option("machine", o.machine, "Machine: TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
         ->required()
         ->type_name("FILE");
     machine->add_option("--save", o.save, "Write it as a machine.toml")->type_name("FILE");

@@ -78,7 +78,7 @@ CLI::App* add_measure(CLI::App& app, MeasureOptions& o) {
     add_simulation_options(*measure, o);
     measure
         ->add_option("--machine", o.machine,
-                     "Offsets and how the machine turns, TOML, LinuxCNC INI, FreeCAD .fcm")
+                     "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
     measure->add_option("--json", o.json, "The same, JSON")->type_name("FILE");
     measure->add_flag("--quiet,-q", o.quiet, "Only errors and warnings, and what --json writes");

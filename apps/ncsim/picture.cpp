@@ -5,6 +5,7 @@
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
 #include "ncsim/machine/inverse.h"
+#include "ncsim/machine/relative.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
@@ -29,14 +30,19 @@ namespace {
 // would make the part small.
 constexpr double kSurroundings = 0.3;
 
-// The links where they stand with all joints at 0, so that pictures in a row have one camera.
+// The links where they stand with all joints at 0, so that pictures in a row have one camera:
+// machine coordinates.
 cda::Box machine_box(const Outcome& outcome) {
     cda::Box box;
     for (const setup::MachineBody& body : outcome.machine->bodies) {
         for (const cda::Vec3& p : body.mesh.vertices)
-            box.add(p - outcome.plan.placed->zero);
+            box.add(p);
     }
     return box;
+}
+
+bool stands_on_machine(const Outcome& outcome) {
+    return outcome.options.shows_machine && outcome.options.stands_still == StandsStill::Machine;
 }
 
 // Where the joints stand after the last move, machine coordinates.
@@ -71,10 +77,33 @@ void add_machine(const Outcome& outcome, exporter::Overlay& overlay) {
     }
 }
 
+// The part in the machine.
+machine::Pose pose_of_part(const Outcome& outcome) {
+    machine::Pose X_MW = machine::pose_of(outcome.machine->part_moved_by, joints_of(outcome));
+    X_MW.translation = X_MW * outcome.plan.placed->zero;
+    return X_MW;
+}
+
+// A camera that stands in the machine, as the part has it.
+exporter::Camera seen_from_part(exporter::Camera camera, const machine::Pose& X_MW) {
+    const machine::Pose X_WM = machine::inverse(X_MW);
+    const machine::Pose R_WM{X_WM.rows, {}};
+    camera.target = X_WM * camera.target;
+    for (cda::Vec3* direction : {&camera.right, &camera.up, &camera.back})
+        *direction = R_WM * *direction;
+    return camera;
+}
+
+// In machine coordinates where the machine stands still, else in those of the part.
 cda::Box seen_box(const Outcome& outcome) {
     const Options& o = outcome.options;
+    if (stands_on_machine(outcome)) return machine_box(outcome);
     cda::Box seen = outcome.survey.stock->box;
-    if (o.shows_machine) seen.add(machine_box(outcome));
+    if (o.shows_machine) {
+        const cda::Box machine = machine_box(outcome);
+        seen.add(machine.min - outcome.plan.placed->zero);
+        seen.add(machine.max - outcome.plan.placed->zero);
+    }
     if (!o.shows_path && !o.shows_tool) return seen;
     const double reach = kSurroundings * norm(seen.size());
     const cda::Vec3 margin{reach, reach, reach};
@@ -119,6 +148,8 @@ exporter::RenderOptions render_options(const Outcome& outcome, exporter::View vi
         for (const auto& [number, used] : outcome.survey.tools)
             options.camera.depth += toolpath::height_of(used.tool);
     }
+    if (stands_on_machine(outcome))
+        options.camera = seen_from_part(options.camera, pose_of_part(outcome));
     return options;
 }
 

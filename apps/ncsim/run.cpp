@@ -25,6 +25,7 @@
 
 #include "animation.h"
 #include "console.h"
+#include "moving_machine.h"
 #include "outcome.h"
 #include "output.h"
 #include "picture.h"
@@ -78,10 +79,22 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         return counted->boundary;
     };
     outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
-    outputs.write(o.gltf,
-                  [&](std::ostream& out) { exporter::write_gltf(out, *mesh, s.provenance); });
-    outputs.write(o.vrml,
-                  [&](std::ostream& out) { exporter::write_vrml(out, polygons(), s.provenance); });
+    std::optional<exporter::MovingScene> moving;
+    if (o.shows_machine && (!o.gltf.empty() || !o.vrml.empty())) moving = moving_machine(outcome);
+    outputs.write(o.gltf, [&](std::ostream& out) {
+        if (moving) {
+            exporter::write_gltf(out, *mesh, s.provenance, *moving);
+        } else {
+            exporter::write_gltf(out, *mesh, s.provenance);
+        }
+    });
+    outputs.write(o.vrml, [&](std::ostream& out) {
+        if (moving) {
+            exporter::write_vrml(out, polygons(), s.provenance, *moving);
+        } else {
+            exporter::write_vrml(out, polygons(), s.provenance);
+        }
+    });
     outputs.write(o.stl, [&](std::ostream& out) {
         exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads));
     });

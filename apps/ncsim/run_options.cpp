@@ -73,6 +73,12 @@ exporter::Colouring read_colouring(const std::string& name) {
     throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
 }
 
+StandsStill read_frame(const std::string& name) {
+    if (name == "machine") return StandsStill::Machine;
+    if (name == "part") return StandsStill::Part;
+    throw Refusal{fmt::format("--frame '{}': expected machine or part", name)};
+}
+
 exporter::StepSchema read_step_schema(const std::string& name) {
     if (name == "ap242") return exporter::StepSchema::Ap242;
     if (name == "ap214") return exporter::StepSchema::Ap214;
@@ -152,9 +158,15 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     add_program_options(*run, o);
     add_setup_options(*run, o);
     run->add_flag("--show-machine", o.shows_machine,
-                  "Links of the machine that have meshes, around the part, in pictures");
+                  "Links of the machine that have meshes, around the part: in pictures; moving, "
+                  "in --gltf and --vrml");
+    run->add_option_function<std::string>(
+           "--frame", [&o](Text name) { o.stands_still = read_frame(name); },
+           "What stands still in pictures of a machine: machine or part [machine]")
+        ->type_name("WHAT")
+        ->needs("--show-machine");
     run->add_option("--machine", o.machine,
-                    "Offsets and how the machine turns, TOML, LinuxCNC INI, FreeCAD .fcm")
+                    "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");
     run->add_option("--png", o.png, "Picture of the part")->type_name("FILE");
     run->add_option("--gif", o.gif, "Moving picture of the cutting")->type_name("FILE");

@@ -26,10 +26,14 @@ namespace ncsim::app {
 /// polygons.
 enum class StepSurfaces : std::uint8_t { Analytic, Faceted };
 
+/// What moves in pictures of a machine: the rest of it about its bed, or all about the part.
+enum class StandsStill : std::uint8_t { Machine, Part };
+
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
-    bool shows_machine = false;  ///< Links of the machine in pictures.
-    std::string machine;         ///< A machine.toml: offsets, and how it turns.
+    bool shows_machine = false;  ///< Links of the machine in pictures and files that can move.
+    StandsStill stands_still = StandsStill::Machine;  ///< In pictures of both.
+    std::string machine;  ///< A machine.toml: offsets, and how it turns.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;
 
     /// Of the picture; several are put on one sheet with a caption. Never empty.

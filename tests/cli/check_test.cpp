@@ -188,7 +188,7 @@ TEST(Check, ReadsFixturesAsMeshes) {
     folder.write("jaw.stl", "solid nothing\nendsolid\n");
     const Ran broken = folder.run({"check", "slot.nc", "--machine", "m.toml"});
     EXPECT_EQ(broken.exit_code, 2);
-    EXPECT_TRUE(contains(broken.err, "'jaw.stl': it is neither STL, binary glTF nor STEP"))
+    EXPECT_TRUE(contains(broken.err, "'jaw.stl': it is neither STL, OBJ, VRML97, binary glTF nor STEP"))
         << broken.err;
 }
 
@@ -259,7 +259,7 @@ TEST(Check, RefusesDesignsThatAreNoBodies) {
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
         "vertex 0 1 0\nendloop\nendfacet\n";
     const std::vector<std::pair<std::string, std::string>> faults{
-        {"nonsense", "'d': it is neither STL, binary glTF nor STEP"},
+        {"nonsense", "'d': it is neither STL, OBJ, VRML97, binary glTF nor STEP"},
         {"solid s\n" + facet + "endsolid\n", "'d': its surface is not closed (3 open edges)"},
         {"glTF nonsense", "'d': "},
         {"solid s\nvertex 0 0 nan vertex 0 0 0 vertex 1 0 0", "'d': it has a corner"}};
@@ -280,7 +280,7 @@ TEST(Check, NamesThePlaceOfAFaultInTheMachine) {
         {"[travel]\nq = 1\n", "m.toml:2:5: 'q' is not known in travel; expected a, b, c, x, y, z"},
         {"[spindle]\nmax = 'fast'\n", "m.toml:2:7: 'spindle.max': expected a number"},
         {"travel = [\n", "m.toml:1:12: "},
-        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box or an stl"},
+        {"[[fixture]]\nname = 'jaw'\n", "a fixture needs a box or a mesh"},
         {"[[tool]]\nmax_feed = 3\n", "a tool needs its number"}};
     for (const auto& [text, message] : faults) {
         Folder folder;

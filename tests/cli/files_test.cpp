@@ -106,7 +106,7 @@ void write_inputs(const Folder& folder) {
     folder.write("job.toml",
                  "program = \"slot.nc\"\nholders = \"holders.toml\"\n[stock]\n"
                  "file = \"part.stl\"\n");
-    folder.write("machine.toml", "[[fixture]]\nstl = \"vice.stl\"\n");
+    folder.write("machine.toml", "[[fixture]]\nmesh = \"vice.stl\"\n");
     ASSERT_EQ(
         folder.run({"run", "other.nc", "--stl", "part.stl", "--save-stock", "left.ncstock", "-q"})
             .exit_code,

@@ -331,6 +331,17 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
         {"ignore = [[\"cradle\"]]\n" + ends + linear + cradle(about), "m.toml:1:"},
         {"ignore = [[\"cradle\", \"colum\"]]\n" + ends + linear + cradle(about),
          "there is no link or fixture 'colum'"},
+        // Where it stands, and not where the last list does.
+        {"ignore = [[\"z\", \"cradle\"],\n[\"z\", \"heap\"]]\nask = [[\"x\", \"y\"]]\n" + ends +
+             linear + cradle(about),
+         "m.toml:2:7: there is no link or fixture 'heap'"},
+        {"ignore = [[\"z\", \"vice\"]]\n" + ends + linear + cradle(about) +
+             "[[link]]\nname = \"vice\"\n"
+             "[[fixture]]\nname = \"vice\"\nbox = [[0, 0, 0], [1, 1, 1]]\n",
+         "m.toml:1:17: 'vice' is the name of a link, and of something else"},
+        {"ignore = [[\"z\", \"tool\"]]\n" + ends + linear + cradle(about) +
+             "[[link]]\nname = \"tool\"\n",
+         "'tool' is the name of a link, and of something else"},
         {"ask = [[\"z\", \"heap\"]]\n" + ends + linear + cradle(about),
          "there is no link or fixture 'heap'"},
         {ends + linear + cradle(about + "clearance = 2\n"),
@@ -563,6 +574,138 @@ TEST(Machine, WithMeshesHasAPictureOfItsPose) {
         EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err;
     }
     EXPECT_EQ(folder.run({"machine", "bare.toml", "--view", "inside"}).exit_code, 2);
+}
+
+const std::string kOneLink =
+    "part = { link = \"table\" }\nspindle = { link = \"z\" }\n"
+    "[[link]]\nname = \"x\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"
+    "[[link]]\nname = \"y\"\nparent = \"x\"\naxis = \"Y\"\nmoves_along = [0, 1, 0]\n"
+    "[[link]]\nname = \"z\"\nparent = \"y\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n"
+    "[[link]]\nname = \"table\"\n";
+
+// Four corners each, the normals outwards, as CAD systems write it.
+std::string box_obj(std::array<int, 3> a, std::array<int, 3> b) {
+    std::string text = "# a box\no box\n";
+    for (int i = 0; i < 8; ++i) {
+        text += fmt::format("v {} {} {}\n", i & 1 ? b[0] : a[0], i & 2 ? b[1] : a[1],
+                            i & 4 ? b[2] : a[2]);
+    }
+    return text +
+           "vn 0 0 1\nf 1//1 3//1 4//1 2//1\nf 5 6 8 7\nf -8 -7 -3 -4\nf 3 7 8 4\n"
+           "f 1 5 7 3\nf 2 4 8 6\n";
+}
+
+// The same body, whatever the file is.
+TEST(Machine, ReadsTheSameMeshInEveryFormat) {
+    Folder folder;
+    const auto picture = [&](const std::string& mesh, const std::string& text,
+                             const std::string& more = "") {
+        folder.write(mesh, text);
+        folder.write("m.toml", kOneLink + "mesh = \"" + mesh + "\"\n" + more);
+        const Ran ran = folder.run({"machine", "m.toml", "--png", "p.png"});
+        EXPECT_EQ(ran.exit_code, 0) << mesh << ran.err;
+        return folder.read("p.png");
+    };
+    const std::string expected = picture("a.stl", box_stl({-50, -40, -20}, {50, 40, 10}));
+    EXPECT_EQ(picture("b.obj", box_obj({-50, -40, -20}, {50, 40, 10})), expected);
+    // By a box, moved; by faces that look inwards, mirrored; half of it, and the other half.
+    const std::string vrml = "#VRML V2.0 utf8\n";
+    EXPECT_EQ(picture("c.wrl", vrml + "WorldInfo { title \"a } box\" info [ \"{\" ] }\n"
+                                      "DEF T Transform { translation 0 0 -5 children [\n"
+                                      "Shape { appearance Appearance { material DEF M Material {\n"
+                                      "diffuseColor 1 0 0 } } geometry Box { size 100 80 30 } } ] }"
+                                      "\nROUTE A.b TO C.d\n"),
+              expected);
+    const std::string faces =
+        "geometry IndexedFaceSet { coord DEF P Coordinate { point [ -50 -40 -20, 50 -40 -20,\n"
+        "-50 40 -20, 50 40 -20, -50 -40 10, 50 -40 10, -50 40 10, 50 40 10 ] }\n"
+        "creaseAngle 0.5 coordIndex [ ";
+    const std::string outwards = "0 2 3 1 -1 4 5 7 6 -1 0 1 5 4 -1 2 6 7 3 -1 0 4 6 2 -1 1 3 7 5 ";
+    EXPECT_EQ(picture("d.wrl", vrml + "Shape { " + faces + outwards + "-1 ] } }\n"), expected);
+    EXPECT_EQ(picture("e.wrl", vrml + "Transform { scale 1 -1 1 children Shape { " + faces +
+                                   outwards + "] } } }\n"),
+              expected);
+    EXPECT_EQ(picture("f.wrl", vrml +
+                                   "Transform { rotation 0 0 1 1.5707963267948966 scale 0.8 "
+                                   "1.25 1 children Shape { " +
+                                   faces + outwards + "] } } }\n"),
+              expected);
+    EXPECT_EQ(picture("g.wrl", vrml +
+                                   "Group { children [ Switch { whichChoice -1 choice DEF H Shape "
+                                   "{ " +
+                                   faces + outwards +
+                                   "] } } } Collision { children USE H } "
+                                   "] }\n"),
+              expected);
+    EXPECT_EQ(
+        picture("h.obj", box_obj({-5000, -4000, -2000}, {5000, 4000, 1000}), "scale = 0.01\n"),
+        expected);
+    // An L, whose face of six corners turns in: seen from above it is not its hull.
+    const std::string ell =
+        "v 0 0 0\nv 30 0 0\nv 30 10 0\nv 10 10 0\nv 10 30 0\nv 0 30 0\nv 0 0 9\nv 30 0 9\n"
+        "v 30 10 9\nv 10 10 9\nv 10 30 9\nv 0 30 9\nf 6 5 4 3 2 1\nf 7 8 9 10 11 12\n"
+        "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n";
+    folder.write("l.obj", ell);
+    folder.write("m.toml", kOneLink + "mesh = \"l.obj\"\n");
+    const Ran ran = folder.run({"machine", "m.toml"});
+    EXPECT_NE(ran.out.find("link table: 20 triangles"), std::string::npos) << ran.out << ran.err;
+}
+
+TEST(Machine, RefusesMeshesThatItCannotTrust) {
+    Folder folder;
+    const std::string vrml = "#VRML V2.0 utf8\n";
+    std::string deep, bomb = "DEF A0 Shape { geometry Box { size 9 9 9 } }\n";
+    for (int i = 0; i < 100'000; ++i)
+        deep += "Group { children ";
+    for (int i = 1; i < 60; ++i) {
+        bomb += fmt::format("DEF A{} Group {{ children [ USE A{} USE A{} ] }}\n", i, i - 1, i - 1);
+    }
+    for (const auto& [mesh, message] : std::vector<std::pair<std::string, std::string>>{
+             {"v 0 0 0\nv 1 0\n", "line 2: a point has three numbers"},
+             {"v 0 0 0\nf 1 2 3\n", "line 2: a face names a point that does not stand before it"},
+             {"v 0 0 0\nf 0 1 1\n", "a face names a point that does not stand before it"},
+             {"v 0 0 0\nf 1 1\n", "a face has three corners or more"},
+             {"v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n", "its surface is not closed"},
+             {"v 1e300 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n", "a corner that is no place"},
+             {"v nan 0 0\nf 1 1 1\n", "a corner that is no place"},
+             {"v 0 0 0\n", "it has no triangles"},
+             {"cstype bezier\n", "it is neither"},
+             {"g a\ncstype bezier\n", "line 2: curves and curved surfaces are not read"},
+             {box_obj({0, 0, 0}, {1, 2, 1}),
+              "m.toml:19:8: the mesh is 2 mm long: if it is in metres"},
+             {"#VRML V1.0 ascii\n", "VRML, but not VRML97"},
+             {vrml, "it has no triangles"},
+             {vrml + "\n\nShape { geometry Sphere { radius 30 } }\n",
+              "line 4: 'Sphere' is not read"},
+             {vrml + "Inline { url \"x.wrl\" }\n", "'Inline' is not read"},
+             {vrml + "PROTO Nut [ ] { Group { } }\nNut { }\n", "'PROTO' is not read"},
+             {vrml + "Group { children [ USE B ] }\n", "USE names nothing"},
+             {vrml + "DEF A Group { children [ USE A ] }\n", "USE names nothing"},
+             {vrml + "Group { children [ Group { }\n", "the file ends within a node"},
+             {vrml + "WorldInfo { title \"a }\n", "a text without end"},
+             {vrml + "Shape { geometry Box { size 1 2 } }\n", "expected a number"},
+             {vrml + "Shape { geometry IndexedFaceSet { coord Coordinate { point [ 0 0 0 ] }\n"
+                     "coordIndex [ 0 1 2 ] } }\n",
+              "a face names a corner that is not there"},
+             {vrml + "Shape { geometry IndexedFaceSet { coordIndex [ 0 -2 ] } }\n",
+              "a face names a point that is not there"},
+             {vrml + deep, "nodes stand too deep in each other"},
+             {vrml + bomb, "more than 100,000 nodes"}}) {
+        folder.write("a.mesh", mesh);
+        folder.write("m.toml", kOneLink + "mesh = \"a.mesh\"\n");
+        const Ran ran = folder.run({"machine", "m.toml"});
+        EXPECT_EQ(ran.exit_code, 2) << mesh.substr(0, 100);
+        EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err << mesh.substr(0, 100);
+    }
+    folder.write("a.mesh", box_obj({0, 0, 0}, {1, 2, 1}));
+    for (const auto& [more, code] :
+         std::vector<std::pair<std::string, int>>{{"scale = 1\n", 0}, {"scale = 0\n", 2}}) {
+        folder.write("m.toml", kOneLink + "mesh = \"a.mesh\"\n" + more);
+        EXPECT_EQ(folder.run({"machine", "m.toml"}).exit_code, code) << more;
+    }
+    folder.write("m.toml", kOneLink + "scale = 2\n");
+    EXPECT_NE(folder.run({"machine", "m.toml"}).err.find("'scale': there is no mesh"),
+              std::string::npos);
 }
 
 }  // namespace

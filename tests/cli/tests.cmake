@@ -8,8 +8,9 @@ if(TARGET ncsim)
     TKSTEP)
   find_package(fmt CONFIG REQUIRED)
   find_package(nlohmann_json CONFIG REQUIRED)
+  find_package(TinyGLTF 2.7 CONFIG REQUIRED)
   ncsim_add_test(cli
-    LIBRARIES ncsim_app nlohmann_json::nlohmann_json fmt::fmt
+    LIBRARIES ncsim_app ncsim::trig nlohmann_json::nlohmann_json fmt::fmt TinyGLTF::TinyGLTF
     SOURCES
       bad_input_test.cpp
       baseline_test.cpp
@@ -23,6 +24,7 @@ if(TARGET ncsim)
       isolate_test.cpp
       machine_test.cpp
       measure_test.cpp
+      moving_machine_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp

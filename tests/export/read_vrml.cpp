@@ -5,8 +5,11 @@
 #include <Inventor/SoDB.h>
 #include <Inventor/SoPrimitiveVertex.h>
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
+#include <Inventor/VRMLnodes/SoVRMLInterpolator.h>
+#include <Inventor/VRMLnodes/SoVRMLTransform.h>
 #include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/errors/SoReadError.h>
+#include <Inventor/nodes/SoNode.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -19,9 +22,18 @@
 
 namespace {
 
+// What an interpolator drives, at a time.
+struct Moved {
+    bool turns = false;
+    std::string interpolator, node;
+    float fraction = 0.0F;
+    float x = 0.0F, y = 0.0F, z = 0.0F, degrees = 0.0F;
+};
+
 struct Expectation {
     double volume = 0.0;
     std::vector<std::string> groups;  // names
+    std::vector<Moved> moved;
 };
 
 Expectation read_expectation(const std::filesystem::path& path) {
@@ -31,6 +43,15 @@ Expectation read_expectation(const std::filesystem::path& path) {
     in >> word >> result.volume >> word;
     for (unsigned line = 0; in >> line;) {
         result.groups.push_back(line == 0 ? "STOCK" : "LINE_" + std::to_string(line));
+    }
+    in.clear();
+    while (in >> word) {
+        if (word != "turned" && word != "moved") continue;
+        Moved moved;
+        moved.turns = word == "turned";
+        in >> moved.interpolator >> moved.fraction >> moved.node >> moved.x >> moved.y >> moved.z;
+        if (moved.turns) in >> moved.degrees;
+        result.moved.push_back(moved);
     }
     return result;
 }
@@ -54,6 +75,22 @@ void add_triangle(void* data, SoCallbackAction*, const SoPrimitiveVertex* a,
     const SbVec3f q = b->getPoint() - sum->apex;
     const SbVec3f r = c->getPoint() - sum->apex;
     sum->sixfold += static_cast<double>(p.dot(q.cross(r)));
+}
+
+// Through its routes, as when the clock runs.
+bool is_moved(const Moved& moved) {
+    SoNode* interpolator = SoNode::getByName(SbName(moved.interpolator.c_str()));
+    SoNode* node = SoNode::getByName(SbName(moved.node.c_str()));
+    if (!interpolator || !node || !node->isOfType(SoVRMLTransform::getClassTypeId()) ||
+        !interpolator->isOfType(SoVRMLInterpolator::getClassTypeId())) {
+        return false;
+    }
+    static_cast<SoVRMLInterpolator*>(interpolator)->set_fraction.setValue(moved.fraction);
+    auto* transform = static_cast<SoVRMLTransform*>(node);
+    const SbVec3f place(moved.x, moved.y, moved.z);
+    if (!moved.turns) return (transform->translation.getValue() - place).length() < 1e-3F;
+    const SbRotation turn(place, moved.degrees * 3.14159265F / 180.0F);
+    return transform->rotation.getValue().equals(turn, 1e-4F);
 }
 
 bool check(const std::filesystem::path& path) {
@@ -87,6 +124,11 @@ bool check(const std::filesystem::path& path) {
             std::cerr << path << ": no group " << group << '\n';
             good = false;
         }
+    }
+    for (const Moved& moved : expected.moved) {
+        if (is_moved(moved)) continue;
+        std::cerr << path << ": " << moved.interpolator << " does not move " << moved.node << '\n';
+        good = false;
     }
     root->unref();
     std::cout << path << ": " << volume << " mm³, " << expected.groups.size() << " groups\n";

@@ -4,6 +4,7 @@
 // part a text of what a reader must find in it: "volume <mm³>" and "lines <numbers, ascending>".
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/gltf.h"
+#include "ncsim/export/moving_scene.h"
 #include "ncsim/export/ply.h"
 #include "ncsim/export/png.h"
 #include "ncsim/export/render.h"
@@ -101,6 +102,60 @@ void write_pictures(const std::filesystem::path& stem, const BoxPart& part) {
     write_png(from_model, render_model(BoxModel(part), provenance, options));
 }
 
+// A table that turns with the part on it, on a slide; and a head with two tools, one after the
+// other.
+void write_machine(const std::filesystem::path& folder) {
+    const BoxPart grooved = grooved_part();
+    const cda::Boundary part = boundary_of(grooved);
+    const auto body = [&](cda::Vec3 shift) {
+        BoxPart moved = grooved;
+        moved.shift = shift;
+        return Body{boundary_of(moved), {200, 120, 40}};
+    };
+    MovingScene scene;
+    scene.nodes.push_back({"slide",
+                           {},
+                           {},
+                           SceneJoint{'X', false, {1, 0, 0}, {{0, 5}, {2, 45}}},
+                           {body({0, 0, -100})},
+                           {}});
+    scene.nodes.push_back({"round table",
+                           0,
+                           {10, 20, -30},
+                           SceneJoint{'A', true, {1, 0, 0}, {{0, 0}, {1, 0}, {3, 300}, {4, 300}}},
+                           {body({0, 0, -50})},
+                           {}});
+    scene.nodes.push_back({"column", {}, {}, {}, {body({0, 500, 0})}, {}});
+    scene.nodes.push_back({"T1", 2, {0, 0, 300}, {}, {body({0, 0, 300})}, {{0, 1.5}, {3, 4}}});
+    scene.nodes.push_back({"T2", 2, {0, 0, 300}, {}, {body({0, 0, 300})}, {{1.5, 3}}});
+    scene.part_on = 1;
+    scene.zero = {1, 2, 3};
+    scene.seconds = 4.0;
+    scene.lines = {{0.0, 5}, {2.0, 6}};
+    std::set<std::uint32_t> lines;
+    for (const auto& face : part.faces)
+        lines.insert(provenance_of(grooved).of(face.origin).nc_line);
+    // The part comes first in glTF; in VRML all count, however small a Transform makes them.
+    const double volume = cda::volume(part);
+    const auto expect = [&](const char* name, double all) {
+        auto out = create(folder / name);
+        out.precision(17);
+        out << "volume " << all << "\nlines";
+        for (const std::uint32_t line : lines)
+            out << ' ' << line;
+        return out;
+    };
+    expect("machine_gltf.expect", volume) << "\nfaces 25\nsolids 1\n";
+    auto glb = create(folder / "machine_gltf.glb");
+    write_gltf(glb, part, provenance_of(grooved), scene);
+    // At 2 of 4 seconds: half of the way from 0 to 300 degrees, and at the end of the slide's.
+    expect("machine_vrml.expect", 6.0 * volume)
+        << "\nturned JOINT_A 0.5 LINK_1_round_table 1 0 0 150"
+        << "\nmoved JOINT_X 0.25 LINK_0_slide 25 0 0\n";
+    auto wrl = create(folder / "machine_vrml.wrl");
+    write_vrml(wrl, part, provenance_of(grooved), scene);
+}
+
 void write_all(const std::filesystem::path& folder) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
@@ -134,6 +189,7 @@ void write_all(const std::filesystem::path& folder) {
     const BoxPart hollow = hollow_part();
     write(folder / "hollow", boundary_of(hollow), provenance_of(hollow), 12, 1);
     const BoxPart halves = halved_part();
+    write_machine(folder);
     write(folder / "halves", boundary_of(halves.tilted()), provenance_of(halves), 12, 2);
 }
 

@@ -4,9 +4,11 @@ ncsim_add_test(setup
     budget_test.cpp
     digest_test.cpp
     freecad_machine_test.cpp
+    fusion_machine_test.cpp
     job_test.cpp
     linuxcnc_machine_test.cpp
     messages_test.cpp
-    project_file_test.cpp)
+    project_file_test.cpp
+    urdf_machine_test.cpp)
 # The table of messages is private to the library.
 target_include_directories(ncsim_setup_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/setup/src)

@@ -6,6 +6,7 @@
 #include "ncsim/cda/separation.h"
 #include "ncsim/verify/machine_bodies.h"
 
+#include "free_space.h"
 #include "pair_search.h"
 #include "support/random.h"
 #include "verify/expected.h"
@@ -280,6 +281,19 @@ TEST(MachineCollision, ALengthThatNobodyToldIsADoubt) {
     EXPECT_TRUE(doubts_of(verdict).contains("length-offset"));
 }
 
+// A length of 0 leaves no tool below the nose; that is no tool that meets nothing.
+TEST(MachineCollision, ALengthThatLeavesNoToolIsADoubt) {
+    const std::string program = "G0 X0 Y0 Z100\nG0 A10\n";
+    for (const char* length : {"Z0", "Z-5"}) {
+        const auto verdict =
+            verdict_of("G21 G90 G10 L1 P1 " + std::string(length) + "\nT1 M6\nG43 H1\n" + program,
+                       setup_of(tilting()));
+        EXPECT_TRUE(doubts_of(verdict).contains("length-offset")) << length;
+    }
+    EXPECT_FALSE(
+        doubts_of(verdict_of(kLength + program, setup_of(tilting()))).contains("length-offset"));
+}
+
 TEST(MachineCollision, AMeshThatCrossesItselfCountsAsItsHull) {
     LinkBodies told = tilting();
     told.links[0].mesh =
@@ -291,6 +305,33 @@ TEST(MachineCollision, AMeshThatCrossesItselfCountsAsItsHull) {
     EXPECT_TRUE(
         collisions(at_height(100) + at_height(kTouching + 0.01) + "G0 A180\n", setup_of(told))
             .empty());
+}
+
+// A shell that looks inwards is no hole in nothing.
+TEST(MachineCollision, AShellThatIsInsideOutIsThere) {
+    LinkBodies told = tilting();
+    cda::TriangleMesh cradle = box({-100, -50, -350}, {100, 50, -310});
+    for (auto& t : cradle.triangles)
+        std::swap(t[0], t[1]);
+    // The rest of the link, far from all, is larger and looks outwards.
+    told.links[0].mesh = both(box({-400, -400, -2000}, {400, 400, -1500}), cradle);
+    const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
+    EXPECT_FALSE(collisions(deep, setup_of(told)).empty());
+}
+
+// A mesh that may be off by a tenth of a millimetre proves nothing to be nearer than that.
+TEST(MachineCollision, WhatAMeshMayBeOffIsOpen) {
+    LinkBodies told = tilting();
+    told.links[0].deflection_mm = 0.1;
+    const auto found = [&](double beside) {
+        return collisions(at_height(100) + at_height(kTouching + beside) + "G0 A180\n",
+                          setup_of(told));
+    };
+    ASSERT_EQ(found(0.05).size(), 1U);
+    EXPECT_EQ(found(0.05)[0].certainty, Certainty::Within);
+    EXPECT_EQ(found(-0.05)[0].certainty, Certainty::Within);
+    EXPECT_EQ(found(-0.5)[0].certainty, Certainty::Certain);
+    EXPECT_TRUE(found(0.11).empty());
 }
 
 // Under tip control the head goes around a tip that rests on the part.
@@ -332,6 +373,18 @@ TEST(PathDeviation, IsTheSagittaOfATurn) {
     EXPECT_TRUE(findings_of(verdict_of(kLength + rapid, setup), "path-deviation").empty());
 }
 
+// Of two bodies of one piece each, mm.
+double distance(const verify::RigidBody& one, const verify::RigidBody& other,
+                const machine::Pose& X, const cda::Lattice& lattice) {
+    std::vector<cda::LatticePoint> a, b;
+    for (const Vec3& p : one.pieces()[0].outer)
+        a.push_back(lattice.round(p));
+    for (const Vec3& p : other.pieces()[0].outer)
+        b.push_back(lattice.round(X * p));
+    // Nothing is that far apart.
+    return cda::nearness(a, b, std::int64_t{1} << 35).distance * lattice.unit_mm;
+}
+
 // Random bodies on random ways, against the same bodies at hundreds of times.
 TEST(PairSearch, IsRightAtHundredsOfTimes) {
     test::Random random(11);
@@ -339,7 +392,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
         return Vec3{random.within(-reach, reach), random.within(-reach, reach),
                     random.within(-reach, reach)};
     };
-    int clear = 0, certain = 0, open = 0, shallow = 0;
+    int clear = 0, certain = 0, open = 0, shallow = 0, kept_apart = 0;
     constexpr cda::Lattice kLattice{1e-4};
     for (int i = 0; i < 200; ++i) {
         SCOPED_TRACE(i);
@@ -366,7 +419,13 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
             p.a = gcode::Angle::from_degrees(random.within(-90, 90));
             return p;
         };
-        motion.what = gcode::Linear{place(), place()};
+        gcode::Position begin = place(), end = place();
+        // Half of them go no farther than moves in a program do, and some of those high above.
+        if (i % 2 == 0) {
+            begin.z = begin.z + gcode::Length::from_mm(i % 4 == 0 ? 60.0 : 0.0);
+            end = toolpath::between(begin, end, 0.05);
+        }
+        motion.what = gcode::Linear{begin, end};
         if (random.one_in(2)) motion.coordinates = gcode::Coordinates::Tip;
         const toolpath::JointPath path(machine, motion);
         const auto from = path.at(0.0), to = path.at(1.0);
@@ -376,9 +435,27 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
         const verify::Encounter found = verify::meet(pair, table, head, kLattice, true);
         bool meets = false;
         double deepest = 0.0;
+        // How far apart they are somewhere else, and how far they go from there.
+        machine::Values before = *from;
+        for (const std::size_t axis : {0U, 1U, 2U, 3U})
+            before[axis] += random.within(-3, 3);
+        constexpr double kMost = 150.0;
+        const verify::FreeSpace space =
+            verify::free_space(way, before, table, head, kLattice, kMost);
+        const auto ways = verify::ways_of(before, from, path.going(0.0, *from, 1.0, *to));
+        const double apart = space.apart_mm;
+        const machine::Pose X_before = pose_of(way, before);
+        const double truly_apart = distance(table, head, X_before, kLattice);
+        EXPECT_LE(apart, std::min(kMost, truly_apart));
+        EXPECT_GE(apart, std::min(kMost, 0.97 * truly_apart - 0.01));
+        double head_strays = 0.0, table_strays = 0.0;
         for (int k = 0; k <= 500; ++k) {
             const auto values = path.at(k / 500.0);
             const machine::Pose X = pose_of(way, *values);
+            for (const Vec3& p : head.pieces()[0].outer)
+                head_strays = std::max(head_strays, norm(X * p - X_before * p));
+            for (const Vec3& p : table.pieces()[0].outer)
+                table_strays = std::max(table_strays, norm(inverse(X) * p - inverse(X_before) * p));
             std::vector<cda::LatticePoint> a, b;
             for (const Vec3& p : table.pieces()[0].outer)
                 a.push_back(kLattice.round(p));
@@ -401,6 +478,11 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
                                                    {turned(other.directions.normals),
                                                     turned(other.directions.edges)}));
         }
+        if (keeps_apart(space, ways.value(), 0.0)) {
+            EXPECT_LT(std::min(head_strays, table_strays), apart);
+            EXPECT_FALSE(meets);
+            ++kept_apart;
+        }
         const bool is_certain = found.closeness == verify::Closeness::Certain;
         if (found.closeness == verify::Closeness::Clear) {
             EXPECT_FALSE(meets);
@@ -419,6 +501,7 @@ TEST(PairSearch, IsRightAtHundredsOfTimes) {
     EXPECT_GT(clear, 30);
     EXPECT_GT(certain, 30);
     EXPECT_EQ(open, 0);
+    EXPECT_GT(kept_apart, 5);
     // The worst is looked for, not proven.
     EXPECT_LT(shallow, certain / 20);
 }

@@ -11,10 +11,9 @@
 
 #include "crease.h"
 #include "float_mesh.h"
+#include "gltf_model.h"
 #include "palette.h"
 #include "text.h"
-
-#include <tiny_gltf.h>
 
 #include <algorithm>
 #include <array>
@@ -42,12 +41,6 @@ struct Primitive {
     std::vector<float> lines;
     std::vector<float> tools;
 };
-
-// Whole millimetres: positions given with few decimals keep them.
-cda::Vec3 whole_centre(const cda::Boundary& boundary) {
-    const cda::Vec3 centre = cda::bounds(boundary).centre();
-    return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
-}
 
 // Normals of face corners: the average of those of the faces around the vertex, weighted by area,
 // that were cut by the same tool and meet the face at less than the crease angle.
@@ -146,82 +139,8 @@ std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenanc
     return all;
 }
 
-void append(std::vector<unsigned char>& bytes, std::uint32_t number) {
-    for (int shift = 0; shift < 32; shift += 8) {
-        bytes.push_back(static_cast<unsigned char>((number >> shift) & 0xFF));
-    }
-}
-void append(std::vector<unsigned char>& bytes, float number) {
-    append(bytes, std::bit_cast<std::uint32_t>(number));
-}
-void append(std::vector<unsigned char>& bytes, const FloatPoint& point) {
-    for (const float coordinate : point)
-        append(bytes, coordinate);
-}
-
-// Step 3: the one buffer of the model, and what refers to it.
-class Packer {
-public:
-    explicit Packer(tinygltf::Model& model) : model_(model) { model_.buffers.emplace_back(); }
-
-    // A new accessor over `values`; its number.
-    template <typename T>
-    int pack(const std::vector<T>& values, int component_type, int type, int target) {
-        std::vector<unsigned char>& bytes = model_.buffers.front().data;
-        tinygltf::BufferView view;
-        view.buffer = 0;
-        view.byteOffset = bytes.size();
-        view.byteLength = values.size() * sizeof(T);
-        view.target = target;
-        for (const T& value : values)
-            append(bytes, value);
-        model_.bufferViews.push_back(std::move(view));
-        tinygltf::Accessor accessor;
-        accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
-        accessor.componentType = component_type;
-        accessor.type = type;
-        accessor.count = values.size();
-        model_.accessors.push_back(std::move(accessor));
-        return static_cast<int>(model_.accessors.size()) - 1;
-    }
-
-    int pack_indices(const std::vector<std::uint32_t>& indices) {
-        return pack(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
-                    TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-    }
-    int pack_floats(const std::vector<float>& values) {
-        return pack(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR,
-                    TINYGLTF_TARGET_ARRAY_BUFFER);
-    }
-    int pack_points(const std::vector<FloatPoint>& points) {
-        return pack(points, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
-                    TINYGLTF_TARGET_ARRAY_BUFFER);
-    }
-    // Positions must come with their bounds.
-    int pack_positions(const std::vector<FloatPoint>& points) {
-        const int number = pack_points(points);
-        tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(number)];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto [least, greatest] = std::minmax_element(
-                points.begin(), points.end(),
-                [&](const FloatPoint& a, const FloatPoint& b) { return a[axis] < b[axis]; });
-            accessor.minValues.push_back(static_cast<double>((*least)[axis]));
-            accessor.maxValues.push_back(static_cast<double>((*greatest)[axis]));
-        }
-        return number;
-    }
-
-private:
-    tinygltf::Model& model_;
-};
-
 tinygltf::Material material(const Maker& maker, Rgba8 colour) {
-    const LinearColour linear = to_linear(colour);
-    tinygltf::Material result;
-    result.name = maker.name();
-    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, 1.0};
-    result.pbrMetallicRoughness.metallicFactor = 0.0;
-    result.pbrMetallicRoughness.roughnessFactor = 0.6;
+    tinygltf::Material result = plain_material(maker.name(), colour);
     result.extras = tinygltf::Value(
         tinygltf::Value::Object{{"tool", tinygltf::Value(static_cast<int>(maker.tool))}});
     return result;
@@ -283,12 +202,22 @@ void check_size(const std::vector<Primitive>& primitives) {
 
 }  // namespace
 
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
-    const Palette palette(provenance);
-    const cda::Vec3 centre = whole_centre(boundary);
-    const std::vector<Primitive> parts = primitives(boundary, provenance, palette, centre);
-    check_size(parts);
+cda::Vec3 whole_centre(const cda::Boundary& boundary) {
+    const cda::Vec3 centre = cda::bounds(boundary).centre();
+    return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
+}
 
+tinygltf::Material plain_material(const std::string& name, Rgba8 colour) {
+    const LinearColour linear = to_linear(colour);
+    tinygltf::Material result;
+    result.name = name;
+    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, 1.0};
+    result.pbrMetallicRoughness.metallicFactor = 0.0;
+    result.pbrMetallicRoughness.roughnessFactor = 0.6;
+    return result;
+}
+
+tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance) {
     tinygltf::Model model;
     model.asset.version = "2.0";
     model.asset.generator = "ncsim";
@@ -302,17 +231,35 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
     model.scenes.emplace_back();
     model.scenes.front().name = "part";  // a scene without nodes and name would be written as null
     model.defaultScene = 0;
-    if (!parts.empty()) {
-        model.meshes.push_back(mesh_of(parts, palette, model));
-        model.nodes.push_back(node_of(centre));
-        model.scenes.front().nodes = {0};
-    }
+    return model;
+}
 
+std::optional<int> add_part(tinygltf::Model& model, const cda::Boundary& boundary,
+                            const Provenance& provenance, cda::Vec3 centre) {
+    const Palette palette(provenance);
+    const std::vector<Primitive> parts = primitives(boundary, provenance, palette, centre);
+    check_size(parts);
+    if (parts.empty()) return std::nullopt;
+    model.meshes.push_back(mesh_of(parts, palette, model));
+    return static_cast<int>(model.meshes.size()) - 1;
+}
+
+void write_model(std::ostream& out, tinygltf::Model& model) {
     constexpr bool kPretty = false;
     constexpr bool kBinary = true;
     if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, kPretty, kBinary) || !out) {
         throw std::runtime_error("cannot write glTF: the stream failed");
     }
+}
+
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+    const cda::Vec3 centre = whole_centre(boundary);
+    tinygltf::Model model = model_of(boundary, provenance);
+    if (add_part(model, boundary, provenance, centre)) {
+        model.nodes.push_back(node_of(centre));
+        model.scenes.front().nodes = {0};
+    }
+    write_model(out, model);
 }
 
 }  // namespace ncsim::exporter

@@ -9,6 +9,7 @@
 #include "palette.h"
 #include "pieces.h"
 #include "text.h"
+#include "vrml_scene.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,6 +39,45 @@ public:
 
     void write() {
         header();
+        part();
+        finish();
+    }
+
+    // The part among what moves.
+    void write(const MovingScene& scene) {
+        header();
+        const VrmlScene moving(scene);
+        text_ += "DEF MACHINE Group { children [\n";
+        for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+            if (!scene.nodes[i].parent) node(scene, moving, i);
+        }
+        if (!scene.part_on) placed_part(scene, {});
+        text_ += "] }\n";
+        moving.append_interpolators(text_);
+        finish();
+    }
+
+private:
+    void node(const MovingScene& scene, const VrmlScene& moving, std::size_t number) {
+        moving.begin_node(text_, number);
+        if (scene.part_on == number) placed_part(scene, scene.nodes[number].origin);
+        for (std::size_t i = number + 1; i < scene.nodes.size(); ++i) {
+            if (scene.nodes[i].parent == number) node(scene, moving, i);
+        }
+        text_ += "] }\n";
+        if (text_.size() >= kFlushSize) flush();
+    }
+
+    // In the node that carries it, whose frame has its origin there.
+    void placed_part(const MovingScene& scene, cda::Vec3 origin) {
+        text_ += "DEF PART Transform { translation ";
+        append_point(text_, scene.zero - origin);
+        text_ += " children [\n";
+        part();
+        text_ += "] }\n";
+    }
+
+    void part() {
         const std::vector<FaceIndex> order = faces_by_line();
         for (std::size_t i = 0; i < order.size();) {
             const auto same_line = [&](FaceIndex face) {
@@ -49,11 +89,13 @@ public:
             group(std::span(order).subspan(i, count));
             i += count;
         }
+    }
+
+    void finish() {
         flush();
         if (!out_) throw std::runtime_error("cannot write VRML: the stream failed");
     }
 
-private:
     Provenance::Entry entry(FaceIndex face) const {
         return provenance_.of(boundary_.faces[face].origin);
     }
@@ -131,11 +173,7 @@ private:
     }
 
     void point(cda::Vec3 p) {
-        append_number(text_, p.x);
-        text_ += ' ';
-        append_number(text_, p.y);
-        text_ += ' ';
-        append_number(text_, p.z);
+        append_point(text_, p);
         text_ += '\n';
     }
 
@@ -151,12 +189,8 @@ private:
         }
         is_defined_[rank] = true;
         const Rgba8 colour = palette_.colour(by);
-        text_ += "DEF " + name + " Appearance { material Material { diffuseColor";
-        for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
-            text_ += ' ';
-            append_number(text_, unit_share(channel));
-        }
-        text_ += " specularColor 0.2 0.2 0.2 } }";
+        text_ += "DEF " + name + ' ';
+        append_appearance(text_, colour);
     }
 
     void flush() {
@@ -178,6 +212,11 @@ private:
 
 void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
     VrmlWriter(out, boundary, provenance).write();
+}
+
+void write_vrml(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                const MovingScene& scene) {
+    VrmlWriter(out, boundary, provenance).write(scene);
 }
 
 }  // namespace ncsim::exporter

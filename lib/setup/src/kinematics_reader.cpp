@@ -2,7 +2,8 @@
 #include "kinematics_reader.h"
 
 #include "ncsim/machine/presets.h"
-#include "ncsim/setup/mesh_file.h"
+
+#include "mesh_keys.h"
 
 #include <fmt/format.h>
 
@@ -195,6 +196,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     std::optional<machine::Travel> range;
     std::optional<gcode::RotaryWay> told_way;
     const toml::node* clearance_at = nullptr;
+    MeshKeys mesh(r_, folder_, inputs_);
     const auto direction = [this](std::optional<Vec3>& into) {
         return [this, &into](const toml::node& n, const std::string& k) {
             into = r_.vector(n, k);
@@ -214,10 +216,8 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
              {"turns_about", direction(about)},
              {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
              {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
-             {"mesh",
-              [&](const auto& n, const auto& k) {
-                  link.mesh = read_mesh_file(seen_in(folder_, r_.text(n, k)), inputs_);
-              }},
+             {"mesh", [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); }},
+             {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
              {"colour",
               [&](const toml::node& n, const std::string& k) {
                   link.colour = colour_named(r_.text(n, k));
@@ -235,6 +235,10 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
                       r_.fail(n, fmt::format("'{}': expected \"part\" or \"tool\"", k));
                   turns_part = which == "part";
               }}});
+    if (auto file = mesh.finish()) {
+        link.mesh = std::move(file->mesh);
+        link.deflection_mm = file->deflection_mm;
+    }
     if (link.name.empty() || link.name == kBed || find(link.name))
         r_.fail(node, "a link needs a name of its own, which is not \"bed\"");
     if (clearance_at && !link.mesh)
@@ -404,8 +408,11 @@ std::vector<MachineBody> KinematicsReader::links_that(bool have_a_mesh) const {
         body.link = link.name;
         if (link.mesh) body.mesh = *link.mesh;
         if (link.colour) body.colour = *link.colour;
+        if (link.parent != kBed) body.parent = link.parent;
         body.moved_by = moved_by({link.node, link.name});
+        if (link.joint) body.joint = body.moved_by.joints.back();
         body.clearance_mm = link.clearance_mm;
+        body.deflection_mm = link.deflection_mm;
         bodies.push_back(std::move(body));
     }
     return bodies;

@@ -41,6 +41,8 @@ public:
     std::optional<ToldKinematics> kinematics() const;
     std::vector<MachineBody> bodies() const;       ///< Of links that have a mesh,
     std::vector<MachineBody> other_links() const;  ///< and of those that have none.
+    std::string part_link() const { return part_ ? part_->name : std::string(); }
+    std::string tool_link() const { return tool_ ? tool_->name : std::string(); }
     machine::Chain part_moved_by() const;
     machine::Chain tool_moved_by() const;
     const gcode::TipControl& tip_control() const { return control_; }
@@ -58,6 +60,7 @@ private:
         std::optional<cda::TriangleMesh> mesh;
         std::optional<std::array<std::uint8_t, 3>> colour;
         double clearance_mm = 0.0;
+        double deflection_mm = 0.0;  // of the mesh
     };
     struct Name {
         const toml::node* node;

@@ -2,9 +2,9 @@
 #include "ncsim/setup/machine_file.h"
 
 #include "ncsim/setup/coordinate_systems.h"
-#include "ncsim/setup/mesh_file.h"
 
 #include "kinematics_reader.h"
+#include "mesh_keys.h"
 #include "toml_reader.h"
 #include "tool_keys.h"
 
@@ -13,9 +13,11 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace ncsim::setup {
 
@@ -59,15 +61,13 @@ void read_travels(const TomlReader& r, const toml::node& node, const std::string
 verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, InputSet& inputs,
                              const toml::node& node, const std::string& key) {
     verify::Fixture fixture;
+    MeshKeys mesh(r, folder, inputs);
+    const auto take_mesh = [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); };
     r.each(r.table(node, key), key,
            {{"name", [&](const auto& n, const auto& k) { fixture.name = r.text(n, k); }},
-            {"stl",
-             [&](const auto& n, const auto& k) {
-                 // As seen from the file that names it.
-                 fixture.mesh = read_mesh_file(seen_in(folder, r.text(n, k)), inputs);
-                 for (const cda::Vec3& v : fixture.mesh.vertices)
-                     fixture.box.add(v);
-             }},
+            {"mesh", take_mesh},
+            {"stl", take_mesh},  // as it was called once
+            {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
             {"clearance",
              [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
             {"offset",
@@ -85,9 +85,15 @@ verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, Inp
                      r.fail(n, fmt::format("'{}': the box has no volume", k));
                  }
              }}});
-    if (fixture.box.is_empty()) r.fail(node, "a fixture needs a box or an stl");
+    if (auto file = mesh.finish()) {
+        fixture.mesh = std::move(file->mesh);
+        fixture.deflection_mm = file->deflection_mm;
+        for (const cda::Vec3& v : fixture.mesh.vertices)
+            fixture.box.add(v);
+    }
+    if (fixture.box.is_empty()) r.fail(node, "a fixture needs a box or a mesh");
     if (!fixture.mesh.triangles.empty() && node.as_table()->contains("box")) {
-        r.fail(node, "a fixture has a box or an stl, not both");
+        r.fail(node, "a fixture has a box or a mesh, not both");
     }
     if (fixture.name.empty()) fixture.name = "fixture";
     return fixture;
@@ -121,35 +127,43 @@ void read_tool_limits(const TomlReader& r, const toml::node& node, const std::st
     }
 }
 
+// Where a name stands in the file.
+using NamesAt = std::vector<std::pair<const toml::node*, std::string>>;
+
 // [["table", "column"], …]
 std::vector<verify::NamePair> read_pairs(const TomlReader& r, const toml::node& node,
-                                         const std::string& key) {
+                                         const std::string& key, NamesAt& names) {
     std::vector<verify::NamePair> pairs;
     const toml::array* all = node.as_array();
     if (!all) r.fail(node, fmt::format("'{}': expected a list of pairs, [[\"a\", \"b\"]]", key));
     for (const toml::node& element : *all) {
         const toml::array& two = r.list(element, key, 2);
         pairs.emplace_back(r.text(two[0], key), r.text(two[1], key));
+        names.emplace_back(&two[0], pairs.back().first);
+        names.emplace_back(&two[1], pairs.back().second);
     }
     return pairs;
 }
 
-// Who names what is not there ignores nothing.
-void check_names(const TomlReader& r, const toml::node& node, const MachineFile& file) {
-    std::set<std::string> names{"tool", "part"};
+// Who names what is not there ignores nothing; and who names two things by one name, more than was
+// meant.
+void check_names(const TomlReader& r, const NamesAt& names, const MachineFile& file) {
+    std::map<std::string, int> count{{"tool", 1}, {"part", 1}};
     for (const auto* links : {&file.bodies, &file.other_links}) {
         for (const MachineBody& link : *links)
-            names.insert(link.link);
+            ++count[link.link];
     }
-    for (const verify::Fixture& fixture : file.machine.fixtures)
-        names.insert(fixture.name);
-    for (const auto* pairs : {&file.ignored, &file.asked}) {
-        for (const verify::NamePair& pair : *pairs) {
-            for (const std::string& name : {pair.first, pair.second}) {
-                if (!names.contains(name))
-                    r.fail(node, fmt::format("there is no link or fixture '{}'", name));
-            }
-        }
+    // Fixtures may share one.
+    std::set<std::string> fixtures;
+    for (const verify::Fixture& fixture : file.machine.fixtures) {
+        if (fixtures.insert(fixture.name).second) ++count[fixture.name];
+    }
+    for (const auto& [node, name] : names) {
+        const auto found = count.find(name);
+        if (found == count.end())
+            r.fail(*node, fmt::format("there is no link or fixture '{}'", name));
+        if (found->second > 1)
+            r.fail(*node, fmt::format("'{}' is the name of a link, and of something else", name));
     }
 }
 
@@ -165,12 +179,9 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
         return [&r, &into](const toml::node& n, const std::string& k) { into = r.vector(n, k); };
     };
     KinematicsReader kinematics(r, folder, inputs);
-    const toml::node* pairs_at = nullptr;
+    NamesAt named;
     const auto take_pairs = [&](std::vector<verify::NamePair>& into, const toml::node& n,
-                                const std::string& k) {
-        pairs_at = &n;
-        into = read_pairs(r, n, k);
-    };
+                                const std::string& k) { into = read_pairs(r, n, k, named); };
     r.each(r.root(), "",
            {{"preset", [&](const auto& n, const auto& k) { kinematics.take_preset(n, k); }},
             {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
@@ -252,9 +263,11 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     file.kinematics = kinematics.kinematics();
     file.bodies = kinematics.bodies();
     file.other_links = kinematics.other_links();
+    file.part_link = kinematics.part_link();
+    file.tool_link = kinematics.tool_link();
     file.part_moved_by = kinematics.part_moved_by();
     file.tool_moved_by = kinematics.tool_moved_by();
-    if (pairs_at) check_names(r, *pairs_at, file);
+    check_names(r, named, file);
     file.tip_control = kinematics.tip_control();
     file.rotary_ways = kinematics.ways();
     file.clamps = kinematics.clamps();

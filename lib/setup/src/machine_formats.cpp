@@ -2,13 +2,17 @@
 #include "ncsim/setup/machine_formats.h"
 
 #include "freecad_machine.h"
+#include "fusion_machine.h"
 #include "linuxcnc_machine.h"
+#include "urdf_machine.h"
 
 namespace ncsim::setup {
 
 MachineFile read_machine(const std::string& path, InputSet& inputs) {
     if (path.ends_with(".ini")) return read_linuxcnc_machine(path, inputs);
     if (path.ends_with(".fcm")) return read_freecad_machine(path, inputs);
+    if (path.ends_with(".machine")) return read_fusion_machine(path, inputs);
+    if (path.ends_with(".urdf")) return read_urdf_machine(path, inputs);
     return read_machine_file(path, inputs);
 }
 

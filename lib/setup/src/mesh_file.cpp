@@ -3,7 +3,10 @@
 
 #include "ncsim/cda/check.h"
 
+#include "obj_mesh.h"
+#include "polygons.h"
 #include "step_file.h"
+#include "vrml_mesh.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -78,10 +81,6 @@ std::optional<std::vector<Vec3>> read_text(std::string_view text) {
 }
 
 // --- Binary glTF: Khronos Group, glTF 2.0 Specification (ISO/IEC 12113:2022) -------------------
-
-struct Refused {
-    std::string reason;
-};
 
 bool is_gltf(std::string_view bytes) {
     return bytes.starts_with("glTF");
@@ -301,9 +300,11 @@ cda::TriangleMesh weld(const std::vector<Vec3>& corners) {
 
 std::vector<Vec3> corners_in(std::string_view bytes) {
     if (is_gltf(bytes)) return read_gltf(bytes);
+    if (is_vrml(bytes)) return read_vrml(bytes);
+    if (is_obj(bytes)) return read_obj(bytes);
     auto corners = read_binary(bytes);
     if (!corners) corners = read_text(bytes);
-    if (!corners) throw Refused{"it is neither STL, binary glTF nor STEP"};
+    if (!corners) throw Refused{"it is neither STL, OBJ, VRML97, binary glTF nor STEP"};
     return std::move(*corners);
 }
 
@@ -315,9 +316,10 @@ SurfaceFile read_surface_file(const std::string& path, InputSet& inputs) {
         SurfaceFile file;
         if (is_step(bytes)) {
             StepSurface step = read_step(bytes, kStepDeflectionMm);
-            file = {std::move(step.mesh), std::move(step.face_names), kStepDeflectionMm};
+            file = {std::move(step.mesh), std::move(step.face_names), kStepDeflectionMm, true};
         } else {
             file.mesh = weld(corners_in(bytes));
+            file.has_unit = is_gltf(bytes);
         }
         const cda::TriangleMesh& mesh = file.mesh;
         if (mesh.triangles.empty()) throw Refused{"it has no triangles"};

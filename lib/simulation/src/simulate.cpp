@@ -12,6 +12,7 @@
 
 #include "join_moves.h"
 #include "messages.h"
+#include "until_line.h"
 
 #include <fmt/format.h>
 
@@ -279,26 +280,6 @@ private:
     std::size_t next_met_ = 0;    // of tiles_
     std::vector<std::pair<std::uint64_t, std::uint64_t>> origins_;  // by motion; of tiles_
 };
-
-// Motions until `line` of the program has been run for the first time. If it makes none, the
-// nearest line before it that does counts.
-std::uint64_t motions_until(const Plan& plan, std::uint32_t line) {
-    std::uint64_t count = 0;
-    std::uint64_t until = 0;
-    std::uint32_t nearest = 0;
-    bool is_running = false;  // the nearest line
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
-        ++count;
-        const std::uint32_t at = motion.file == 0 ? motion.span.line : 0;
-        if (at > nearest && at <= line) {
-            nearest = at;
-            is_running = true;
-        }
-        is_running = is_running && at == nearest;
-        if (is_running) until = count;
-    });
-    return until;
-}
 
 }  // namespace
 

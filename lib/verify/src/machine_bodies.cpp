@@ -13,8 +13,8 @@ namespace {
 // More take longer to divide than programs to check.
 constexpr std::size_t kMostTriangles = 50'000;
 
-RigidBody hull_of(const cda::TriangleMesh& mesh) {
-    return {{ConvexPiece{mesh.vertices, {}, {}, false}}, 0.0};
+RigidBody hull_of(const LinkBody& link) {
+    return {{ConvexPiece{link.mesh.vertices, {}, {}, false}}, link.deflection_mm};
 }
 
 }  // namespace
@@ -28,12 +28,13 @@ MachineBodies::MachineBodies(LinkBodies told)
             taken_as_hull_[i] = "it has more than 50,000 triangles";
         } else {
             try {
-                bodies_[i] = std::make_unique<const RigidBody>(body_in_pieces(mesh));
+                bodies_[i] = std::make_unique<const RigidBody>(
+                    body_in_pieces(mesh, told_.links[i].deflection_mm));
             } catch (const std::invalid_argument& why) {
                 taken_as_hull_[i] = why.what();
             }
         }
-        if (!bodies_[i]) bodies_[i] = std::make_unique<const RigidBody>(hull_of(mesh));
+        if (!bodies_[i]) bodies_[i] = std::make_unique<const RigidBody>(hull_of(told_.links[i]));
     }
 }
 

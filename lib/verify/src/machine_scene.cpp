@@ -56,9 +56,9 @@ RigidBody body_of(const Fixture& fixture, Vec3 shift) {
         p = p + shift;
     if (!mesh.triangles.empty()) {
         try {
-            return body_in_pieces(mesh);
+            return body_in_pieces(mesh, fixture.deflection_mm);
         } catch (const std::invalid_argument&) {
-            return {{ConvexPiece{mesh.vertices, {}, {}, false}}, 0.0};
+            return {{ConvexPiece{mesh.vertices, {}, {}, false}}, fixture.deflection_mm};
         }
     }
     const Vec3 half = 0.5 * fixture.box.size();
@@ -110,8 +110,13 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock) : setup_(&setup
         members_.push_back(std::move(member));
     };
     // The part and fixtures first: they are what looks.
-    if (!stock_.is_empty())
+    if (!stock_.is_empty()) {
+        Fixture block;
+        block.box = stock_;
+        block_ = std::make_unique<const RigidBody>(body_of(block, zero_));
+        longest = std::max(longest, block_->longest());
         add({"part", "the part", told.part_moved_by, nullptr, 0.0, false, true, false});
+    }
     for (const Fixture& fixture : setup.machine.fixtures) {
         fixtures_.push_back(std::make_unique<const RigidBody>(body_of(fixture, zero_)));
         add({fixture.name, fmt::format("the fixture '{}'", fixture.name), told.part_moved_by,
@@ -280,6 +285,35 @@ void MachineScene::note(const Pair& pair, const Encounter& encounter, bool touch
     if (is_worse) *old = std::move(contact);
 }
 
+// That changes no answer: what this proves to be clear is clear.
+bool MachineScene::stays_free(Pair& pair, const Leg& leg, const RigidBody& observer,
+                              const RigidBody& body) {
+    // What rounding makes of sums.
+    constexpr double kSumRounding = 1e-6;
+    const double needed_mm = pair.clearance_mm + leg.missed_mm + kSumRounding;
+    const auto is_enough = [&] {
+        const auto ways = ways_of(pair.free.at, leg.from, leg.going);
+        return ways && keeps_apart(pair.free, *ways, needed_mm);
+    };
+    if (pair.free_with == &body && is_enough()) return true;
+    if (!leg.from || !leg.going || pair.waits > 0) {
+        pair.waits -= pair.waits > 0 ? 1 : 0;
+        return false;
+    }
+    // Farther than machines go in a few moves, and near enough for most pieces to be left out.
+    constexpr double kFarthest = 200.0;
+    pair.free_with = &body;
+    pair.free =
+        free_space(pair.way, *leg.from, observer, body, lattice_, kFarthest + pair.clearance_mm);
+    if (is_enough()) {
+        pair.failed = 0;
+        return true;
+    }
+    constexpr std::uint32_t kMostDoublings = 6;
+    pair.waits = 1U << std::min(pair.failed++, kMostDoublings);
+    return false;
+}
+
 void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
                        std::vector<MachineContact>& contacts) {
     const auto body = [&](std::size_t member) {
@@ -291,6 +325,10 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     if (pair.asked_with == other && !moves(pair, leg)) return;
     pair.asked_at = leg.to;
     pair.asked_with = other;
+    if (stays_free(pair, leg, *observer, *other)) {
+        pair.met_before = false;
+        return;
+    }
     const PairOnLeg on_leg = this->on_leg(pair, leg);
     pair.met_before = false;
     Encounter near;
@@ -334,14 +372,16 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
         leg.path.emplace(*setup_->kinematics, leg.motion);
         leg.from = leg.path->at(0.0);
         leg.to = leg.path->at(1.0);
+        if (leg.from && leg.to) leg.going = leg.path->going(0.0, *leg.from, 1.0, *leg.to);
     }
     const RigidBody* tool = length.gauge_mm ? this->tool(motion.tool, *length.gauge_mm) : nullptr;
-    const bool lacks_gauge = motion.tool != 0 && !length.gauge_mm;
+    // No length, or one that leaves nothing of the tool below the nose.
+    const bool lacks_tool = motion.tool != 0 && !tool;
     const Chain& tool_moved_by = setup_->bodies->told().tool_moved_by;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
         Pair& pair = pairs_[i];
         const bool is_of_tool = members_[pair.body].is_tool;
-        if ((!length.nose_known && needs_length(pair)) || (is_of_tool && lacks_gauge)) {
+        if ((!length.nose_known && needs_length(pair)) || (is_of_tool && lacks_tool)) {
             misses_length_ = true;
             continue;
         }
@@ -358,6 +398,10 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
             if (pair.asked_with == &body && !moves(pair, leg)) continue;
             pair.asked_at = leg.to;
             pair.asked_with = &body;
+            if (stays_free(pair, leg, *block_, body)) {
+                pair.met_before = false;
+                continue;
+            }
             const auto is_clear = [&](const RigidBody& what) {
                 return meet_part(on_leg(pair, leg), *part, stock_, zero_, what, pair.clearance_mm,
                                  false)

@@ -9,6 +9,7 @@
 #include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
+#include "free_space.h"
 #include "pair_search.h"
 #include "rigid_body.h"
 
@@ -66,12 +67,18 @@ private:
         std::uint64_t measured = 0;   // times that its depth was
         std::uint64_t not_clear = 0;  // motions in which it was not
         bool met_before = false;      // in the last one that it was asked in
+        // What was proven of these two last,
+        const RigidBody* free_with = nullptr;
+        FreeSpace free{};
+        std::uint32_t waits = 0;   // legs until it is worth while to ask that anew,
+        std::uint32_t failed = 0;  // and how often it was not
     };
     struct Leg {
         gcode::Motion motion;
         double missed_mm = 0.0;
         std::optional<toolpath::JointPath> path = std::nullopt;
         std::optional<machine::Values> from = std::nullopt, to = std::nullopt;  // at its ends
+        std::optional<machine::Going> going = std::nullopt;                     // all of it
     };
     struct Open {
         std::size_t pair = 0, leg = 0;
@@ -81,6 +88,7 @@ private:
     bool is_told(const std::vector<NamePair>& pairs, const Member& a, const Member& b) const;
     const RigidBody* tool(int number, double gauge_mm, double finer = 1.0);
     const RigidBody* beside_cutter(const RigidBody& body, int tool);
+    bool stays_free(Pair& pair, const Leg& leg, const RigidBody& observer, const RigidBody& body);
     PairOnLeg on_leg(const Pair& pair, const Leg& leg) const;
     bool moves(const Pair& pair, const Leg& leg) const;
     bool needs_length(const Pair& pair) const;
@@ -96,6 +104,7 @@ private:
     cda::Lattice lattice_;
     std::vector<Member> members_;
     std::vector<std::unique_ptr<const RigidBody>> fixtures_;
+    std::unique_ptr<const RigidBody> block_;  // all that the part can be
     std::vector<Pair> pairs_;
     // By number, gauge length, and how much finer than their accuracy they are.
     std::map<std::tuple<int, double, double>, std::unique_ptr<const RigidBody>> tools_;

@@ -49,18 +49,6 @@ Box widened(const Box& box, double by) {
     return {box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}};
 }
 
-// Around the box as it is turned.
-Box placed(const Pose& X, const Box& box) {
-    const Vec3 centre = X * box.centre();
-    const Vec3 half = 0.5 * box.size();
-    Vec3 reach;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3& row = X.rows[static_cast<std::size_t>(i)];
-        reach[i] = std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z;
-    }
-    return {centre - reach, centre + reach};
-}
-
 Box swept(const Span& place, const Box& box) {
     Box both = placed(place.X_0, box);
     both.add(placed(place.X_1, box));

@@ -4,6 +4,7 @@
 #include "ncsim/cda/shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace ncsim::verify {
@@ -21,7 +22,7 @@ ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& la
     return piece;
 }
 
-RigidBody body_in_pieces(const cda::TriangleMesh& mesh) {
+RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
     // Near the origin, where the lattice is finest.
     Box box;
     for (const Vec3& p : mesh.vertices)
@@ -35,7 +36,7 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh) {
     for (const cda::ConvexPolytope& polytope : cda::convex_pieces(near, lattice))
         pieces.push_back(piece_of(polytope, lattice, centre));
     // Two units of the surface, and rounding of its corners.
-    return {std::move(pieces), 3.0 * lattice.unit_mm};
+    return {std::move(pieces), 3.0 * lattice.unit_mm + deflection_mm};
 }
 
 RigidBody::RigidBody(std::vector<ConvexPiece> pieces, double accuracy_mm)
@@ -78,6 +79,17 @@ std::uint32_t RigidBody::build(std::uint32_t begin, std::uint32_t end) {
     }
     nodes_[number] = node;
     return number;
+}
+
+Box placed(const machine::Pose& X, const Box& box) {
+    const Vec3 centre = X * box.centre();
+    const Vec3 half = 0.5 * box.size();
+    Vec3 reach;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& row = X.rows[static_cast<std::size_t>(i)];
+        reach[i] = std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z;
+    }
+    return {centre - reach, centre + reach};
 }
 
 }  // namespace ncsim::verify

@@ -8,6 +8,7 @@
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/separation.h"
 #include "ncsim/cda/vec.h"
+#include "ncsim/machine/pose.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,8 +29,9 @@ class RigidBody;
 /// A polytope that was made on `lattice` about `centre` (mm): outer and inner corners are its own.
 ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& lattice,
                      cda::Vec3 centre);
-/// A body with such a surface, in pieces that shape_of() cuts it into. Throws what that does.
-RigidBody body_in_pieces(const cda::TriangleMesh& mesh);
+/// A body whose surface is that, within `deflection_mm`, in pieces that shape_of() cuts it into.
+/// Throws what that does.
+RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm = 0.0);
 
 class RigidBody {
 public:
@@ -63,5 +65,8 @@ private:
     double radius_ = 0.0;
     double longest_ = 0.0;
 };
+
+/// A box around another one as it is turned.
+cda::Box placed(const machine::Pose& X, const cda::Box& box);
 
 }  // namespace ncsim::verify

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/cda/boundary.h"
+#include "ncsim/export/moving_scene.h"
 #include "ncsim/export/provenance.h"
 
 #include <iosfwd>
@@ -30,5 +31,23 @@ namespace ncsim::exporter {
 /// gives equal bytes. Throws std::invalid_argument if `boundary` is not closed, std::runtime_error
 /// if the file would exceed the format's 4 GiB, or the stream fails.
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+
+/// Writes `scene` with the part in it, and how all of it moves: the node `machine` turns
+/// millimetres, z up, into glTF's metres, y up, and stands for machine coordinates; below it each
+/// node of the scene has one of its own under that which carries it, with the place of its frame as
+/// translation, and meshes in mm. Its extras are those of the joint: `axis` (letter), `turns`,
+/// `direction_x`, _y, _z, and `through_x` …, of the axis with all joints at 0. Bodies are shaded
+/// flat, with the triangles as they are.
+///
+/// One animation, if anything moves: a translation or a rotation a joint, LINEAR, rotations no more
+/// than 90° from key to key; and the scale of what is not always there, STEP, 0 while it is not.
+/// Its extras hold `seconds` and `lines`: when which line of the program begins, and `error_mm`,
+/// MovingScene::missed_mm. Times are floats: keys of which one float cannot tell the times apart
+/// become one.
+///
+/// The part, and errors, as above; std::runtime_error, too, if a body is beyond what floats can
+/// tell.
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                const MovingScene& scene);
 
 }  // namespace ncsim::exporter

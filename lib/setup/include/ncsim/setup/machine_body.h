@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,14 @@ namespace ncsim::setup {
 /// A link of a machine; one without triangles has a name only.
 struct MachineBody {
     std::string link;
-    cda::TriangleMesh mesh;  ///< Closed; machine coordinates with all joints at 0, mm.
+    std::string parent;                   ///< Which link carries it; empty: the bed.
+    std::optional<machine::Joint> joint;  ///< Between both, as it moves this one.
+    cda::TriangleMesh mesh;               ///< Closed; machine coordinates with all joints at 0, mm.
     std::array<std::uint8_t, 3> colour{170, 178, 190};  ///< sRGB.
     /// What moves it, from the bed on: each joint as it moves the link itself.
     machine::Chain moved_by;
-    double clearance_mm = 0.0;  ///< All else is to stay this far away.
+    double clearance_mm = 0.0;   ///< All else is to stay this far away.
+    double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
 };
 
 /// Its corners with the joints at `values`, machine coordinates.

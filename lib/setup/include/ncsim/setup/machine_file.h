@@ -38,7 +38,7 @@
 //     name = "vice"
 //     offset = "G55"                 # in this system, if it is not that of the first cut
 //     box = [[-60, -40, -20], [60, -30, 5]]
-//     clearance = 2                  # or stl = "vice.stl", a closed surface, beside this file
+//     clearance = 2                  # or mesh = "vice.stl" (also: stl = …), as that of a link
 //     [[tool]]                       # limits of a tool
 //     number = 3
 //     max_feed = 600                 # mm/min
@@ -79,8 +79,9 @@
 //     turns_about = [1, 0, 0]        # or moves_along
 //     through = [0, 20, 10]
 //     travel = [-110, 30]
-//     mesh = "cradle.stl"            # beside this file: STL, GLB, STEP; closed, as it stands with
-//                                    # all axes at 0
+//     mesh = "cradle.stl"            # beside this file: STL, OBJ, VRML97, GLB, STEP; closed, as it
+//                                    # stands with all axes at 0
+//     scale = 1000                   # mm that a length of 1 is in STL, OBJ and VRML; default: 1
 //     colour = "#c08040"
 //     clearance = 2                  # mm that all else is to stay away
 //     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
@@ -109,6 +110,7 @@ struct MachineFile {
     std::optional<ToldKinematics> kinematics;
     std::vector<MachineBody> bodies;       ///< Of links that have a mesh.
     std::vector<MachineBody> other_links;  ///< Those that have none.
+    std::string part_link, tool_link;      ///< Which of them carry the part and the tool, if told.
     /// What moves the part and the tool, as MachineBody::moved_by.
     machine::Chain part_moved_by, tool_moved_by;
     /// Who is not asked whether they meet, and who is though they are neighbours.

@@ -30,6 +30,7 @@ struct Fixture {
     /// A box; or a closed mesh, where it has triangles, and then `box` encloses it.
     cda::Box box;
     cda::TriangleMesh mesh;
+    double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
     /// Every part of a tool must stay this far away, mm.
     double clearance_mm = 0.0;
 };

@@ -23,6 +23,9 @@ struct LinkBody {
     cda::TriangleMesh mesh;     ///< Closed; without triangles: nobody told what it looks like.
     machine::Chain moved_by;    ///< From the bed on, each joint as it moves the link.
     double clearance_mm = 0.0;  ///< Everything else is to stay this far away.
+    /// How far the mesh may be from the link that it stands for: what meets it by less is open, and
+    /// what keeps away from it by less, too.
+    double deflection_mm = 0.0;
 };
 
 /// Names of links and fixtures; "tool" and "part" are what they say.

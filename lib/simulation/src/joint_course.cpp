@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/simulation/joint_course.h"
+
+#include "ncsim/report/machining_time.h"
+#include "ncsim/toolpath/joint_path.h"
+#include "ncsim/verify/distances.h"
+
+#include "until_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace ncsim::simulation {
+
+namespace {
+
+using machine::Values;
+
+constexpr double kDegreesPerSecond = 180.0;
+constexpr double kRapidPerSecond = report::kAssumedRapid / 60.0;
+
+// Halvings of a leg: so many keys at most, whatever its joints do.
+constexpr int kMostHalvings = 12;
+
+class CourseWriter {
+public:
+    explicit CourseWriter(const toolpath::Kinematics& machine) : machine_(machine) {}
+
+    void take(const gcode::Motion& motion) {
+        const bool is_known = gcode::start_of(motion) && toolpath::has_known_end(motion);
+        const double seconds = seconds_of(motion);
+        if (!is_known) {
+            course_.seconds += seconds;
+            return;
+        }
+        take_tool(motion);
+        if (course_.lines.empty() || course_.lines.back().line != motion.span.line)
+            course_.lines.push_back({motion.span.line, course_.seconds});
+        gcode::Motion from_known = motion;
+        if (!toolpath::has_known_start(motion)) {
+            const gcode::Position end = *gcode::end_of(motion);
+            from_known.what = gcode::Linear{end, end};
+        }
+        const toolpath::Legs legs = toolpath::legs_of(from_known, {});
+        std::vector<double> lengths;
+        double all = 0.0;
+        for (const gcode::Motion& leg : legs.motions) {
+            lengths.push_back(length_of(leg));
+            all += lengths.back();
+        }
+        course_.missed_mm = std::max(course_.missed_mm, legs.missed_mm);
+        for (std::size_t i = 0; i < legs.motions.size(); ++i) {
+            const double share =
+                all > 0.0 ? lengths[i] / all : 1.0 / static_cast<double>(legs.motions.size());
+            take_leg(legs.motions[i], share * seconds);
+        }
+    }
+
+    JointCourse finish() {
+        if (!course_.tools.empty()) course_.tools.back().to_seconds = course_.seconds;
+        // Time that passes at the end.
+        if (!course_.keys.empty() && course_.keys.back().seconds < course_.seconds)
+            course_.keys.push_back({course_.seconds, course_.keys.back().values});
+        return std::move(course_);
+    }
+
+private:
+    static double length_of(const gcode::Motion& leg) {
+        const auto* line = std::get_if<gcode::Linear>(&leg.what);
+        return line ? norm(toolpath::linear_axes(line->to) - toolpath::linear_axes(line->from))
+                    : 1.0;
+    }
+
+    // As the report counts them, one by one.
+    double seconds_of(const gcode::Motion& motion) {
+        verify::Distances distances;
+        verify::add(distances, motion, &machine_);
+        if (distances.feed_seconds) return *report::time_of(distances).total();
+        ++course_.without_feed;
+        return distances.feed_mm / kRapidPerSecond;
+    }
+
+    void take_tool(const gcode::Motion& motion) {
+        const ToolTime now{motion.tool, motion.length.mm(), course_.seconds, course_.seconds};
+        if (!course_.tools.empty()) {
+            ToolTime& last = course_.tools.back();
+            if (last.number == now.number && last.length_mm == now.length_mm) return;
+            last.to_seconds = course_.seconds;
+        }
+        course_.tools.push_back(now);
+    }
+
+    // The time that the joints need at least: none of them turns faster than that.
+    static double least_seconds(const Values& from, const Values& to) {
+        double degrees = 0.0;
+        for (std::size_t i = 3; i < 6; ++i)
+            degrees = std::max(degrees, std::abs(to[i] - from[i]));
+        return degrees / kDegreesPerSecond;
+    }
+
+    void add_key(double seconds, const Values& values) {
+        auto& keys = course_.keys;
+        // Of those that stand still, the first and the last.
+        if (keys.size() >= 2 && keys.back().values == values &&
+            keys[keys.size() - 2].values == values) {
+            keys.back().seconds = seconds;
+            return;
+        }
+        if (!keys.empty() && keys.back().seconds >= seconds) {
+            keys.back().values = values;
+            return;
+        }
+        keys.push_back({seconds, values});
+    }
+
+    void take_leg(const gcode::Motion& leg, double told_seconds) {
+        const toolpath::JointPath path(machine_, leg);
+        const auto from = path.at(0.0), to = path.at(1.0);
+        if (!from || !to) {
+            ++course_.left_out;
+            course_.seconds += told_seconds;
+            return;
+        }
+        if (!course_.keys.empty()) {
+            const Values before = course_.keys.back().values;
+            add_key(course_.seconds, before);
+            go_over(before, *from);
+        }
+        add_key(course_.seconds, *from);
+        const double seconds = std::max(told_seconds, least_seconds(*from, *to));
+        divide(path, {0.0, *from}, {1.0, *to}, seconds, 0);
+        course_.seconds += seconds;
+    }
+
+    // From where a motion ended to where the next one begins, if that is elsewhere.
+    void go_over(const Values& from, const Values& to) {
+        double square = 0.0;
+        for (std::size_t i = 0; i < 3; ++i)
+            square += (to[i] - from[i]) * (to[i] - from[i]);
+        // What rounding makes of one place.
+        constexpr double kSame = 1e-6;
+        const double turns = least_seconds(from, to);
+        if (square < kSame * kSame && turns < kSame) return;
+        course_.seconds += std::max(std::sqrt(square) / kRapidPerSecond, turns);
+    }
+
+    struct End {
+        double t = 0.0;
+        Values values{};
+    };
+
+    // Adds keys after the one at `a`, to the one at `b`.
+    void divide(const toolpath::JointPath& path, const End& a, const End& b, double seconds,
+                int halvings) {
+        const auto going = path.going(a.t, a.values, b.t, b.values);
+        const double missed_mm =
+            going ? going->bend / 8.0 : std::numeric_limits<double>::infinity();
+        const bool is_last = halvings == kMostHalvings || (!going && halvings == kUnknown);
+        if (missed_mm > kCourseTolerance && !is_last) {
+            const double middle = 0.5 * (a.t + b.t);
+            if (const auto values = path.at(middle)) {
+                const End m{middle, *values};
+                divide(path, a, m, seconds, halvings + 1);
+                divide(path, m, b, seconds, halvings + 1);
+                return;
+            }
+            ++course_.left_out;
+        }
+        if (going) course_.missed_mm = std::max(course_.missed_mm, missed_mm);
+        add_key(course_.seconds + b.t * seconds, b.values);
+    }
+
+    // Halvings where no bound is known.
+    static constexpr int kUnknown = 6;
+
+    const toolpath::Kinematics& machine_;
+    JointCourse course_;
+};
+
+}  // namespace
+
+JointCourse joint_course(const Plan& plan) {
+    CourseWriter writer(*plan.placed);
+    const std::uint64_t most = plan.at_line ? motions_until(plan, *plan.at_line)
+                                            : std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t motions = 0;
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+        if (motions++ < most) writer.take(motion);
+    });
+    return writer.finish();
+}
+
+}  // namespace ncsim::simulation

@@ -1,0 +1,12 @@
+(The slide of X, with the guideway of Z)
+G21 G90 G17 G94
+S500 M3
+T1 M6
+G0 X0 Y0 Z600
+G0 A90
+G0 X0 Y500 Z300
+G1 Z-168 F5000
+G1 Y-300
+G0 Z600
+G0 A0
+M30

@@ -1,0 +1,23 @@
+(The round table, which turns about C, with four slots)
+G21 G90 G17 G94
+S500 M3
+T1 M6
+G0 X-150 Y0 Z-300
+G1 Z-332 F5000
+G1 X150
+G0 Z-300
+G0 X0 Y-150
+G1 Z-332
+G1 Y150
+G0 Z-300
+(its foot, from below)
+T2 M6
+G0 X0 Y0 Z600
+G0 A180
+G0 X-90 Y0 Z500
+G1 Z352
+G2 X-90 Y0 I90 J0
+G1 X-130
+G0 Z500
+G0 A0
+M30

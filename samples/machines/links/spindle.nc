@@ -1,0 +1,15 @@
+(The nose of the spindle, from below: what looks up is at A180)
+G21 G90 G17 G94
+S500 M3
+T2 M6
+G0 X0 Y0 Z600
+G0 A180
+G1 Z-40 F5000
+G0 Z600
+T1 M6
+G0 X63 Y0 Z100
+G1 Z-30
+G3 X63 Y0 I-63 J0
+G0 Z600
+G0 A0
+M30
