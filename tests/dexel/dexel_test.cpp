@@ -218,7 +218,7 @@ TEST(Dexel, ABallLeavesAGrooveOfItsOwnRadius) {
     cda::RoundSweep sweep;
     sweep.radius = 2;
     sweep.height = 10;
-    sweep.is_ball = true;
+    sweep.tip_height = 2;
     sweep.from = {-3, 5, 4};
     sweep.to = {13, 5, 4};
     sweep.origin = cda::Origin{1};

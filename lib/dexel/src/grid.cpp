@@ -21,16 +21,23 @@ GridAxis::GridAxis(double min, double max, double wanted) {
 }
 
 std::size_t GridAxis::from(double place) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(at, place) - at.begin());
+    const double guess = (place - at.front()) / pitch;
+    auto i = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(at.size())));
+    while (i < at.size() && at[i] < place)
+        ++i;
+    while (i > 0 && at[i - 1] >= place)
+        --i;
+    return i;
 }
 
-Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)
+Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch, bool has_only_z)
     : axes{GridAxis(min.x, max.x, pitch), GridAxis(min.y, max.y, pitch),
            GridAxis(min.z, max.z, pitch)} {
     const auto corners = [this](std::size_t axis) {
         return static_cast<double>(axes[axis].corners());
     };
-    const double rays = corners(0) * corners(1) + corners(1) * corners(2) + corners(2) * corners(0);
+    double rays = corners(0) * corners(1);
+    if (!has_only_z) rays += corners(1) * corners(2) + corners(2) * corners(0);
     if (!(rays <= kMostRays)) throw std::invalid_argument("the resolution is too fine");
 }
 

@@ -31,7 +31,7 @@ inline constexpr double kMostRays = 2e6;
 
 struct Grid {
     /// Of a box in units. Throws std::invalid_argument if there were more than kMostRays.
-    Grid(cda::Vec3 min, cda::Vec3 max, double pitch);
+    Grid(cda::Vec3 min, cda::Vec3 max, double pitch, bool has_only_z = false);
 
     std::array<GridAxis, 3> axes;
 };

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// model_table PROGRAM…: what the models of the workpiece cost, and how near the inexact ones come,
+// one thread. PROGRAM: wave-10000 and so on (programs.h), or a file. A row a model, each in a
+// process of its own, so that memory is that of one.
+#include "ncsim/cda/boundary.h"
+#include "ncsim/cda/check.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/setup/job.h"
+#include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/models.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/toolpath/walk.h"
+
+#include "programs.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace ncsim;
+
+double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+struct Row {
+    std::string title, model;
+    double resolution = 0.0;
+    simulation::RayDirections rays = simulation::RayDirections::Chosen;
+};
+
+struct Program {
+    std::string name;
+    gcode::SourceFile text;
+};
+
+Program program_of(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    if (!file) return {name, {name, bench::program_named(name)}};
+    return {std::filesystem::path(name).stem().string(),
+            {name, std::string(std::istreambuf_iterator<char>(file), {})}};
+}
+
+simulation::Plan plan_for(const Program& program, const Row& row) {
+    simulation::Plan plan;
+    plan.job = setup::job_of(program.text);
+    plan.model = row.model;
+    plan.resolution = row.resolution;
+    plan.rays = row.rays;
+    plan.threads = 1;
+    plan.keep_boundary = true;
+    return plan;
+}
+
+// CPU seconds in the model alone, and what it was given.
+struct Cutting {
+    double seconds = 0.0;
+    std::size_t moves = 0;
+};
+
+class Bodies {
+public:
+    Bodies(cda::WorkpieceModel& part, Cutting& cutting) : part_(part), cutting_(cutting) {}
+    ~Bodies() { flush(); }
+    Bodies(const Bodies&) = delete;
+    Bodies& operator=(const Bodies&) = delete;
+
+    void take(const toolpath::Step& step) {
+        sweeps_.insert(sweeps_.end(), step.sweeps.begin(), step.sweeps.end());
+        cells_.insert(cells_.end(), step.cells.begin(), step.cells.end());
+        cutting_.moves += step.sweeps.size() + step.cells.size();
+        constexpr std::size_t kChunk = 4096;
+        if (sweeps_.size() + cells_.size() >= kChunk) flush();
+    }
+
+private:
+    void flush() {
+        const double start = cpu_seconds();
+        for (const cda::RoundSweep& sweep : sweeps_)
+            part_.subtract_sweep(sweep);
+        if (!cells_.empty()) part_.subtract_unmeasured(cells_);
+        cutting_.seconds += cpu_seconds() - start;
+        sweeps_.clear();
+        cells_.clear();
+    }
+
+    cda::WorkpieceModel& part_;
+    Cutting& cutting_;
+    std::vector<cda::RoundSweep> sweeps_;
+    std::vector<cda::Cell> cells_;
+};
+
+Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey) {
+    const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
+    simulation::ModelParameters parameters;
+    parameters.threads = 1;
+    parameters.resolution_mm = plan.resolution;
+    parameters.only_along_z = plan.rays == simulation::RayDirections::AlongZ;
+    const auto part = cda::create(*simulation::make_model(plan.model, parameters), stock);
+    toolpath::ToolAccuracy accuracy;
+    accuracy.tolerance_mm = plan.tool_tolerance;
+    toolpath::Walk walk(stock.lattice, survey.stock->box, accuracy, {});
+    if (part->takes_sweeps()) walk.leave_round();
+    for (const auto& [number, used] : survey.tools)
+        walk.add_tool(number, used.tool);
+    Cutting cutting;
+    {
+        Bodies bodies(*part, cutting);
+        std::uint32_t number = 0;
+        gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+            walk.take(motion, cda::Origin{++number},
+                      [&](const toolpath::Step& step) { bodies.take(step); });
+        });
+    }
+    const double start = cpu_seconds();
+    static_cast<void>(part->volume());  // what waits is cut then
+    cutting.seconds += cpu_seconds() - start;
+    return cutting;
+}
+
+// The exact volume comes first, and is handed on.
+double print_row(const Program& program, const Row& row, double exact_volume) {
+    simulation::Plan plan = plan_for(program, row);
+    const double start = cpu_seconds();
+    const simulation::Survey survey = simulation::survey(plan);
+    if (!survey.is_ready()) throw std::runtime_error("cannot be simulated");
+    simulation::choose_rays(plan, survey);
+    simulation::choose_resolution(plan, survey);
+    const simulation::Simulation done = simulation::simulate(plan, survey, {}, {});
+    const double whole = cpu_seconds() - start;
+    const bool is_closed = cda::check(*done.boundary).is_closed();
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const Cutting cutting = cut_alone(plan, survey);
+    const auto moves = static_cast<double>(std::max<std::size_t>(cutting.moves, 1));
+    const double volume = done.part_volume;
+    fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {} | {:+.3g} | {:.3g} | {:+.3g} |\n",
+               program.name, row.title, is_closed ? "yes" : "NO", 1e6 * cutting.seconds / moves,
+               whole, usage.ru_maxrss / 1024, volume - exact_volume, done.part_volume_error,
+               cda::volume(*done.boundary) - exact_volume);
+    std::fflush(stdout);
+    return volume;
+}
+
+// In a process of its own.
+double row_apart(const Program& program, const Row& row, double exact_volume) {
+    std::array<int, 2> pipe{};
+    if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child == 0) {
+        double volume = 0.0;
+        try {
+            volume = print_row(program, row, exact_volume);
+        } catch (const std::exception& e) {
+            fmt::print("| {} | {} | {} |\n", program.name, row.title, e.what());
+            std::fflush(stdout);
+        }
+        const bool is_told = ::write(pipe[1], &volume, sizeof volume) == sizeof volume;
+        ::_exit(is_told ? 0 : 2);
+    }
+    ::close(pipe[1]);
+    double volume = 0.0;
+    if (::read(pipe[0], &volume, sizeof volume) != sizeof volume) volume = 0.0;
+    ::close(pipe[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return volume;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using simulation::RayDirections;
+    const std::vector<Row> rows{
+        {"dexel 0.4 xyz", "dexel", 0.4, RayDirections::AlongAll},
+        {"dexel 0.2 xyz", "dexel", 0.2, RayDirections::AlongAll},
+        {"dexel 0.4 z", "dexel", 0.4, RayDirections::AlongZ},
+        {"dexel 0.2 z", "dexel", 0.2, RayDirections::AlongZ},
+        {"dexel 0.1 z", "dexel", 0.1, RayDirections::AlongZ},
+    };
+    // The flat aggregate is quadratic.
+    constexpr std::size_t kMostForFlat = 30'000;  // characters
+    try {
+        fmt::print(
+            "| program | model | closed | cutting, µs a hull | from text to surface, s | MB | "
+            "volume "
+            "- exact, mm³ | told to be off at most, mm³ | enclosed - exact, mm³ |\n"
+            "|---|---|---|---|---|---|---|---|---|\n");
+        std::fflush(stdout);
+        for (int i = 1; i < argc; ++i) {
+            const Program program = program_of(argv[i]);
+            // Its own volume is what it is: the first row is made twice.
+            const Row exact{"cda", "cda", 0.0, RayDirections::Chosen};
+            simulation::Plan plan = plan_for(program, exact);
+            plan.keep_boundary = false;
+            const double volume = simulation::simulate(plan).part_volume;
+            row_apart(program, exact, volume);
+            if (program.text.text.size() <= kMostForFlat)
+                row_apart(program, {"cda-flat", "cda-flat", 0.0, RayDirections::Chosen}, volume);
+            for (const Row& row : rows)
+                row_apart(program, row, volume);
+        }
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "model_table: %s\n", e.what());
+        return 2;
+    }
+    return 0;
+}
