@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// model_table PROGRAM…: what the models of the workpiece cost, and how near the inexact ones come,
-// one thread. PROGRAM: wave-10000 and so on (programs.h), or a file. A row a model, each in a
+// model_table [PROGRAM…]: what the models of the workpiece cost, and how near the inexact ones
+// come, one thread. PROGRAM: wave-10000 and so on (programs.h), or a file. A row a model, each in a
 // process of its own, so that memory is that of one.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
@@ -12,6 +12,7 @@
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/toolpath/walk.h"
 
+#include "nef/nef_part.h"
 #include "programs.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -141,8 +141,42 @@ Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey
     return cutting;
 }
 
-// The exact volume comes first, and is handed on.
-double print_row(const Program& program, const Row& row, double exact_volume) {
+// One Boolean operation after the other.
+void print_nef_row(const Program& program, double exact_volume) {
+    simulation::Plan plan = plan_for(program, {"nef", "cda"});
+    const double start = cpu_seconds();
+    const simulation::Survey survey = simulation::survey(plan);
+    const cda::Box box = survey.stock->box;
+    const cda::Lattice lattice = cda::Lattice::for_stock(box);
+    toolpath::ToolAccuracy accuracy;
+    accuracy.tolerance_mm = plan.tool_tolerance;
+    toolpath::Walk walk(lattice, box, accuracy, {});
+    for (const auto& [number, used] : survey.tools)
+        walk.add_tool(number, used.tool);
+    test::NefPart part(cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice));
+    double seconds = 0.0;
+    std::size_t hulls = 0;
+    std::uint32_t number = 0;
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+        walk.take(motion, cda::Origin{++number}, [&](const toolpath::Step& step) {
+            const double before = cpu_seconds();
+            for (const cda::Cell& cell : step.cells)
+                part.subtract(cell);
+            seconds += cpu_seconds() - before;
+            hulls += step.cells.size();
+        });
+    });
+    const double volume = part.volume() * lattice.cubic_unit_mm3();
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print(
+        "| {} | boundary evaluation (CGAL Nef) | - | {:.2f} | {:.2f} | {} | {:+.3g} | 0 | - |\n",
+        program.name, 1e6 * seconds / static_cast<double>(std::max<std::size_t>(hulls, 1)),
+        cpu_seconds() - start, usage.ru_maxrss / 1024, volume - exact_volume);
+    std::fflush(stdout);
+}
+
+void print_row(const Program& program, const Row& row, double exact_volume) {
     simulation::Plan plan = plan_for(program, row);
     const double start = cpu_seconds();
     const simulation::Survey survey = simulation::survey(plan);
@@ -162,33 +196,24 @@ double print_row(const Program& program, const Row& row, double exact_volume) {
                whole, usage.ru_maxrss / 1024, volume - exact_volume, done.part_volume_error,
                cda::volume(*done.boundary) - exact_volume);
     std::fflush(stdout);
-    return volume;
 }
 
 // In a process of its own.
-double row_apart(const Program& program, const Row& row, double exact_volume) {
-    std::array<int, 2> pipe{};
-    if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
+void row_apart(const Program& program, const std::string& title,
+               const std::function<void()>& print) {
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("no process");
     if (child == 0) {
-        double volume = 0.0;
         try {
-            volume = print_row(program, row, exact_volume);
+            print();
         } catch (const std::exception& e) {
-            fmt::print("| {} | {} | {} |\n", program.name, row.title, e.what());
+            fmt::print("| {} | {} | {} |\n", program.name, title, e.what());
             std::fflush(stdout);
         }
-        const bool is_told = ::write(pipe[1], &volume, sizeof volume) == sizeof volume;
-        ::_exit(is_told ? 0 : 2);
+        ::_exit(0);
     }
-    ::close(pipe[1]);
-    double volume = 0.0;
-    if (::read(pipe[0], &volume, sizeof volume) != sizeof volume) volume = 0.0;
-    ::close(pipe[0]);
     int status = 0;
     ::waitpid(child, &status, 0);
-    return volume;
 }
 
 }  // namespace
@@ -203,7 +228,18 @@ int main(int argc, char** argv) {
         {"dexel 0.1 z", "dexel", 0.1, RayDirections::AlongZ},
     };
     // The flat aggregate is quadratic.
-    constexpr std::size_t kMostForFlat = 30'000;  // characters
+    constexpr std::size_t kMostForFlat = 30'000, kMostForNef = 8'000;  // characters
+    std::vector<std::string> names(argv + 1, argv + argc);
+    if (names.empty()) {
+        names = {NCSIM_SOURCE_DIR "/samples/simple.nc",
+                 NCSIM_SOURCE_DIR "/samples/complex.nc",
+                 NCSIM_SOURCE_DIR "/samples/wave.nc",
+                 "wave-10000",
+                 "wave-100000",
+                 "finish-35000",
+                 "pocket-10000",
+                 "drill-10000"};
+    }
     try {
         fmt::print(
             "| program | model | closed | cutting, µs a hull | from text to surface, s | MB | "
@@ -211,18 +247,22 @@ int main(int argc, char** argv) {
             "- exact, mm³ | told to be off at most, mm³ | enclosed - exact, mm³ |\n"
             "|---|---|---|---|---|---|---|---|---|\n");
         std::fflush(stdout);
-        for (int i = 1; i < argc; ++i) {
-            const Program program = program_of(argv[i]);
-            // Its own volume is what it is: the first row is made twice.
+        for (const std::string& name : names) {
+            const Program program = program_of(name);
             const Row exact{"cda", "cda", 0.0, RayDirections::Chosen};
             simulation::Plan plan = plan_for(program, exact);
             plan.keep_boundary = false;
             const double volume = simulation::simulate(plan).part_volume;
-            row_apart(program, exact, volume);
-            if (program.text.text.size() <= kMostForFlat)
-                row_apart(program, {"cda-flat", "cda-flat", 0.0, RayDirections::Chosen}, volume);
+            const auto print = [&](const Row& row) {
+                row_apart(program, row.title, [&] { print_row(program, row, volume); });
+            };
+            print(exact);
+            const std::size_t length = program.text.text.size();
+            if (length <= kMostForFlat) print({"cda-flat", "cda-flat", 0.0, RayDirections::Chosen});
+            if (length <= kMostForNef)
+                row_apart(program, "nef", [&] { print_nef_row(program, volume); });
             for (const Row& row : rows)
-                row_apart(program, row, volume);
+                print(row);
         }
     } catch (const std::exception& e) {
         std::fprintf(stderr, "model_table: %s\n", e.what());

@@ -3,6 +3,7 @@ ncsim_add_test(dexel
   SOURCES
     along_z_test.cpp
     cell_components_test.cpp
+    cutter_test.cpp
     dexel_test.cpp
     rays_test.cpp
     round_sweep_test.cpp
