@@ -41,9 +41,8 @@ cda::Vec3 in_units(cda::Vec3 mm, const cda::Lattice& lattice) {
 
 }  // namespace
 
-double finest_resolution(cda::Vec3 size, Directions directions) {
-    double all = size.x * size.y;
-    if (directions == Directions::Three) all += size.y * size.z + size.z * size.x;
+double finest_resolution(cda::Vec3 size) {
+    const double all = size.x * size.y + size.y * size.z + size.z * size.x;
     constexpr double kEdges = 1.01;  // rays beyond the stock
     return kEdges * std::sqrt(all / kMostRays);
 }
@@ -63,7 +62,7 @@ public:
                                  ? parameters.resolution_mm / lattice.unit_mm
                                  : default_resolution(longest);
         const bool has_only_z = parameters.directions == Directions::OnlyZ;
-        grid_.emplace(min, max, pitch, has_only_z);
+        grid_.emplace(min, max, pitch);
         stock_.emplace(stock, lattice, *grid_);
         rays_.emplace();
         for (std::size_t axis = has_only_z ? 2 : 0; axis < 3; ++axis) {

@@ -30,14 +30,13 @@ std::size_t GridAxis::from(double place) const {
     return i;
 }
 
-Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch, bool has_only_z)
+Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)
     : axes{GridAxis(min.x, max.x, pitch), GridAxis(min.y, max.y, pitch),
            GridAxis(min.z, max.z, pitch)} {
     const auto corners = [this](std::size_t axis) {
         return static_cast<double>(axes[axis].corners());
     };
-    double rays = corners(0) * corners(1);
-    if (!has_only_z) rays += corners(1) * corners(2) + corners(2) * corners(0);
+    const double rays = corners(0) * corners(1) + corners(1) * corners(2) + corners(2) * corners(0);
     if (!(rays <= kMostRays)) throw std::invalid_argument("the resolution is too fine");
 }
 

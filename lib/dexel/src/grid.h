@@ -26,12 +26,13 @@ struct GridAxis {
     double pitch = 1.0;      ///< Units; a whole number of them is the stock.
 };
 
-/// Of all directions together: the surface takes about a kilobyte a ray.
+/// Of all directions together, whether they are there or not: the surface takes about a kilobyte
+/// for each.
 inline constexpr double kMostRays = 2e6;
 
 struct Grid {
     /// Of a box in units. Throws std::invalid_argument if there were more than kMostRays.
-    Grid(cda::Vec3 min, cda::Vec3 max, double pitch, bool has_only_z = false);
+    Grid(cda::Vec3 min, cda::Vec3 max, double pitch);
 
     std::array<GridAxis, 3> axes;
 };

@@ -18,6 +18,7 @@ double sign(double x) {
 
 PackedNormal PackedNormal::of(cda::Vec3 n) {
     const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (!(sum > 0.0)) return {};
     double u = n.x / sum, v = n.y / sum;
     if (n.z < 0.0) {
         const double folded = (1.0 - std::abs(v)) * sign(u);

@@ -39,10 +39,6 @@ bool has_no_flat(const toolpath::Tool& tool) {
     return false;
 }
 
-dexel::Directions directions_of(const Plan& plan) {
-    return plan.rays == RayDirections::AlongZ ? dexel::Directions::OnlyZ : dexel::Directions::Three;
-}
-
 }  // namespace
 
 void choose_model(Plan& plan, const Survey& survey) {
@@ -76,7 +72,7 @@ void choose_resolution(Plan& plan, const Survey& survey) {
     const ModelInfo* model = find_model(plan.model);
     if (!model || !model->has_resolution || !survey.is_ready()) return;
     const cda::Vec3 size = survey.stock->box.size();
-    const double finest = dexel::finest_resolution(size, directions_of(plan));
+    const double finest = dexel::finest_resolution(size);
     if (plan.resolution > 0.0 && plan.resolution < finest) {
         throw std::runtime_error(fmt::format(
             "a resolution of {:g} mm is too fine for this stock: {:.2g} mm is the finest",

@@ -36,7 +36,7 @@ inline double default_resolution(double longest) {
 }
 
 /// Of stock of this size, mm: finer ones take more rays than are kept, two million.
-double finest_resolution(cda::Vec3 size, Directions directions = Directions::Three);
+double finest_resolution(cda::Vec3 size);
 
 /// Between rays, a wall or a slot may be missing; on a ray, the surface is that of the round tool
 /// (cda::RoundSweep), or, of other tools and those that do not stand upright, of its polytope, to a
