@@ -2,8 +2,8 @@
 //
 // Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
 // is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
-// front; other cylinders and rings become rings of paper; of spheres the point opposite the face is
-// where the map has none.
+// front, those of extrusions along their lines; other cylinders and rings become rings of paper; of
+// spheres the point opposite the face is where the map has none.
 #include "ncsim/brep/check.h"
 
 #include "ncsim/brep/measure.h"
@@ -39,19 +39,19 @@ struct Point {
 class Map {
 public:
     Map(const Part& part, const Face& face)
-        : form_(&face.surface.form), axes_(face.frame.origin, face.frame) {
-        if (const auto* f = std::get_if<Cylinder>(form_)) {
+        : form_(&face.surface.form), axes_(axes_of(face, face.frame.origin)) {
+        if (is_straight_up()) {
             low_ = std::numeric_limits<double>::infinity();
             for_edges(part, face, [&](const Track& track, double) {
                 for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-                    const Local p = axes_(track.at(t));
+                    const Local p = local(track.at(t));
                     low_ = std::min(low_, p.z);
                     // The x axis points away from the face.
                     constexpr double kSteep = 0.2;
                     faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.away;
                 }
             });
-            low_ -= 2.0 * f->radius;
+            low_ -= 2.0 * radius_of(*form_);
         } else if (const auto* c = std::get_if<Cone>(form_)) {
             axes_.origin = c->apex;
         } else if (const auto* s = std::get_if<Sphere>(form_)) {
@@ -70,11 +70,10 @@ public:
     }
 
     Point operator()(Vec3 at) const {
-        const Local p = axes_(at);
+        const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
-        if (std::holds_alternative<Cylinder>(*form_))
-            return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
+        if (is_straight_up()) return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
         if (const auto* s = std::get_if<Sphere>(form_)) {
             const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
             return {scale * p.x, scale * p.y};
@@ -88,10 +87,19 @@ public:
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
-               (std::holds_alternative<Cylinder>(*form_) && faces_one_way_);
+               (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
     }
 
 private:
+    // In the coordinates of its axes.
+    bool is_straight_up() const {
+        return std::holds_alternative<Cylinder>(*form_) ||
+               std::holds_alternative<Extrusion>(*form_) || std::holds_alternative<Dome>(*form_);
+    }
+    Local local(Vec3 p) const {
+        const auto* dome = std::get_if<Dome>(form_);
+        return dome ? local_on(*dome, axes_, p) : axes_(p);
+    }
     static Point out(const Local& p, double radius) {
         return {radius * p.x / p.away, radius * p.y / p.away};
     }
