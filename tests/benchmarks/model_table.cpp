@@ -5,6 +5,7 @@
 // process of its own, so that memory is that of one.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
+#include "ncsim/dexel/dexel.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/draft.h"
@@ -28,6 +29,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -113,13 +115,11 @@ private:
     std::vector<cda::Cell> cells_;
 };
 
-Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey) {
+Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey,
+                  const cda::WorkpieceModel& prototype,
+                  std::unique_ptr<cda::WorkpieceModel>& part) {
     const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
-    simulation::ModelParameters parameters;
-    parameters.threads = 1;
-    parameters.resolution_mm = plan.resolution;
-    parameters.only_along_z = plan.rays == simulation::RayDirections::AlongZ;
-    const auto part = cda::create(*simulation::make_model(plan.model, parameters), stock);
+    part = cda::create(prototype, stock);
     toolpath::ToolAccuracy accuracy;
     accuracy.tolerance_mm = plan.tool_tolerance;
     toolpath::Walk walk(stock.lattice, survey.stock->box, accuracy, {});
@@ -139,6 +139,25 @@ Cutting cut_alone(const simulation::Plan& plan, const simulation::Survey& survey
     static_cast<void>(part->volume());  // what waits is cut then
     cutting.seconds += cpu_seconds() - start;
     return cutting;
+}
+
+// The surface alone: as the thesis has it, and as it is now.
+void print_mesher_rows(const Program& program, double resolution, double exact_volume) {
+    simulation::Plan plan = plan_for(program, {"", "dexel", resolution});
+    const simulation::Survey survey = simulation::survey(plan);
+    for (const auto& [title, mesher] : {std::pair{"dual contouring", dexel::Mesher::DualContouring},
+                                        {"marching cubes", dexel::Mesher::MarchingCubes}}) {
+        const dexel::Dexel prototype({1, resolution, dexel::Directions::Three, mesher});
+        std::unique_ptr<cda::WorkpieceModel> part;
+        cut_alone(plan, survey, prototype, part);
+        const double start = cpu_seconds();
+        const cda::Boundary boundary = part->boundary();
+        const double seconds = cpu_seconds() - start;
+        fmt::print("| {} | {:g} xyz, {} | {} | - | {:.2f} | - | - | - | {:+.3g} |\n", program.name,
+                   resolution, title, cda::check(boundary).is_closed() ? "yes" : "NO", seconds,
+                   cda::volume(boundary) - exact_volume);
+        std::fflush(stdout);
+    }
 }
 
 // One Boolean operation after the other.
@@ -188,7 +207,13 @@ void print_row(const Program& program, const Row& row, double exact_volume) {
     const bool is_closed = cda::check(*done.boundary).is_closed();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const Cutting cutting = cut_alone(plan, survey);
+    simulation::ModelParameters parameters;
+    parameters.threads = 1;
+    parameters.resolution_mm = plan.resolution;
+    parameters.only_along_z = plan.rays == simulation::RayDirections::AlongZ;
+    std::unique_ptr<cda::WorkpieceModel> part;
+    const Cutting cutting =
+        cut_alone(plan, survey, *simulation::make_model(plan.model, parameters), part);
     const auto moves = static_cast<double>(std::max<std::size_t>(cutting.moves, 1));
     const double volume = done.part_volume;
     fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {} | {:+.3g} | {:.3g} | {:+.3g} |\n",
@@ -263,6 +288,8 @@ int main(int argc, char** argv) {
                 row_apart(program, "nef", [&] { print_nef_row(program, volume); });
             for (const Row& row : rows)
                 print(row);
+            constexpr double kCoarse = 0.4;
+            row_apart(program, "meshers", [&] { print_mesher_rows(program, kCoarse, volume); });
         }
     } catch (const std::exception& e) {
         std::fprintf(stderr, "model_table: %s\n", e.what());

@@ -18,6 +18,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -122,6 +123,47 @@ public:
             for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
                 for (std::size_t i = column_[column(x, y)]; i < column_[column(x, y) + 1]; ++i)
                     add_facets({x, y, cells_[i].z}, cells_[i].inside);
+            }
+        }
+    }
+
+    // The polygons of each cell, with a corner on each edge of the grid that is crossed.
+    void march() {
+        place_corners();
+        points.clear();
+        std::unordered_map<std::uint64_t, std::uint32_t> on_edge;
+        const auto corner_on = [&](const Place& from, std::size_t axis) {
+            const std::uint64_t key =
+                3 * ((from[0] * grid_.axes[1].corners() + from[1]) * grid_.axes[2].corners() +
+                     from[2]) +
+                axis;
+            const auto [at, is_new] =
+                on_edge.try_emplace(key, static_cast<std::uint32_t>(points.size()));
+            if (is_new) {
+                Vec3 point = point_of(from);
+                point[static_cast<int>(axis)] = crossing_at(from, axis).at;
+                points.push_back(point);
+            }
+            return at->second;
+        };
+        for (std::size_t x = 0; x < grid_.axes[0].cells(); ++x) {
+            for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
+                for (std::size_t i = column_[column(x, y)]; i < column_[column(x, y) + 1]; ++i) {
+                    const Place cell{x, y, cells_[i].z};
+                    for (const auto& loop : loops_of(cells_[i].inside)) {
+                        std::vector<std::uint32_t> corners;
+                        for (const int edge : loop)
+                            corners.push_back(corner_on(corner_at(cell, first_corner(edge)),
+                                                        static_cast<std::size_t>(edge / 4)));
+                        const Place from = corner_at(cell, first_corner(loop.front()));
+                        const cda::Origin origin =
+                            crossing_at(from, static_cast<std::size_t>(loop.front() / 4)).origin;
+                        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+                            triangles.push_back({corners[0], corners[k], corners[k + 1]});
+                            origins.push_back(origin);
+                        }
+                    }
+                }
             }
         }
     }
@@ -473,12 +515,21 @@ private:
 }  // namespace
 
 Contour::Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
-                 const cda::Lattice& lattice, std::size_t threads)
-    : grid_(grid), rays_(rays), stock_(stock), lattice_(lattice), threads_(threads) {}
+                 const cda::Lattice& lattice, std::size_t threads, Mesher mesher)
+    : grid_(grid),
+      rays_(rays),
+      stock_(stock),
+      lattice_(lattice),
+      threads_(threads),
+      mesher_(mesher) {}
 
 cda::Boundary Contour::boundary() const {
     Contouring contouring(grid_, rays_, stock_, threads_);
-    contouring.run();
+    if (mesher_ == Mesher::MarchingCubes) {
+        contouring.march();
+    } else {
+        contouring.run();
+    }
     cda::Boundary boundary;
     boundary.vertices.reserve(contouring.points.size());
     for (const Vec3& p : contouring.points)

@@ -5,6 +5,7 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/lattice.h"
+#include "ncsim/dexel/mesher.h"
 
 #include "cutter.h"
 #include "rays.h"
@@ -27,10 +28,13 @@ namespace ncsim::dexel {
 /// Of directions without rays, edges cross the surface where the planes at the ends of the rays
 /// beside them do; where these tell nothing, as of walls, in the middle, and on the stock's own
 /// surface where that is.
+///
+/// Or marching cubes, as the thesis has them (2.2): with the ends of rays as corners, which cuts
+/// all edges of the part off.
 class Contour {
 public:
     Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
-            const cda::Lattice& lattice, std::size_t threads);
+            const cda::Lattice& lattice, std::size_t threads, Mesher mesher);
 
     cda::Boundary boundary() const;
 
@@ -40,6 +44,7 @@ private:
     const CuttingCell& stock_;
     cda::Lattice lattice_;
     std::size_t threads_;
+    Mesher mesher_;
 };
 
 }  // namespace ncsim::dexel

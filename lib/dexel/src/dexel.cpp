@@ -118,7 +118,7 @@ public:
     }
 
     Contour contour() const {
-        return Contour(*grid_, rays(), *stock_, lattice_, parameters_.threads);
+        return Contour(*grid_, rays(), *stock_, lattice_, parameters_.threads, parameters_.mesher);
     }
 
 private:

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
+#include "ncsim/dexel/mesher.h"
 
 #include <cstddef>
 #include <memory>
@@ -28,6 +29,7 @@ struct DexelParameters {
     std::size_t threads = 0;     ///< 0: as many as the machine has. Changes nothing else.
     double resolution_mm = 0.0;  ///< Between rays; 0: default_resolution().
     Directions directions = Directions::Three;
+    Mesher mesher = Mesher::DualContouring;
 };
 
 /// Where nobody tells one: of stock with this longest side, the same unit.
