@@ -251,12 +251,12 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
     return points;
 }
 
-void Chains::solve(bool corners_first) {
+void Chains::solve() {
     for (Vertex& v : vertices_) {
         v.has_failed = !solve_vertex(v);
         if (v.has_failed) failures_.push_back({v.groups, true});
     }
-    if (corners_first && !failures_.empty()) return;
+    if (!failures_.empty()) return;
     // One may turn another one round.
     constexpr int kMostPasses = 4;
     for (int pass = 0; pass < kMostPasses; ++pass) {

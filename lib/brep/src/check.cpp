@@ -12,9 +12,11 @@
 #include "axes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -116,6 +118,7 @@ struct Segment {
     const Track* track;      // of which it is the chord, between two parameters
     double begin, end;
     bool is_straight;  // on the map, too
+    std::uint32_t edge;
     double off = 0.0;  // how far it may be from what it stands for
     double low() const { return std::min(a.y, b.y) - off; }
     double high() const { return std::max(a.y, b.y) + off; }
@@ -186,7 +189,10 @@ bool have_common_end(const Segment& s, const Segment& t) {
     return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
 }
 
-bool any_interfere(const Map& map, std::vector<Segment> segments, double clear) {
+// The edges of two pieces that do.
+std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
+                                                          std::vector<Segment> segments,
+                                                          double clear) {
     // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
     constexpr double kMostOff = 0.1;
     constexpr int kDepth = 40;
@@ -205,10 +211,10 @@ bool any_interfere(const Map& map, std::vector<Segment> segments, double clear) 
             const bool both_straight = s.is_straight && t.is_straight;
             if (both_straight || have_common_end(s, t) ? interfere(s, t, clear)
                                                        : curves_interfere(map, s, t, clear, kDepth))
-                return true;
+                return {{s.edge, t.edge}};
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 double twice_area(const std::vector<Segment>& loop) {
@@ -265,7 +271,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
                     segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,
-                                        is_straight && map.keeps_lines()});
+                                        is_straight && map.keeps_lines(), use.edge});
                     last_name = name;
                 }
                 last = p;
@@ -280,7 +286,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
-    if (any_interfere(map, std::move(all), clear_mm)) tell(kCrossOrTouch);
+    if (const auto edges = any_interfere(map, std::move(all), clear_mm))
+        faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});
     return faults;
 }
 
