@@ -52,16 +52,19 @@ namespace ncsim::app {
 
 namespace {
 
-// Lines of other files have the same numbers: with them, no text is sure to be right.
+// Of the lines that left a face: not of all of a program of ten million. Lines of other files have
+// the same numbers: with them, no text is sure to be right.
 std::map<std::uint32_t, std::string> text_of_lines(const simulation::Plan& plan,
                                                    const simulation::Survey& survey,
-                                                   const exporter::Provenance& provenance) {
+                                                   const exporter::Provenance& provenance,
+                                                   const cda::Boundary& boundary) {
     std::map<std::uint32_t, std::string> text;
     if (survey.interpretation.files.size() > 1) return text;
     const std::vector<std::string_view> lines = gcode::lines_of(plan.job.program);
-    for (const auto& entry : provenance.entries) {
-        if (entry.nc_line == 0 || entry.nc_line > lines.size()) continue;
-        text.try_emplace(entry.nc_line, lines[entry.nc_line - 1]);
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        const std::uint32_t line = provenance.of(face.origin).nc_line;
+        if (line == 0 || line > lines.size()) continue;
+        text.try_emplace(line, lines[line - 1]);
     }
     return text;
 }
@@ -126,6 +129,11 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
 }
 
+// Would a quick look do for what is asked for?
+bool is_long(const simulation::Survey& survey, const Options& o) {
+    return survey.moves >= simulation::kLongProgram && !needs_exact_part(o);
+}
+
 double step_tolerance(const Options& o) {
     return std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
 }
@@ -173,12 +181,20 @@ int run(Options options) {
 
     simulation::Survey survey = simulation::survey(plan);
     if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
+    simulation::choose_model(plan, survey);
+    simulation::choose_rays(plan, survey);
     simulation::coarsen(plan, survey, o.tolerance_told, o.tool_tolerance_told);
     simulation::choose_resolution(plan, survey);
     // Of a program that is not read, there is nothing to assume.
     if (!o.quiet && !survey.interpretation.refused)
         say(report::assumption_sheet(plan.job.program.name, survey,
                                      simulation::cutting_facts(plan)));
+    if (!o.quiet && survey.is_ready() && !o.draft && !o.model_told && is_long(survey, o)) {
+        say(
+            fmt::format("hint      {} moves: --model dexel shows them in a fraction of the time, "
+                        "not exactly\n",
+                        survey.moves));
+    }
     for (const std::string& what : not_used)
         say("not used: " + what + "\n");
     print_findings(plan.job.program, survey.diagnostics);
@@ -213,7 +229,10 @@ int run(Options options) {
         survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),
                                   simulation->diagnostics.end());
         outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
-        simulation->provenance.text = text_of_lines(plan, survey, simulation->provenance);
+        if (!o.gltf.empty() && simulation->boundary) {
+            simulation->provenance.text =
+                text_of_lines(plan, survey, simulation->provenance, *simulation->boundary);
+        }
         outcome.simulation = &*simulation;
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
         if (o.simplify && outcome.boundary) {

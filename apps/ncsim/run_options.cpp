@@ -85,6 +85,12 @@ exporter::StepSchema read_step_schema(const std::string& name) {
     throw Refusal{fmt::format("--step-schema '{}': expected ap242 or ap214", name)};
 }
 
+simulation::RayDirections read_rays(const std::string& name) {
+    if (name == "z") return simulation::RayDirections::AlongZ;
+    if (name == "xyz") return simulation::RayDirections::AlongAll;
+    throw Refusal{fmt::format("--rays '{}': expected z or xyz", name)};
+}
+
 StepSurfaces read_step_surfaces(const std::string& name) {
     if (name == "analytic") return StepSurfaces::Analytic;
     if (name == "faceted") return StepSurfaces::Faceted;
@@ -107,6 +113,7 @@ double read_simplify(double tolerance) {
 
 // The thesis' model where its own views are asked for, else the one that scales.
 void choose_model(Options& o) {
+    o.model_told = !o.model.empty();
     const bool needs_cells = !o.stats.empty() || !o.xml.empty();
     const auto shows = [](const simulation::ModelInfo& model) { return model.shows_cells; };
     if (o.model.empty()) {
@@ -118,9 +125,10 @@ void choose_model(Options& o) {
                                   simulation::model_names(shows))};
     }
     const simulation::ModelInfo& model = *simulation::find_model(o.model);
-    if (o.resolution > 0.0 && !model.has_resolution) {
+    const bool tells_rays = o.rays != simulation::RayDirections::Chosen;
+    if ((o.resolution > 0.0 || tells_rays) && !model.has_resolution) {
         throw Refusal{fmt::format(
-            "--resolution is that of --model {}",
+            "{} is that of --model {}", o.resolution > 0.0 ? "--resolution" : "--rays",
             simulation::model_names([](const auto& known) { return known.has_resolution; }))};
     }
     if (!o.step.empty()) require_exact(o, "--step");
@@ -130,6 +138,11 @@ void choose_model(Options& o) {
 }
 
 }  // namespace
+
+bool needs_exact_part(const Options& o) {
+    return !o.step.empty() || !o.sections.empty() || o.block_volumes || !o.save_stock.empty() ||
+           !o.stats.empty() || !o.xml.empty() || !o.tile.empty() || o.tiles;
+}
 
 std::vector<std::string> outputs_of(const Options& o) {
     std::vector<std::string> paths;
@@ -263,6 +276,11 @@ CLI::App* add_run(CLI::App& app, Options& options) {
                     "Between the rays of --model dexel, mm [the stock's longest side / 250]")
         ->type_name("MM")
         ->check(number_range(1e-4, 1e4));
+    run->add_option_function<std::string>(
+           "--rays", [&o](Text name) { o.rays = read_rays(name); },
+           "Of --model dexel: z (quicker; walls are off by up to half the resolution), xyz; else z "
+           "where no tool turns, undercuts or has a flat end")
+        ->type_name("WHAT");
     run->add_option(
            "--tile", o.tile,
            "Only part I of N of the part, from 0 on, N up to 64, for ncsim merge; auto: as "

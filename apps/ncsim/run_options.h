@@ -56,6 +56,8 @@ struct Options : ProgramOptions, SimulationOptions {
     bool step_attributes = false;  ///< Lines, tools and kind with each face.
     std::size_t step_max_faces = exporter::kStepMaxFaces;
     double resolution = 0.0;  ///< Of a model that has one, mm; 0: the one that suits.
+    simulation::RayDirections rays = simulation::RayDirections::Chosen;
+    bool model_told = false;
     std::vector<brep::SectionPlane> sections;  ///< Where the part is cut open.
     std::string dxf, svg;                      ///< Files for them.
     bool quiet = false;
@@ -76,6 +78,9 @@ struct Options : ProgramOptions, SimulationOptions {
 
 /// Is the surface of the part needed as faces, for what was asked for?
 bool needs_surface(const Options& options);
+
+/// Is anything asked for that only exact models have?
+bool needs_exact_part(const Options& options);
 
 /// The paths of all files that were asked for.
 std::vector<std::string> outputs_of(const Options& options);

@@ -31,6 +31,7 @@ if(TARGET ncsim)
       project_test.cpp
       rotary_test.cpp
       run_program.cpp
+      rays_test.cpp
       run_test.cpp
       samples_test.cpp
       set_ups_test.cpp

@@ -37,6 +37,26 @@ TEST(CellComponents, ASingleCornerIsOnePieceAndCornersAtADiagonalAreTwo) {
     EXPECT_EQ(components_of(0b00001111).count, 1);
 }
 
+// Every crossed edge is in one polygon, and each has three edges or more of one piece.
+TEST(CellComponents, PolygonsHaveEachCrossedEdgeOnce) {
+    for (int inside = 0; inside < 256; ++inside) {
+        SCOPED_TRACE(inside);
+        const auto bits = static_cast<std::uint8_t>(inside);
+        const CellComponents& pieces = components_of(bits);
+        std::array<int, 12> times{};
+        EXPECT_EQ(loops_of(bits).size(), pieces.count);
+        for (const auto& loop : loops_of(bits)) {
+            EXPECT_GE(loop.size(), 3U);
+            for (const std::uint8_t edge : loop) {
+                ++times[edge];
+                EXPECT_EQ(pieces.of_edge[edge], pieces.of_edge[loop.front()]);
+            }
+        }
+        for (std::size_t edge = 0; edge < 12; ++edge)
+            EXPECT_EQ(times[edge], pieces.of_edge[edge] == CellComponents::kNone ? 0 : 1);
+    }
+}
+
 // What is turned with its cell stays as it is: no axis is special.
 TEST(CellComponents, DoNotDependOnHowTheCellLies) {
     const auto turned = [](int corner) {

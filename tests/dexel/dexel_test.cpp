@@ -155,6 +155,23 @@ TEST(Dexel, HasWhatTheExactPartHas) {
     }
 }
 
+// As the thesis has it: with the ends of rays for corners, edges are cut off.
+TEST(Dexel, MarchingCubesHaveTheEndsOfRaysAndNoEdges) {
+    const auto part = Dexel({1, 0.3, Directions::Three, Mesher::MarchingCubes})
+                          .create(mm_box(0, 0, 0, 10, 10, 6), kLattice);
+    part->subtract_unmeasured(mm_box(-1, 3, 4, 11, 6, 7, cda::Origin{7}));
+    const Boundary boundary = part->boundary();
+    const double volume = cda::volume(boundary);
+    EXPECT_LT(volume, 540.0 - 0.5);
+    EXPECT_GT(volume, 540.0 - 5.0);
+    // Each edge of a triangle has another one along it the other way, but where polygons touch.
+    expect_closed(boundary);
+    for (const Vec3& v : boundary.vertices) {
+        EXPECT_GT(v.x, -1e-9);
+        EXPECT_LT(v.x, 10 + 1e-9);
+    }
+}
+
 std::vector<Cell> some_cuts(std::uint64_t seed) {
     test::Random random(seed);
     std::vector<Cell> cuts;
@@ -218,7 +235,7 @@ TEST(Dexel, ABallLeavesAGrooveOfItsOwnRadius) {
     cda::RoundSweep sweep;
     sweep.radius = 2;
     sweep.height = 10;
-    sweep.is_ball = true;
+    sweep.tip_height = 2;
     sweep.from = {-3, 5, 4};
     sweep.to = {13, 5, 4};
     sweep.origin = cda::Origin{1};

@@ -2,6 +2,7 @@
 #include "cell_components.h"
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace ncsim::dexel {
@@ -68,7 +69,54 @@ CellComponents find_components(std::uint8_t inside) {
     return result;
 }
 
+std::vector<std::vector<std::uint8_t>> find_loops(std::uint8_t inside) {
+    // From each crossed edge, which comes next: through each face, the polygon keeps the corners in
+    // the material on one side.
+    constexpr std::uint8_t kNone = CellComponents::kNone;
+    std::array<std::uint8_t, 12> next{};
+    next.fill(kNone);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int side = 0; side < 2; ++side) {
+            auto corners = corners_of_face(axis, side);
+            if (side == 0) std::swap(corners[1], corners[3]);
+            // A run of corners in the material, around the face as it is seen from outside.
+            for (std::size_t i = 0; i < 4; ++i) {
+                if (!is_in(inside, corners[i]) || is_in(inside, corners[(i + 3) % 4])) continue;
+                std::size_t last = i;
+                while (is_in(inside, corners[(last + 1) % 4]))
+                    last = (last + 1) % 4;
+                const int begins = edge_between(corners[(i + 3) % 4], corners[i]);
+                const int ends = edge_between(corners[last], corners[(last + 1) % 4]);
+                next[static_cast<std::size_t>(begins)] = static_cast<std::uint8_t>(ends);
+            }
+        }
+    }
+    std::vector<std::vector<std::uint8_t>> loops;
+    for (std::uint8_t e = 0; e < 12; ++e) {
+        if (next[e] == kNone) continue;
+        std::vector<std::uint8_t> loop;
+        for (std::uint8_t at = e; next[at] != kNone;) {
+            loop.push_back(at);
+            const std::uint8_t then = next[at];
+            next[at] = kNone;
+            at = then;
+        }
+        loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
 }  // namespace
+
+const std::vector<std::vector<std::uint8_t>>& loops_of(std::uint8_t inside) {
+    static const auto kAll = [] {
+        std::array<std::vector<std::vector<std::uint8_t>>, 256> all;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = find_loops(static_cast<std::uint8_t>(i));
+        return all;
+    }();
+    return kAll[inside];
+}
 
 int first_corner(int edge) {
     const int axis = edge / 4;

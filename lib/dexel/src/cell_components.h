@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace ncsim::dexel {
 
@@ -30,5 +31,11 @@ int edge_from(int corner, int axis);
 
 /// `inside`: a bit a corner.
 const CellComponents& components_of(std::uint8_t inside);
+
+/// Polygons of marching cubes: edges in order, so that they are counter-clockwise seen from out of
+/// the material. Where the pieces go through a face at a diagonal, it is as above.
+///
+/// Lorensen, Cline, "Marching Cubes", SIGGRAPH 1987.
+const std::vector<std::vector<std::uint8_t>>& loops_of(std::uint8_t inside);
 
 }  // namespace ncsim::dexel

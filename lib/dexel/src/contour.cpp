@@ -14,9 +14,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -54,11 +56,11 @@ public:
 
 private:
     static void mark(const Ray& ray, const GridAxis& z, std::uint64_t* bits) {
-        ray.for_each([&](const Interval& interval) {
+        for (const Interval& interval : ray.intervals()) {
             const std::size_t end = z.from(interval.high.at);
             for (std::size_t k = z.from(interval.low.at); k < end; ++k)
                 bits[k / 64] |= std::uint64_t{1} << k % 64;
-        });
+        }
     }
 
     std::size_t columns_y_, words_;
@@ -76,19 +78,19 @@ struct Crossing {
 class Nearest {
 public:
     void add(Vec3 point, Vec3 normal) {
-        points_.push_back(point);
-        normals_.push_back(normal);
+        points_[count_] = point;
+        normals_[count_++] = normal;
     }
     Vec3 solve() const {
         Vec3 mean;
-        for (const Vec3& p : points_)
-            mean = mean + p;
-        mean = (1.0 / static_cast<double>(points_.size())) * mean;
+        for (std::size_t i = 0; i < count_; ++i)
+            mean = mean + points_[i];
+        mean = (1.0 / static_cast<double>(count_)) * mean;
         // (Σ n nᵀ + w) x = Σ n (n · p), about the mean.
         constexpr double kWeight = 1e-3;
         double xx = kWeight, xy = 0, xz = 0, yy = kWeight, yz = 0, zz = kWeight;
         Vec3 b;
-        for (std::size_t i = 0; i < points_.size(); ++i) {
+        for (std::size_t i = 0; i < count_; ++i) {
             const Vec3& n = normals_[i];
             xx += n.x * n.x, xy += n.x * n.y, xz += n.x * n.z;
             yy += n.y * n.y, yz += n.y * n.z, zz += n.z * n.z;
@@ -101,13 +103,19 @@ public:
     }
 
 private:
-    std::vector<Vec3> points_, normals_;
+    std::array<Vec3, 12> points_, normals_;  // an edge of the cell each
+    std::size_t count_ = 0;
 };
 
 class Contouring {
 public:
-    Contouring(const Grid& grid, const std::array<Rays, 3>& rays, std::size_t threads)
-        : grid_(grid), rays_(rays), threads_(threads), signs_(grid, rays[2], threads) {}
+    Contouring(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
+               std::size_t threads)
+        : grid_(grid),
+          rays_(rays),
+          stock_(stock),
+          threads_(threads),
+          signs_(grid, rays[2], threads) {}
 
     void run() {
         place_corners();
@@ -115,6 +123,47 @@ public:
             for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
                 for (std::size_t i = column_[column(x, y)]; i < column_[column(x, y) + 1]; ++i)
                     add_facets({x, y, cells_[i].z}, cells_[i].inside);
+            }
+        }
+    }
+
+    // The polygons of each cell, with a corner on each edge of the grid that is crossed.
+    void march() {
+        place_corners();
+        points.clear();
+        std::unordered_map<std::uint64_t, std::uint32_t> on_edge;
+        const auto corner_on = [&](const Place& from, std::size_t axis) {
+            const std::uint64_t key =
+                3 * ((from[0] * grid_.axes[1].corners() + from[1]) * grid_.axes[2].corners() +
+                     from[2]) +
+                axis;
+            const auto [at, is_new] =
+                on_edge.try_emplace(key, static_cast<std::uint32_t>(points.size()));
+            if (is_new) {
+                Vec3 point = point_of(from);
+                point[static_cast<int>(axis)] = crossing_at(from, axis).at;
+                points.push_back(point);
+            }
+            return at->second;
+        };
+        for (std::size_t x = 0; x < grid_.axes[0].cells(); ++x) {
+            for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
+                for (std::size_t i = column_[column(x, y)]; i < column_[column(x, y) + 1]; ++i) {
+                    const Place cell{x, y, cells_[i].z};
+                    for (const auto& loop : loops_of(cells_[i].inside)) {
+                        std::vector<std::uint32_t> corners;
+                        for (const int edge : loop)
+                            corners.push_back(corner_on(corner_at(cell, first_corner(edge)),
+                                                        static_cast<std::size_t>(edge / 4)));
+                        const Place from = corner_at(cell, first_corner(loop.front()));
+                        const cda::Origin origin =
+                            crossing_at(from, static_cast<std::size_t>(loop.front() / 4)).origin;
+                        for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+                            triangles.push_back({corners[0], corners[k], corners[k + 1]});
+                            origins.push_back(origin);
+                        }
+                    }
+                }
             }
         }
     }
@@ -240,15 +289,96 @@ private:
         const double high = at[from[axis] + 1];
         const bool enters = !signs_(from);  // going up
         const Rays& rays = rays_[axis];
-        std::optional<End> found;
-        rays(from[rays.u_axis()], from[rays.v_axis()]).for_each([&](const Interval& interval) {
-            const End& end = enters ? interval.low : interval.high;
-            if (low < end.at && end.at < high && (!found || !enters)) found = end;
-        });
+        if (rays.rows() == 0) return crossing_between(from, axis, enters);
+        // The last interval that begins on the edge, or the first that ends there.
+        const auto intervals = rays(from[rays.u_axis()], from[rays.v_axis()]).intervals();
+        const End* found = nullptr;
+        if (enters) {
+            const auto beyond = std::ranges::lower_bound(
+                intervals, high, {}, [](const Interval& i) { return double(i.low.at); });
+            if (beyond != intervals.begin() && low < std::prev(beyond)->low.at)
+                found = &std::prev(beyond)->low;
+        } else {
+            const auto first = std::ranges::upper_bound(
+                intervals, low, {}, [](const Interval& i) { return double(i.high.at); });
+            if (first != intervals.end() && first->high.at < high) found = &first->high;
+        }
         if (found) return {static_cast<double>(found->at), found->normal.unpacked(), found->origin};
         Crossing crossing{0.5 * (low + high), {}, cda::kStockOrigin};
         crossing.normal[static_cast<int>(axis)] = enters ? -1.0 : 1.0;
         return crossing;
+    }
+
+    // The same as the rays along z at both of its corners have it.
+    Crossing crossing_between(const Place& from, std::size_t axis, bool enters) const {
+        const auto a = static_cast<int>(axis);
+        const std::vector<double>& at = grid_.axes[axis].at;
+        const double low = at[from[axis]], high = at[from[axis] + 1];
+        Place to = from;
+        ++to[axis];
+        const Place& inner = enters ? to : from;
+        const Place& outer = enters ? from : to;
+        const double z = grid_.axes[2].at[from[2]];
+        const auto ends = [&](const Place& p) { return rays_[2](p[0], p[1]).intervals(); };
+        // Out of the stock, nothing but its own surface is between.
+        if (ends(outer).empty()) {
+            if (const auto wall = crossing_of_stock(from, axis, enters)) return *wall;
+        }
+        // Where the plane at the nearest end meets the edge, or its line a little beyond it.
+        std::optional<Crossing> nearest;
+        double least = 1.5 * (high - low);
+        cda::Origin origin = cda::kStockOrigin;
+        const auto look = [&](const End& end, const Place& column) {
+            const Vec3 n = end.normal.unpacked();
+            if (n[a] == 0.0 || (n[a] > 0.0) == enters) return;
+            const double away = (end.at - z) * n.z / n[a];
+            const double place = at[column[axis]] + away;
+            if (std::abs(away) >= least || place < low - 0.5 * (high - low) ||
+                place > high + 0.5 * (high - low))
+                return;
+            least = std::abs(away);
+            nearest = Crossing{std::clamp(place, low, high), n, end.origin};
+        };
+        for (const Interval& interval : ends(inner)) {
+            if (z < interval.low.at || interval.high.at < z) continue;
+            look(interval.high, inner);
+            look(interval.low, inner);
+            origin = std::max(interval.low.origin, interval.high.origin);
+        }
+        const End* below = nullptr;
+        const End* above = nullptr;
+        for (const Interval& interval : ends(outer)) {
+            if (interval.high.at < z) below = &interval.high;
+            if (interval.low.at > z && !above) above = &interval.low;
+        }
+        for (const End* end : {below, above}) {
+            if (!end) continue;
+            look(*end, outer);
+            origin = std::max(origin, end->origin);
+        }
+        if (nearest) return *nearest;
+        Crossing wall{0.5 * (low + high), {}, origin};
+        wall.normal[a] = enters ? -1.0 : 1.0;
+        return wall;
+    }
+
+    std::optional<Crossing> crossing_of_stock(const Place& from, std::size_t axis,
+                                              bool enters) const {
+        const auto a = static_cast<int>(axis);
+        const double low = grid_.axes[axis].at[from[axis]];
+        const double high = grid_.axes[axis].at[from[axis] + 1];
+        const Vec3 p = point_of(from);
+        std::optional<Crossing> found;
+        for (const CuttingCell::Facet& facet : stock_.facets) {
+            const Vec3 n{facet.normal[0], facet.normal[1], facet.normal[2]};
+            if (n[a] == 0.0 || (n[a] > 0.0) == enters) continue;
+            const double place = p[a] + (facet.offset - cda::dot(n, p)) / n[a];
+            if (!(low < place && place < high)) continue;
+            // The innermost.
+            if (!found || (enters ? place > found->at : place < found->at))
+                found = Crossing{place, cda::normalized(n), cda::kStockOrigin};
+        }
+        return found;
     }
 
     // --- 3 ---
@@ -290,27 +420,28 @@ private:
             const auto edge = static_cast<std::size_t>(edge_from(begins, static_cast<int>(axis)));
             vertices[i] = cell.first_point + components_of(cell.inside).of_edge[edge];
         }
-        std::vector<std::uint32_t> loop;
-        std::size_t first_middle = 0;
+        std::array<std::uint32_t, 8> loop{};
+        std::size_t count = 0, first_middle = 0;
         for (std::size_t i = 0; i < 4; ++i) {
             const std::size_t next = (i + 1) % 4;
-            loop.push_back(vertices[i]);
+            loop[count++] = vertices[i];
             const auto middle =
                 middle_of(corner, axis, cells[i], cells[next], vertices[i], vertices[next]);
             if (!middle) continue;
-            if (first_middle == 0) first_middle = loop.size();
-            loop.push_back(*middle);
+            if (first_middle == 0) first_middle = count;
+            loop[count++] = *middle;
         }
         // Triangles from there: none has the two corners as an edge that it is between.
-        std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(first_middle));
-        if (!faces_along) std::reverse(loop.begin() + 1, loop.end());
+        const auto begin = loop.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
+        std::rotate(begin, begin + static_cast<std::ptrdiff_t>(first_middle), end);
+        if (!faces_along) std::reverse(begin + 1, end);
         const cda::Origin origin = crossing_at(corner, axis).origin;
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
             triangles.push_back({loop[a], loop[b], loop[c]});
             origins.push_back(origin);
         };
-        if (loop.size() > 4) {
-            for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        if (count > 4) {
+            for (std::size_t i = 1; i + 1 < count; ++i)
                 add(0, i, i + 1);
             return;
         }
@@ -373,6 +504,7 @@ private:
 
     const Grid& grid_;
     const std::array<Rays, 3>& rays_;
+    const CuttingCell& stock_;
     std::size_t threads_;
     Signs signs_;
     std::vector<std::size_t> column_;  // where in cells_ its own begin
@@ -382,13 +514,22 @@ private:
 
 }  // namespace
 
-Contour::Contour(const Grid& grid, const std::array<Rays, 3>& rays, const cda::Lattice& lattice,
-                 std::size_t threads)
-    : grid_(grid), rays_(rays), lattice_(lattice), threads_(threads) {}
+Contour::Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
+                 const cda::Lattice& lattice, std::size_t threads, Mesher mesher)
+    : grid_(grid),
+      rays_(rays),
+      stock_(stock),
+      lattice_(lattice),
+      threads_(threads),
+      mesher_(mesher) {}
 
 cda::Boundary Contour::boundary() const {
-    Contouring contouring(grid_, rays_, threads_);
-    contouring.run();
+    Contouring contouring(grid_, rays_, stock_, threads_);
+    if (mesher_ == Mesher::MarchingCubes) {
+        contouring.march();
+    } else {
+        contouring.run();
+    }
     cda::Boundary boundary;
     boundary.vertices.reserve(contouring.points.size());
     for (const Vec3& p : contouring.points)
@@ -409,7 +550,7 @@ cda::Boundary Contour::boundary() const {
         face.normal = cda::norm(n) > 0.0 ? cda::normalized(n) : Vec3{0, 0, 1};
         face.offset = cda::dot(face.normal, boundary.vertices[a]);
         face.origin = contouring.origins[t];
-        face.loops = {{a, b, c}};
+        face.loops.emplace_back(std::vector{a, b, c});
         std::uint32_t& shell = number[shells.find(a)];
         if (shell == kUnnumbered) shell = boundary.shells++;
         face.shell = shell;

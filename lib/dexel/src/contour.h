@@ -5,7 +5,9 @@
 
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/lattice.h"
+#include "ncsim/dexel/mesher.h"
 
+#include "cutter.h"
 #include "rays.h"
 
 #include <array>
@@ -22,18 +24,27 @@ namespace ncsim::dexel {
 ///
 /// Ju, Losasso, Schaefer, Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Expected
 /// O(corners of the grid / 64 + surface).
+///
+/// Of directions without rays, edges cross the surface where the planes at the ends of the rays
+/// beside them do; where these tell nothing, as of walls, in the middle, and on the stock's own
+/// surface where that is.
+///
+/// Or marching cubes, as the thesis has them (2.2): with the ends of rays as corners, which cuts
+/// all edges of the part off.
 class Contour {
 public:
-    Contour(const Grid& grid, const std::array<Rays, 3>& rays, const cda::Lattice& lattice,
-            std::size_t threads);
+    Contour(const Grid& grid, const std::array<Rays, 3>& rays, const CuttingCell& stock,
+            const cda::Lattice& lattice, std::size_t threads, Mesher mesher);
 
     cda::Boundary boundary() const;
 
 private:
     const Grid& grid_;
     const std::array<Rays, 3>& rays_;
+    const CuttingCell& stock_;
     cda::Lattice lattice_;
     std::size_t threads_;
+    Mesher mesher_;
 };
 
 }  // namespace ncsim::dexel

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace ncsim::dexel {
 
@@ -33,10 +34,39 @@ void raise(double* at, double* facet, const double* u, std::size_t count, double
 }
 
 // Beyond all of the stock it makes no difference where.
-std::int32_t whole(double place) {
-    constexpr double kMost = 1 << 30;
-    return static_cast<std::int32_t>(std::clamp(place, -kMost, kMost) + (place < 0.0 ? -0.5 : 0.5));
+[[gnu::always_inline]] inline std::int32_t whole_units(double place) {
+    constexpr double kMost = Gap::kEver;
+    const double kept = place < -kMost ? -kMost : place > kMost ? kMost : place;
+    return static_cast<std::int32_t>(kept + (kept < 0.0 ? -0.5 : 0.5));
 }
+
+struct CutsTask {
+    const double *low, *high;
+    const Gap* gaps;
+    std::size_t count;
+    std::int32_t *low_units, *high_units;
+    std::uint8_t* is_cut;
+};
+
+[[gnu::always_inline]] inline void find_cuts(const CutsTask& t) {
+    for (std::size_t i = 0; i < t.count; ++i) {
+        const std::int32_t low = whole_units(t.low[i]), high = whole_units(t.high[i]);
+        t.low_units[i] = low;
+        t.high_units[i] = high;
+        const bool is_known = low >= t.gaps[i].low && high <= t.gaps[i].high;
+        t.is_cut[i] = static_cast<std::uint8_t>(low < high && !is_known);
+    }
+}
+
+void find_cuts_by_two(const CutsTask& task) {
+    find_cuts(task);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void find_cuts_by_four(const CutsTask& task) {
+    find_cuts(task);
+}
+#endif
 
 }  // namespace
 
@@ -88,73 +118,159 @@ Cutter::Range Cutter::find_intervals(const CuttingCell& cell, std::size_t row, R
     return range;
 }
 
-template <class Take>
-void Cutter::for_each_interval(const CuttingCell& cell, std::size_t row, Take take) {
-    const std::size_t u = rays_.u_axis();
-    const Range range = find_intervals(cell, row, {cell.box.begin[u], cell.box.end[u]});
-    const auto left = [&](double facet) {
-        return cell.facets[static_cast<std::size_t>(facet)].left;
-    };
-    const std::span<Ray> rays = rays_.row(row);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-        const std::size_t k = i - range.begin;
-        if (low_[k] >= high_[k]) continue;
-        take(rays[i], whole(low_[k]), whole(high_[k]), left(low_facet_[k]), left(high_facet_[k]));
+template <class MakeEnd>
+void Cutter::take_away(std::size_t row, std::size_t begin, std::size_t count, const double* low,
+                       const double* high, const MakeEnd& end) {
+    if (is_cut_.size() < count) {
+        is_cut_.resize(count);
+        low_units_.resize(count);
+        high_units_.resize(count);
+    }
+    const std::span<Gap> gaps = rays_.gaps(row).subspan(begin, count);
+    const CutsTask task{
+        low, high, gaps.data(), count, low_units_.data(), high_units_.data(), is_cut_.data()};
+#if defined(__x86_64__)
+    if (lanes_ == Lanes::Four) {
+        find_cuts_by_four(task);
+    } else {
+        find_cuts_by_two(task);
+    }
+#else
+    find_cuts_by_two(task);
+#endif
+    const std::span<Ray> rays = rays_.row(row).subspan(begin, count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (is_cut_[i] == 0) continue;
+        gaps[i] =
+            rays[i].cut(low_units_[i], high_units_[i], [&](bool below) { return end(i, below); });
     }
 }
 
 void Cutter::cut(const CuttingCell& cell, std::size_t begin, std::size_t end) {
     begin = std::max(begin, cell.box.begin[rays_.v_axis()]);
     end = std::min(end, cell.box.end[rays_.v_axis()]);
+    const std::size_t u = rays_.u_axis();
     for (std::size_t row = begin; row < end; ++row) {
-        for_each_interval(cell, row,
-                          [&](Ray& ray, std::int32_t low, std::int32_t high, PackedNormal at_low,
-                              PackedNormal at_high) {
-                              if (low < high)
-                                  ray.cut(low, high, [&](bool below) {
-                                      return below ? End{low, cell.origin, at_low}
-                                                   : End{high, cell.origin, at_high};
-                                  });
-                          });
+        const Range range = find_intervals(cell, row, {cell.box.begin[u], cell.box.end[u]});
+        if (range.begin >= range.end) continue;
+        take_away(row, range.begin, range.end - range.begin, low_.data(), high_.data(),
+                  [&](std::size_t i, bool below) {
+                      const double facet = below ? low_facet_[i] : high_facet_[i];
+                      return End{below ? low_units_[i] : high_units_[i], cell.origin,
+                                 cell.facets[static_cast<std::size_t>(facet)].left};
+                  });
     }
 }
 
 void Cutter::cut(const SweptTool& tool, std::size_t begin, std::size_t end) {
     const std::size_t d = rays_.axis();
-    const GridAxis& u = grid_.axes[rays_.u_axis()];
-    const GridAxis& v = grid_.axes[rays_.v_axis()];
+    const std::vector<double>& u = grid_.axes[rays_.u_axis()].at;
+    const std::vector<double>& v = grid_.axes[rays_.v_axis()].at;
     const GridBox& box = tool.box;
     begin = std::max(begin, box.begin[rays_.v_axis()]);
     end = std::min(end, box.end[rays_.v_axis()]);
-    const Range range{box.begin[rays_.u_axis()], box.end[rays_.u_axis()]};
-    const auto left = [](cda::Vec3 normal) { return PackedNormal::of(-1.0 * normal); };
+    for (std::size_t row = begin; row < end; ++row) {
+        Range range{box.begin[rays_.u_axis()], box.end[rays_.u_axis()]};
+        if (d == 2) {
+            const auto [low, high] = tool.reach_along_x(v[row]);
+            range.begin = std::max(range.begin, grid_.axes[0].from(low));
+            range.end = std::min(range.end, grid_.axes[0].from(high));
+        }
+        // Rays that have nothing where the tool may reach in this row are left out at both ends.
+        const double reach = d == 2 ? tool.lowest_at(v[row]) : box.low[d];
+        const std::int32_t low_end = whole_units(reach - 1.0);
+        const std::int32_t high_end = whole_units(box.high[d] + 1.0);
+        const std::span<const Gap> gaps = rays_.gaps(row);
+        const auto has_none = [&](std::size_t i) {
+            return gaps[i].low <= low_end && gaps[i].high >= high_end;
+        };
+        while (range.begin < range.end && has_none(range.begin))
+            ++range.begin;
+        while (range.begin < range.end && has_none(range.end - 1))
+            --range.end;
+        if (range.begin >= range.end) continue;
+        const std::size_t count = range.end - range.begin;
+        tool.meet_row(d, &u[range.begin], count, v[row], lanes_, met_);
+        take_away(row, range.begin, count, met_.low.data(), met_.high.data(),
+                  [&](std::size_t i, bool below) {
+                      const double at = below ? met_.low[i] : met_.high[i];
+                      const double s = below ? met_.s_low[i] : met_.s_high[i];
+                      const cda::Vec3 normal =
+                          tool.normal(d, u[range.begin + i], v[row], !below, at, s);
+                      return End{below ? low_units_[i] : high_units_[i], tool.origin,
+                                 PackedNormal::of(-1.0 * normal)};
+                  });
+    }
+}
+
+void Cutter::cut_open(std::span<const SweptTool* const> tools, std::size_t begin, std::size_t end) {
+    const std::vector<double>& x = grid_.axes[0].at;
+    const std::vector<double>& y = grid_.axes[1].at;
+    // Beyond the last ray there is nothing: nothing reaches lower.
+    padded_x_ = x;
+    padded_x_.resize(x.size() + kWidest, x.back());
+    for (std::vector<double>* each : {&lowest_.at, &lowest_.s, &lowest_.number})
+        each->resize(padded_x_.size());
+    constexpr double kNone = -1.0;
     for (std::size_t row = begin; row < end; ++row) {
         const std::span<Ray> rays = rays_.row(row);
-        for (std::size_t i = range.begin; i < range.end; ++i) {
-            if (!rays[i].has_any_between(box.low[d], box.high[d])) continue;
-            SweptTool::Interval met;
-            if (!tool.meet(d, u.at[i], v.at[row], met)) continue;
-            const std::int32_t low = whole(met.low.at), high = whole(met.high.at);
-            if (low >= high || !rays[i].has_any_between(low, high)) continue;
-            rays[i].cut(low, high, [&](bool below) {
-                return below ? End{low, tool.origin, left(met.low.normal)}
-                             : End{high, tool.origin, left(met.high.normal)};
+        Range all{x.size(), 0};
+        for (std::size_t k = 0; k < tools.size(); ++k) {
+            const SweptTool& tool = *tools[k];
+            if (row < tool.box.begin[1] || row >= tool.box.end[1]) continue;
+            const auto [low, high] = tool.reach_along_x(y[row]);
+            Range range{std::max(tool.box.begin[0], grid_.axes[0].from(low)),
+                        std::min(tool.box.end[0], grid_.axes[0].from(high))};
+            if (range.begin >= range.end) continue;
+            if (all.end == 0) {
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    const auto intervals = rays[i].intervals();
+                    lowest_.at[i] = intervals.empty() ? -kFar : intervals.back().high.at;
+                }
+                std::ranges::fill(lowest_.number, kNone);
+                std::fill(lowest_.at.begin() + static_cast<std::ptrdiff_t>(x.size()),
+                          lowest_.at.end(), -kFar);
+            }
+            all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
+            const double reach = tool.lowest_at(y[row]) - 1.0;
+            while (range.begin < range.end && lowest_.at[range.begin] <= reach)
+                ++range.begin;
+            while (range.begin < range.end && lowest_.at[range.end - 1] <= reach)
+                --range.end;
+            if (range.begin >= range.end) continue;
+            tool.lower_row(padded_x_.data(), range.begin, range.end, y[row], static_cast<double>(k),
+                           lanes_, lowest_);
+        }
+        const std::span<Gap> gaps = rays_.gaps(row);
+        const std::size_t last = std::min(all.end + kWidest, x.size());
+        for (std::size_t i = all.begin; i < last; ++i) {
+            if (lowest_.number[i] == kNone) continue;
+            const SweptTool& tool = *tools[static_cast<std::size_t>(lowest_.number[i])];
+            const std::int32_t low = whole_units(lowest_.at[i]);
+            gaps[i] = rays[i].cut(low, Gap::kEver, [&](bool) {
+                const cda::Vec3 normal =
+                    tool.normal(2, x[i], y[row], false, lowest_.at[i], lowest_.s[i]);
+                return End{low, tool.origin, PackedNormal::of(-1.0 * normal)};
             });
         }
     }
 }
 
 void Cutter::fill(const CuttingCell& cell) {
+    const std::size_t u = rays_.u_axis();
     for (std::size_t row = 0; row < rays_.rows(); ++row) {
-        for_each_interval(
-            cell, row,
-            [&](Ray& ray, std::int32_t low, std::int32_t high, PackedNormal at_low,
-                PackedNormal at_high) {
-                const auto turned = [](PackedNormal n) {
-                    return PackedNormal::of(-1.0 * n.unpacked());
-                };
-                ray.set({{low, cell.origin, turned(at_low)}, {high, cell.origin, turned(at_high)}});
-            });
+        const Range range = find_intervals(cell, row, {cell.box.begin[u], cell.box.end[u]});
+        const std::span<Ray> rays = rays_.row(row);
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            const std::size_t k = i - range.begin;
+            const std::int32_t low = whole_units(low_[k]), high = whole_units(high_[k]);
+            if (low >= high) continue;
+            const auto end = [&](std::int32_t at, double facet) {
+                const PackedNormal left = cell.facets[static_cast<std::size_t>(facet)].left;
+                return End{at, cell.origin, PackedNormal::of(-1.0 * left.unpacked())};
+            };
+            rays[i].set({end(low, low_facet_[k]), end(high, high_facet_[k])});
+        }
     }
 }
 

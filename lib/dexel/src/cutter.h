@@ -12,6 +12,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace ncsim::dexel {
@@ -34,11 +36,15 @@ struct CuttingCell {
 /// Cuts the rays of one direction, row by row.
 class Cutter {
 public:
-    Cutter(const Grid& grid, Rays& rays) : grid_(grid), rays_(rays) {}
+    Cutter(const Grid& grid, Rays& rays, Lanes lanes = widest_lanes())
+        : grid_(grid), rays_(rays), lanes_(lanes) {}
 
     /// The rows from `begin` to before `end`.
     void cut(const CuttingCell& cell, std::size_t begin, std::size_t end);
     void cut(const SweptTool& tool, std::size_t begin, std::size_t end);
+    /// The same for several that are all open above the stock, one after the other; of rays along z
+    /// alone. Each ray is cut once, by the one that reaches lowest there, the first of several.
+    void cut_open(std::span<const SweptTool* const> tools, std::size_t begin, std::size_t end);
     /// Makes the rays what the cell has of them.
     void fill(const CuttingCell& cell);
 
@@ -47,14 +53,23 @@ private:
         std::size_t begin, end;
     };
     Range find_intervals(const CuttingCell& cell, std::size_t row, Range range);
-    template <class Take>
-    void for_each_interval(const CuttingCell& cell, std::size_t row, Take take);
+    // Of the rays from `begin` on, what is between the places of these arrays, where that is not
+    // in their gap anyhow. end(i, below): of what is left of ray begin + i there.
+    template <class MakeEnd>
+    void take_away(std::size_t row, std::size_t begin, std::size_t count, const double* low,
+                   const double* high, const MakeEnd& end);
 
     const Grid& grid_;
     Rays& rays_;
+    Lanes lanes_;
     // Of the rays of a row, kept for their memory: where the interval begins and ends, and the
     // facets there.
     std::vector<double> low_, high_, low_facet_, high_facet_;
+    RowMeeting met_;
+    LowestRow lowest_;
+    std::vector<double> padded_x_;
+    std::vector<std::int32_t> low_units_, high_units_;
+    std::vector<std::uint8_t> is_cut_;
 };
 
 }  // namespace ncsim::dexel

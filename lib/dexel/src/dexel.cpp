@@ -7,13 +7,17 @@
 #include "cutter.h"
 #include "rays.h"
 #include "round_sweep.h"
+#include "thin_places.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -23,10 +27,13 @@ namespace ncsim::dexel {
 
 namespace {
 
-// Cells that wait until rays are cut: enough that all threads have work, few enough to keep.
-constexpr std::size_t kBatch = 2048;
-// Rows that a thread cuts at a time.
-constexpr std::size_t kRows = 8;
+// Bodies that wait until rays are cut: enough that all threads have work, few enough to keep.
+constexpr std::size_t kBatch = 1024;
+// Runs of rows a thread, and rows in one at least.
+constexpr std::size_t kRuns = 4;
+constexpr std::size_t kLeastRows = 8;
+// Rows along z that one thread alone cuts together.
+constexpr std::size_t kRowsTogether = 16;
 
 cda::Vec3 in_units(cda::Vec3 mm, const cda::Lattice& lattice) {
     return (1.0 / lattice.unit_mm) * mm;
@@ -54,77 +61,141 @@ public:
         const double pitch = parameters.resolution_mm > 0.0
                                  ? parameters.resolution_mm / lattice.unit_mm
                                  : default_resolution(longest);
+        const bool has_only_z = parameters.directions == Directions::OnlyZ;
         grid_.emplace(min, max, pitch);
-        rays_.emplace(std::array{Rays(*grid_, 0), Rays(*grid_, 1), Rays(*grid_, 2)});
-        for (Rays& rays : *rays_)
-            Cutter(*grid_, rays).fill(CuttingCell(stock, lattice, *grid_));
+        stock_.emplace(stock, lattice, *grid_);
+        rays_.emplace();
+        for (std::size_t axis = has_only_z ? 2 : 0; axis < 3; ++axis) {
+            (*rays_)[axis] = Rays(*grid_, axis);
+            Cutter(*grid_, (*rays_)[axis]).fill(*stock_);
+        }
     }
 
     Impl(const Impl& other)
         : parameters_(other.parameters_),
           lattice_(other.lattice_),
           grid_(other.grid_),
+          stock_(other.stock_),
           rays_((other.settle(), other.rays_)) {}
 
     const DexelParameters& parameters() const { return parameters_; }
     const cda::Lattice& lattice() const { return lattice_; }
     const Grid& grid() const { return grid_.value(); }
 
-    template <class Body>
-    void cut(const Body& body) {
-        if constexpr (std::is_same_v<Body, cda::Cell>) {
-            waiting_.emplace_back(CuttingCell(body, lattice_, *grid_));
-        } else {
-            waiting_.emplace_back(SweptTool(body, lattice_, *grid_));
-        }
-        if (waiting_.size() >= kBatch) settle();
-    }
+    void cut(const cda::Cell& cell) { add(CuttingCell(cell, lattice_, *grid_)); }
+    void cut(const cda::RoundSweep& sweep) { add(SweptTool(sweep, lattice_, *grid_)); }
 
     const std::array<Rays, 3>& rays() const {
         settle();
         return rays_.value();
     }
-
-    // mm³
-    std::array<double, 3> volumes() const {
-        std::array<double, 3> volumes{};
+    bool has_only_z() const { return parameters_.directions == Directions::OnlyZ; }
+    // mm³, of the mean of all directions.
+    double doubtful_volume() const {
+        double sum = 0.0;
+        double directions = 0.0;
         for (const Rays& along : rays()) {
-            volumes[along.axis()] = along.length() * grid_->axes[along.u_axis()].pitch *
-                                    grid_->axes[along.v_axis()].pitch * lattice_.cubic_unit_mm3();
+            if (along.rows() == 0) continue;
+            sum += dexel::doubtful_volume(along, *grid_);
+            ++directions;
+        }
+        return sum * lattice_.cubic_unit_mm3() / directions;
+    }
+    // mm², of a ray along the axis.
+    double area_of_ray(std::size_t axis) const {
+        return grid_->axes[(axis + 1) % 3].pitch * grid_->axes[(axis + 2) % 3].pitch *
+               lattice_.unit_mm * lattice_.unit_mm;
+    }
+
+    // mm³, of each direction that there is.
+    std::vector<double> volumes() const {
+        std::vector<double> volumes;
+        for (const Rays& along : rays()) {
+            if (along.rows() == 0) continue;
+            volumes.push_back(along.length() * lattice_.unit_mm * area_of_ray(along.axis()));
         }
         return volumes;
     }
 
+    Contour contour() const {
+        return Contour(*grid_, rays(), *stock_, lattice_, parameters_.threads, parameters_.mesher);
+    }
+
 private:
-    // Each row by one thread, and all cells in their order.
+    using Body = std::variant<CuttingCell, SweptTool>;
+    // By axis: the corners that a body may meet, to be asked without looking at it.
+    struct Span {
+        std::array<std::uint32_t, 3> begin, end;
+    };
+
+    template <class OneBody>
+    void add(OneBody&& body) {
+        Span span{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            span.begin[axis] = static_cast<std::uint32_t>(body.box.begin[axis]);
+            span.end[axis] = static_cast<std::uint32_t>(body.box.end[axis]);
+        }
+        if constexpr (std::is_same_v<std::remove_cvref_t<OneBody>, SweptTool>) {
+            are_all_open_ = are_all_open_ && body.is_open_above(grid_->axes[2].at.back());
+        } else {
+            are_all_open_ = false;
+        }
+        waiting_.emplace_back(std::forward<OneBody>(body));
+        spans_.push_back(span);
+        if (waiting_.size() >= kBatch) settle();
+    }
+
+    // Each row by one thread, and all bodies in their order.
     void settle() const {
         const std::scoped_lock lock(mutex_);
         if (waiting_.empty()) return;
         struct Task {
             std::size_t axis, begin, end;
         };
+        const std::size_t threads =
+            parameters_.threads != 0 ? parameters_.threads : std::thread::hardware_concurrency();
         std::vector<Task> tasks;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const cda::Runs runs((*rays_)[axis].rows(), kRows);
+            const std::size_t rows = (*rays_)[axis].rows();
+            const std::size_t each =
+                threads <= 1 ? (axis == 2 ? kRowsTogether : std::max<std::size_t>(rows, 1))
+                             : std::max(kLeastRows, rows / (kRuns * threads));
+            const cda::Runs runs(rows, each);
             for (std::size_t i = 0; i < runs.tasks(); ++i)
                 tasks.push_back({axis, runs.begin(i), runs.end(i)});
         }
         cda::in_parallel(parameters_.threads, tasks.size(), [&](std::size_t i) {
-            Cutter cutter(*grid_, (*rays_)[tasks[i].axis]);
-            for (const auto& body : waiting_) {
-                std::visit([&](const auto& b) { cutter.cut(b, tasks[i].begin, tasks[i].end); },
-                           body);
+            const auto& [axis, begin, end] = tasks[i];
+            Cutter cutter(*grid_, (*rays_)[axis]);
+            const std::size_t across = (*rays_)[axis].v_axis();
+            if (axis == 2 && are_all_open_) {
+                std::vector<const SweptTool*> tools;
+                for (std::size_t k = 0; k < waiting_.size(); ++k) {
+                    if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
+                        tools.push_back(&std::get<SweptTool>(waiting_[k]));
+                }
+                cutter.cut_open(tools, begin, end);
+                return;
+            }
+            for (std::size_t k = 0; k < waiting_.size(); ++k) {
+                if (spans_[k].end[across] <= begin || end <= spans_[k].begin[across]) continue;
+                std::visit([&](const auto& body) { cutter.cut(body, begin, end); }, waiting_[k]);
             }
         });
         waiting_.clear();
+        spans_.clear();
+        are_all_open_ = true;
     }
 
     DexelParameters parameters_;
     cda::Lattice lattice_;
-    std::optional<Grid> grid_;  // a prototype has none
+    std::optional<Grid> grid_;  // a prototype has none of these
+    std::optional<CuttingCell> stock_;
     mutable std::mutex mutex_;
     mutable std::optional<std::array<Rays, 3>> rays_;
-    mutable std::vector<std::variant<CuttingCell, SweptTool>> waiting_;
+    mutable std::vector<Body> waiting_;
+    mutable std::vector<Span> spans_;   // of these
+    mutable bool are_all_open_ = true;  // tools, above the stock
 };
 
 Dexel::Dexel(const DexelParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}
@@ -175,13 +246,13 @@ std::unique_ptr<cda::WorkpieceModel> Dexel::clone() const {
 }
 
 double Dexel::volume() const {
-    const std::array<double, 3> volumes = impl_->volumes();
-    return (volumes[0] + volumes[1] + volumes[2]) / 3.0;
+    const std::vector<double> volumes = impl_->volumes();
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0) /
+           static_cast<double>(volumes.size());
 }
 
 cda::Boundary Dexel::boundary() const {
-    return Contour(impl_->grid(), impl_->rays(), impl_->lattice(), impl_->parameters().threads)
-        .boundary();
+    return impl_->contour().boundary();
 }
 
 bool Dexel::contains(cda::Vec3 point) const {
@@ -202,10 +273,30 @@ double Dexel::resolution() const {
     return largest * impl_->lattice().unit_mm;
 }
 
+std::size_t Dexel::rays() const {
+    std::size_t count = 0;
+    for (const Rays& along : impl_->rays())
+        count += along.all().size();
+    return count;
+}
+
+std::size_t Dexel::bytes() const {
+    std::size_t sum = 0;
+    for (const Rays& along : impl_->rays())
+        sum += along.bytes();
+    return sum;
+}
+
 double Dexel::volume_error() const {
-    const std::array<double, 3> volumes = impl_->volumes();
-    const auto [least, most] = std::minmax_element(volumes.begin(), volumes.end());
-    return 0.5 * (*most - *least);
+    return impl_->doubtful_volume();
+}
+
+std::optional<cda::Aliasing> Dexel::aliasing() const {
+    cda::Aliasing found;
+    found.is_seen_along_z_alone = impl_->has_only_z();
+    for (const Rays& along : impl_->rays())
+        look_for_thin(along, impl_->grid(), impl_->lattice(), found);
+    return found;
 }
 
 }  // namespace ncsim::dexel

@@ -21,7 +21,13 @@ GridAxis::GridAxis(double min, double max, double wanted) {
 }
 
 std::size_t GridAxis::from(double place) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(at, place) - at.begin());
+    const double guess = (place - at.front()) / pitch;
+    auto i = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(at.size())));
+    while (i < at.size() && at[i] < place)
+        ++i;
+    while (i > 0 && at[i - 1] >= place)
+        --i;
+    return i;
 }
 
 Grid::Grid(cda::Vec3 min, cda::Vec3 max, double pitch)

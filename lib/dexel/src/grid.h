@@ -26,7 +26,8 @@ struct GridAxis {
     double pitch = 1.0;      ///< Units; a whole number of them is the stock.
 };
 
-/// Of all directions together: the surface takes about a kilobyte a ray.
+/// Of all directions together, whether they are there or not: the surface takes about a kilobyte
+/// for each.
 inline constexpr double kMostRays = 2e6;
 
 struct Grid {

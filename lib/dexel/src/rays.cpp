@@ -18,14 +18,17 @@ double sign(double x) {
 
 PackedNormal PackedNormal::of(cda::Vec3 n) {
     const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (!(sum > 0.0)) return {};
     double u = n.x / sum, v = n.y / sum;
     if (n.z < 0.0) {
         const double folded = (1.0 - std::abs(v)) * sign(u);
         v = (1.0 - std::abs(u)) * sign(v);
         u = folded;
     }
-    return {static_cast<std::int16_t>(std::round(u * kFull)),
-            static_cast<std::int16_t>(std::round(v * kFull))};
+    const auto whole = [](double x) {
+        return static_cast<std::int16_t>(x * kFull + (x < 0.0 ? -0.5 : 0.5));
+    };
+    return {whole(u), whole(v)};
 }
 
 cda::Vec3 PackedNormal::unpacked() const {
@@ -39,46 +42,75 @@ cda::Vec3 PackedNormal::unpacked() const {
     return cda::normalized({x, y, z});
 }
 
-void Ray::cut_several(const End& low, const End& high) {
-    if (low.at >= rest_.back().high.at) return;
-    std::vector<Interval> left;
-    for_each([&](const Interval& interval) {
-        if (high.at <= interval.low.at || low.at >= interval.high.at) {
-            left.push_back(interval);
-            return;
-        }
-        if (low.at > interval.low.at) left.push_back({interval.low, low});
-        if (high.at < interval.high.at) left.push_back({high, interval.high});
-    });
-    first_ = left.empty() ? Interval{} : left.front();
-    rest_.assign(left.begin() + (left.empty() ? 0 : 1), left.end());
+Ray::Ray(const Ray& other)
+    : only_(other.only_),
+      several_(other.several_ ? std::make_unique<std::vector<Interval>>(*other.several_)
+                              : nullptr) {}
+
+Ray& Ray::operator=(const Ray& other) {
+    *this = Ray(other);
+    return *this;
+}
+
+void Ray::set(const Interval& interval) {
+    only_ = interval;
+    several_ = nullptr;
+}
+
+void Ray::split(std::size_t at, const Interval& below, const Interval& above) {
+    if (!several_) {
+        several_ = std::make_unique<std::vector<Interval>>();
+        several_->push_back(only_);
+    }
+    (*several_)[at] = below;
+    several_->insert(several_->begin() + static_cast<std::ptrdiff_t>(at) + 1, above);
+}
+
+void Ray::erase(std::size_t begin, std::size_t end) {
+    if (!several_) {
+        only_ = {};
+        return;
+    }
+    const auto from = several_->begin();
+    several_->erase(from + static_cast<std::ptrdiff_t>(begin),
+                    from + static_cast<std::ptrdiff_t>(end));
 }
 
 bool Ray::contains(double place) const {
-    bool is_inside = false;
-    for_each([&](const Interval& interval) {
-        is_inside |= interval.low.at <= place && place <= interval.high.at;
+    return std::ranges::any_of(intervals(), [&](const Interval& interval) {
+        return interval.low.at <= place && place <= interval.high.at;
     });
-    return is_inside;
 }
 
 std::int64_t Ray::length() const {
     std::int64_t sum = 0;
-    for_each(
-        [&](const Interval& interval) { sum += std::int64_t{interval.high.at} - interval.low.at; });
+    for (const Interval& interval : intervals())
+        sum += std::int64_t{interval.high.at} - interval.low.at;
     return sum;
+}
+
+std::size_t Ray::bytes() const {
+    return several_ ? sizeof(*several_) + several_->capacity() * sizeof(Interval) : 0;
 }
 
 Rays::Rays(const Grid& grid, std::size_t axis)
     : axis_(axis),
       row_(grid.axes[(axis + 1) % 3].corners()),
-      rays_(row_ * grid.axes[(axis + 2) % 3].corners()) {}
+      rays_(row_ * grid.axes[(axis + 2) % 3].corners()),
+      gaps_(rays_.size()) {}
 
 double Rays::length() const {
     std::int64_t sum = 0;
     for (const Ray& ray : rays_)
         sum += ray.length();
     return static_cast<double>(sum);
+}
+
+std::size_t Rays::bytes() const {
+    std::size_t sum = rays_.capacity() * sizeof(Ray) + gaps_.capacity() * sizeof(Gap);
+    for (const Ray& ray : rays_)
+        sum += ray.bytes();
+    return sum;
 }
 
 }  // namespace ncsim::dexel

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -33,78 +34,108 @@ struct End {
 /// The material between two ends.
 struct Interval {
     End low, high;
-
-    bool is_empty() const { return low.at >= high.at; }
 };
 
+/// Where there is none: between two ends, or beyond all.
+struct Gap {
+    static constexpr std::int32_t kEver = 1 << 30;
+
+    std::int32_t low = 0, high = 0;
+};
+
+/// Most rays have one interval, which is kept in place.
 class Ray {
 public:
+    Ray() = default;
+    Ray(const Ray& other);
+    Ray& operator=(const Ray& other);
+    Ray(Ray&&) = default;
+    Ray& operator=(Ray&&) = default;
+    ~Ray() = default;
+
     /// All there is of it.
-    void set(const Interval& interval) { first_ = interval; }
-    /// Takes what is between the two places away. The end of what is left below is end(true), of
-    /// what is left above end(false).
+    void set(const Interval& interval);
+    /// Takes what is between the two places away, and tells the gap that they are in then. The end
+    /// of what is left below is end(true), of what is left above end(false); each is asked for once
+    /// at most.
     template <class MakeEnd>
-    void cut(std::int32_t low, std::int32_t high, const MakeEnd& end) {
-        if (first_.is_empty() || high <= first_.low.at) return;
-        if (!rest_.empty()) {
-            cut_several(end(true), end(false));
-            return;
-        }
-        if (low >= first_.high.at) return;
-        const bool is_left_below = low > first_.low.at;
-        const bool is_left_above = high < first_.high.at;
-        if (is_left_below && is_left_above) {
-            rest_.push_back({end(false), first_.high});
-            first_.high = end(true);
-        } else if (is_left_below) {
-            first_.high = end(true);
-        } else if (is_left_above) {
-            first_.low = end(false);
-        } else {
-            first_ = {};
-        }
-    }
-    /// Calls take(interval) from below.
-    template <class Take>
-    void for_each(Take take) const {
-        if (!first_.is_empty()) take(first_);
-        for (const Interval& interval : rest_)
-            take(interval);
+    Gap cut(std::int32_t low, std::int32_t high, const MakeEnd& end);
+
+    /// In order.
+    std::span<const Interval> intervals() const {
+        return several_ ? std::span<const Interval>(*several_)
+                        : std::span(&only_, is_empty() ? 0U : 1U);
     }
     bool contains(double place) const;
-    /// May be true where there is none between two intervals.
-    bool has_any_between(double low, double high) const {
-        if (first_.is_empty()) return false;
-        const Interval& last = rest_.empty() ? first_ : rest_.back();
-        return first_.low.at < high && low < last.high.at;
-    }
     std::int64_t length() const;
+    /// Beyond its own size.
+    std::size_t bytes() const;
 
 private:
-    void cut_several(const End& low, const End& high);
+    bool is_empty() const { return only_.low.at >= only_.high.at; }
+    std::span<Interval> all() {
+        return several_ ? std::span<Interval>(*several_) : std::span(&only_, is_empty() ? 0U : 1U);
+    }
+    void split(std::size_t at, const Interval& below, const Interval& above);
+    void erase(std::size_t begin, std::size_t end);
 
-    Interval first_;              // empty: so is the ray
-    std::vector<Interval> rest_;  // beyond it, in order
+    Interval only_;                                   // where there are not several
+    std::unique_ptr<std::vector<Interval>> several_;  // of a ray that has ever had two
 };
+
+template <class MakeEnd>
+Gap Ray::cut(std::int32_t low, std::int32_t high, const MakeEnd& end) {
+    const std::span<Interval> known = all();
+    std::size_t first = 0;  // of those that are cut
+    while (first < known.size() && known[first].high.at <= low)
+        ++first;
+    std::size_t last = first;
+    while (last < known.size() && known[last].low.at < high)
+        ++last;
+    Gap gap;
+    gap.low = first > 0 ? known[first - 1].high.at : -Gap::kEver;
+    gap.high = last < known.size() ? known[last].low.at : Gap::kEver;
+    if (first == last) return gap;
+    const bool is_left_below = low > known[first].low.at;
+    const bool is_left_above = high < known[last - 1].high.at;
+    if (is_left_below) gap.low = low;
+    if (is_left_above) gap.high = high;
+    if (is_left_below && is_left_above && last - first == 1) {
+        const Interval cut = known[first];
+        split(first, {cut.low, end(true)}, {end(false), cut.high});
+        return gap;
+    }
+    if (is_left_below) known[first++].high = end(true);
+    if (is_left_above) known[--last].low = end(false);
+    if (first < last) erase(first, last);
+    return gap;
+}
 
 /// All rays along an axis: `u` and `v` are the next two axes.
 class Rays {
 public:
+    /// None.
+    Rays() = default;
     Rays(const Grid& grid, std::size_t axis);
 
     std::size_t axis() const { return axis_; }
     std::size_t u_axis() const { return (axis_ + 1) % 3; }
     std::size_t v_axis() const { return (axis_ + 2) % 3; }
-    std::size_t rows() const { return rays_.size() / row_; }
+    std::size_t rows() const { return row_ == 0 ? 0 : rays_.size() / row_; }
     std::span<Ray> row(std::size_t v) { return std::span(rays_).subspan(v * row_, row_); }
+    /// Of each ray of a row a gap that it has: where it was cut last.
+    std::span<Gap> gaps(std::size_t v) { return std::span(gaps_).subspan(v * row_, row_); }
     const Ray& operator()(std::size_t u, std::size_t v) const { return rays_[v * row_ + u]; }
+    std::span<const Ray> all() const { return rays_; }
     /// The sum of the lengths of all, units.
     double length() const;
+    std::size_t bytes() const;
 
 private:
-    std::size_t axis_;
-    std::size_t row_;  // rays a row
+    std::size_t axis_ = 0;
+    std::size_t row_ = 0;  // rays a row
     std::vector<Ray> rays_;
+    std::vector<Gap> gaps_;
 };
 
 }  // namespace ncsim::dexel

@@ -2,170 +2,225 @@
 #include "round_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace ncsim::dexel {
+
+namespace {
+
+// Of rays along x or y: how the tool goes along them and across.
+struct Side {
+    double from, way;  // along the rays
+    double other_from, other_way;
+    double by_other_way;  // 1 / other_way
+    double best;          // Aside of the axis over the radius: where the upper end is met.
+    double toward;        // s of the upper end, if it does not go across.
+};
+
+struct RowTask {
+    const SweptTool::Numbers& numbers;
+    Side side;
+    std::size_t axis;
+    const double* u;
+    std::size_t count;
+    double v;
+    RowMeeting& row;
+};
+
+struct LowerTask {
+    const SweptTool::Numbers& numbers;
+    const double* x;
+    std::size_t begin, end;
+    double y, number;
+    LowestRow& lowest;
+};
+
+}  // namespace
+
+}  // namespace ncsim::dexel
+
+#define NCSIM_DEXEL_INLINED __attribute__((always_inline))
+
+#define NCSIM_DEXEL_LANES by_two
+#define NCSIM_DEXEL_WIDTH 2
+#include "row_lanes.h"
+#undef NCSIM_DEXEL_LANES
+#undef NCSIM_DEXEL_WIDTH
+
+#if defined(__x86_64__)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+#define NCSIM_DEXEL_LANES by_four
+#define NCSIM_DEXEL_WIDTH 4
+#include "row_lanes.h"
+#undef NCSIM_DEXEL_LANES
+#undef NCSIM_DEXEL_WIDTH
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#endif
 
 namespace ncsim::dexel {
 
 namespace {
 
 using cda::Vec3;
+using Tip = SweptTool::Tip;
 
-void join(SweptTool::Interval& all, const SweptTool::Interval& part) {
-    if (part.low.at < all.low.at) all.low = part.low;
-    if (part.high.at > all.high.at) all.high = part.high;
+Tip tip_of(const cda::RoundSweep& sweep) {
+    if (sweep.tip_height <= 0.0) return Tip::Flat;
+    if (sweep.is_cone) return Tip::Cone;
+    // Of a ball, the upper half has to be in the cylinder.
+    const bool is_ball = sweep.flat_radius <= 0.0 && sweep.height >= 2.0 * sweep.radius;
+    return is_ball ? Tip::Ball : Tip::Round;
+}
+
+Side side_of(const SweptTool::Numbers& n, std::size_t axis) {
+    const std::size_t other = 1 - axis;
+    Side side{};
+    side.from = n.from[axis], side.way = n.way[axis];
+    side.other_from = n.from[other], side.other_way = n.way[other];
+    side.toward = side.way > 0.0 ? 1.0 : 0.0;
+    if (side.other_way == 0.0) return side;
+    side.by_other_way = 1.0 / side.other_way;
+    side.best = (side.other_way < 0.0 ? -side.way : side.way) / n.way_across;
+    return side;
 }
 
 }  // namespace
 
+void RowMeeting::resize(std::size_t count) {
+    if (low.size() >= count + kWidest) return;
+    for (std::vector<double>* each : {&low, &high, &s_low, &s_high})
+        each->resize(count + kWidest);
+}
+
+Lanes widest_lanes() {
+#if defined(__x86_64__)
+    static const bool has_four = __builtin_cpu_supports("avx2");
+    return has_four ? Lanes::Four : Lanes::Two;
+#else
+    return Lanes::Two;
+#endif
+}
+
 SweptTool::SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, const Grid& grid)
-    : box(sweep.bounds, lattice, grid),
-      origin(sweep.origin),
-      radius_(sweep.radius / lattice.unit_mm),
-      height_(sweep.height / lattice.unit_mm),
-      is_ball_(sweep.is_ball) {
+    : box(sweep.bounds, lattice, grid), origin(sweep.origin), numbers_{}, tip_(tip_of(sweep)) {
+    Numbers& n = numbers_;
+    n.radius = sweep.radius / lattice.unit_mm;
+    n.height = sweep.height / lattice.unit_mm;
+    n.flat = sweep.flat_radius / lattice.unit_mm;
+    n.tip = sweep.tip_height / lattice.unit_mm;
+    if (tip_ == Tip::Cone) n.steepness = n.tip / (n.radius - n.flat);
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        from_[a] = sweep.from[axis] / lattice.unit_mm;
-        way_[a] = sweep.to[axis] / lattice.unit_mm - from_[a];
+        n.from[a] = sweep.from[axis] / lattice.unit_mm;
+        n.way[a] = sweep.to[axis] / lattice.unit_mm - n.from[a];
     }
+    n.across = n.way[0] * n.way[0] + n.way[1] * n.way[1];
+    // Along what is shorter than a unit nothing goes, so that nothing is divided by next to
+    // nothing.
+    const auto is_short = [](double length) { return std::abs(length) < 0.5; };
+    if (is_short(n.way[0]) && is_short(n.way[1])) n.way[0] = n.way[1] = n.across = 0.0;
+    if (is_short(n.way[2])) n.way[2] = 0.0;
+    n.way_across = std::sqrt(n.across);
+    if (n.across > 0.0) n.by_across = 1.0 / n.across;
+    course_ = n.way[2] == 0.0 && n.across > 0.0 ? Course::Level
+              : n.across > 0.0                  ? Course::Slope
+                                                : Course::Plunge;
 }
 
-bool SweptTool::meet(std::size_t axis, double u, double v, Interval& result) const {
-    const auto meets_cylinder = [&](Interval& interval) {
-        if (axis == 2) return meet_along_z(u, v, interval);
-        return axis == 0 ? meet_across_z(0, u, v, interval) : meet_across_z(1, v, u, interval);
-    };
-    const bool has_cylinder = meets_cylinder(result);
-    if (!is_ball_) return has_cylinder;
-    Interval ball;
-    if (!meet_ball(axis, u, v, ball)) return has_cylinder;
-    if (has_cylinder) {
-        join(result, ball);
-    } else {
-        result = ball;
-    }
-    return true;
+void SweptTool::meet_row(std::size_t axis, const double* u, std::size_t count, double v, Lanes wide,
+                         RowMeeting& row) const {
+    row.resize(count);
+    const RowTask task{numbers_, axis == 2 ? Side{} : side_of(numbers_, axis), axis, u, count, v,
+                       row};
+#if defined(__x86_64__)
+    if (wide == Lanes::Four) return by_four::row_of(tip_, course_, task);
+#endif
+    static_cast<void>(wide);
+    by_two::row_of(tip_, course_, task);
 }
 
-bool SweptTool::meet_ball(std::size_t axis, double u, double v, Interval& result) const {
-    const std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
-    Triple centre = from_;
-    centre[2] += radius_;
-    const double wu = centre[p] - u, wv = centre[q] - v;
-    const double a = way_[p] * way_[p] + way_[q] * way_[q];
-    const double b = wu * way_[p] + wv * way_[q];
-    const double along = way_[axis];
-    double root = 0.0;  // of how far the best place is from where the centre is nearest, by a
-    if (a > 0.0) {
-        // What the ray leaves of the ball where the centre passes nearest.
-        const double cross = wu * way_[q] - wv * way_[p];
-        const double room = radius_ * radius_ - cross * cross / a;
-        if (room < 0.0) return false;
-        root = along * std::sqrt(room / (a * (a + along * along)));
-    }
-    const auto at = [&](double sign, double s, Meeting& meeting) {
-        s = std::clamp(s, 0.0, 1.0);
-        const double du = wu + s * way_[p], dv = wv + s * way_[q];
-        const double square = radius_ * radius_ - du * du - dv * dv;
-        if (square < 0.0) return false;
-        const double depth = sign * std::sqrt(square);
-        meeting.at = centre[axis] + s * along + depth;
-        meeting.normal[static_cast<int>(axis)] = depth;
-        meeting.normal[static_cast<int>(p)] = -du;
-        meeting.normal[static_cast<int>(q)] = -dv;
-        return true;
-    };
-    if (a == 0.0)
-        return at(-1.0, along < 0.0 ? 1.0 : 0.0, result.low) &&
-               at(1.0, along < 0.0 ? 0.0 : 1.0, result.high);
-    return at(-1.0, -b / a - root, result.low) && at(1.0, -b / a + root, result.high);
+void SweptTool::lower_row(const double* x, std::size_t begin, std::size_t end, double y,
+                          double number, Lanes wide, LowestRow& lowest) const {
+    const LowerTask task{numbers_, x, begin, end, y, number, lowest};
+#if defined(__x86_64__)
+    if (wide == Lanes::Four) return by_four::lower_row_of(tip_, course_, task);
+#endif
+    static_cast<void>(wide);
+    by_two::lower_row_of(tip_, course_, task);
 }
 
-// Of the surface that the lower (upper) rim leaves: z as the tool has it when the rim comes by.
-Vec3 SweptTool::rim_normal(double x, double y, double s, bool is_lower) const {
-    const double dx = from_[0] + s * way_[0] - x, dy = from_[1] + s * way_[1] - y;
-    const double across = dx * way_[0] + dy * way_[1];
-    const double sign = is_lower ? 1.0 : -1.0;
-    // (F_x, F_y, -1) for z = F(x, y), times |across|, so that where the rim stands still beside the
-    // ray it is level.
-    const double climb = across < 0.0 ? -way_[2] : way_[2];
-    const Vec3 normal{sign * climb * dx, sign * climb * dy, -sign * std::abs(across)};
-    return cda::norm(normal) > 0.0 ? normal : Vec3{0.0, 0.0, -sign};
+bool SweptTool::is_open_above(double top) const {
+    return std::min(numbers_.from[2], numbers_.from[2] + numbers_.way[2]) + numbers_.height > top;
 }
 
-bool SweptTool::meet_along_z(double x, double y, Interval& result) const {
-    const double wx = from_[0] - x, wy = from_[1] - y;
-    const double a = way_[0] * way_[0] + way_[1] * way_[1];
-    double first = 0.0, last = 1.0;  // while the ray is in the cylinder
-    if (a > 0.0) {
-        const double b = wx * way_[0] + wy * way_[1];
-        const double cross = wx * way_[1] - wy * way_[0];
-        const double room = radius_ * radius_ - cross * cross / a;
-        if (room < 0.0) return false;
-        const double half = std::sqrt(room / a);
-        first = std::max(0.0, -b / a - half);
-        last = std::min(1.0, -b / a + half);
-        if (first > last) return false;
-    } else if (wx * wx + wy * wy > radius_ * radius_) {
-        return false;
-    }
-    const double base = is_ball_ ? radius_ : 0.0;
-    const double low = way_[2] < 0.0 ? last : first;
-    const double high = way_[2] < 0.0 ? first : last;
-    result.low.at = from_[2] + base + low * way_[2];
-    result.high.at = from_[2] + height_ + high * way_[2];
-    // At the ends of the way the flat end is there itself.
-    result.low.normal = low > 0.0 && low < 1.0 ? rim_normal(x, y, low, true) : Vec3{0, 0, -1};
-    result.high.normal = high > 0.0 && high < 1.0 ? rim_normal(x, y, high, false) : Vec3{0, 0, 1};
-    return true;
+std::pair<double, double> SweptTool::reach_along_x(double y) const {
+    constexpr double kRoom = 1.0;
+    const Side side = side_of(numbers_, 0);
+    const by_two::V none{};
+    const by_two::Ray met =
+        by_two::circle(side, none + (side.other_from - y), none + (numbers_.radius + kRoom), none,
+                       none + 1.0, none);
+    return {met.low[0], met.high[0]};
 }
 
-// `other`: the coordinate across both the ray and z.
-bool SweptTool::meet_across_z(std::size_t axis, double other, double z, Interval& result) const {
-    const std::size_t o = 1 - axis;
-    const double base = from_[2] + (is_ball_ ? radius_ : 0.0);
-    const double top = from_[2] + height_;
-    double first = 0.0, last = 1.0;  // while the cylinder has the height of the ray
-    if (way_[2] == 0.0) {
-        if (z < base || z > top) return false;
-    } else {
-        const double at_base = (z - base) / way_[2];
-        const double at_top = (z - top) / way_[2];
-        first = std::max(first, std::min(at_base, at_top));
-        last = std::min(last, std::max(at_base, at_top));
-        if (first > last) return false;
+double SweptTool::lowest_at(double y) const {
+    const Numbers& n = numbers_;
+    const double end = n.from[1] + n.way[1];
+    const double aside =
+        std::max({std::min(n.from[1], end) - y, y - std::max(n.from[1], end), 0.0});
+    const by_two::V square = by_two::V{} + aside * aside;
+    const double lowest = std::min(n.from[2], n.from[2] + n.way[2]);
+    switch (tip_) {
+        case Tip::Flat: break;
+        case Tip::Ball: return lowest + by_two::rise_at<Tip::Ball>(n, square)[0];
+        case Tip::Round: return lowest + by_two::rise_at<Tip::Round>(n, square)[0];
+        case Tip::Cone: return lowest + by_two::rise_at<Tip::Cone>(n, square)[0];
     }
-    const double w = from_[o] - other;
-    const auto at = [&](double sign, Meeting& meeting) {
-        double s = sign * way_[axis] > 0.0 ? last : first;
-        if (way_[o] != 0.0) {
-            const double k = sign * radius_ * way_[axis] /
-                             std::sqrt(way_[axis] * way_[axis] + way_[o] * way_[o]) *
-                             (way_[o] < 0.0 ? -1.0 : 1.0);
-            s = std::clamp((k - w) / way_[o], first, last);
-        }
-        const double k = w + s * way_[o];
-        const double square = radius_ * radius_ - k * k;
-        if (square < 0.0) return false;
-        const double depth = sign * std::sqrt(square);
-        meeting.at = from_[axis] + s * way_[axis] + depth;
-        const bool by_rim = s > 0.0 && s < 1.0 && (s == first || s == last);
-        if (by_rim) {
-            Triple p{};
-            p[axis] = meeting.at;
-            p[o] = other;
-            const bool is_lower =
-                std::abs(base + s * way_[2] - z) < std::abs(top + s * way_[2] - z);
-            meeting.normal = rim_normal(p[0], p[1], s, is_lower);
-            const double faces = meeting.normal[static_cast<int>(axis)] * sign;
-            if (faces > 0.0) return true;
-        }
-        meeting.normal = {};
-        meeting.normal[static_cast<int>(axis)] = depth;
-        meeting.normal[static_cast<int>(o)] = -k;
-        return true;
-    };
-    return at(-1.0, result.low) && at(1.0, result.high);
+    return lowest;
+}
+
+Vec3 SweptTool::normal(std::size_t axis, double u, double v, bool is_high, double at,
+                       double s) const {
+    const Numbers& n = numbers_;
+    std::array<double, 3> q{};  // where the tool is met, from its lowest point
+    q[axis] = at;
+    q[(axis + 1) % 3] = u;
+    q[(axis + 2) % 3] = v;
+    for (std::size_t a = 0; a < 3; ++a)
+        q[a] -= n.from[a] + s * n.way[a];
+    const bool is_side = axis != 2;
+    // On the way, its surface has the direction of the way and that of the circle around the axis.
+    // Going level, that may be one direction, and is the tool's own surface; a ball's always is.
+    constexpr double kLevel = 1e-6;
+    const bool is_on_ball = tip_ == Tip::Ball && q[2] < n.tip && (is_side || !is_high);
+    if (0.0 < s && s < 1.0 && !is_on_ball && std::abs(n.way[2]) > kLevel * n.way_across) {
+        const Vec3 across = cda::cross({n.way[0], n.way[1], n.way[2]}, {-q[1], q[0], 0.0});
+        const double along = across[static_cast<int>(axis)];
+        if (along != 0.0) return is_high == (along > 0.0) ? across : -1.0 * across;
+    }
+    if (!is_side && is_high) return {0, 0, 1};
+    if (is_side && q[2] >= n.tip) return {q[0], q[1], 0.0};
+    const double aside = std::sqrt(q[0] * q[0] + q[1] * q[1]);
+    if (tip_ == Tip::Flat || aside <= n.flat) return {0, 0, -1};
+    if (tip_ == Tip::Ball) return {q[0], q[1], std::min(q[2] - n.radius, 0.0)};
+    if (tip_ == Tip::Cone) return {q[0] / aside, q[1] / aside, -1.0 / n.steepness};
+    const double beyond = (aside - n.flat) / aside;
+    return {q[0] * beyond, q[1] * beyond, std::min(q[2] - n.tip, 0.0)};
 }
 
 }  // namespace ncsim::dexel

@@ -134,6 +134,38 @@ std::string section_text(const SectionFacts& section) {
     return text + "\n";
 }
 
+std::string thin_text(const cda::ThinPlaces& thin, std::uint32_t line, std::string_view what,
+                      double resolution) {
+    if (thin.count == 0) return {};
+    const std::string made = line == 0 ? "the stock's" : fmt::format("line {}", line);
+    return fmt::format(
+        "thin      {} thinner than {:.3g} mm on {} rays, {:.3g} mm where thinnest, at X{:.3f} "
+        "Y{:.3f} Z{:.3f} ({})\n"
+        "          not in the surface on {} of them: {}\n",
+        what, resolution, thin.count, thin.thinnest_mm, thin.at.x, thin.at.y, thin.at.z, made,
+        thin.missing, volume_text(thin.missing_mm3));
+}
+
+std::string aliasing_text(const AliasingFacts& aliasing, double resolution) {
+    std::string text =
+        thin_text(aliasing.material, aliasing.material_line, "material", resolution) +
+        thin_text(aliasing.gaps, aliasing.gap_line, "gaps", resolution);
+    if (aliasing.is_seen_along_z_alone)
+        text += "          walls and slots are not looked for along Z alone (--rays xyz)\n";
+    return text;
+}
+
+Json thin_json(const cda::ThinPlaces& thin, std::uint32_t line) {
+    Json json = {{"rays", thin.count},
+                 {"missing_rays", thin.missing},
+                 {"missing_mm3", tidy(thin.missing_mm3)}};
+    if (thin.count > 0) {
+        json["thinnest"] = {
+            {"mm", tidy(thin.thinnest_mm)}, {"at", vector_json(thin.at)}, {"line", line}};
+    }
+    return json;
+}
+
 Json section_json(const SectionFacts& section) {
     return {{"plane", section.plane},
             {"outlines", section.outlines},
@@ -157,9 +189,10 @@ std::string summary(const RunFacts& run) {
         append(text, "part      {} of {}; {} removed in {} hulls\n", volume_text(s.part_volume),
                volume_text(s.stock_volume), volume_text(s.stock_volume - s.part_volume), s.hulls);
         if (s.part_volume_error > 0.0) {
-            append(text, "          rays along X, Y and Z differ by {} from their mean\n",
+            append(text, "          off by {} at most, by what the rays tell\n",
                    volume_text(s.part_volume_error));
         }
+        if (s.aliasing) text += aliasing_text(*s.aliasing, run.cutting.resolution);
         for (const auto& [number, used] : run.program->tools) {
             const auto removed = s.removed_by_tool.find(number);
             append(text, "  T{:<7} {} removed\n", number,
@@ -231,6 +264,14 @@ void write_report(std::ostream& out, const RunFacts& run) {
                               {"part", tidy(s.part_volume)},
                               {"removed", tidy(s.stock_volume - s.part_volume)}};
         if (s.part_volume_error > 0.0) json["volume_mm3"]["error"] = tidy(s.part_volume_error);
+        if (run.cutting.resolution > 0.0)
+            json["model"]["rays"] = run.cutting.has_rays_along_z_alone ? "z" : "xyz";
+        if (s.aliasing) {
+            json["thinner_than_resolution"] = {
+                {"material", thin_json(s.aliasing->material, s.aliasing->material_line)},
+                {"gaps", thin_json(s.aliasing->gaps, s.aliasing->gap_line)},
+                {"seen_along_z_alone", s.aliasing->is_seen_along_z_alone}};
+        }
     }
     if (run.boundary) {
         json["part"] = {{"extents", to_json(cda::bounds(*run.boundary))},

@@ -96,9 +96,12 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
         }
         sheet.line("model", "{}, lattice unit {:g} nm", cutting.model,
                    toolpath::stock_lattice(*program.stock).unit_mm * 1e6);
+        if (cutting.is_model_chosen)
+            sheet.line("", "rays, as a draft of {} moves; --model cda is exact", program.moves);
         if (cutting.resolution > 0.0) {
-            sheet.line("", "rays {:.3g} mm apart: what is thinner may be missing, nothing is exact",
-                       cutting.resolution);
+            sheet.line("",
+                       "rays {:.3g} mm apart{}: what is thinner may be missing, nothing is exact",
+                       cutting.resolution, cutting.has_rays_along_z_alone ? ", along Z alone" : "");
         }
     }
     sheet.line("tolerance",

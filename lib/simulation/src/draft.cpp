@@ -14,6 +14,60 @@
 
 namespace ncsim::simulation {
 
+namespace {
+
+// Wider nowhere than above.
+bool is_open_above(const toolpath::Tool& tool) {
+    double widest = 0.0;
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        for (const toolpath::ProfilePoint& p : piece.profile) {
+            if (p.radius < widest) return false;
+            widest = p.radius;
+        }
+    }
+    return true;
+}
+
+// A ball, a point, or what is rounded that far.
+bool has_no_flat(const toolpath::Tool& tool) {
+    if (tool.kind == toolpath::ToolKind::Drill) return false;
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting || piece.profile.empty()) continue;
+        return piece.profile.front().radius <= piece.profile.front().fillet;
+    }
+    return false;
+}
+
+}  // namespace
+
+void choose_model(Plan& plan, const Survey& survey) {
+    if (!plan.draft || plan.is_model_told || survey.moves < kLongProgram) return;
+    const auto has_resolution = [](const ModelInfo& model) { return model.has_resolution; };
+    const bool needs_exact = plan.keep_carved || plan.block_volumes || plan.needs_exact;
+    if (needs_exact || plan.tile || plan.tiles) return;
+    plan.model = std::ranges::find_if(models(), has_resolution)->name;
+    plan.is_model_chosen = true;
+}
+
+void choose_rays(Plan& plan, const Survey& survey) {
+    const ModelInfo* model = find_model(plan.model);
+    if (!model || !model->has_resolution || !survey.is_ready()) return;
+    const auto tools_are = [&](bool (*suitable)(const toolpath::Tool&)) {
+        return std::ranges::all_of(survey.tools,
+                                   [&](const auto& known) { return suitable(known.second.tool); });
+    };
+    const bool is_possible = !survey.turns_tools() && tools_are(is_open_above);
+    if (plan.rays == RayDirections::AlongZ && !is_possible) {
+        throw std::runtime_error(
+            "--rays z: a tool turns or is wider below than above, and leaves what rays along Z "
+            "alone do not show");
+    }
+    if (plan.rays != RayDirections::Chosen) return;
+    plan.rays =
+        is_possible && tools_are(has_no_flat) ? RayDirections::AlongZ : RayDirections::AlongAll;
+}
+
 void choose_resolution(Plan& plan, const Survey& survey) {
     const ModelInfo* model = find_model(plan.model);
     if (!model || !model->has_resolution || !survey.is_ready()) return;

@@ -29,8 +29,9 @@ std::unique_ptr<cda::WorkpieceModel> make_flat(const ModelParameters& parameters
 }
 
 std::unique_ptr<cda::WorkpieceModel> make_dexel(const ModelParameters& parameters) {
-    return std::make_unique<dexel::Dexel>(
-        dexel::DexelParameters{parameters.threads, parameters.resolution_mm});
+    return std::make_unique<dexel::Dexel>(dexel::DexelParameters{
+        parameters.threads, parameters.resolution_mm,
+        parameters.only_along_z ? dexel::Directions::OnlyZ : dexel::Directions::Three});
 }
 
 constexpr std::array kModels = {

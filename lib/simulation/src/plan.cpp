@@ -16,8 +16,16 @@ void require_verifying(const Plan& plan) {
 }
 
 report::CuttingFacts cutting_facts(const Plan& plan) {
-    return {plan.model,          plan.resolution,     plan.tolerance,
-            plan.tool_tolerance, plan.join_tolerance, plan.at_line};
+    report::CuttingFacts facts;
+    facts.model = plan.model;
+    facts.resolution = plan.resolution;
+    facts.has_rays_along_z_alone = plan.rays == RayDirections::AlongZ;
+    facts.is_model_chosen = plan.is_model_chosen;
+    facts.tolerance = plan.tolerance;
+    facts.tool_tolerance = plan.tool_tolerance;
+    facts.join_tolerance = plan.join_tolerance;
+    facts.at_line = plan.at_line;
+    return facts;
 }
 
 }  // namespace ncsim::simulation

@@ -33,9 +33,9 @@ double now_in_seconds() {
 }
 
 std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan) {
-    return make_model(plan.model,
-                      {plan.threads, plan.hull_times ? &now_in_seconds : nullptr, plan.resolution,
-                       plan.tile, plan.tiles ? plan.tiles->tiles : nullptr});
+    return make_model(plan.model, {plan.threads, plan.hull_times ? &now_in_seconds : nullptr,
+                                   plan.resolution, plan.rays == RayDirections::AlongZ, plan.tile,
+                                   plan.tiles ? plan.tiles->tiles : nullptr});
 }
 
 toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
@@ -148,6 +148,13 @@ public:
         result_.standing = standing;
         result_.part_volume = verifier_ ? result_.part->volume() : volume_;
         result_.part_volume_error = result_.part->volume_error();
+        if (const auto aliasing = result_.part->aliasing()) {
+            const auto line_of = [&](cda::Origin origin) {
+                return result_.provenance.entries[static_cast<std::size_t>(origin)].nc_line;
+            };
+            result_.aliasing.emplace(report::AliasingFacts{
+                *aliasing, line_of(aliasing->material.origin), line_of(aliasing->gaps.origin)});
+        }
         if (!places_) return;
         for (const auto& [origin, taken] : result_.part->account()) {
             const auto place = places_->find(origin);

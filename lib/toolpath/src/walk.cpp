@@ -31,26 +31,43 @@ cda::Box grown(cda::Box box, double by_mm) {
     return box;
 }
 
-// Where all that cuts is cylinders, one with a half ball below at most: these, at the tip. Else
-// nothing.
+// A cylinder that ends below in a disc, a quarter circle or a cone, at the tip; else nothing.
+std::optional<cda::RoundSweep> round_of(const ToolPiece& piece) {
+    const std::vector<ProfilePoint>& p = piece.profile;
+    if (p.size() < 2 || p.size() > 3) return std::nullopt;
+    const ProfilePoint& low = p.front();
+    const ProfilePoint& high = p.back();
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        if (p[i].fillet != 0.0) return std::nullopt;
+    }
+    cda::RoundSweep sweep;
+    sweep.radius = high.radius;
+    sweep.height = high.height - low.height;
+    sweep.from = sweep.to = {0, 0, low.height};
+    if (p[1].radius != high.radius || low.radius > high.radius) return std::nullopt;
+    if (low.radius == high.radius) {
+        if (p.size() != 2 || low.fillet > low.radius) return std::nullopt;
+        sweep.flat_radius = low.radius - low.fillet;
+        sweep.tip_height = low.fillet;
+    } else {
+        if (low.fillet != 0.0) return std::nullopt;
+        sweep.flat_radius = low.radius;
+        sweep.tip_height = p[1].height - low.height;
+        sweep.is_cone = true;
+        if (sweep.tip_height <= 0.0) return std::nullopt;
+    }
+    if (sweep.radius <= 0.0 || sweep.height < sweep.tip_height) return std::nullopt;
+    return sweep;
+}
+
+// Of all that cuts; nothing, if one of its pieces is none of these.
 std::vector<cda::RoundSweep> round_of(const Tool& tool) {
     std::vector<cda::RoundSweep> all;
     for (const ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
-        if (piece.profile.size() != 2) return {};
-        const ProfilePoint& low = piece.profile[0];
-        const ProfilePoint& high = piece.profile[1];
-        const bool is_ball = low.fillet == low.radius;
-        const double height = high.height - low.height;
-        if (low.radius != high.radius || high.fillet != 0.0 || height < low.fillet ||
-            (low.fillet != 0.0 && !is_ball) || low.radius == 0.0)
-            return {};
-        cda::RoundSweep sweep;
-        sweep.radius = low.radius;
-        sweep.height = height;
-        sweep.is_ball = is_ball;
-        sweep.from = sweep.to = {0, 0, low.height};
-        all.push_back(sweep);
+        const auto sweep = round_of(piece);
+        if (!sweep) return {};
+        all.push_back(*sweep);
     }
     return all;
 }

@@ -11,6 +11,7 @@
 #include "ncsim/cda/sweep.h"
 #include "ncsim/cda/vec.h"
 
+#include <cstdint>
 #include <iosfwd>
 #include <map>
 #include <memory>
@@ -46,6 +47,20 @@ struct Taking {
     bool operator==(const Taking&) const = default;
 };
 using Account = std::map<Origin, Taking>;
+
+/// Where a part is thinner than what a model of limited resolution can show.
+struct ThinPlaces {
+    std::uint64_t count = 0;    ///< Of rays that cross one.
+    std::uint64_t missing = 0;  ///< Those of them that the surface does not have.
+    double missing_mm3 = 0.0;   ///< What these amount to, as the direction has it that sees most.
+    double thinnest_mm = 0.0;   ///< Along a ray; 0: there is none.
+    Vec3 at;                    ///< There, mm.
+    Origin origin = kStockOrigin;  ///< The later of the two motions that made it.
+};
+struct Aliasing {
+    ThinPlaces material, gaps;
+    bool is_seen_along_z_alone = false;  ///< Walls and slots are not looked for then.
+};
 
 /// A model was asked what it does not know; models.h tells beforehand what each is for.
 class CannotAnswer : public std::logic_error {
@@ -100,6 +115,8 @@ public:
     virtual double volume() const = 0;
     /// How much that may be off to either side, as far as the model itself can tell; exact: 0.
     virtual double volume_error() const { return 0.0; }
+    /// Of models that have a resolution.
+    virtual std::optional<Aliasing> aliasing() const { return std::nullopt; }
     /// The surface of what is left.
     virtual Boundary boundary() const = 0;
     /// Is the point in the part? Points of the surface count as inside. Exact for the point rounded

@@ -9,16 +9,27 @@
 #pragma once
 
 #include "ncsim/cda/workpiece.h"
+#include "ncsim/dexel/mesher.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace ncsim::dexel {
 
+enum class Directions {
+    Three,
+    /// Along z alone: of parts without undercuts, several times as fast. Walls are where they are
+    /// to half a pitch.
+    OnlyZ,
+};
+
 struct DexelParameters {
     std::size_t threads = 0;     ///< 0: as many as the machine has. Changes nothing else.
     double resolution_mm = 0.0;  ///< Between rays; 0: default_resolution().
+    Directions directions = Directions::Three;
+    Mesher mesher = Mesher::DualContouring;
 };
 
 /// Where nobody tells one: of stock with this longest side, the same unit.
@@ -29,10 +40,10 @@ inline double default_resolution(double longest) {
 /// Of stock of this size, mm: finer ones take more rays than are kept, two million.
 double finest_resolution(cda::Vec3 size);
 
-/// Between rays, a wall or a slot may be missing; on a ray, the surface is that of the round tool,
-/// or, where it is neither a cylinder nor a ball nose or does not stand upright, of its polytope, to
-/// a lattice unit. The surface is closed whatever is cut, and each of its corners
-/// within one cell of the grid (the resolution, along each axis) of ends of rays. 48 bytes a ray.
+/// Between rays, a wall or a slot may be missing; on a ray, the surface is that of the round tool
+/// (cda::RoundSweep), or, of other tools and those that do not stand upright, of its polytope, to a
+/// lattice unit. The surface is closed whatever is cut, and each of its corners within one cell of
+/// the grid (the resolution, along each axis) of ends of rays. 48 bytes a ray of one interval.
 class Dexel : public cda::WorkpieceModel {
 public:
     static constexpr std::string_view kName = "dexel";
@@ -58,8 +69,10 @@ public:
     std::unique_ptr<cda::WorkpieceModel> clone() const override;
     /// The mean of what the rays of each direction have.
     double volume() const override;
-    /// Half of what the three differ by: of parts that are small beside the resolution too little.
+    /// As far as the rays can tell: half the resolution times the walls that they are parallel to.
+    /// What is thinner than the resolution, and lies between all rays, is not in it.
     double volume_error() const override;
+    std::optional<cda::Aliasing> aliasing() const override;
     /// Triangles; each names the motion that left the end of a ray on one of its sides.
     cda::Boundary boundary() const override;
     /// Asked of the nearest ray along z.
@@ -67,6 +80,9 @@ public:
 
     /// The largest distance between neighbouring rays, mm.
     double resolution() const;
+    std::size_t rays() const;
+    /// What they take in memory.
+    std::size_t bytes() const;
 
 private:
     class Impl;

@@ -6,6 +6,7 @@
 
 #include "ncsim/cda/lattice.h"
 #include "ncsim/cda/vec.h"
+#include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/diagnostic.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/report/used_tool.h"
@@ -48,9 +49,11 @@ struct ProgramFacts {
 /// How it is cut.
 struct CuttingFacts {
     std::string model;
-    double resolution = 0.0;      ///< Of a model that has one, mm; else 0.
-    double tolerance = 0.0;       ///< Of chords and of turning tools, mm.
-    double tool_tolerance = 0.0;  ///< Of round tools, mm.
+    double resolution = 0.0;              ///< Of a model that has one, mm; else 0.
+    bool has_rays_along_z_alone = false;  ///< And not along X and Y, too.
+    bool is_model_chosen = false;         ///< Since the program is a long one.
+    double tolerance = 0.0;               ///< Of chords and of turning tools, mm.
+    double tool_tolerance = 0.0;          ///< Of round tools, mm.
     /// Moves in a row within this of a line are one, mm; 0: none are joined.
     double join_tolerance = 0.0;
     std::optional<std::uint32_t> at_line;  ///< Where it was stopped.
@@ -65,12 +68,19 @@ struct CutterFacts {
 /// File (index into Interpretation::files, 0: the program) and line.
 using BlockPlace = std::pair<std::uint32_t, std::uint32_t>;
 
+/// Where the part is thinner than the model's resolution, and lines of the program that made it so
+/// where that is thinnest; 0: the stock.
+struct AliasingFacts : cda::Aliasing {
+    std::uint32_t material_line = 0, gap_line = 0;
+};
+
 /// What came out.
 struct PartFacts {
     cda::Lattice lattice;
     double stock_volume = 0.0;  ///< mm³
     double part_volume = 0.0;
-    double part_volume_error = 0.0;  ///< Of models that are not exact.
+    double part_volume_error = 0.0;         ///< Of models that are not exact.
+    std::optional<AliasingFacts> aliasing;  ///< Of models that have a resolution.
     std::uint64_t hulls = 0;                ///< Cells that were subtracted.
     std::map<int, double> removed_by_tool;  ///< mm³; not where a program is verified.
     /// mm³. Only where it was asked for.

@@ -44,6 +44,7 @@ struct ModelParameters {
     unsigned threads = 0;         ///< 0: as many as the machine has.
     double (*clock)() = nullptr;  ///< Seconds; where given, what hulls cost is measured.
     double resolution_mm = 0.0;   ///< Of a model that has one; 0: it chooses.
+    bool only_along_z = false;    ///< Of a model of rays.
     // Of the tree alone:
     std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
     std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All of them, which were cut before.

@@ -32,11 +32,17 @@ struct CutTiles {
     std::vector<MetStock> met;  ///< By motion.
 };
 
+/// Of a model of rays. Chosen: along Z alone, where that is right, see choose_rays().
+enum class RayDirections : std::uint8_t { Chosen, AlongZ, AlongAll };
+
 /// Lengths in mm.
 struct Plan {
     setup::Job job;
     std::string model = "cda";     ///< Of models().
+    bool is_model_told = true;     ///< Else choose_model() may take another.
+    bool is_model_chosen = false;  ///< It did.
     double resolution = 0.0;       ///< Of a model that has one; 0: the one that suits the stock.
+    RayDirections rays = RayDirections::Chosen;
     double tolerance = 0.005;      ///< Of chords and of turning tools.
     double tool_tolerance = 0.05;  ///< Of round tools.
     /// Moves in a row become one where they stay that near to a line; 0: none do.
@@ -58,6 +64,7 @@ struct Plan {
 
     // What is kept beside the part.
     bool keep_boundary = false;
+    bool needs_exact = false;    ///< Something is made of it that only exact models have.
     bool keep_paths = false;     ///< Of the tip.
     bool keep_carved = false;    ///< The cells that were taken away, of tools that contain theirs.
     bool block_volumes = false;  ///< What each block removed, which is several times the work.

@@ -65,8 +65,8 @@ public:
          const SamplingOptions& sampling, RapidPath rapid = {}, const Watch& watch = {},
          std::shared_ptr<const Kinematics> told = nullptr);
 
-    /// From now on cylinders and ball noses that stand upright and go straight ahead are swept as
-    /// they are, whatever the accuracy.
+    /// From now on tools whose cutting pieces are cda::RoundSweep's are swept as they are, whatever
+    /// the accuracy, where they stand upright and go straight ahead.
     void leave_round() { leaves_round_ = true; }
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);

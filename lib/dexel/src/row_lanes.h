@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Several rays at once against a tool on its way, without a branch that depends on a ray. This is
+// included once for each number of rays, each time into a namespace of its own; what comes out is
+// the same to the last bit, for nothing is fused and nothing is summed across rays.
+//
+// NCSIM_DEXEL_LANES: the namespace; NCSIM_DEXEL_WIDTH: how many rays.
+
+namespace ncsim::dexel {
+namespace {
+namespace NCSIM_DEXEL_LANES {
+
+using Tip = SweptTool::Tip;
+using Course = SweptTool::Course;
+using Numbers = SweptTool::Numbers;
+
+constexpr std::size_t kWidth = NCSIM_DEXEL_WIDTH;
+using V [[gnu::vector_size(8 * kWidth)]] = double;
+
+constexpr double kNowhere = 1e30;
+// Halvings of an interval of the way: the best place is flat, or is wanted to so many bits.
+constexpr int kHalvings = 26;
+
+#define NCSIM_DEXEL_INLINE [[gnu::always_inline]] inline
+
+// Where halving came to: exactly to an end, if it always went there.
+NCSIM_DEXEL_INLINE V end_of(V low, V high, V first, V last) {
+    const V middle = 0.5 * (low + high);
+    return low == first ? first : high == last ? last : middle;
+}
+
+struct Ray {
+    V low, high, s_low, s_high;
+};
+
+NCSIM_DEXEL_INLINE V all(double x) {
+    return V{} + x;
+}
+NCSIM_DEXEL_INLINE V least(V a, V b) {
+    return a < b ? a : b;
+}
+NCSIM_DEXEL_INLINE V most(V a, V b) {
+    return a > b ? a : b;
+}
+NCSIM_DEXEL_INLINE V between(V x, V low, V high) {
+    return least(most(x, low), high);
+}
+NCSIM_DEXEL_INLINE V size_of(V x) {
+    return most(x, -x);
+}
+// 0 for what is below it.
+NCSIM_DEXEL_INLINE V root(V x) {
+    x = most(x, V{});
+#if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
+    return reinterpret_cast<V>(_mm_sqrt_pd(reinterpret_cast<__m128d>(x)));
+#elif defined(__x86_64__)
+    return reinterpret_cast<V>(_mm256_sqrt_pd(reinterpret_cast<__m256d>(x)));
+#else
+    for (std::size_t i = 0; i < kWidth; ++i)
+        x[i] = __builtin_sqrt(x[i]);
+    return x;
+#endif
+}
+
+// Height above the tip's lowest point, at a squared distance from the axis.
+template <Tip tip>
+NCSIM_DEXEL_INLINE V rise_at(const Numbers& k, V square) {
+    if constexpr (tip == Tip::Flat) return V{};
+    if constexpr (tip == Tip::Ball) return k.radius - root(k.radius * k.radius - square);
+    const V beyond = most(root(square) - k.flat, V{});
+    if constexpr (tip == Tip::Cone) return least(k.steepness * beyond, all(k.tip));
+    return k.tip - root(k.tip * k.tip - beyond * beyond);
+}
+
+// Radius at a height above it, from 0 to the tool's.
+template <Tip tip>
+NCSIM_DEXEL_INLINE V radius_at(const Numbers& k, V height) {
+    if constexpr (tip == Tip::Flat) return all(k.radius);
+    if constexpr (tip == Tip::Cone)
+        return least(k.flat + height * ((k.radius - k.flat) / k.tip), all(k.radius));
+    const V below = most(k.tip - height, V{});
+    return k.flat + root(k.tip * k.tip - below * below);
+}
+
+// Along z, at (x, y).
+template <Tip tip, Course course>
+NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
+    const V dx = k.from[0] - x, dy = k.from[1] - y;
+    const double wx = k.way[0], wy = k.way[1], wz = k.way[2];
+    const double square = k.radius * k.radius;
+    V first = V{}, last = all(1.0);  // while the ray is in the cylinder
+    V s, room, nearest;
+    if constexpr (course == Course::Plunge) {
+        room = square - (dx * dx + dy * dy);
+    } else {
+        const V cross = dx * wy - dy * wx;
+        nearest = -(dx * wx + dy * wy) * k.by_across;
+        room = square - cross * cross * k.by_across;
+        const V half = root(room * k.by_across);
+        first = most(V{}, nearest - half);
+        last = least(all(1.0), nearest + half);
+    }
+    const auto meets = (room >= 0.0) & (first <= last);
+    const V lower_end = k.way[2] < 0.0 ? last : first;
+    if constexpr (course == Course::Level) {
+        s = between(nearest, V{}, all(1.0));
+    } else if constexpr (course == Course::Plunge || tip == Tip::Flat) {
+        s = lower_end;
+    } else if constexpr (tip == Tip::Ball) {
+        const V offset = wz * root(room * (k.by_across / (k.across + wz * wz)));
+        s = between(nearest - offset, first, last);
+    } else {
+        // How far from the nearest place, and from the axis there; the tool's lower end is level as
+        // far as its disc goes.
+        const V aside = square - room;
+        const V of_disc = root(k.flat * k.flat - aside);
+        const double slope = (wz < 0.0 ? -wz : wz) / k.way_across;
+        V offset;
+        if constexpr (tip == Tip::Cone) {
+            const double steeper = k.steepness * k.steepness - slope * slope;
+            const V of_cone = root(aside) * (slope / std::sqrt(steeper));
+            offset = steeper > 0.0 ? most(of_disc, of_cone) : all(kNowhere);
+        } else {
+            V low = of_disc, high = root(room);
+            for (int i = 0; i < kHalvings; ++i) {
+                const V middle = 0.5 * (low + high);
+                const V away = root(middle * middle + aside);
+                const V beyond = most(away - k.flat, V{});
+                const auto is_steep =
+                    beyond * middle > slope * away * root(k.tip * k.tip - beyond * beyond);
+                high = is_steep ? middle : high;
+                low = is_steep ? low : middle;
+            }
+            offset = 0.5 * (low + high);
+        }
+        offset *= 1.0 / k.way_across;
+        s = between(k.way[2] < 0.0 ? nearest + offset : nearest - offset, first, last);
+    }
+    const V ex = dx + s * wx, ey = dy + s * wy;
+    Ray ray;
+    ray.s_low = s;
+    ray.s_high = k.way[2] < 0.0 ? first : last;
+    const V low = k.from[2] + s * wz + rise_at<tip>(k, ex * ex + ey * ey);
+    const V high = k.from[2] + k.height + ray.s_high * wz;
+    ray.low = meets ? low : all(kNowhere);
+    ray.high = meets ? high : all(-kNowhere);
+    return ray;
+}
+
+// The circle of this radius while s is in the interval.
+NCSIM_DEXEL_INLINE Ray circle(const Side& k, V w, V radius, V first, V last, V margin) {
+    Ray ray;
+    const V aim = radius * k.best;
+    const V up = k.other_way != 0.0 ? (aim - w) * k.by_other_way : all(k.toward);
+    const V down = k.other_way != 0.0 ? (-aim - w) * k.by_other_way : all(1.0 - k.toward);
+    ray.s_high = between(up, first, last);
+    ray.s_low = between(down, first, last);
+    const V at_high = w + ray.s_high * k.other_way, at_low = w + ray.s_low * k.other_way;
+    const V square = radius * radius;
+    const V of_high = square - at_high * at_high, of_low = square - at_low * at_low;
+    const auto is_met = (margin >= 0.0) & (first <= last) & (of_high >= 0.0) & (of_low >= 0.0);
+    const V high = k.from + ray.s_high * k.way + root(of_high);
+    const V low = k.from + ray.s_low * k.way - root(of_low);
+    ray.high = is_met ? high : all(-kNowhere);
+    ray.low = is_met ? low : all(kNowhere);
+    return ray;
+}
+
+NCSIM_DEXEL_INLINE Ray joined(const Ray& a, const Ray& b) {
+    Ray ray;
+    ray.low = least(a.low, b.low);
+    ray.s_low = a.low <= b.low ? a.s_low : b.s_low;
+    ray.high = most(a.high, b.high);
+    ray.s_high = a.high >= b.high ? a.s_high : b.s_high;
+    return ray;
+}
+
+// Of the whole ball, when its way has parts across the ray.
+NCSIM_DEXEL_INLINE Ray ball(const Numbers& n, const Side& k, V w, V below) {
+    // (w, below): from the ray to the centre. Across the ray it goes (other_way, wz).
+    const double wz = n.way[2];
+    const double across = k.other_way * k.other_way + wz * wz;
+    const double by_across = 1.0 / across;
+    const double square = n.radius * n.radius;
+    const V cross = w * wz - below * k.other_way;
+    const V nearest = -(w * k.other_way + below * wz) * by_across;
+    const V room = square - cross * cross * by_across;
+    const V offset = k.way * root(room * (by_across / (across + k.way * k.way)));
+    Ray ray;
+    ray.s_low = between(nearest - offset, V{}, all(1.0));
+    ray.s_high = between(nearest + offset, V{}, all(1.0));
+    const V wl = w + ray.s_low * k.other_way, bl = below + ray.s_low * wz;
+    const V wh = w + ray.s_high * k.other_way, bh = below + ray.s_high * wz;
+    const V of_low = square - (wl * wl + bl * bl), of_high = square - (wh * wh + bh * bh);
+    const auto meets = (room >= 0.0) & (of_low >= 0.0) & (of_high >= 0.0);
+    const V low = k.from + ray.s_low * k.way - root(of_low);
+    const V high = k.from + ray.s_high * k.way + root(of_high);
+    ray.low = meets ? low : all(kNowhere);
+    ray.high = meets ? high : all(-kNowhere);
+    return ray;
+}
+
+// Of a cone or a rounded end that goes down a slope: the circles of growing radius.
+template <Tip tip>
+NCSIM_DEXEL_INLINE Ray circles(const Numbers& n, const Side& k, V w, V above) {
+    // `above`: of the ray, over the tip at s = 0. While it is beside the tip:
+    const double wz = n.way[2];
+    const double by_fall = 1.0 / wz;
+    const V one = above * by_fall, two = (above - n.tip) * by_fall;
+    const V first = most(V{}, least(one, two)), last = least(all(1.0), most(one, two));
+    const double of_cone = (n.radius - n.flat) / n.tip;
+    // How fast the radius grows with height is of_cone, or below / q.
+    const auto at = [&](V s, V& radius, V& aside, V& below, V& q) NCSIM_DEXEL_INLINED {
+        const V height = between(above - s * wz, V{}, all(n.tip));
+        aside = w + s * k.other_way;
+        if constexpr (tip == Tip::Cone) {
+            radius = n.flat + height * of_cone;
+            below = all(of_cone);
+            q = all(1.0);
+        } else {
+            below = n.tip - height;
+            q = root(n.tip * n.tip - below * below);
+            radius = n.flat + q;
+        }
+    };
+    V radius, aside, below, q;
+    // Where the ray is deepest in the circle.
+    V low = first, high = last;
+    for (int i = 0; i < kHalvings; ++i) {
+        const V s = 0.5 * (low + high);
+        at(s, radius, aside, below, q);
+        const V outward = aside < 0.0 ? all(-k.other_way) : all(k.other_way);
+        const auto is_better = -wz * below > outward * q;
+        low = is_better ? s : low;
+        high = is_better ? high : s;
+    }
+    const V deepest = end_of(low, high, first, last);
+    at(deepest, radius, aside, below, q);
+    const auto meets = (first <= last) & (radius >= size_of(aside));
+    // Where it reaches farthest.
+    const auto farthest = [&](double sign, V& s_best) NCSIM_DEXEL_INLINED {
+        V from = first, to = last;
+        for (int i = 0; i < kHalvings; ++i) {
+            const V s = 0.5 * (from + to);
+            at(s, radius, aside, below, q);
+            const V square = radius * radius - aside * aside;
+            const V change =
+                sign * k.way * root(square) * q - wz * radius * below - k.other_way * aside * q;
+            const auto is_inside = square >= 0.0;
+            const auto is_ahead = (is_inside & (change > 0.0)) | (~is_inside & (s < deepest));
+            from = is_ahead ? s : from;
+            to = is_ahead ? to : s;
+        }
+        s_best = end_of(from, to, first, last);
+        at(s_best, radius, aside, below, q);
+        return k.from + s_best * k.way + sign * root(radius * radius - aside * aside);
+    };
+    Ray ray;
+    const V reaches = farthest(1.0, ray.s_high), begins = farthest(-1.0, ray.s_low);
+    ray.high = meets ? reaches : all(-kNowhere);
+    ray.low = meets ? begins : all(kNowhere);
+    return ray;
+}
+
+// Across z: `o` along the other level axis, and z.
+template <Tip tip, Course course>
+NCSIM_DEXEL_INLINE Ray across_z(const Numbers& n, const Side& k, V o, V z) {
+    const V w = k.other_from - o;
+    const double wz = n.way[2];
+    const V above = z - n.from[2];  // the tip at s = 0
+    if constexpr (course == Course::Level) {
+        return circle(k, w, radius_at<tip>(n, above), V{}, all(1.0),
+                      least(above, n.height - above));
+    } else if constexpr (course == Course::Plunge) {
+        const V at_end = above - wz;
+        const V highest = most(above, at_end), lowest = least(above, at_end);
+        const double end = n.way[2] < 0.0 ? 1.0 : 0.0;
+        Ray ray = circle(k, w, radius_at<tip>(n, least(highest, all(n.height))), V{}, all(1.0),
+                         least(highest, n.height - lowest));
+        ray.s_low = ray.s_high = all(end);
+        return ray;
+    } else {
+        const double by_fall = 1.0 / wz;
+        const V at_base = (above - n.tip) * by_fall;
+        const V at_top = (above - n.height) * by_fall;
+        const V first = most(V{}, least(at_base, at_top));
+        const V last = least(all(1.0), most(at_base, at_top));
+        const Ray cylinder = circle(k, w, all(n.radius), first, last, V{});
+        if constexpr (tip == Tip::Flat) {
+            return cylinder;
+        } else if constexpr (tip == Tip::Ball) {
+            return joined(cylinder, ball(n, k, w, n.radius - above));
+        } else {
+            return joined(cylinder, circles<tip>(n, k, w, above));
+        }
+    }
+}
+
+NCSIM_DEXEL_INLINE V load(const double* from) {
+    V v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+NCSIM_DEXEL_INLINE void store(double* to, V v) {
+    __builtin_memcpy(to, &v, sizeof v);
+}
+
+// Rays along `axis` through u[0] … u[count - 1] and v; the results have room for kWidth more.
+template <Tip tip, Course course>
+void row_of(const Numbers& n, const Side& side, std::size_t axis, const double* u,
+            std::size_t count, double v, RowMeeting& row) {
+    for (std::size_t i = 0; i < count; i += kWidth) {
+        V here;
+        if (i + kWidth <= count) {
+            here = load(u + i);
+        } else {
+            double rest[kWidth];
+            for (std::size_t k = 0; k < kWidth; ++k)
+                rest[k] = u[i + k < count ? i + k : count - 1];
+            here = load(rest);
+        }
+        Ray ray;
+        if (axis == 2) {
+            ray = along_z<tip, course>(n, here, all(v));
+        } else if (axis == 0) {
+            ray = across_z<tip, course>(n, side, here, all(v));
+        } else {
+            ray = across_z<tip, course>(n, side, all(v), here);
+        }
+        store(row.low.data() + i, ray.low);
+        store(row.high.data() + i, ray.high);
+        store(row.s_low.data() + i, ray.s_low);
+        store(row.s_high.data() + i, ray.s_high);
+    }
+}
+
+// Along z, upwards without an end: the lowest of all so far.
+template <Tip tip, Course course>
+void lower_row_of(const Numbers& n, const double* x, std::size_t begin, std::size_t end, double y,
+                  double number, LowestRow& lowest) {
+    for (std::size_t i = begin; i < end; i += kWidth) {
+        const Ray ray = along_z<tip, course>(n, load(x + i), all(y));
+        const V known = load(lowest.at.data() + i);
+        const auto is_lower = ray.low < known;
+        store(lowest.at.data() + i, is_lower ? ray.low : known);
+        store(lowest.s.data() + i, is_lower ? ray.s_low : load(lowest.s.data() + i));
+        store(lowest.number.data() + i, is_lower ? all(number) : load(lowest.number.data() + i));
+    }
+}
+
+template <Tip tip>
+void lower_row_of(Course course, const LowerTask& t) {
+    switch (course) {
+        case Course::Level:
+            return lower_row_of<tip, Course::Level>(t.numbers, t.x, t.begin, t.end, t.y, t.number,
+                                                    t.lowest);
+        case Course::Plunge:
+            return lower_row_of<tip, Course::Plunge>(t.numbers, t.x, t.begin, t.end, t.y, t.number,
+                                                     t.lowest);
+        case Course::Slope:
+            return lower_row_of<tip, Course::Slope>(t.numbers, t.x, t.begin, t.end, t.y, t.number,
+                                                    t.lowest);
+    }
+}
+
+inline void lower_row_of(Tip tip, Course course, const LowerTask& task) {
+    switch (tip) {
+        case Tip::Flat: return lower_row_of<Tip::Flat>(course, task);
+        case Tip::Ball: return lower_row_of<Tip::Ball>(course, task);
+        case Tip::Round: return lower_row_of<Tip::Round>(course, task);
+        case Tip::Cone: return lower_row_of<Tip::Cone>(course, task);
+    }
+}
+
+template <Tip tip>
+void row_of(Course course, const RowTask& t) {
+    switch (course) {
+        case Course::Level:
+            return row_of<tip, Course::Level>(t.numbers, t.side, t.axis, t.u, t.count, t.v, t.row);
+        case Course::Plunge:
+            return row_of<tip, Course::Plunge>(t.numbers, t.side, t.axis, t.u, t.count, t.v, t.row);
+        case Course::Slope:
+            return row_of<tip, Course::Slope>(t.numbers, t.side, t.axis, t.u, t.count, t.v, t.row);
+    }
+}
+
+inline void row_of(Tip tip, Course course, const RowTask& task) {
+    switch (tip) {
+        case Tip::Flat: return row_of<Tip::Flat>(course, task);
+        case Tip::Ball: return row_of<Tip::Ball>(course, task);
+        case Tip::Round: return row_of<Tip::Round>(course, task);
+        case Tip::Cone: return row_of<Tip::Cone>(course, task);
+    }
+}
+
+#undef NCSIM_DEXEL_INLINE
+
+}  // namespace NCSIM_DEXEL_LANES
+}  // namespace
+}  // namespace ncsim::dexel

@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// other_models PROGRAM…: systems that the thesis names (chapter 2) and ncsim does not use, on the
+// same hulls: a tree of BSP cells, voxels (OpenVDB), Boolean operations of a CAD kernel
+// (OpenCASCADE); the last two where their libraries are found. Rows as those of model_table.
+#include "ncsim/cda/cell.h"
+#include "ncsim/cda/tree.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/setup/job.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/toolpath/walk.h"
+
+#include "programs.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifdef NCSIM_HAS_OPENVDB
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Composite.h>
+#include <openvdb/tools/LevelSetMeasure.h>
+#include <openvdb/tools/VolumeToMesh.h>
+#endif
+#ifdef NCSIM_HAS_OCCT
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <TopoDS_Wire.hxx>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace ncsim;
+using cda::Vec3;
+
+double cpu_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// n·x <= d, n of unit length, mm.
+struct Halfspace {
+    Vec3 n;
+    double d;
+};
+using Body = std::vector<Halfspace>;
+
+struct Work {
+    std::string name;
+    cda::Box stock;
+    std::vector<Body> bodies;
+    std::vector<cda::Box> bounds;
+    std::vector<cda::Cell> cells;
+    cda::Lattice lattice;
+    double exact_volume = 0.0;
+
+    // Of the first `most` alone.
+    void keep(std::size_t most) {
+        if (most < bodies.size()) {
+            bodies.resize(most);
+            bounds.resize(most);
+            cells.resize(most);
+        }
+        cda::TreeCda part(
+            cda::box_cell(lattice.round(stock.min), lattice.round(stock.max), lattice), lattice,
+            {24, 1});
+        part.subtract_unmeasured(cells);
+        exact_volume = part.volume();
+    }
+};
+
+Body body_of(const cda::Cell& cell, const cda::Lattice& lattice) {
+    Body body;
+    for (const cda::Plane& plane : cell.planes)
+        body.push_back({cda::unit_normal(plane), cda::offset_mm(plane, lattice)});
+    return body;
+}
+
+Work work_of(const std::string& name) {
+    std::ifstream file(name, std::ios::binary);
+    gcode::SourceFile text{name, file ? std::string(std::istreambuf_iterator<char>(file), {})
+                                      : bench::program_named(name)};
+    simulation::Plan plan;
+    plan.job = setup::job_of(std::move(text));
+    const simulation::Survey survey = simulation::survey(plan);
+    Work work;
+    work.name = std::filesystem::path(name).stem().string();
+    work.stock = survey.stock->box;
+    const cda::Lattice lattice = cda::Lattice::for_stock(work.stock);
+    toolpath::ToolAccuracy accuracy;
+    accuracy.tolerance_mm = plan.tool_tolerance;
+    toolpath::Walk walk(lattice, work.stock, accuracy, {});
+    for (const auto& [number, used] : survey.tools)
+        walk.add_tool(number, used.tool);
+    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
+        walk.take(motion, cda::Origin{1}, [&](const toolpath::Step& step) {
+            for (const cda::Cell& cell : step.cells) {
+                work.bodies.push_back(body_of(cell, lattice));
+                work.bounds.push_back(cell.bounds);
+                work.cells.push_back(cell);
+            }
+        });
+    });
+    work.lattice = lattice;
+    work.keep(work.bodies.size());
+    return work;
+}
+
+// A convex body as polygons, each in the plane of a halfspace.
+using Polygon = std::vector<Vec3>;
+
+Polygon clipped(const Polygon& polygon, const Halfspace& h) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3& a = polygon[i];
+        const Vec3& b = polygon[(i + 1) % polygon.size()];
+        const double at_a = dot(h.n, a) - h.d, at_b = dot(h.n, b) - h.d;
+        if (at_a <= 0.0) kept.push_back(a);
+        if ((at_a < 0.0 && at_b > 0.0) || (at_a > 0.0 && at_b < 0.0))
+            kept.push_back(a + (at_a / (at_a - at_b)) * (b - a));
+    }
+    return kept;
+}
+
+// Of a body, in the plane of one of its halfspaces; empty, if it has no part in the surface.
+Polygon face_of(const Body& body, std::size_t number) {
+    constexpr double kFar = 1e3;
+    const Halfspace& h = body[number];
+    const Vec3 aside = std::abs(h.n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 u = normalized(cross(h.n, aside)), v = cross(h.n, u);
+    const Vec3 at = h.d * h.n;
+    Polygon face{at + kFar * (u + v), at + kFar * (v - u), at - kFar * (u + v),
+                 at + kFar * (u - v)};
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        if (i != number) face = clipped(face, body[i]);
+    }
+    return face;
+}
+
+std::vector<Polygon> polygons_of(const Body& body) {
+    std::vector<Polygon> faces;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        Polygon face = face_of(body, i);
+        if (face.size() > 2) faces.push_back(std::move(face));
+    }
+    return faces;
+}
+
+Body box_body(const cda::Box& box) {
+    return {{{1, 0, 0}, box.max.x},   {{-1, 0, 0}, -box.min.x}, {{0, 1, 0}, box.max.y},
+            {{0, -1, 0}, -box.min.y}, {{0, 0, 1}, box.max.z},   {{0, 0, -1}, -box.min.z}};
+}
+
+// --- BSP: Naylor, Amanatides, Thibault, "Merging BSP Trees", SIGGRAPH 1990, of a convex body ---
+
+// A convex region: its faces, each with the number of the body's plane that it lies in, or none.
+constexpr std::size_t kOfNode = ~std::size_t{0};
+struct Region {
+    struct Face {
+        Polygon outline;
+        std::size_t plane;
+    };
+    std::vector<Face> faces;
+
+    double volume() const {
+        double sum = 0.0;
+        for (const Face& f : faces) {
+            for (std::size_t i = 1; i + 1 < f.outline.size(); ++i)
+                sum += dot(f.outline[0] - faces[0].outline[0],
+                           cross(f.outline[i] - faces[0].outline[0],
+                                 f.outline[i + 1] - faces[0].outline[0]));
+        }
+        return sum / 6.0;
+    }
+    Region cut(const Halfspace& h, std::size_t plane) const {
+        Region kept;
+        std::vector<Vec3> rim;
+        constexpr double kOn = 1e-9;
+        for (const Face& f : faces) {
+            Polygon outline = clipped(f.outline, h);
+            if (outline.size() < 3) continue;
+            for (const Vec3& p : outline) {
+                if (std::abs(dot(h.n, p) - h.d) < kOn) rim.push_back(p);
+            }
+            kept.faces.push_back({std::move(outline), f.plane});
+        }
+        if (kept.faces.empty() || rim.size() < 3) return kept;
+        Vec3 middle;
+        for (const Vec3& p : rim)
+            middle = middle + (1.0 / static_cast<double>(rim.size())) * p;
+        const Vec3 aside = std::abs(h.n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+        const Vec3 u = normalized(cross(h.n, aside)), v = cross(h.n, u);
+        std::ranges::sort(rim, {}, [&](const Vec3& p) {
+            return std::atan2(dot(v, p - middle), dot(u, p - middle));
+        });
+        // Is the region not on one side of the plane already, with a face in it?
+        const bool has_face = std::ranges::any_of(kept.faces, [&](const Face& f) {
+            return std::ranges::all_of(
+                f.outline, [&](const Vec3& p) { return std::abs(dot(h.n, p) - h.d) < kOn; });
+        });
+        if (!has_face) kept.faces.push_back({std::move(rim), plane});
+        return kept;
+    }
+};
+
+Region region_of(const Body& body) {
+    Region region;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        Polygon face = face_of(body, i);
+        if (face.size() > 2) region.faces.push_back({std::move(face), i});
+    }
+    return region;
+}
+
+struct Node {
+    Halfspace plane{};
+    std::unique_ptr<Node> inside, outside;  // none: a leaf
+    bool is_in = true;
+};
+
+class Bsp {
+public:
+    explicit Bsp(const cda::Box& stock) : stock_(box_body(stock)) {}
+    std::size_t nodes = 1;
+
+    void subtract(const Body& body) {
+        Region region = region_of(body);
+        for (const Halfspace& h : stock_)
+            region = region.cut(h, kOfNode);
+        if (is_something(region)) subtract(root_, region, body);
+    }
+    double volume() const { return volume(root_, region_of(stock_)); }
+
+private:
+    static bool is_something(const Region& region) { return region.volume() > 1e-9; }
+    static Halfspace opposite(const Halfspace& h) { return {-1.0 * h.n, -h.d}; }
+
+    // `region`: of the body, what is in the node's cell.
+    void subtract(Node& node, const Region& region, const Body& body) {
+        if (!node.is_in) return;
+        if (!node.inside) {
+            std::vector<std::size_t> planes;
+            for (const Region::Face& f : region.faces) {
+                if (f.plane != kOfNode) planes.push_back(f.plane);
+            }
+            carve(node, planes, body);
+            return;
+        }
+        const Region within = region.cut(node.plane, kOfNode);
+        if (is_something(within)) subtract(*node.inside, within, body);
+        const Region beyond = region.cut(opposite(node.plane), kOfNode);
+        if (is_something(beyond)) subtract(*node.outside, beyond, body);
+    }
+    void carve(Node& leaf, const std::vector<std::size_t>& planes, const Body& body) {
+        Node* node = &leaf;
+        for (const std::size_t plane : planes) {
+            node->plane = body[plane];
+            node->inside = std::make_unique<Node>();
+            node->outside = std::make_unique<Node>();
+            nodes += 2;
+            node = node->inside.get();
+        }
+        node->is_in = false;
+    }
+    static double volume(const Node& node, const Region& region) {
+        if (!node.is_in) return 0.0;
+        if (!node.inside) return region.volume();
+        double sum = 0.0;
+        const Region within = region.cut(node.plane, kOfNode);
+        if (is_something(within)) sum += volume(*node.inside, within);
+        const Region beyond = region.cut(opposite(node.plane), kOfNode);
+        if (is_something(beyond)) sum += volume(*node.outside, beyond);
+        return sum;
+    }
+
+    Body stock_;
+    Node root_;
+};
+
+void print(const Work& work, const std::string& title, double seconds, const std::string& size,
+           double volume, const std::string& note) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print("| {} | {} | {} | {:.0f} | {:.2f} | {} | {} | {:+.3g} | {} |\n", work.name, title,
+               work.bodies.size(), 1e6 * seconds / static_cast<double>(work.bodies.size()), seconds,
+               usage.ru_maxrss / 1024, size, volume - work.exact_volume, note);
+    std::fflush(stdout);
+}
+
+void bsp(const Work& work) {
+    const double start = cpu_seconds();
+    Bsp tree(work.stock);
+    for (const Body& body : work.bodies)
+        tree.subtract(body);
+    const double seconds = cpu_seconds() - start;
+    print(work, "BSP tree, doubles", seconds, fmt::format("{} nodes", tree.nodes), tree.volume(),
+          "no surface yet");
+}
+
+#ifdef NCSIM_HAS_OPENVDB
+void voxels(const Work& work, double size) {
+    using Grid = openvdb::FloatGrid;
+    openvdb::initialize();
+    const auto transform = openvdb::math::Transform::createLinearTransform(size);
+    const auto background = static_cast<float>(3.0 * size);
+    // The distance to the planes of a body is that to its surface, but near edges from outside.
+    const auto grid_of = [&](const Body& body, const cda::Box& box) {
+        Grid::Ptr grid = Grid::create(background);
+        grid->setTransform(transform);
+        grid->setGridClass(openvdb::GRID_LEVEL_SET);
+        auto accessor = grid->getAccessor();
+        const auto index = [&](double mm, double more) {
+            return static_cast<int>(std::floor(mm / size + more));
+        };
+        for (int x = index(box.min.x, -3); x <= index(box.max.x, 4); ++x) {
+            for (int y = index(box.min.y, -3); y <= index(box.max.y, 4); ++y) {
+                for (int z = index(box.min.z, -3); z <= index(box.max.z, 4); ++z) {
+                    const Vec3 p{x * size, y * size, z * size};
+                    double away = -1e9;
+                    for (const Halfspace& h : body)
+                        away = std::max(away, dot(h.n, p) - h.d);
+                    const auto value = static_cast<float>(away);
+                    const openvdb::Coord at(x, y, z);
+                    if (std::abs(value) < background) {
+                        accessor.setValue(at, value);
+                    } else if (value < 0.0F) {
+                        accessor.setValueOff(at, -background);
+                    }
+                }
+            }
+        }
+        return grid;
+    };
+    const double start = cpu_seconds();
+    Grid::Ptr part = grid_of(box_body(work.stock), work.stock);
+    for (std::size_t i = 0; i < work.bodies.size(); ++i) {
+        // What of the tool is far above the stock is nobody's.
+        cda::Box box = work.bounds[i];
+        for (int axis = 0; axis < 3; ++axis) {
+            box.min[axis] = std::max(box.min[axis], work.stock.min[axis] - 3 * size);
+            box.max[axis] = std::min(box.max[axis], work.stock.max[axis] + 3 * size);
+        }
+        openvdb::tools::csgDifference(*part, *grid_of(work.bodies[i], box));
+    }
+    std::vector<openvdb::Vec3s> points;
+    std::vector<openvdb::Vec4I> quads;
+    openvdb::tools::volumeToMesh(*part, points, quads);
+    const double seconds = cpu_seconds() - start;
+    print(work, fmt::format("voxels {} mm (OpenVDB)", size), seconds,
+          fmt::format("{} MB of grid", part->memUsage() >> 20),
+          openvdb::tools::levelSetVolume(*part), fmt::format("{} quads", quads.size()));
+}
+#endif
+
+#ifdef NCSIM_HAS_OCCT
+TopoDS_Shape solid_of(const Body& body) {
+    BRepBuilderAPI_Sewing sewing(1e-6);
+    for (const Polygon& p : polygons_of(body)) {
+        BRepBuilderAPI_MakePolygon outline;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const Vec3& before = p[(i + p.size() - 1) % p.size()];
+            if (norm(p[i] - before) > 1e-7) outline.Add(gp_Pnt(p[i].x, p[i].y, p[i].z));
+        }
+        outline.Close();
+        BRepBuilderAPI_MakeFace face(outline.Wire(), true);
+        if (face.IsDone()) sewing.Add(face.Face());
+    }
+    sewing.Perform();
+    TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL);
+    if (!shells.More()) throw std::runtime_error("a hull is no shell");
+    return BRepBuilderAPI_MakeSolid(TopoDS::Shell(shells.Current())).Solid();
+}
+
+double volume_of(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return std::abs(properties.Mass());
+}
+
+void cad_kernel(Work work, std::size_t most) {
+    work.keep(most);
+    TopoDS_Shape part = solid_of(box_body(work.stock));
+    const double start = cpu_seconds();
+    std::size_t failed = 0;
+    for (const Body& body : work.bodies) {
+        BRepAlgoAPI_Cut cut(part, solid_of(body));
+        if (!cut.IsDone() || cut.HasErrors()) {
+            ++failed;
+            continue;
+        }
+        part = cut.Shape();
+    }
+    const double seconds = cpu_seconds() - start;
+    const bool is_valid = BRepCheck_Analyzer(part).IsValid();
+    print(work, fmt::format("CAD kernel (OpenCASCADE), {} hulls", work.bodies.size()), seconds, "-",
+          volume_of(part),
+          fmt::format("{} cuts failed; {}", failed, is_valid ? "valid" : "NOT valid"));
+}
+#endif
+
+// Each in a process of its own, no longer than some minutes.
+void apart(const Work& work, const std::string& title, const std::function<void()>& measure) {
+    constexpr unsigned kSeconds = 300;
+    std::fflush(stdout);
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child == 0) {
+        ::alarm(kSeconds);
+        try {
+            measure();
+        } catch (const std::exception& e) {
+            fmt::print("| {} | {} | {} |\n", work.name, title, e.what());
+        }
+        std::fflush(stdout);
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (WIFSIGNALED(status))
+        fmt::print("| {} | {} | ended by signal {} (14: after {} s) |\n", work.name, title,
+                   WTERMSIG(status), kSeconds);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        std::vector<std::string> names(argv + 1, argv + argc);
+        if (names.empty()) {
+            names = {NCSIM_SOURCE_DIR "/samples/simple.nc", NCSIM_SOURCE_DIR "/samples/complex.nc",
+                     "wave-100", "wave-900"};
+        }
+        fmt::print(
+            "| program | system | hulls | µs a hull | all, s | MB | size | volume - exact, mm³ | "
+            "|\n"
+            "|---|---|---|---|---|---|---|---|---|\n");
+        for (const std::string& name : names) {
+            const Work work = work_of(name);
+            apart(work, "BSP tree", [&] { bsp(work); });
+#ifdef NCSIM_HAS_OPENVDB
+            for (const double size : {0.5, 0.2})
+                apart(work, "voxels", [&] { voxels(work, size); });
+#endif
+#ifdef NCSIM_HAS_OCCT
+            constexpr std::size_t kMostCuts = 50;
+            apart(work, "CAD kernel", [&] { cad_kernel(work, kMostCuts); });
+#endif
+        }
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "other_models: %s\n", e.what());
+        return 2;
+    }
+    return 0;
+}

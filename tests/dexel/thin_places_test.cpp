@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rays tell about their own limits.
+#include "ncsim/cda/check.h"
+#include "ncsim/dexel/dexel.h"
+
+#include "support/random_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+namespace ncsim::dexel {
+namespace {
+
+using cda::Cell;
+using cda::LatticePoint;
+using cda::Vec3;
+using test::kLattice;
+using test::mm_box;
+
+std::unique_ptr<cda::WorkpieceModel> block(double resolution,
+                                           Directions directions = Directions::Three) {
+    return Dexel({1, resolution, directions}).create(mm_box(0, 0, 0, 10, 10, 6), kLattice);
+}
+
+Cell box(Vec3 min, Vec3 max, std::uint32_t motion) {
+    return cda::box_cell(kLattice.round(min), kLattice.round(max), kLattice, cda::Origin{motion});
+}
+
+TEST(ThinPlaces, APlainBlockHasNone) {
+    const auto found = block(0.4)->aliasing();
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->material.count, 0U);
+    EXPECT_EQ(found->gaps.count, 0U);
+    EXPECT_EQ(found->material.thinnest_mm, 0.0);
+    EXPECT_FALSE(found->is_seen_along_z_alone);
+}
+
+// Three pockets with ribs of 0.2 mm between them: of those between rays of 0.4 mm, one has corners
+// of the grid in it and is in the surface, the other is not.
+TEST(ThinPlaces, ARibBetweenRaysIsTold) {
+    const auto part = block(0.4);
+    part->subtract_unmeasured(box({1, 1, 2}, {2.7, 9, 7}, 1));
+    part->subtract_unmeasured(box({2.9, 1, 2}, {4.9, 9, 7}, 2));
+    part->subtract_unmeasured(box({5.1, 1, 2}, {9, 9, 7}, 3));
+    const auto found = part->aliasing();
+    // Rays along x, 0.4 mm apart, through 8 × 4 mm of each.
+    EXPECT_EQ(found->material.count, 400U);
+    EXPECT_EQ(found->material.missing, 200U);
+    EXPECT_NEAR(found->material.missing_mm3, 0.2 * 8 * 4, 1e-6);
+    EXPECT_NEAR(found->material.thinnest_mm, 0.2, 1e-9);
+    EXPECT_NEAR(found->material.at.x, 2.8, 1e-9);
+    EXPECT_EQ(found->material.origin, cda::Origin{2});
+    EXPECT_EQ(found->gaps.count, 0U);
+    EXPECT_NEAR(cda::volume(part->boundary()), 600 - 8 * 8 * 4 + 0.2 * 8 * 4, 0.3);
+}
+
+// Wherever the grid lies: a slot wider than the pitch is in the surface, and one of half of it is
+// told.
+TEST(ThinPlaces, ASlotIsShownOrTold) {
+    for (int i = 0; i < 100; ++i) {
+        SCOPED_TRACE(i);
+        const double pitch = 0.4;
+        const double x = 3.0 + 0.01 * i;
+        const auto wide = block(pitch);
+        wide->subtract_unmeasured(box({x, -1, 2}, {x + 1.01 * pitch, 11, 7}, 1));
+        EXPECT_EQ(wide->aliasing()->gaps.count, 0U);
+        EXPECT_FALSE(wide->contains({x + 0.5 * pitch, 5, 4}) &&
+                     wide->contains({x + 0.1 * pitch, 5, 4}) &&
+                     wide->contains({x + 0.9 * pitch, 5, 4}));
+        const auto narrow = block(pitch);
+        narrow->subtract_unmeasured(box({x, -1, 2}, {x + 0.5 * pitch, 11, 7}, 1));
+        EXPECT_EQ(narrow->aliasing()->gaps.count, 25U * 10U);
+        EXPECT_NEAR(narrow->aliasing()->gaps.thinnest_mm, 0.2, 1e-9);
+    }
+}
+
+TEST(ThinPlaces, AlongZAloneWallsAreNotLookedForAndThatIsTold) {
+    const auto part = block(0.4, Directions::OnlyZ);
+    part->subtract_unmeasured(box({1, 1, 2}, {4.9, 9, 7}, 1));
+    part->subtract_unmeasured(box({5.1, 1, 2}, {9, 9, 7}, 2));
+    EXPECT_TRUE(part->aliasing()->is_seen_along_z_alone);
+    EXPECT_EQ(part->aliasing()->material.count, 0U);
+    // But a floor is.
+    part->subtract_unmeasured(box({1, 1, 0.1}, {4, 4, 3}, 3));
+    EXPECT_GT(part->aliasing()->material.count, 40U);
+    EXPECT_NEAR(part->aliasing()->material.thinnest_mm, 0.1, 1e-9);
+}
+
+}  // namespace
+}  // namespace ncsim::dexel
