@@ -25,6 +25,7 @@
 
 #include "animation.h"
 #include "console.h"
+#include "mesh_folder.h"
 #include "outcome.h"
 #include "output.h"
 #include "picture.h"
@@ -78,8 +79,9 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         return counted->boundary;
     };
     outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
-    outputs.write(o.gltf,
-                  [&](std::ostream& out) { exporter::write_gltf(out, *mesh, s.provenance); });
+    outputs.write(o.gltf, [&](std::ostream& out) {
+        exporter::write_gltf(out, *mesh, s.provenance, outcome.plan.threads);
+    });
     outputs.write(o.vrml,
                   [&](std::ostream& out) { exporter::write_vrml(out, polygons(), s.provenance); });
     outputs.write(o.stl, [&](std::ostream& out) {
@@ -157,6 +159,7 @@ int run(Options options) {
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
+    if (!o.mesh_folder.empty()) outputs.reserve(list_of_meshes(o.mesh_folder));
 
     simulation::Survey survey = simulation::survey(plan);
     if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
@@ -202,6 +205,8 @@ int run(Options options) {
         outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
         simulation->provenance.text = text_of_lines(plan, survey, simulation->provenance);
         outcome.simulation = &*simulation;
+        if (!o.mesh_folder.empty())
+            write_mesh_folder(o.mesh_folder, plan, survey, *simulation, outputs);
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
         if (o.simplify && outcome.boundary) {
             simplified = exporter::simplify(*outcome.boundary, *o.simplify);

@@ -251,10 +251,9 @@ CLI::App* add_run(CLI::App& app, Options& options) {
                     "Between the rays of --model dexel, mm [the stock's longest side / 250]")
         ->type_name("MM")
         ->check(number_range(1e-4, 1e4));
-    run->add_option(
-           "--tile", o.tile,
-           "Only part I of N of the part, from 0 on, N up to 64, for ncsim merge; auto: as "
-           "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
+    run->add_option("--tile", o.tile,
+                    "Only part I of N of the part, from 0 on, for ncsim merge; auto: as "
+                    "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
         ->type_name("I/N");
     run->add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
     run->add_flag("--redo", o.redo, "Cut a tile again whose result is there");

@@ -18,6 +18,7 @@ if(TARGET ncsim)
       doubts_test.cpp
       draft_test.cpp
       files_test.cpp
+      full_disk_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp
       isolate_test.cpp
@@ -34,6 +35,7 @@ if(TARGET ncsim)
       set_ups_test.cpp
       shards_test.cpp
       step_input_test.cpp
+      tile_meshes_test.cpp
       tiles_test.cpp
       tools_test.cpp
       verdicts_test.cpp

@@ -27,10 +27,6 @@ namespace ncsim::cda {
 
 namespace {
 
-// The stock is halved this often: more blocks than threads, so that none waits for long; not so
-// many that most of their surface is seams.
-constexpr int kHalvings = 6;
-
 // Fewer cells than this are not worth waking a thread for.
 constexpr std::size_t kCellsWorthThreads = 16;
 
@@ -119,6 +115,7 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       cells_(std::make_unique<CellTable>(*other.cells_)),
       first_own_(other.first_own_),
       own_(other.own_),
+      walls_(other.walls_),
       blocks_(other.blocks_),
       waiting_(other.waiting_),
       account_(other.account_),
@@ -139,7 +136,7 @@ void TreeCda::split_into_blocks() {
         root.max[i] = 2 * static_cast<std::int64_t>(std::ceil(stock_box_.max[axis])) + 1;
     }
     std::vector<HalfBox> boxes{root};
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < parameters_.halvings; ++i) {
         const std::size_t axis = boxes[0].longest_axis();
         if (boxes[0].extent(axis) < 8) break;
         std::vector<HalfBox> halves;
@@ -151,6 +148,14 @@ void TreeCda::split_into_blocks() {
     }
     for (const HalfBox& box : boxes)
         blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const HalfBox& box : boxes) {
+            if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
+        }
+        std::vector<std::int64_t>& walls = walls_[axis];
+        std::sort(walls.begin(), walls.end());
+        walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+    }
     const auto [tile, of] = parameters_.tile.value_or(TileNumber{});
     first_own_ = blocks_.size() * tile / of;
     own_ = blocks_.size() * (tile + 1) / of - first_own_;
@@ -479,7 +484,7 @@ Boundary TreeCda::boundary() const {
 }
 
 // Tile, of how many; blocks of the part, the first one and the one after the last; how often
-// volumes were asked for, and what they were; outlines block by block.
+// volumes were asked for, and what they were; outlines block by block; edges at the walls.
 void TreeCda::write_tile(std::ostream& out) const {
     if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
     const Asked asked(asking_.mutex);
@@ -494,13 +499,17 @@ void TreeCda::write_tile(std::ostream& out) const {
     }
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     const std::span<Block> own = own_blocks();
+    Stitcher stitcher(lattice_, parameters_.threads);
     for (const Block& block : own) {
-        if (block.outlines) {
-            put_outlines(out, *block.outlines);
-        } else {
-            put_outlines(out, evaluate(*block.tree, input).outlines);
+        if (!block.outlines) {
+            block.outlines =
+                std::make_shared<const Outlines>(evaluate(*block.tree, input).outlines);
         }
+        put_outlines(out, *block.outlines);
+        stitcher.take(block.outlines->at(walls_));
+        block.outlines.reset();
     }
+    put_outlines(out, stitcher.finish_border(walls_));
 }
 
 TreeCounts TreeCda::counts() const {

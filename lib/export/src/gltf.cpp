@@ -113,12 +113,11 @@ private:
 };
 
 // Steps 1 and 2. Primitives without triangles are left out.
-std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenance& provenance,
-                                  const Palette& palette, cda::Vec3 centre) {
+std::vector<Primitive> primitives(const cda::Boundary& boundary, const FloatMesh& mesh,
+                                  const Provenance& provenance, const Palette& palette) {
     std::vector<Primitive> all(palette.makers().size());
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].maker = palette.makers()[i];
-    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
     const SmoothNormals normals(boundary, provenance, palette);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
@@ -281,12 +280,29 @@ void check_size(const std::vector<Primitive>& primitives) {
     }
 }
 
-}  // namespace
+// Each corner as it is rounded, wherever the others are: others do the same. What is nothing then
+// is left out.
+FloatMesh rounded_alone(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
+    FloatMesh result;
+    result.points.reserve(mesh.vertices.size());
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+        result.points.push_back(to_floats(mesh.vertices[v] - centre));
+        result.vertex.push_back(v);
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const auto& p = result.points;
+        if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) continue;
+        result.triangles.push_back(mesh.triangles[t]);
+        result.face.push_back(mesh.face[t]);
+    }
+    return result;
+}
 
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
+void write_model(std::ostream& out, const cda::Boundary& boundary, const FloatMesh& mesh,
+                 const Provenance& provenance, cda::Vec3 centre) {
     const Palette palette(provenance);
-    const cda::Vec3 centre = whole_centre(boundary);
-    const std::vector<Primitive> parts = primitives(boundary, provenance, palette, centre);
+    const std::vector<Primitive> parts = primitives(boundary, mesh, provenance, palette);
     check_size(parts);
 
     tinygltf::Model model;
@@ -313,6 +329,27 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
     if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, kPretty, kBinary) || !out) {
         throw std::runtime_error("cannot write glTF: the stream failed");
     }
+}
+
+}  // namespace
+
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                std::size_t threads) {
+    const cda::Vec3 centre = whole_centre(boundary);
+    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre);
+    write_model(out, boundary, mesh, provenance, centre);
+}
+
+std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
+                                        const Provenance& provenance, cda::Vec3 centre) {
+    const FloatMesh mesh = rounded_alone(cda::triangulate(piece), centre);
+    write_model(out, piece, mesh, provenance, centre);
+    Seams seams;
+    for (const auto& corners : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i)
+            seams.add({mesh.points[corners[i]], mesh.points[corners[(i + 1) % 3]]});
+    }
+    return seams.edges();
 }
 
 }  // namespace ncsim::exporter

@@ -45,6 +45,7 @@ struct ModelParameters {
     double (*clock)() = nullptr;  ///< Seconds; where given, what hulls cost is measured.
     double resolution_mm = 0.0;   ///< Of a model that has one; 0: it chooses.
     // Of the tree alone:
+    int halvings = 6;                                    ///< As in cda::TreeParameters.
     std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
     std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All of them, which were cut before.
 };
