@@ -24,6 +24,7 @@ if(TARGET ncsim)
       isolate_test.cpp
       machine_test.cpp
       measure_test.cpp
+      mpi_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp
@@ -49,6 +50,11 @@ if(TARGET ncsim)
       ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
   add_dependencies(ncsim_cli_tests ncsim ncsim_step ncsim_write_step_cases)
+  if(TARGET ncsim_mpi)
+    target_compile_definitions(ncsim_cli_tests PRIVATE
+      NCSIM_MPI_PROGRAM="$<TARGET_FILE:ncsim_mpi>")
+    add_dependencies(ncsim_cli_tests ncsim_mpi)
+  endif()
   target_compile_definitions(ncsim_cli_tests PRIVATE
     NCSIM_WRITE_STEP_CASES="$<TARGET_FILE:ncsim_write_step_cases>")
 endif()

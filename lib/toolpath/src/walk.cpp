@@ -26,7 +26,7 @@ Length axis_at(Length from, Length to, double rate, double time) {
 }
 
 // Is it a straight one in which nothing is turned, now or before? Of most programs most are.
-const Linear* upright(const gcode::Motion& motion) {
+const Linear* straight_upright(const gcode::Motion& motion) {
     const auto* linear = std::get_if<Linear>(&motion.what);
     if (!linear || motion.coordinates == gcode::Coordinates::Tip) return nullptr;
     for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
@@ -190,7 +190,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     const auto found = tools_.find(motion.tool);
     if (found == tools_.end() || !has_known_start(motion)) return {};
     Known& tool = found->second;
-    if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : upright(motion)) {
+    if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
         if (X_WA == X_WB) return {};
