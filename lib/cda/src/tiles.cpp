@@ -20,18 +20,29 @@ namespace {
 // Volumes are asked for after each tool.
 constexpr std::uint32_t kMostAsked = 10'000'000;
 
+constexpr std::size_t kNoTile = ~std::size_t{0};
+
 // What stands before the outlines.
 struct TileHeader {
-    std::uint32_t tile, of, blocks, first, last, asked;
+    std::uint32_t tile = 0, of = 0, blocks = 0, asked = 0;
+    std::vector<std::uint32_t> own;  // blocks, ascending
+    std::vector<double> volumes;     // each time somebody asked, of each of them; cubic units
 };
 
 TileHeader header_of(TileBytes& bytes) {
-    TileHeader header{};
-    for (std::uint32_t* number :
-         {&header.tile, &header.of, &header.blocks, &header.first, &header.last, &header.asked})
+    TileHeader header;
+    std::uint32_t own = 0;
+    for (std::uint32_t* number : {&header.tile, &header.of, &header.blocks, &own, &header.asked})
         *number = bytes.u32();
-    if (header.last < header.first || header.last > header.blocks || header.blocks > kMostTiles)
+    if (header.blocks > kMostTiles || own > header.blocks || header.asked > kMostAsked)
         throw std::invalid_argument("it is of another part");
+    for (std::uint32_t i = 0; i < own; ++i) {
+        header.own.push_back(bytes.u32());
+        if (header.own[i] >= header.blocks || (i > 0 && header.own[i] <= header.own[i - 1]))
+            throw std::invalid_argument("it has a block that there is not");
+    }
+    for (std::uint64_t k = 0; k < std::uint64_t{header.asked} * own; ++k)
+        header.volumes.push_back(bytes.number());
     return header;
 }
 
@@ -74,8 +85,7 @@ Boundary fitting(const Make& make) {
 }  // namespace
 
 struct Tiles::Tile {
-    std::uint32_t blocks = 0;     // of its own
-    std::vector<double> volumes;  // each time somebody asked, of each block; cubic units
+    TileHeader header;
     Outlines border;
     FixedBox bounds{border};
 };
@@ -107,9 +117,9 @@ public:
         if (asked_ == tiles_->volumes_)
             throw std::logic_error("tiles were not asked that often for their volume");
         double sum = 0.0;
-        for (const Tile& tile : tiles_->tiles_) {
-            for (std::uint32_t block = 0; block < tile.blocks; ++block)
-                sum += tile.volumes[asked_ * tile.blocks + block];
+        for (const auto& [tile, number] : tiles_->blocks_) {
+            const TileHeader& header = tiles_->tiles_[tile].header;
+            sum += header.volumes[asked_ * header.own.size() + number];
         }
         ++asked_;
         return sum * lattice_.cubic_unit_mm3();
@@ -137,27 +147,25 @@ private:
 
 Tiles::Tiles(std::size_t count, Read read, std::size_t threads)
     : read_(std::move(read)), threads_(threads) {
-    std::optional<TileHeader> first;
-    std::uint32_t blocks = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::string all = read_(i);
         try {
             TileBytes bytes(all);
-            const TileHeader header = header_of(bytes);
+            Tile tile;
+            tile.header = header_of(bytes);
+            const TileHeader& header = tile.header;
             if (header.tile != i || header.of != count)
                 throw std::invalid_argument("it is another one, or there are more of them");
-            if (!first) first = header;
-            if (header.blocks != first->blocks || header.asked != first->asked ||
-                header.first != blocks)
+            if (i == 0) blocks_.assign(header.blocks, {kNoTile, 0});
+            if (header.blocks != blocks_.size() || (i > 0 && header.asked != volumes_))
                 throw std::invalid_argument("it is of another part");
-            if (header.asked > kMostAsked) throw std::invalid_argument("it was asked too often");
-            Tile tile;
-            tile.blocks = header.last - header.first;
-            blocks = header.last;
-            for (std::uint64_t k = 0; k < std::uint64_t{header.asked} * tile.blocks; ++k)
-                tile.volumes.push_back(bytes.number());
-            for (std::uint32_t b = 0; b < tile.blocks; ++b)
+            volumes_ = header.asked;
+            for (std::uint32_t k = 0; k < header.own.size(); ++k) {
+                auto& [known, number] = blocks_[header.own[k]];
+                if (known != kNoTile) throw std::invalid_argument("it has a block of another one");
+                known = i, number = k;
                 (void)bytes.outlines_as_bytes();
+            }
             tile.border = bytes.outlines();
             tile.bounds = FixedBox(tile.border);
             if (!bytes.is_at_end()) throw std::invalid_argument("there is more in it");
@@ -166,9 +174,8 @@ Tiles::Tiles(std::size_t count, Read read, std::size_t threads)
             throw std::invalid_argument(why_not(i, e));
         }
     }
-    if (!first || blocks != first->blocks)
+    if (blocks_.empty() || std::ranges::count(blocks_, kNoTile, &OfTile::tile) > 0)
         throw std::invalid_argument("not all blocks of the part are there");
-    volumes_ = first->asked;
 }
 
 Tiles::Tiles(std::vector<std::string> tiles)
@@ -186,13 +193,10 @@ std::vector<Outlines> Tiles::outlines_of(std::size_t tile) const {
     try {
         TileBytes bytes(all);
         const TileHeader header = header_of(bytes);
-        if (header.tile != tile || header.last - header.first != tiles_[tile].blocks ||
-            header.asked != volumes_)
+        if (header.tile != tile || header.own != tiles_[tile].header.own)
             throw std::invalid_argument("it is not what it was");
-        for (std::size_t k = 0; k < tiles_[tile].volumes.size(); ++k)
-            (void)bytes.number();
         std::vector<Outlines> blocks;
-        for (std::uint32_t b = 0; b < tiles_[tile].blocks; ++b)
+        for (std::size_t b = 0; b < header.own.size(); ++b)
             blocks.push_back(bytes.outlines());
         return blocks;
     } catch (const std::invalid_argument& e) {

@@ -19,7 +19,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr int kTileFormat = 1;
+constexpr int kTileFormat = 2;
 constexpr std::uint32_t kMost = 1'000'000;
 
 [[noreturn]] void refuse_tile(const std::string& file, const std::string& why) {

@@ -58,9 +58,16 @@ private:
 
     std::vector<Outlines> outlines_of(std::size_t tile) const;
 
+    // Which one has a block, as the how manieth of its own.
+    struct OfTile {
+        std::size_t tile;
+        std::uint32_t number;
+    };
+
     Read read_;
     std::size_t threads_;
     std::vector<Tile> tiles_;
+    std::vector<OfTile> blocks_;
     std::size_t volumes_ = 0;  // how often they were asked for
 };
 

@@ -118,7 +118,6 @@ private:
     TreeCda(const TreeCda& other, const Asked&);
 
     void split_into_blocks();
-    std::span<Block> own_blocks() const;
     bool take_in(const Cell& cell);
     void settle_all() const;
     void settle(Block& block) const;
@@ -138,7 +137,7 @@ private:
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
-    std::size_t first_own_ = 0, own_ = 0;             // blocks: all, or those of the tile
+    std::vector<std::uint32_t> own_;                  // blocks, ascending: all, or the tile's
     std::array<std::vector<std::int64_t>, 3> walls_;  // where blocks meet, half units, by axis
     // What asking changes.
     mutable Asking asking_;
