@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,6 +126,17 @@ TEST(Baseline, KnowsWhereLinksMeet) {
     EXPECT_FALSE(is_accepted(f, now));
     now.point.reset();
     EXPECT_FALSE(is_accepted(f, now));
+}
+
+// Numbers that no such thing has are none of a baseline.
+TEST(Baseline, HasWholeNumbers) {
+    for (const char* number : {"1e126", "-1", "4294967296", "1.5", "\"1\""}) {
+        const std::string text =
+            R"({"ncsim-baseline": 1, "findings": [{"program": "a.nc", "rule": "r", "message": "m",)"
+            R"("severity": "error", "line": )" +
+            std::string(number) + "}]}";
+        EXPECT_THROW(Baseline("known.json", text), std::runtime_error) << number;
+    }
 }
 
 }  // namespace

@@ -4,4 +4,5 @@ ncsim_add_test(report
   SOURCES
     baseline_test.cpp
     plain_text_test.cpp
-    shard_test.cpp)
+    shard_test.cpp
+    tile_file_test.cpp)

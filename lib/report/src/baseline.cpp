@@ -121,15 +121,15 @@ KnownFinding known_from(const Json& json) {
         } else if (key == "file") {
             value.get_to(known.file);
         } else if (key == "line") {
-            value.get_to(known.line);
+            known.line = whole_number<std::uint32_t>(value);
         } else if (key == "block") {
             value.get_to(known.block);
         } else if (key == "tool") {
-            value.get_to(known.tool);
+            known.tool = whole_number<int>(value);
         } else if (key == "certain") {
             value.get_to(known.certain);
         } else if (key == "count") {
-            value.get_to(known.count);
+            known.count = whole_number<std::uint64_t>(value);
         } else if (key == "goes_on") {
             value.get_to(known.goes_on);
         } else if (key == "row") {
@@ -252,7 +252,7 @@ Baseline::Baseline(std::string file, const std::string& text) : file_(std::move(
         const Json json = Json::parse(text);
         if (!json.is_object() || !json.contains("ncsim-baseline"))
             throw std::runtime_error("it is no baseline of ncsim check");
-        if (json.at("ncsim-baseline").get<int>() != kBaselineFormat)
+        if (whole_number<int>(json.at("ncsim-baseline")) != kBaselineFormat)
             throw std::runtime_error("it was written by another version of ncsim");
         for (const Json& finding : json.at("findings")) {
             ++number;

@@ -47,7 +47,7 @@ std::string text_from(const Json& json) {
     if (json.is_string()) return json.get<std::string>();
     std::string text;
     for (const Json& byte : json)
-        text += static_cast<char>(byte.get<std::uint8_t>());
+        text += static_cast<char>(whole_number<std::uint8_t>(byte));
     return text;
 }
 
@@ -74,8 +74,8 @@ TileHead head_from(const Json& json) {
         auto& digest = head.files[text_from(file.at(0))];
         if (!file.at(1).is_null()) digest = file.at(1).get<std::string>();
     }
-    head.tile = json.at("tile").get<std::uint32_t>();
-    head.of = json.at("of").get<std::uint32_t>();
+    head.tile = whole_number<std::uint32_t>(json.at("tile"));
+    head.of = whole_number<std::uint32_t>(json.at("of"));
     return head;
 }
 
@@ -99,7 +99,7 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     TileFile file;
     try {
         const Json json = Json::parse(std::string_view(bytes).substr(0, line));
-        if (!json.is_object() || json.at("ncsim-tile").get<int>() != kTileFormat)
+        if (!json.is_object() || whole_number<int>(json.at("ncsim-tile")) != kTileFormat)
             throw std::invalid_argument("");
         const auto version = json.at("version").get<std::string>();
         if (version != kVersion)
