@@ -27,6 +27,17 @@ Vec3 box_without(double volume, double height, double x = 10.0, double y = 8.0) 
             (box * 5.0 - volume * height) / left};
 }
 
+// 10 mm of the side of the slanting cylinder: across its rulings it is an ellipse of 4 by 3.2.
+double slanting_side() {
+    constexpr int kSteps = 400;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double t = 2.0 * kPi * i / kSteps;
+        sum += std::hypot(4.0 * std::sin(t), 3.2 * std::cos(t));
+    }
+    return 10.0 * sum * 2.0 * kPi / kSteps;
+}
+
 // As in a book of tables.
 std::map<std::string, Paper> papers() {
     const double slant = 5.0, box = 2.0 * (320.0 + 200.0 + 160.0);
@@ -39,6 +50,9 @@ std::map<std::string, Paper> papers() {
         {"drilled_box",
          {box - 9.0 * kPi + 30.0 * kPi + kPi * 3.0 * std::sqrt(13.0),
           box_without(bore + tip, (bore * 7.5 + tip * 4.5) / (bore + tip))}},
+        {"slanting_cylinder", {2.0 * 16.0 * kPi + slanting_side(), {10, 8, 4}}},
+        {"slanting_bore",
+         {2.0 * (320.0 + 160.0 + 128.0) - 2.0 * 16.0 * kPi + slanting_side(), {10, 8, 4}}},
         {"dimpled_box", {box - 16.0 * kPi + 32.0 * kPi, box_without(ball, 10.0 - 1.5)}},
     };
 }

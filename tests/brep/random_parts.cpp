@@ -43,9 +43,11 @@ private:
         const int tool = pick(1, 7);
         line(fmt::format("T{} M6 S5000 M3", tool));
         x_ = length(0, 80), y_ = length(0, 60);
+        is_ramp_ = pick(0, 2) == 0;
         const double depth = tool == 5 ? length(1, 4) : tool > 5 ? length(2, 20) : length(1, 8);
         line(fmt::format("G0 X{:.3f} Y{:.3f} Z5", x_, y_));
         line(fmt::format("G1 Z{:.3f} F300", -depth));
+        z_ = -depth;
         const int moves = tool > 5 ? 0 : pick(0, 5);
         for (int i = 0; i < moves; ++i) {
             if (pick(0, 1) == 0) {
@@ -62,7 +64,8 @@ private:
         const int which = pick(0, 2);
         if (which != 0) x_ += dx;
         if (which != 1) y_ += dy;
-        line(fmt::format("G1 X{:.3f} Y{:.3f}", x_, y_));
+        if (is_ramp_) z_ = -length(0, 9);
+        line(fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f}", x_, y_, z_));
     }
 
     // By whole quarters, so that it ends on the grid.
@@ -86,7 +89,8 @@ private:
     std::mt19937_64 random_;
     std::string text_;
     int grid_ = 1;  // µm
-    double x_ = 0.0, y_ = 0.0;
+    double x_ = 0.0, y_ = 0.0, z_ = 0.0;
+    bool is_ramp_ = false;  // straight moves go up and down
 };
 
 }  // namespace

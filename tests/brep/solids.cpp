@@ -179,11 +179,34 @@ NamedPart grooved_bar() {
     return {"grooved_bar", b.finish(), kPi * 400 * 10 - 2 * kPi * 12 * kPi * 4 / 2, 5};
 }
 
+Extrusion slanting() {
+    return {{7, 8, 0}, kUp, {0.6, 0, 0.8}, 4};
+}
+
+NamedPart slanting_cylinder() {
+    Builder b;
+    const int low = number(b.circle({7, 8, 0}, 4)), high = number(b.circle({13, 8, 8}, 4));
+    b.face(ceiling_at(0), {{-low}});
+    b.face(floor_at(8), {{high}});
+    b.face({slanting()}, {{low}, {-high}});
+    return {"slanting_cylinder", b.finish(), kPi * 16 * 8, 3};
+}
+
+NamedPart slanting_bore() {
+    Builder b;
+    const Box sides = box(b, 20, 16, 8);
+    const int low = number(b.circle({7, 8, 0}, 4)), high = number(b.circle({13, 8, 8}, 4));
+    b.face(ceiling_at(0), {sides.bottom, {low}});
+    b.face(floor_at(8), {sides.top, {-high}});
+    b.face({slanting(), true}, {{-low}, {high}});
+    return {"slanting_bore", b.finish(), 20 * 16 * 8 - kPi * 16 * 8, 7};
+}
+
 }  // namespace
 
 std::vector<NamedPart> solids() {
-    return {cylinder(),    frustum(),     bored_box(),  drilled_box(),
-            dimpled_box(), slotted_box(), grooved_bar()};
+    return {cylinder(),    frustum(),     bored_box(),         drilled_box(),  dimpled_box(),
+            slotted_box(), grooved_bar(), slanting_cylinder(), slanting_bore()};
 }
 
 }  // namespace ncsim::brep::test

@@ -10,7 +10,8 @@ ncsim_add_test(brep
     mass_test.cpp
     random_parts.cpp
     section_test.cpp
-    solids.cpp)
+    solids.cpp
+    surface_test.cpp)
 
 # OpenCASCADE judges them, too (export/tests.cmake has its reader).
 set(solids ${CMAKE_CURRENT_BINARY_DIR}/brep/solids)

@@ -12,6 +12,13 @@ using cda::cross;
 using cda::dot;
 using cda::normalized;
 
+Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
+    const DomePlace place = place_on(dome, p);
+    Local local = axes(axes.origin + (p - dome.centre - dome.reach * place.up));
+    local.z = dome.reach * place.degrees() * trig::kRadiansPerDegree;
+    return local;
+}
+
 double cut_of(const Part& part, const Face& face, const Axes& axes, double major) {
     constexpr int kSteps = 32;
     struct Angle {

@@ -174,7 +174,7 @@ bool Chains::solve_vertex(Vertex& v) const {
         forms.push_back(&mesh_.surface(n).form);
     const std::size_t count = forms.size();
     std::vector<Form> touching;
-    touching.reserve(count * count);
+    touching.reserve(count * count + 1);
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
             if (auto t = touch(*forms[i], *forms[j])) {
@@ -184,6 +184,7 @@ bool Chains::solve_vertex(Vertex& v) const {
             if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
         }
     }
+    if (auto across = corner_of_dome(forms)) touching.push_back(*across);
     for (const Form& t : touching)
         forms.push_back(&t);
     if (!at_apex(forms, v.at)) brep::solve(forms, v.at);
@@ -250,12 +251,12 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
     return points;
 }
 
-void Chains::solve(bool corners_first) {
+void Chains::solve() {
     for (Vertex& v : vertices_) {
         v.has_failed = !solve_vertex(v);
         if (v.has_failed) failures_.push_back({v.groups, true});
     }
-    if (corners_first && !failures_.empty()) return;
+    if (!failures_.empty()) return;
     // One may turn another one round.
     constexpr int kMostPasses = 4;
     for (int pass = 0; pass < kMostPasses; ++pass) {

@@ -45,8 +45,8 @@ public:
 
     /// Of the groups as they are.
     void trace();
-    /// `corners_first`: where any of these fail, edges are not tried.
-    void solve(bool corners_first);
+    /// Where any of these fail, edges are not tried.
+    void solve();
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }

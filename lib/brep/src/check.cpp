@@ -2,8 +2,8 @@
 //
 // Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
 // is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
-// front; other cylinders and rings become rings of paper; of spheres the point opposite the face is
-// where the map has none.
+// front, those of extrusions along their lines; other cylinders and rings become rings of paper; of
+// spheres the point opposite the face is where the map has none.
 #include "ncsim/brep/check.h"
 
 #include "ncsim/brep/measure.h"
@@ -12,9 +12,11 @@
 #include "axes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,19 +41,19 @@ struct Point {
 class Map {
 public:
     Map(const Part& part, const Face& face)
-        : form_(&face.surface.form), axes_(face.frame.origin, face.frame) {
-        if (const auto* f = std::get_if<Cylinder>(form_)) {
+        : form_(&face.surface.form), axes_(axes_of(face, face.frame.origin)) {
+        if (is_straight_up()) {
             low_ = std::numeric_limits<double>::infinity();
             for_edges(part, face, [&](const Track& track, double) {
                 for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-                    const Local p = axes_(track.at(t));
+                    const Local p = local(track.at(t));
                     low_ = std::min(low_, p.z);
                     // The x axis points away from the face.
                     constexpr double kSteep = 0.2;
                     faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.away;
                 }
             });
-            low_ -= 2.0 * f->radius;
+            low_ -= 2.0 * radius_of(*form_);
         } else if (const auto* c = std::get_if<Cone>(form_)) {
             axes_.origin = c->apex;
         } else if (const auto* s = std::get_if<Sphere>(form_)) {
@@ -70,11 +72,10 @@ public:
     }
 
     Point operator()(Vec3 at) const {
-        const Local p = axes_(at);
+        const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
-        if (std::holds_alternative<Cylinder>(*form_))
-            return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
+        if (is_straight_up()) return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
         if (const auto* s = std::get_if<Sphere>(form_)) {
             const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
             return {scale * p.x, scale * p.y};
@@ -88,10 +89,19 @@ public:
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
-               (std::holds_alternative<Cylinder>(*form_) && faces_one_way_);
+               (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
     }
 
 private:
+    // In the coordinates of its axes.
+    bool is_straight_up() const {
+        return std::holds_alternative<Cylinder>(*form_) ||
+               std::holds_alternative<Extrusion>(*form_) || std::holds_alternative<Dome>(*form_);
+    }
+    Local local(Vec3 p) const {
+        const auto* dome = std::get_if<Dome>(form_);
+        return dome ? local_on(*dome, axes_, p) : axes_(p);
+    }
     static Point out(const Local& p, double radius) {
         return {radius * p.x / p.away, radius * p.y / p.away};
     }
@@ -108,6 +118,7 @@ struct Segment {
     const Track* track;      // of which it is the chord, between two parameters
     double begin, end;
     bool is_straight;  // on the map, too
+    std::uint32_t edge;
     double off = 0.0;  // how far it may be from what it stands for
     double low() const { return std::min(a.y, b.y) - off; }
     double high() const { return std::max(a.y, b.y) + off; }
@@ -178,7 +189,10 @@ bool have_common_end(const Segment& s, const Segment& t) {
     return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
 }
 
-bool any_interfere(const Map& map, std::vector<Segment> segments, double clear) {
+// The edges of two pieces that do.
+std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
+                                                          std::vector<Segment> segments,
+                                                          double clear) {
     // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
     constexpr double kMostOff = 0.1;
     constexpr int kDepth = 40;
@@ -197,10 +211,10 @@ bool any_interfere(const Map& map, std::vector<Segment> segments, double clear) 
             const bool both_straight = s.is_straight && t.is_straight;
             if (both_straight || have_common_end(s, t) ? interfere(s, t, clear)
                                                        : curves_interfere(map, s, t, clear, kDepth))
-                return true;
+                return {{s.edge, t.edge}};
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 double twice_area(const std::vector<Segment>& loop) {
@@ -257,7 +271,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
                     segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,
-                                        is_straight && map.keeps_lines()});
+                                        is_straight && map.keeps_lines(), use.edge});
                     last_name = name;
                 }
                 last = p;
@@ -272,7 +286,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
-    if (any_interfere(map, std::move(all), clear_mm)) tell(kCrossOrTouch);
+    if (const auto edges = any_interfere(map, std::move(all), clear_mm))
+        faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});
     return faults;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact.h"
 
+#include "plane_cut.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,6 +58,46 @@ struct Touch {
         if (!is_parallel(a.normal, b.axis) || !near(std::abs(distance(a, b.centre)), b.minor))
             return {};
         return Cylinder{b.centre, b.axis, b.major};
+    }
+    // A wall along the line, at the end of its way across.
+    Answer operator()(const Plane& a, const Extrusion& b) const {
+        if (!is_across(a.normal, b.along)) return {};
+        const Vec3 level = a.normal - dot(a.normal, b.axis) * b.axis;
+        const double support = b.radius * norm(level), off = distance(a, b.centre);
+        if (!near(std::abs(off), support)) return {};
+        const double side = off > 0.0 ? -b.radius : b.radius;
+        return plane_at(b.centre + side * normalized(level), cross(a.normal, b.along));
+    }
+    Answer operator()(const Plane& a, const Dome& b) const {
+        const double off = distance(a, b.centre);
+        // Where the arc is level.
+        if (is_parallel(a.normal, b.axis) && near(std::abs(off), b.reach))
+            return Cylinder{b.centre, b.axis, b.radius};
+        // A wall beside the arc.
+        if (is_across(a.normal, b.axis) && is_across(a.normal, b.ahead) &&
+            near(std::abs(off), b.radius))
+            return Cylinder{b.centre, a.normal, b.reach};
+        return {};
+    }
+    // The arc ends upright.
+    Answer operator()(const Cylinder& a, const Dome& b) const {
+        const Vec3 end = b.centre + b.reach * b.ahead;
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius) ||
+            !near(norm(away(a.origin, a.axis, end)), 0.0))
+            return {};
+        return plane_at(end, b.axis);
+    }
+    // The arc goes on as a line.
+    Answer operator()(const Extrusion& a, const Dome& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius)) return {};
+        const double cosine = std::abs(dot(a.along, b.axis));
+        const double sine =
+            dot(a.along, b.axis) > 0.0 ? -dot(a.along, b.ahead) : dot(a.along, b.ahead);
+        const Vec3 end = b.centre + b.reach * (cosine * b.ahead + sine * b.axis);
+        if (std::abs(cosine * cosine + sine * sine - 1.0) > kParallel ||
+            !near(norm(away(a.centre, a.along, end)), 0.0))
+            return {};
+        return plane_at(end, b.axis);
     }
     Answer operator()(const Cylinder& a, const Cylinder& b) const {
         if (!is_parallel(a.axis, b.axis)) return {};
@@ -180,6 +222,12 @@ Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
     return Circle{torus.centre + torus.major * in_plane, normal, torus.minor};
 }
 
+Curve ellipse(const Plane& plane, const Extrusion& extrusion) {
+    const PlaneCut cut(extrusion, {plane.normal, dot(plane.normal, plane.origin)});
+    const auto [centre, x, y] = *cut.exact(0);
+    return Ellipse{centre, plane.normal, normalized(x), norm(x), norm(y)};
+}
+
 Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
     const double lean = dot(plane.normal, cylinder.axis);
     const double height = dot(plane.normal, cylinder.origin - plane.origin) / lean;
@@ -201,13 +249,95 @@ std::optional<std::array<Plane, 2>> mitres(const Cylinder& a, const Cylinder& b)
         {Plane{centre, normalized(a.axis - b.axis)}, Plane{centre, normalized(a.axis + b.axis)}}};
 }
 
+// Of level circles of one radius that move along lines the one where the lines cross, and the plane
+// of the ellipse in which the circles of every height meet. A cylinder moves along its axis.
+std::optional<std::array<Plane, 2>> bends(const Extrusion& a, const Extrusion& b) {
+    constexpr double kEqual = 1e-6, kLeastAngle = 3e-5;
+    if (std::abs(a.radius - b.radius) > kEqual || !is_parallel(a.axis, b.axis)) return std::nullopt;
+    // How far apart they are where the first has its centre, and how much farther 1 mm above.
+    const auto lean = [&](const Extrusion& e) { return (1.0 / dot(e.along, a.axis)) * e.along; };
+    const Vec3 first = lean(a), second = lean(b), drift = second - first;
+    const Vec3 apart = b.centre + dot(a.centre - b.centre, a.axis) * second - a.centre;
+    const double length = norm(drift);
+    if (length < kLeastAngle || norm(cross(apart, drift)) > kEqual * length) return std::nullopt;
+    const Vec3 centre = a.centre - (dot(apart, drift) / (length * length)) * first;
+    return {{Plane{centre, a.axis},
+             Plane{centre, normalized(cross(first + second, cross(a.axis, drift)))}}};
+}
+
+std::optional<Extrusion> moved_circle(const Form& form, Vec3 axis) {
+    if (const auto* f = std::get_if<Extrusion>(&form)) return *f;
+    const auto* f = std::get_if<Cylinder>(&form);
+    if (!f || !is_parallel(f->axis, axis)) return std::nullopt;
+    return Extrusion{f->origin, axis, axis, f->radius};
+}
+
+std::optional<std::array<Plane, 2>> bends(const Form& a, const Form& b) {
+    const auto* one = std::get_if<Extrusion>(&a);
+    const auto* other = std::get_if<Extrusion>(&b);
+    if (!one && !other) return std::nullopt;
+    const Vec3 axis = one ? one->axis : other->axis;
+    const auto first = moved_circle(a, axis), second = moved_circle(b, axis);
+    return first && second ? bends(*first, *second) : std::nullopt;
+}
+
+// Where the circle of a dome and one of the same size that moves along a line are one: the centre
+// nearest to the height of `p`.
+std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
+    constexpr double kEqual = 1e-6;
+    const auto moved = moved_circle(other, dome.axis);
+    if (!moved || std::abs(moved->radius - dome.radius) > kEqual ||
+        !is_parallel(moved->axis, dome.axis))
+        return std::nullopt;
+    const Vec3 side = cross(dome.axis, dome.ahead), v = moved->centre - dome.centre;
+    if (std::abs(dot(moved->along, side)) > kParallel || !near(dot(v, side), 0.0))
+        return std::nullopt;
+    // Of the line the point nearest to the arc's centre, and from there to the arc.
+    const Vec3 nearest = v - dot(v, moved->along) * moved->along;
+    const double off = norm(nearest);
+    if (off > dome.reach + kTouchMm) return std::nullopt;
+    const double half = std::sqrt(std::max(0.0, dome.reach * dome.reach - off * off));
+    std::optional<Vec3> best;
+    for (const double sign : {-1.0, 1.0}) {
+        const Vec3 centre = nearest + (sign * half) * moved->along;
+        if (dot(centre, dome.ahead) < -kTouchMm) continue;
+        const auto far = [&](Vec3 c) { return std::abs(dot(p - dome.centre - c, dome.axis)); };
+        if (!best || far(centre) < far(*best)) best = centre;
+    }
+    if (best) *best = *best + dome.centre;
+    return best;
+}
+
+std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p) {
+    if (const auto* dome = std::get_if<Dome>(&b)) return common_circle(*dome, a, p);
+    if (const auto* dome = std::get_if<Dome>(&a)) return common_circle(*dome, b, p);
+    return std::nullopt;
+}
+
+// Of a dome and another form, through `p` and `q`.
+std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q) {
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        const bool is_level = is_parallel(plane->normal, dome.axis);
+        if (touch(other, dome)) {
+            const Vec3 centre = dome.centre - distance(other, dome.centre) * plane->normal;
+            return Circle{centre, plane->normal, is_level ? dome.radius : dome.reach};
+        }
+        if (!is_level) return std::nullopt;
+        return Circle{centre_at_height(dome, plane->origin), dome.axis, dome.radius};
+    }
+    const auto centre = common_circle(dome, other, p);
+    const auto is_level = [&](Vec3 at) { return near(dot(at - *centre, dome.axis), 0.0); };
+    if (!centre || !is_level(p) || !is_level(q)) return std::nullopt;
+    return Circle{*centre, dome.axis, dome.radius};
+}
+
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
     return std::abs(distance(one, p)) < std::abs(distance(other, p));
 }
 
 bool is_ruled(const Form& form) {
     return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
-           std::holds_alternative<Cone>(form);
+           std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
 }
 
 // Eigenvectors of a symmetric matrix, by rotations (Jacobi).
@@ -284,15 +414,35 @@ std::optional<Form> touch(const Form& a, const Form& b) {
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     const auto* first = std::get_if<Cylinder>(&a);
     const auto* second = std::get_if<Cylinder>(&b);
-    if (!first || !second) return std::nullopt;
-    const auto planes = mitres(*first, *second);
+    if (const auto centre = common_circle(a, b, p)) {
+        const auto* dome = std::get_if<Dome>(&a);
+        return Plane{*centre, (dome ? dome : std::get_if<Dome>(&b))->axis};
+    }
+    const auto planes = first && second ? mitres(*first, *second) : bends(a, b);
     if (!planes) return std::nullopt;
     const auto& [one, other] = *planes;
     return is_nearer(one, other, p) ? one : other;
 }
 
+std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
+    for (const Form* form : forms) {
+        const auto* dome = std::get_if<Dome>(form);
+        if (!dome) continue;
+        bool has_floor = false, has_wall = false;
+        for (const Form* other : forms) {
+            const auto* plane = std::get_if<Plane>(other);
+            if (!plane || !touch(*plane, *dome)) continue;
+            (is_parallel(plane->normal, dome->axis) ? has_floor : has_wall) = true;
+        }
+        if (has_floor && has_wall) return Plane{dome->centre, dome->ahead};
+    }
+    return std::nullopt;
+}
+
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
+    if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);
+    if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q);
     const bool is_first_plane = std::holds_alternative<Plane>(a);
     const bool is_second_plane = std::holds_alternative<Plane>(b);
     if (is_first_plane && is_second_plane) return Line{};
@@ -325,11 +475,33 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
         const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
         return ellipse(is_first ? one : other, *first);
     }
+    if (const auto planes = bends(a, b)) {
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [level, other] = *planes;
+        if (!is_on(level) && !is_on(other)) return std::nullopt;
+        const bool is_level = is_on(level) && (!is_on(other) || is_nearer(level, other, near_to));
+        const auto* moved = std::get_if<Extrusion>(&a);
+        if (!moved) moved = std::get_if<Extrusion>(&b);
+        if (is_level) return Circle{level.origin, level.normal, moved->radius};
+        return ellipse(other, *moved);
+    }
     if (!is_first_plane && !is_second_plane) return std::nullopt;
     const auto& plane = std::get<Plane>(is_first_plane ? a : b);
     const Form& other = is_first_plane ? b : a;
     if (const auto* f = std::get_if<Cylinder>(&other)) {
         if (std::abs(dot(plane.normal, f->axis)) <= kParallel) return Line{};
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Extrusion>(&other)) {
+        if (is_across(plane.normal, f->along)) return Line{};
+        if (is_parallel(plane.normal, f->axis)) {
+            const double height = dot(plane.normal, plane.origin - f->centre);
+            const Vec3 centre = f->centre + (height / dot(plane.normal, f->along)) * f->along;
+            return Circle{centre, f->axis, f->radius};
+        }
         return ellipse(plane, *f);
     }
     if (const auto* f = std::get_if<Torus>(&other)) {

@@ -23,6 +23,10 @@ std::optional<Form> touch(const Form& a, const Form& b);
 /// Of two pipes that bend into each other: the plane near `p` in which they meet.
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 
+/// Where a level plane and a wall both touch a dome among `forms`, and none of the three tells how
+/// far along the wall they do: the plane across it.
+std::optional<Form> corner_of_dome(std::span<const Form* const> forms);
+
 /// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then
 /// the curve through `p`, which is on both; `q` is another point of it, and it passes by `near_to`.
 /// Nothing: a spline has to be laid through it.

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep {
@@ -31,6 +32,7 @@ struct Facet {
     bool may_be_true = false;   ///< Its own plane is no approximation.
     bool was_labelled = false;  ///< With a surface of its motion.
     bool is_final = false;      ///< It stays a facet.
+    bool was_given_up = false;
 };
 
 struct HalfEdge {
@@ -55,6 +57,11 @@ public:
     void settle(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = true;
+    }
+    /// A facet until a neighbour takes it in; for good where that has failed before.
+    void give_up(std::uint32_t i) {
+        facets_[i].label = facets_[i].own;
+        facets_[i].is_final = std::exchange(facets_[i].was_given_up, true);
     }
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
     /// Who cut a facet.

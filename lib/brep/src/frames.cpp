@@ -99,6 +99,24 @@ Frame frame_for(const Part& part, const Face& face) {
         }
         return {f->apex + height * f->axis, f->axis, x_axis(loops, f->apex, f->axis)};
     }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        // Seen along the line.
+        auto seen = loops;
+        for (auto& points : seen) {
+            for (Vec3& p : points)
+                p = p - place_along(*f, p) * f->along;
+        }
+        return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
+    }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form)) {
+        // About the centre of the circle wherever it is.
+        auto seen = loops;
+        for (auto& points : seen) {
+            for (Vec3& p : points)
+                p = p - f->reach * place_on(*f, p).up;
+        }
+        return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
+    }
     const auto& plane = std::get<Plane>(face.surface.form);
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];

@@ -183,13 +183,29 @@ bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors) const {
     });
 }
 
+// Of these groups, or where all of them are facets, of those that are nearest: it is they that
+// moved the corners.
+std::vector<std::uint32_t> Groups::analytic_around(std::vector<std::uint32_t> around) const {
+    constexpr int kFarthest = 3;
+    for (int step = 0;; ++step) {
+        std::vector<std::uint32_t> found = around;
+        std::erase_if(found, [&](std::uint32_t g) { return !groups_[g].is_analytic; });
+        if (!found.empty() || step == kFarthest) return found;
+        for (const std::uint32_t g : std::vector(around)) {
+            for (const auto& [n, shared] : neighbours(g))
+                around.push_back(n);
+        }
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+    }
+}
+
 bool Groups::relabel(const Failures& failures, Patience patience) {
     bool any = false;
     std::set<std::uint32_t> done;
     for (const Failure& failure : failures) {
         // The smallest that can be changed.
-        std::vector<std::uint32_t> order = failure.around;
-        std::erase_if(order, [&](std::uint32_t g) { return !groups_[g].is_analytic; });
+        std::vector<std::uint32_t> order = analytic_around(failure.around);
         std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::pair(groups_[a].area, a) < std::pair(groups_[b].area, b);
         });
@@ -238,8 +254,11 @@ bool Groups::may_be_absorbed(std::uint32_t g) const {
 
 void Groups::give_up(std::uint32_t g, bool for_good) {
     for (const std::uint32_t i : groups_[g].facets) {
-        mesh_.label(i, mesh_[i].own);
-        if (for_good) mesh_.settle(i);
+        if (for_good) {
+            mesh_.settle(i);
+        } else {
+            mesh_.give_up(i);
+        }
     }
 }
 

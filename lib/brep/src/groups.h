@@ -82,6 +82,7 @@ private:
     bool absorb(std::uint32_t g, double errors);
     bool lies_on(std::uint32_t g, std::uint32_t n, double errors) const;
     bool may_be_absorbed(std::uint32_t g) const;
+    std::vector<std::uint32_t> analytic_around(std::vector<std::uint32_t> around) const;
 
     FacetMesh& mesh_;
     std::vector<Group> groups_;

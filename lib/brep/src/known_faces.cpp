@@ -71,6 +71,18 @@ bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, d
         const bool touches = may_be_touch && tolerance_mm <= kTouchMm &&
                              only_touches_itself(part, part.faces[face], clear_mm);
         known.is_faulty = !faults.empty() && !touches;
+        known.fault_at.clear();
+        const bool is_local =
+            std::ranges::none_of(faults, [](const Fault& fault) { return fault.edges.empty(); });
+        const auto& loops = part.faces[face].loops;
+        for (std::size_t l = 0; l < loops.size() && is_local; ++l) {
+            for (std::size_t i = 0; i < loops[l].size(); ++i) {
+                const bool is_there = std::ranges::any_of(faults, [&](const Fault& fault) {
+                    return std::ranges::find(fault.edges, loops[l][i].edge) != fault.edges.end();
+                });
+                if (is_there) known.fault_at.emplace_back(l, i);
+            }
+        }
     }
     miss_mm = std::max(miss_mm, known.miss_mm);
     return known.is_faulty;

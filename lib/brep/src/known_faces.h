@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep {
@@ -24,6 +25,8 @@ public:
         std::optional<double> tolerance_mm;
         bool is_faulty = false;
         double miss_mm = 0.0;
+        /// Where the fault is: which edges of which loops. Nothing where that cannot be told.
+        std::vector<std::pair<std::size_t, std::size_t>> fault_at;
 
     private:
         friend class KnownFaces;

@@ -103,6 +103,21 @@ struct BelowTorus {
     }
 };
 
+// For each angle: how much area there is along a mm of the line, and how much volume.
+struct BelowExtrusion {
+    double radius;
+    Vec3 w, lean;
+    Below per_mm(const Local& p) const {
+        const Vec3 out{p.x / p.away, p.y / p.away, 0.0};
+        const Vec3 normal = cross(Vec3{-radius * out.y, radius * out.x, 0.0}, lean);
+        return {norm(normal), dot(w + radius * out, normal)};
+    }
+    Below operator()(const Local& p) const {
+        const Below b = per_mm(p);
+        return {b.area * p.z, b.volume * p.z};
+    }
+};
+
 // The angle around the axis that a step makes, per its parameter.
 double turn(const Local& p, Vec3 step) {
     return (p.x * step.y - p.y * step.x) / (p.away * p.away);
@@ -136,6 +151,85 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
         });
     });
     return sum / (2.0 * std::numbers::pi);
+}
+
+// --- Domes ----------------------------------------------------------------------------------
+
+// Over the angle of the circle, between edges; over that of the arc, from where it is level with
+// its centre, by Gauss.
+class OnDome {
+public:
+    OnDome(const Dome& dome, Vec3 apex) : dome_(dome), w_(dome.centre - apex) {}
+
+    // For each angle of the circle: of area, of three times the volume, and of four times volume
+    // times middle, as `moment` tells them.
+    struct Sum {
+        double area = 0.0, volume = 0.0;
+        Vec3 moment;
+    };
+    Sum below(const DomePlace& place) const {
+        constexpr double kPiece = 15.0;
+        const double degrees = place.degrees();
+        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
+        const double width = degrees / pieces;
+        const Vec3 around = cross(dome_.axis, place.out);
+        Sum sum;
+        for (int i = 0; i < pieces; ++i) {
+            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+                for (const double sign : {-1.0, 1.0}) {
+                    const auto t = trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width);
+                    const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
+                    const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
+                    const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
+                    const Vec3 normal = (0.5 * width * kRadiansPerDegree * kWeights[k] *
+                                         dome_.reach * dome_.radius) *
+                                        cross(around, along);
+                    sum.area += width < 0.0 ? -norm(normal) : norm(normal);
+                    sum.volume += dot(at, normal);
+                    sum.moment = sum.moment + dot(at, normal) * at;
+                }
+            }
+        }
+        return sum;
+    }
+
+    // The angle of the circle that a step on the surface makes. None where it is not known, in the
+    // corners of the half.
+    double turn(const DomePlace& place, Vec3 step) const {
+        const Vec3 around = cross(dome_.axis, place.out);
+        const Vec3 across_arc = cross(place.along, cross(around, place.along));
+        constexpr double kNowhere = 1e-12;
+        const double slope = dot(around, across_arc);
+        return slope > kNowhere ? dot(step, across_arc) / (dome_.radius * slope) : 0.0;
+    }
+
+private:
+    Dome dome_;
+    Vec3 w_;
+};
+
+template <typename Take>
+void for_dome(const Part& part, const Face& face, const Dome& dome, const OnDome& on,
+              const Take& take) {
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            const DomePlace place = place_on(dome, at);
+            take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
+        });
+    });
+}
+
+Measure measure_dome(const Part& part, const Face& face, const Dome& dome, Vec3 apex) {
+    const OnDome on(dome, apex);
+    Measure sum;
+    for_dome(part, face, dome, on, [&](double length, double turned, const DomePlace& place) {
+        const OnDome::Sum b = on.below(place);
+        sum.length += length;
+        sum.area -= turned * b.area;
+        sum.volume -= turned * b.volume / 3.0;
+    });
+    if (face.surface.is_hollow) sum.area = -sum.area;
+    return sum;
 }
 
 Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Vec3 apex) {
@@ -244,6 +338,23 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
                                [&](double angle) { return round(0.0, f->radius, angle); });
         }));
     }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        const Axes axes(*f, face.frame);
+        const BelowExtrusion below{f->radius, axes.upright(f->centre - apex), axes.lean};
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            const Vec3 start =
+                f->centre - apex + (f->radius / p.away) * (p.x * axes.x + p.y * axes.y);
+            return (below.per_mm(p).volume * p.z) * (start + (0.5 * p.z) * f->along);
+        }));
+    }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form)) {
+        const OnDome on(*f, apex);
+        Vec3 sum;
+        for_dome(part, face, *f, on, [&](double, double turned, const DomePlace& place) {
+            sum = sum - turned * on.below(place).moment;
+        });
+        return quarter(sum);
+    }
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -308,6 +419,13 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
         return around(part, face, axes,
                       BelowSphere{f->radius, axes.turned(f->centre - apex), pole});
     }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        const Axes axes(*f, face.frame);
+        return around(part, face, axes,
+                      BelowExtrusion{f->radius, axes.upright(f->centre - apex), axes.lean});
+    }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form))
+        return measure_dome(part, face, *f, apex);
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

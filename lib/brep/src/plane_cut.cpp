@@ -153,6 +153,38 @@ void PlaneCut::cut(const Torus& f) {
         add({f.centre + (sign * f.major) * x_, (sign * f.minor) * x_, f.minor * axis_});
 }
 
+void PlaneCut::cut(const Extrusion& f) {
+    const double lean = dot(f.along, plane_.normal);
+    // Points of the circle and of its plane, moved along the line into this one.
+    const auto dropped = [&](Vec3 v) { return v - (dot(v, plane_.normal) / lean) * f.along; };
+    if (std::abs(lean) < kParallel) {
+        kind_ = Kind::Straight;
+        const Vec3 level = plane_.normal - dot(plane_.normal, f.axis) * f.axis;
+        const double length = norm(level), h = plane_.height(f.centre) / length;
+        if (std::abs(h) > f.radius) return;
+        const Vec3 out = (1.0 / length) * level, side = cross(f.axis, out);
+        const double half = std::sqrt(f.radius * f.radius - h * h);
+        for (const double sign : {1.0, -1.0})
+            add({f.centre - h * out + (sign * half) * side, f.along, {}});
+        return;
+    }
+    kind_ = Kind::Round;
+    const Vec3 centre = f.centre - (plane_.height(f.centre) / lean) * f.along;
+    const Vec3 start = across(f.axis);
+    const Vec3 u = dropped(f.radius * start), v = dropped(f.radius * cross(f.axis, start));
+    // The half axes of conjugate diameters.
+    const double difference = dot(u, u) - dot(v, v), both = 2.0 * dot(u, v);
+    const double length = std::sqrt(difference * difference + both * both);
+    double cosine = 1.0, sine = 0.0;
+    if (length > kParallel * dot(u, u)) {
+        cosine = std::sqrt(0.5 * (1.0 + difference / length));
+        sine = std::sqrt(0.5 * (1.0 - difference / length));
+        if (both < 0.0) sine = -sine;
+    }
+    const Vec3 x = cosine * u + sine * v, y = cosine * v - sine * u;
+    add({centre, x, dot(cross(x, y), plane_.normal) < 0.0 ? -y : y});
+}
+
 std::size_t PlaneCut::branch_of(Vec3 p) const {
     if (count_ < 2) return 0;
     if (kind_ == Kind::Spiric) return dot(p - origin_, x_) > 0.0 ? 0 : 1;

@@ -57,6 +57,8 @@ private:
     void cut(const Cone& f);
     void cut(const Sphere& f);
     void cut(const Torus& f);
+    void cut(const Extrusion& f);
+    void cut(const Dome&) {}
     void add(const CutBranch& branch);
 
     CutPlane plane_;

@@ -24,6 +24,7 @@
 #include "nesting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -37,7 +38,8 @@ namespace {
 
 using cda::dot;
 
-constexpr int kPatientRounds = 8, kLastPatience = 20, kMostRounds = 60;
+// So often with corners, with edges and with faces.
+constexpr int kPatientRounds = 8, kLastPatience = 16, kMostRounds = 100;
 constexpr double kNoWidth = 1e-3;  // mm
 
 class ShellRecogniser {
@@ -55,19 +57,24 @@ public:
                 groups_.gather();
             while (groups_.unify() || groups_.give_up_rings());
             chains_.trace();
-            // What is wrong with edges and faces is often due to corners that are.
-            const bool is_patient = round < kPatientRounds;
-            chains_.solve(is_patient);
+            // What is wrong with edges is often due to corners that are, and so with faces.
+            chains_.solve();
+            const Stage stage = failures_.empty()                ? kFaces
+                                : failures_.front().is_of_corner ? kCorners
+                                                                 : kEdges;
+            const int spent = spent_[stage]++;
             Part part;
-            if (failures_.empty() || !is_patient) part = build();
-            const Patience patience = is_patient              ? Patience::Much
-                                      : round < kLastPatience ? Patience::Little
+            if (stage == kFaces) part = build();
+            const Patience patience = spent < kPatientRounds  ? Patience::Much
+                                      : spent < kLastPatience ? Patience::Little
                                                               : Patience::None;
             if (groups_.relabel(failures_, patience)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
+            const std::vector<bool> is_as_it_was = unmoved(part);
             keep_apart(part);
-            if (!are_facets_sound(part)) return std::nullopt;
-            return part;
+            find_unsound_facets(part, is_as_it_was);
+            if (failures_.empty()) return part;
+            if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
         }
         return std::nullopt;
     }
@@ -95,7 +102,7 @@ private:
                     loop, [&](const EdgeUse& use) { return chains_.all()[use.edge].has_failed; });
             });
         };
-        std::vector<std::uint32_t> group_of_face;
+        group_of_face_.clear();
         std::vector<KnownFaces::Known*> known;  // of each face
         std::vector<bool> has_gone(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -111,15 +118,16 @@ private:
             name(face, g);
             face.is_facet = groups_.is_facet(g);
             auto& found = known_.look_at(part, face, groups_[g].facets.front());
-            has_gone[g] = is_wanted(g) &&
+            // Facets may be as thin as they are.
+            has_gone[g] = groups_[g].is_analytic &&
                           2.0 * std::abs(found.measure.area) < kNoWidth * found.measure.length;
             if (has_gone[g]) vanish(g);
             part.faces.push_back(std::move(face));
-            group_of_face.push_back(g);
+            group_of_face_.push_back(g);
             known.push_back(&found);
         }
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            const std::uint32_t g = group_of_face[f];
+            const std::uint32_t g = group_of_face_[f];
             // Before they have gone, they are folds of their neighbours.
             const bool is_beside_gone =
                 has_gone[g] || std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
@@ -140,6 +148,15 @@ private:
                 !KnownFaces::is_faulty(*known[f], part, f, tolerance, clear, miss))
                 continue;
             std::vector<std::uint32_t> around{g};
+            if (!known[f]->fault_at.empty()) {
+                for (const auto& [loop, place] : known[f]->fault_at) {
+                    const Chain& chain = chains_.all()[part.faces[f].loops[loop][place].edge];
+                    around.push_back(chain.left);
+                    around.push_back(chain.right);
+                }
+                failures_.push_back({std::move(around)});
+                continue;
+            }
             // A plane is right as a rule; what meets it is not.
             if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
                 for (const auto& [n, shared] : groups_.neighbours(g))
@@ -158,15 +175,35 @@ private:
                });
     }
 
+    // Faces all of whose corners are where the polyhedron has them.
+    std::vector<bool> unmoved(const Part& part) const {
+        std::vector<bool> result;
+        for (const Face& face : part.faces) {
+            result.push_back(
+                face.is_facet && std::ranges::all_of(face.loops, [&](const Loop& loop) {
+                    return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+                        const Chain& chain = chains_.all()[use.edge];
+                        const auto is_at = [&](std::uint32_t vertex, std::uint32_t corner) {
+                            return part.vertices[vertex] == mesh_.point(corner);
+                        };
+                        return is_at(part.edges[use.edge].from,
+                                     mesh_.edges()[chain.edges.front()].from) &&
+                               is_at(part.edges[use.edge].to, mesh_.to(chain.edges.back()));
+                    });
+                }));
+        }
+        return result;
+    }
+
     // Facets among facets, at last.
-    static bool are_facets_sound(const Part& part) {
+    void find_unsound_facets(const Part& part, const std::vector<bool>& is_as_it_was) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            if (is_as_it_was[f]) continue;
             constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
             if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
-                return false;
+                failures_.push_back({{group_of_face_[f]}});
         }
-        return true;
     }
 
     // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
@@ -210,6 +247,9 @@ private:
         return std::abs(analytic - polyhedral) <= slack;
     }
 
+    enum Stage { kCorners, kEdges, kFaces };
+    std::array<int, 3> spent_{};                // rounds with each
+    std::vector<std::uint32_t> group_of_face_;  // of the part that was built last
     FacetMesh mesh_;
     Groups groups_{mesh_};
     Failures failures_;  // of this round

@@ -220,7 +220,9 @@ private:
         const Form& form = face.surface.form;
         if (events.empty()) {
             if (std::holds_alternative<Plane>(form)) return true;
-            if (std::holds_alternative<Cylinder>(form) && (!is_below || !is_above)) return true;
+            const bool is_ruled =
+                std::holds_alternative<Cylinder>(form) || std::holds_alternative<Extrusion>(form);
+            if (is_ruled && (!is_below || !is_above)) return true;
         }
         const PlaneCut cut(form, lifted_);
         if (!cut.is_known()) return events.empty() && !may_be_cut(form);
@@ -243,6 +245,8 @@ private:
     bool may_be_cut(const Form& form) const {
         if (const auto* f = std::get_if<Torus>(&form))
             return std::abs(plane_.height(f->centre)) < f->major + f->minor;
+        if (const auto* f = std::get_if<Dome>(&form))
+            return std::abs(plane_.height(f->centre)) < f->reach + f->radius;
         return false;
     }
 
@@ -358,6 +362,7 @@ private:
         if (const auto* f = std::get_if<Cylinder>(&form)) return along_axis(f->origin, f->axis);
         if (const auto* f = std::get_if<Cone>(&form)) return along_axis(f->apex, f->axis);
         if (const auto* f = std::get_if<Torus>(&form)) return along_axis(f->centre, f->axis);
+        if (const auto* f = std::get_if<Extrusion>(&form)) return along_axis(f->centre, f->along);
         const auto* f = std::get_if<Sphere>(&form);
         if (!f) return std::nullopt;
         const Vec3 out = normalized(q - f->centre);

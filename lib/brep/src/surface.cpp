@@ -3,6 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,6 +36,64 @@ struct Opening {
     double cos, sin;
 };
 
+// The point of an ellipse about the origin, with half axes `a` >= `b` along X and Y, that is
+// nearest to (x, y). By Newton's method for the one parameter t for which (x a² / (t + a²), y b² /
+// (t + b²)) lies on it (Eberly, Distance from a Point to an Ellipse, 2013), from where it goes up
+// only.
+struct EllipseFoot {
+    double distance = 0.0;    // negative inside
+    double x = 0.0, y = 0.0;  // normal, unit, outwards
+};
+
+EllipseFoot foot_on_ellipse(double a, double b, double x, double y) {
+    const double u = std::abs(x), v = std::abs(y), a2 = a * a, b2 = b * b;
+    double px = 0.0, py = 0.0;
+    if (v * b2 <= 1e-30 * a2 * a && u * a <= a2 - b2) {
+        px = a2 * u / (a2 - b2);
+        py = b * std::sqrt(std::max(0.0, 1.0 - px * px / a2));
+    } else {
+        double t = std::max(a * u - a2, b * v - b2);
+        constexpr int kMostSteps = 100;
+        for (int step = 0; step < kMostSteps; ++step) {
+            const double p = a * u / (t + a2), q = b * v / (t + b2);
+            const double f = p * p + q * q - 1.0;
+            const double slope = -2.0 * (p * p / (t + a2) + q * q / (t + b2));
+            const double next = t - f / slope;
+            if (!(next > t)) break;
+            t = next;
+        }
+        px = a2 * u / (t + a2);
+        py = b2 * v / (t + b2);
+    }
+    const double nx = px / a2, ny = py / b2;
+    const double length = std::sqrt(nx * nx + ny * ny);
+    EllipseFoot foot{0.0, nx / length, ny / length};
+    foot.distance = (u - px) * foot.x + (v - py) * foot.y;
+    if (x < 0.0) foot.x = -foot.x;
+    if (y < 0.0) foot.y = -foot.y;
+    return foot;
+}
+
+// An elliptic cylinder seen along its rulings.
+struct AlongRulings {
+    explicit AlongRulings(const Extrusion& f)
+        : x(normalized(cross(f.axis, f.along))),
+          y(cross(f.along, x)),
+          a(f.radius),
+          b(f.radius * dot(f.axis, f.along)) {}
+    Vec3 x, y;
+    double a, b;
+    EllipseFoot foot(const Extrusion& f, Vec3 p) const {
+        const Vec3 v = p - f.centre;
+        return foot_on_ellipse(a, b, dot(v, x), dot(v, y));
+    }
+};
+
+// Out of its circle. Zero where the circle's way is level and goes along it.
+Vec3 normal_at(const Dome& f, const DomePlace& place) {
+    return normalized(place.cosine * place.out - dot(place.out, place.along) * f.axis);
+}
+
 struct Distance {
     Vec3 p;
     double operator()(const Plane& f) const { return dot(f.normal, p - f.origin); }
@@ -52,6 +111,12 @@ struct Distance {
         const double out = at.radius - f.major;
         return std::sqrt(out * out + at.height * at.height) - f.minor;
     }
+    double operator()(const Extrusion& f) const { return AlongRulings(f).foot(f, p).distance; }
+    double operator()(const Dome& f) const {
+        const DomePlace place = place_on(f, p);
+        const Vec3 off = p - point_at(f, place);
+        return dot(off, normal_at(f, place)) < 0.0 ? -norm(off) : norm(off);
+    }
 };
 
 struct Gradient {
@@ -68,6 +133,12 @@ struct Gradient {
         const Polar at = polar(f.centre, f.axis, p);
         return normalized((at.radius - f.major) * at.away + at.height * f.axis);
     }
+    Vec3 operator()(const Extrusion& f) const {
+        const AlongRulings seen(f);
+        const EllipseFoot foot = seen.foot(f, p);
+        return foot.x * seen.x + foot.y * seen.y;
+    }
+    Vec3 operator()(const Dome& f) const { return normal_at(f, place_on(f, p)); }
 };
 
 bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
@@ -102,6 +173,15 @@ struct Same {
         return near(a.centre, b.centre) && near(a.major, b.major) && near(a.minor, b.minor) &&
                !turned(a.axis, b.axis);
     }
+    bool operator()(const Extrusion& a, const Extrusion& b) const {
+        return near(a.radius, b.radius) && !turned(a.axis, b.axis) && !turned(a.along, b.along) &&
+               polar(a.centre, a.along, b.centre).radius <= tolerance;
+    }
+    bool operator()(const Dome& a, const Dome& b) const {
+        return near(a.radius, b.radius) && near(a.reach, b.reach) && near(a.centre, b.centre) &&
+               !turned(a.axis, b.axis) && !turned(a.ahead, b.ahead) && dot(a.axis, b.axis) > 0.0 &&
+               dot(a.ahead, b.ahead) > 0.0;
+    }
     template <typename A, typename B>
     bool operator()(const A&, const B&) const {
         return false;
@@ -131,7 +211,65 @@ double radius_of(const Form& form) {
     if (const auto* f = std::get_if<Cylinder>(&form)) return f->radius;
     if (const auto* f = std::get_if<Sphere>(&form)) return f->radius;
     if (const auto* f = std::get_if<Torus>(&form)) return f->major + f->minor;
+    if (const auto* f = std::get_if<Extrusion>(&form)) return f->radius / dot(f->axis, f->along);
+    if (const auto* f = std::get_if<Dome>(&form)) return f->reach + f->radius;
     return 0.0;
+}
+
+double DomePlace::degrees() const {
+    return trig::angle_of(cosine, sine);
+}
+
+DomePlace place_on(const Dome& dome, Vec3 p) {
+    const Vec3 v = p - dome.centre;
+    const auto turn = [&](DomePlace& place, double cosine, double sine) {
+        place.cosine = cosine;
+        place.sine = sine;
+        place.up = cosine * dome.ahead + sine * dome.axis;
+        place.along = cosine * dome.axis - sine * dome.ahead;
+    };
+    DomePlace place;
+    const double height = std::clamp(dot(v, dome.axis) / dome.reach, -1.0, 1.0);
+    turn(place, std::sqrt(1.0 - height * height), height);
+    const auto level = [&](Vec3 w) { return w - dot(w, dome.axis) * dome.axis; };
+    place.out = normalized(level(v - dome.reach * place.up));
+    if (place.out == Vec3{}) place.out = dome.ahead;
+    // Both angles at once, by least squares (Gauss and Newton).
+    constexpr int kMostSteps = 40;
+    constexpr double kLongest = 0.3, kRounding = 1e-15, kFlat = 1e-7;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const Vec3 off = v - dome.reach * place.up - dome.radius * place.out;
+        const Vec3 around = cross(dome.axis, place.out);
+        const double k = dot(around, place.along), det = 1.0 - k * k;
+        const double a = dot(around, off), b = dot(place.along, off);
+        double first = a, second = 0.0;
+        if (det > kFlat) {
+            first = (a - k * b) / det;
+            second = (b - k * a) / det;
+        }
+        first = std::clamp(first / dome.radius, -kLongest, kLongest);
+        second = std::clamp(second / dome.reach, -kLongest, kLongest);
+        place.out = normalized(place.out + first * around);
+        const double c = place.cosine - second * place.sine, s = place.sine + second * place.cosine;
+        const double length = std::sqrt(c * c + s * s);
+        turn(place, c / length, s / length);
+        if (std::abs(first) + std::abs(second) < kRounding) break;
+    }
+    return place;
+}
+
+Vec3 point_at(const Dome& dome, const DomePlace& place) {
+    return dome.centre + dome.reach * place.up + dome.radius * place.out;
+}
+
+Vec3 centre_at_height(const Dome& dome, Vec3 p) {
+    const double sine = std::clamp(dot(p - dome.centre, dome.axis) / dome.reach, -1.0, 1.0);
+    return dome.centre +
+           dome.reach * (std::sqrt(1.0 - sine * sine) * dome.ahead + sine * dome.axis);
+}
+
+double place_along(const Extrusion& extrusion, Vec3 p) {
+    return dot(p - extrusion.centre, extrusion.axis) / dot(extrusion.along, extrusion.axis);
 }
 
 double half_angle_rad(const Cone& cone) {

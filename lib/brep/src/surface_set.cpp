@@ -38,6 +38,13 @@ struct Key {
     double operator()(const Torus& f) const {
         return dot(f.centre, kAskew) + 0.7 * f.major + 0.3 * f.minor + along(f.axis);
     }
+    double operator()(const Extrusion& f) const {
+        return place(f.centre, f.along) + 0.7 * f.radius + along(f.along) + 0.5 * along(f.axis);
+    }
+    double operator()(const Dome& f) const {
+        return dot(f.centre, kAskew) + 0.7 * f.radius + 0.3 * f.reach + along(f.axis) +
+               dot(f.ahead, kAskew);
+    }
 };
 
 }  // namespace

@@ -123,6 +123,14 @@ public:
         }
     }
 
+    // The corner in which a piece starts, on a line askew.
+    void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        if (e.radius <= kEqual || std::abs(along) <= kEqual || norm(cross(axis, d)) <= kEqual)
+            return;
+        add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
+    }
+
     // About `centre`, at the height of the tip, at `reach` from it.
     void arc(const Element& e, Vec3 centre, Vec3 axis, double reach, bool is_level) {
         const Vec3 at = centre + e.height * axis;
@@ -140,6 +148,13 @@ public:
             cone(at, axis, reach + e.radius, slope);
             if (reach > e.radius) cone(at, axis, reach - e.radius, -slope, false);
         }
+    }
+
+    // The same on an arc about an axis across the tool's.
+    void rim_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+        if (e.radius <= kEqual || reach <= kEqual || std::abs(dot(about, axis)) > kEqual) return;
+        for (const double sign : {-1.0, 1.0})
+            add(Dome{centre + e.height * axis, axis, sign * cross(about, axis), reach, e.radius});
     }
 
     // About an axis across the tool's: of its sides, which it passes upright.
@@ -203,11 +218,20 @@ bool is_plain(const Position& p) {
     return true;
 }
 
+// How far apart, but for one coordinate.
+double norm_across(Vec3 p, Vec3 q, int left_out) {
+    Vec3 v = p - q;
+    v[left_out] = 0.0;
+    return norm(v);
+}
+
 // The circle of an arc, its centre where it starts.
 struct Way {
     Vec3 centre, about;
     double radius = 0.0;
     bool is_level = true;
+    Vec3 fitted;  // the centre so that both ends are as far from it
+    double fitted_radius = 0.0;
 };
 
 std::optional<Way> way_of(const gcode::Arc& arc) {
@@ -228,6 +252,17 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     };
     if (std::abs(radius(from) - radius(to)) > kMostSpiral) return std::nullopt;
     way.radius = 0.5 * (radius(from) + radius(to));
+    way.fitted = way.centre;
+    Vec3 chord = to - from;
+    chord[third] = 0.0;
+    // Along the chord: programs round both, and what is a micrometre higher where the way is level
+    // is far to the side.
+    if (const double square = dot(chord, chord); square > kEqual) {
+        const Vec3 middle = 0.5 * (from + to);
+        way.fitted = way.centre - (dot(way.centre - middle, chord) / square) * chord;
+    }
+    way.fitted_radius =
+        0.5 * (norm_across(from, way.fitted, third) + norm_across(to, way.fitted, third));
     way.is_level = std::abs(from[third] - to[third]) <= kEqual;
     return way;
 }
@@ -248,16 +283,22 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
     Sweeps sweeps(candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
-        for (const Element& e : elements_of(piece)) {
+        const std::vector<Element> elements = elements_of(piece);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const Element& e = elements[i];
+            const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
             sweeps.set_at_rest(false);
             if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
                 sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
             } else if (way && way->is_level) {
                 sweeps.arc_across(e, way->centre, axis, way->about, way->radius);
+                if (is_corner)
+                    sweeps.rim_across(e, way->fitted, axis, way->about, way->fitted_radius);
             } else if (!turns && std::holds_alternative<gcode::Linear>(motion.what) &&
                        start.translation != end.translation) {
-                sweeps.line(e, start.translation, axis,
-                            normalized(end.translation - start.translation));
+                const Vec3 d = normalized(end.translation - start.translation);
+                sweeps.line(e, start.translation, axis, d);
+                if (is_corner) sweeps.rim(e, start.translation, axis, d);
             }
             sweeps.set_at_rest(true);
             sweeps.rest(e, start.translation, axis);

@@ -8,6 +8,7 @@
 #include "ncsim/brep/apart.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/brep/patch.h"
 #include "ncsim/export/simplify.h"
 
 #include "palette.h"
@@ -271,15 +272,24 @@ private:
         std::vector<Entity> points;
         for (const Vec3& p : c.points)
             points.push_back(point(p));
-        std::string multiplicities, knots;
-        for (std::size_t i = 0; i < c.knots.size(); ++i) {
-            if (i > 0) multiplicities += ',', knots += ',';
-            multiplicities += i == 0 || i + 1 == c.knots.size() ? '4' : '2';
-            knots += real(c.knots[i]);
-        }
-        return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.,(" +
-                   multiplicities + "),(" + knots + "),.UNSPECIFIED.)");
+        const Knots knots(c);
+        return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.," +
+                   knots.multiplicities + "," + knots.places + ",.UNSPECIFIED.)");
     }
+
+    struct Knots {
+        explicit Knots(const brep::Spline& c) {
+            for (std::size_t i = 0; i < c.knots.size(); ++i) {
+                multiplicities += i == 0 ? '(' : ',';
+                places += i == 0 ? '(' : ',';
+                multiplicities += i == 0 || i + 1 == c.knots.size() ? '4' : '2';
+                places += real(c.knots[i]);
+            }
+            multiplicities += ')';
+            places += ')';
+        }
+        std::string multiplicities, places;
+    };
 
     Entity edge_loop(const brep::Loop& loop) {
         std::vector<Entity> oriented;
@@ -469,6 +479,27 @@ private:
     }
     Entity surface_of(const brep::Sphere& form, const brep::Face& face) {
         return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+    }
+    Entity surface_of(const brep::Extrusion& form, const brep::Face& face) {
+        const Entity circle =
+            add("CIRCLE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+        const Entity vector = add("VECTOR(''," + ref(direction(form.along)) + ",1.)");
+        return add("SURFACE_OF_LINEAR_EXTRUSION(''," + ref(circle) + "," + ref(vector) + ")");
+    }
+    // In files a spline: sums of points of a circle and of an arc.
+    Entity surface_of(const brep::Dome&, const brep::Face& face) {
+        const brep::Patch patch = brep::patch_of(part_, face);
+        std::string rows;
+        for (const Vec3& p : patch.around.points) {
+            std::vector<Entity> row;
+            for (const Vec3& q : patch.along.points)
+                row.push_back(point(p + q));
+            rows += (rows.empty() ? "(" : ",") + list(row);
+        }
+        const Knots around(patch.around), along(patch.along);
+        return add("B_SPLINE_SURFACE_WITH_KNOTS('',3,3," + rows + "),.UNSPECIFIED.,.F.,.F.,.F.," +
+                   around.multiplicities + "," + along.multiplicities + "," + around.places + "," +
+                   along.places + ",.UNSPECIFIED.)");
     }
     Entity surface_of(const brep::Torus& form, const brep::Face& face) {
         return add("TOROIDAL_SURFACE(''," + place_of(face.frame) + "," + real(form.major) + "," +

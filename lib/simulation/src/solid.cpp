@@ -86,6 +86,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     finer.keep_paths = finer.keep_carved = finer.block_volumes = finer.hull_times = false;
     for (int i = 0; i < most_refinements && is_coarse; ++i) {
         finer.tool_tolerance *= 0.25;
+        finer.tolerance *= 0.25;
         Verification nothing;
         nothing.keep_cuts = true;
         Simulation again = simulate(finer, survey, nothing, {});

@@ -16,6 +16,7 @@ namespace ncsim::brep {
 struct Fault {
     std::uint32_t face = 0;
     std::string what;
+    std::vector<std::uint32_t> edges{};  ///< Where, if that can be told: indices into Part::edges.
 };
 
 /// Nearer than this, readers take two points for one, mm.

@@ -40,7 +40,25 @@ struct Torus {
     bool operator==(const Torus&) const = default;
 };
 
-using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus>;
+/// What a circle passes that moves along a line askew to its plane: an elliptic cylinder.
+struct Extrusion {
+    Vec3 centre, axis;  ///< Of the circle in any of its places; unit, at right angles to its plane.
+    Vec3 along;         ///< Of the line: unit; to the side to which the axis points.
+    double radius = 0.0;
+    bool operator==(const Extrusion&) const = default;
+};
+
+/// What a circle passes that moves along an arc upright to it and does not turn: half of a Bohemian
+/// dome. The centre of the circle is at centre + reach (cos t ahead + sin t axis), t from -90 to 90
+/// degrees.
+struct Dome {
+    Vec3 centre, axis;  ///< Of the arc; unit, at right angles to the plane of the circle.
+    Vec3 ahead;         ///< Unit, at right angles to the axis: to the side on which the half is.
+    double reach = 0.0, radius = 0.0;
+    bool operator==(const Dome&) const = default;
+};
+
+using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome>;
 
 /// A form, and on which side of it the material is.
 struct Surface {
@@ -62,10 +80,28 @@ Vec3 outward(const Surface& surface, Vec3 p);
 bool is_same(const Surface& a, const Surface& b, double tolerance_mm);
 
 /// What forms are called, by their index.
-inline constexpr std::array<std::string_view, 5> kForms{"plane", "cylinder", "cone", "sphere",
-                                                        "torus"};
-/// The largest radius; 0 for planes, and for cones, which have any.
+inline constexpr std::array<std::string_view, 7> kForms{"plane", "cylinder",  "cone", "sphere",
+                                                        "torus", "extrusion", "dome"};
+/// The largest radius of curvature; 0 for planes, and for cones, which have any.
 double radius_of(const Form& form);
+
+/// Where along its line the circle of an extrusion passes `p`: how far from `centre`.
+double place_along(const Extrusion& extrusion, Vec3 p);
+
+/// A point of a dome: which one of which circle.
+struct DomePlace {
+    Vec3 out;                         ///< Unit, from the centre of the circle to the point.
+    Vec3 up;                          ///< Unit, from the centre of the arc to that of the circle.
+    Vec3 along;                       ///< Unit, the way of the arc there, to greater angles.
+    double cosine = 1.0, sine = 0.0;  ///< Of the angle t.
+    double degrees() const;
+};
+/// That of the point of `dome` nearest to `p`, as far as it can be found from the one at its
+/// height.
+DomePlace place_on(const Dome& dome, Vec3 p);
+Vec3 point_at(const Dome& dome, const DomePlace& place);
+/// Where the centre of its circle is at the height of `p`, or nearest to that.
+Vec3 centre_at_height(const Dome& dome, Vec3 p);
 
 /// Between the axis and the side.
 double half_angle_rad(const Cone& cone);

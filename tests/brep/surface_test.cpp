@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+namespace ncsim::brep {
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+class Draw {
+public:
+    double from(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random_);
+    }
+    Vec3 direction() { return normalized({from(-1, 1), from(-1, 1), from(-1, 1)}); }
+
+private:
+    std::mt19937_64 random_{7};
+};
+
+Extrusion random_extrusion(Draw& draw) {
+    Extrusion e{{draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)}, draw.direction(), {}, 0.0};
+    do
+        e.along = draw.direction();
+    while (std::abs(dot(e.axis, e.along)) < 0.02 || std::abs(dot(e.axis, e.along)) > 0.999);
+    if (dot(e.axis, e.along) < 0.0) e.along = -e.along;
+    e.radius = draw.from(0.5, 10.0);
+    return e;
+}
+
+// A point of the surface: on the circle, and on along the line.
+Vec3 point_of(const Extrusion& e, double angle, double far) {
+    const Vec3 x = across(e.axis), y = cross(e.axis, x);
+    return e.centre + (e.radius * std::cos(angle)) * x + (e.radius * std::sin(angle)) * y +
+           far * e.along;
+}
+
+TEST(Extrusion, IsAsFarAsTheNearestOfItsRulings) {
+    Draw draw;
+    for (int i = 0; i < 200; ++i) {
+        const Extrusion e = random_extrusion(draw);
+        const Vec3 p = e.centre + Vec3{draw.from(-15, 15), draw.from(-15, 15), draw.from(-15, 15)};
+        double nearest = std::numeric_limits<double>::infinity();
+        constexpr int kRulings = 20000;
+        for (int k = 0; k < kRulings; ++k) {
+            const Vec3 v = p - point_of(e, 2.0 * std::numbers::pi * k / kRulings, 0.0);
+            nearest = std::min(nearest, norm(v - dot(v, e.along) * e.along));
+        }
+        const Vec3 level = p - place_along(e, p) * e.along - e.centre;
+        const double sign = norm(level) < e.radius ? -1.0 : 1.0;
+        EXPECT_NEAR(distance(e, p), sign * nearest, 2e-3);
+        // One goes that far along the gradient.
+        const Vec3 foot = p - distance(e, p) * gradient(e, p);
+        EXPECT_NEAR(distance(e, foot), 0.0, 1e-9);
+    }
+}
+
+TEST(Extrusion, HasItsNormalsAndPlaces) {
+    Draw draw;
+    for (int i = 0; i < 1000; ++i) {
+        const Extrusion e = random_extrusion(draw);
+        const double angle = draw.from(0.0, 6.2), far = draw.from(-20, 20);
+        const Vec3 p = point_of(e, angle, far), n = gradient(e, p);
+        EXPECT_NEAR(distance(e, p), 0.0, 1e-11);
+        EXPECT_NEAR(place_along(e, p), far, 1e-9);
+        EXPECT_NEAR(norm(n), 1.0, 1e-12);
+        EXPECT_NEAR(dot(n, e.along), 0.0, 1e-12);
+        const Vec3 out = p - far * e.along - e.centre;
+        // Rulings are thousands of times nearer to each other where a flat one bends.
+        EXPECT_NEAR(dot(n, cross(e.axis, normalized(out))), 0.0, 1e-6);
+        EXPECT_GT(dot(n, out), 0.0);
+    }
+    const Extrusion flat{{1, 2, 3}, {0, 0, 1}, {0.6, 0, 0.8}, 5.0};
+    // In the middle, on the long axis and beyond it.
+    EXPECT_NEAR(distance(flat, flat.centre), -4.0, 1e-12);
+    EXPECT_NEAR(distance(flat, flat.centre + Vec3{0, 5, 0}), 0.0, 1e-12);
+    EXPECT_NEAR(distance(flat, flat.centre + Vec3{0, 7, 0}), 2.0, 1e-12);
+    EXPECT_NEAR(distance(flat, flat.centre + Vec3{0, 1.8, 0}), -3.2, 1e-12);
+}
+
+TEST(Extrusion, IsTheSameWhereverItsCircleIs) {
+    const Extrusion e{{1, 2, 3}, {0, 0, 1}, {0.6, 0, 0.8}, 5.0};
+    Extrusion moved = e;
+    moved.centre = e.centre + 7.0 * e.along;
+    EXPECT_TRUE(is_same({e, true}, {moved, true}, 1e-9));
+    EXPECT_FALSE(is_same({e, true}, {moved, false}, 1e-9));
+    moved.centre = e.centre + Vec3{0, 0, 1e-3};
+    EXPECT_FALSE(is_same({e, true}, {moved, true}, 5e-4));
+    EXPECT_TRUE(is_same({e, true}, {moved, true}, 1e-3));
+    moved = e;
+    moved.along = normalized({0.6, 0.01, 0.8});
+    EXPECT_FALSE(is_same({e, true}, {moved, true}, 1e-3));
+}
+
+Dome random_dome(Draw& draw) {
+    Dome dome;
+    dome.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
+    dome.axis = draw.direction();
+    const double turn = draw.from(0.0, 6.2);
+    const Vec3 x = across(dome.axis);
+    dome.ahead = std::cos(turn) * x + std::sin(turn) * cross(dome.axis, x);
+    dome.reach = draw.from(0.2, 9.0);
+    dome.radius = draw.from(0.5, 9.0);
+    return dome;
+}
+
+// Angles in radians: of the arc, and of the circle from `ahead`.
+Vec3 point_of(const Dome& d, double arc, double circle) {
+    return d.centre + (d.reach * std::cos(arc) + d.radius * std::cos(circle)) * d.ahead +
+           d.reach * std::sin(arc) * d.axis + d.radius * std::sin(circle) * cross(d.axis, d.ahead);
+}
+
+TEST(Dome, HasItsPlacesNormalsAndDistances) {
+    Draw draw;
+    for (int i = 0; i < 2000; ++i) {
+        const Dome dome = random_dome(draw);
+        const double arc = draw.from(-1.5, 1.5), circle = draw.from(0.0, 6.28);
+        const Vec3 p = point_of(dome, arc, circle);
+        // The side points of its ends have no normal, and near them it bends sharply.
+        if (std::abs(std::cos(circle)) + std::cos(arc) < 0.3) continue;
+        constexpr double kStep = 1e-6;
+        const Vec3 u = point_of(dome, arc, circle + kStep) - point_of(dome, arc, circle - kStep);
+        const Vec3 v = point_of(dome, arc + kStep, circle) - point_of(dome, arc - kStep, circle);
+        const Vec3 n = normalized(cross(u, v));
+        EXPECT_NEAR(distance(dome, p), 0.0, 1e-11);
+        EXPECT_NEAR(norm(gradient(dome, p) - n), 0.0, 1e-7);
+        EXPECT_NEAR(place_on(dome, p).degrees(), arc * 180.0 / std::numbers::pi, 1e-6);
+        // Nearer than it bends.
+        const double off = draw.from(-0.03, 0.03) * std::min(dome.reach, dome.radius);
+        EXPECT_NEAR(distance(dome, p + off * n), off, 1e-6);
+    }
+}
+
+TEST(Dome, IsTheSameOnOneSideOnly) {
+    const Dome dome{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 6.0, 5.0};
+    Dome other = dome;
+    other.centre.z += 1e-4;
+    EXPECT_TRUE(is_same({dome, true}, {other, true}, 1e-3));
+    EXPECT_FALSE(is_same({dome, true}, {other, true}, 1e-5));
+    other = dome;
+    other.ahead = -other.ahead;
+    EXPECT_FALSE(is_same({dome, true}, {other, true}, 1e-3));
+}
+
+}  // namespace
+}  // namespace ncsim::brep
