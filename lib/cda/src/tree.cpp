@@ -198,12 +198,12 @@ void TreeCda::split_into_blocks() {
         std::sort(walls.begin(), walls.end());
         walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
     }
-    const auto [tile, of] = parameters_.tile.value_or(TileNumber{});
+    const TileNumber number = parameters_.tile.value_or(TileNumber{});
     const std::vector<std::uint32_t> order = tile_order(axes, across);
     const auto at = [&](std::size_t i) {
-        return order.begin() + static_cast<std::ptrdiff_t>(order.size() * i / of);
+        return order.begin() + static_cast<std::ptrdiff_t>(order.size() * i / number.of);
     };
-    own_.assign(at(tile), at(tile + std::size_t{1}));
+    own_.assign(at(number.tile), at(number.tile + std::size_t{1}));
     std::sort(own_.begin(), own_.end());
 }
 
