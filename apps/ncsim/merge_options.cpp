@@ -20,7 +20,9 @@ CLI::App* add_merge(CLI::App& app, MergeOptions& o) {
                 [&o, name](const std::string& value) { o.of_run.emplace_back(name, value); }, what)
             ->type_name(type);
     };
-    of_run("gltf", "FILE", "Of tiles: mesh with the NC line of every face, glTF 2.0 binary");
+    of_run("gltf", "FILE",
+           "Of tiles: mesh with the NC line of every face, glTF 2.0 binary; DIR/: a mesh of each "
+           "tile, closed together, listed in DIR.json");
     of_run("stl", "FILE", "Of tiles: mesh, binary STL");
     of_run("3mf", "FILE", "Of tiles: mesh with a material for each tool, 3MF");
     of_run("ply", "FILE", "Of tiles: mesh with the NC line of every face, PLY");
@@ -29,6 +31,7 @@ CLI::App* add_merge(CLI::App& app, MergeOptions& o) {
     of_run("view", "VIEW", "Of the picture: iso, top, bottom, front, back, left, right");
     of_run("simplify", "TOL", "Of tiles: merge faces and edges in meshes within TOL mm");
     of_run("report", "FILE", "Of tiles: what happened, JSON");
+    of_run("threads", "N", "Of tiles: threads; the result is the same for any number");
     return merge;
 }
 

@@ -5,6 +5,7 @@
 #include "ncsim/report/tile_file.h"
 #include "ncsim/simulation/plan.h"
 
+#include "mesh_folder.h"
 #include "options.h"
 #include "run.h"
 #include "tile.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -39,31 +41,50 @@ int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
     if (!merge.json.empty() || !merge.sarif.empty() || !merge.junit.empty() ||
         !merge.write_baseline.empty() || merge.github || merge.notes || merge.exit_zero)
         throw std::runtime_error("tiles are of ncsim run, which writes no verdicts");
+    // What they are like now, without what fills them: that is read when it is needed.
     std::vector<report::TileFile> read;
-    for (const std::string& file : files)
+    for (const std::string& file : files) {
         read.push_back(read_tile(file));
-    read = report::in_order(std::move(read), files);
+        std::string().swap(read.back().tile);  // an assignment would keep its room
+    }
+    const std::vector<std::size_t> order = report::in_order(read, files);
 
     std::vector<std::string> words = read[0].head.words;
     // Whoever wrote the tiles may say what is read, but not what is written.
     const Options of_tiles = options_from(words);
     if (!outputs_of(of_tiles).empty() || !of_tiles.frames.empty() || !of_tiles.tile.empty())
         throw std::runtime_error(fmt::format("'{}': it names files to be written", files[0]));
-    for (const auto& [option, value] : merge.of_run)
-        words.insert(words.begin() + 1, "--" + option + "=" + value);
+    std::string mesh_folder;
+    for (const auto& [option, value] : merge.of_run) {
+        if (option == "gltf" && names_a_folder(value)) {
+            mesh_folder = value;
+        } else {
+            words.insert(words.begin() + 1, "--" + option + "=" + value);
+        }
+    }
     if (merge.quiet) words.insert(words.begin() + 1, "--quiet");
     Options options = options_from(words);
-    options.tile_files = read[0].head.files;
+    options.mesh_folder = mesh_folder;
+    return run_of_tiles(std::move(options), read, order, [&](std::size_t tile) {
+        const std::size_t file = order[tile];
+        report::TileFile again = read_tile(files[file]);
+        if (again.digest != read[file].digest)
+            throw std::runtime_error(fmt::format("'{}' was changed meanwhile", files[file]));
+        return std::move(again.tile);
+    });
+}
+
+int run_of_tiles(Options options, const std::vector<report::TileFile>& files,
+                 const std::vector<std::size_t>& order, const cda::Tiles::Read& read) {
+    options.tile_files = files[order[0]].head.files;
     auto cut = std::make_shared<simulation::CutTiles>();
-    std::vector<std::string> tiles;
-    for (report::TileFile& file : read) {
-        for (const auto& [motion, hulls] : file.met)
+    for (const std::size_t file : order) {
+        for (const auto& [motion, hulls] : files[file].met)
             cut->met.push_back({motion, hulls});
-        tiles.push_back(std::move(file.tile));
     }
     std::ranges::sort(cut->met, {}, &simulation::MetStock::motion);
     try {
-        cut->tiles = std::make_shared<const cda::Tiles>(std::move(tiles));
+        cut->tiles = std::make_shared<const cda::Tiles>(order.size(), read, options.threads);
     } catch (const std::invalid_argument& e) {
         throw std::runtime_error(e.what());
     }

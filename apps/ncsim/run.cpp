@@ -25,6 +25,7 @@
 
 #include "animation.h"
 #include "console.h"
+#include "mesh_folder.h"
 #include "moving_machine.h"
 #include "outcome.h"
 #include "output.h"
@@ -88,7 +89,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         if (moving) {
             exporter::write_gltf(out, *mesh, s.provenance, *moving);
         } else {
-            exporter::write_gltf(out, *mesh, s.provenance);
+            exporter::write_gltf(out, *mesh, s.provenance, outcome.plan.threads);
         }
     });
     outputs.write(o.vrml, [&](std::ostream& out) {
@@ -178,6 +179,7 @@ int run(Options options) {
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);
+    if (!o.mesh_folder.empty()) outputs.reserve(list_of_meshes(o.mesh_folder));
 
     simulation::Survey survey = simulation::survey(plan);
     if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
@@ -234,6 +236,8 @@ int run(Options options) {
                 text_of_lines(plan, survey, simulation->provenance, *simulation->boundary);
         }
         outcome.simulation = &*simulation;
+        if (!o.mesh_folder.empty())
+            write_mesh_folder(o.mesh_folder, plan, survey, *simulation, outputs);
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
         if (o.simplify && outcome.boundary) {
             simplified = exporter::simplify(*outcome.boundary, *o.simplify);

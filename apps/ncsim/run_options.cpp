@@ -281,10 +281,9 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "Of --model dexel: z (quicker; walls are off by up to half the resolution), xyz; else z "
            "where no tool turns, undercuts or has a flat end")
         ->type_name("WHAT");
-    run->add_option(
-           "--tile", o.tile,
-           "Only part I of N of the part, from 0 on, N up to 64, for ncsim merge; auto: as "
-           "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
+    run->add_option("--tile", o.tile,
+                    "Only part I of N of the part, from 0 on, for ncsim merge; auto: as "
+                    "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
         ->type_name("I/N");
     run->add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
     run->add_flag("--redo", o.redo, "Cut a tile again whose result is there");

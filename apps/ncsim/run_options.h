@@ -74,6 +74,7 @@ struct Options : ProgramOptions, SimulationOptions {
     /// All tiles, cut before, and the files they were made of; null: the part is cut now.
     std::shared_ptr<const simulation::CutTiles> tiles;
     report::FileDigests tile_files;
+    std::string mesh_folder;  ///< For a mesh of each of them.
 };
 
 /// Is the surface of the part needed as faces, for what was asked for?

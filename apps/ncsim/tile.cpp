@@ -58,6 +58,39 @@ bool is_done(const std::string& path, const report::TileHead& head, setup::Input
 
 }  // namespace
 
+std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet& inputs,
+                                         bool may_say) {
+    const ShardNumber& number = options.number;
+    setup::RecordedInput read(inputs);
+    simulation::Plan plan = plan_for(options, read);
+    if (!options.machine.empty())
+        (void)simulation::take_machine(plan, setup::read_machine(options.machine, read));
+    const simulation::Survey survey = simulation::survey(plan);
+    simulation::coarsen(plan, survey, options.tolerance_told, options.tool_tolerance_told);
+    if (!survey.is_ready()) {
+        if (!may_say) return std::nullopt;
+        print_findings(plan.job.program, survey.diagnostics);
+        say("ncsim: the program was not simulated\n");
+        return std::nullopt;
+    }
+    plan.tile = cda::TileNumber{number.shard, number.of};
+    plan.keep_boundary = plan.keep_paths = false;  // that is for who puts tiles together
+    Progress progress(survey.moves, may_say && !options.quiet && ::isatty(STDERR_FILENO) != 0);
+    const simulation::Simulation simulation =
+        simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });
+    if (!read.knows_all())
+        throw std::runtime_error("--tile: a subprogram was looked for in a whole folder");
+    report::TileFile file;
+    file.head = {options.words, read.files(), number.shard, number.of};
+    for (const simulation::MetStock& met : simulation.met)
+        file.met.emplace_back(met.motion, met.hulls);
+    std::ostringstream bytes;
+    simulation.part->write_tile(bytes);
+    file.tile = std::move(bytes).str();
+    progress.hide();
+    return file;
+}
+
 int run_tile(Options options) {
     setup::InputSet inputs;
     OutputSet outputs(inputs);
@@ -65,15 +98,14 @@ int run_tile(Options options) {
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
     const ShardNumber& number = options.number;
-    report::TileFile file;
-    file.head = {options.words, {}, number.shard, number.of};
+    const report::TileHead head{options.words, {}, number.shard, number.of};
     const std::string path =
         (fs::path(options.tile_out) / report::tile_file_name(number.shard, number.of)).string();
     const auto say_done = [&](const char* what) {
         put_text(fmt::format("tile {} of {} {}: {}\n", number.shard, number.of, what,
                              report::shown_path(path)));
     };
-    if (!options.redo && is_done(path, file.head, inputs)) {
+    if (!options.redo && is_done(path, head, inputs)) {
         say_done("was cut before");
         return kClean;
     }
@@ -85,33 +117,11 @@ int run_tile(Options options) {
     }
     outputs.reserve(path);
 
-    setup::RecordedInput read(inputs);
-    simulation::Plan plan = plan_for(options, read);
-    if (!options.machine.empty())
-        (void)simulation::take_machine(plan, setup::read_machine(options.machine, read));
-    const simulation::Survey survey = simulation::survey(plan);
-    simulation::coarsen(plan, survey, options.tolerance_told, options.tool_tolerance_told);
-    if (!survey.is_ready()) {
-        print_findings(plan.job.program, survey.diagnostics);
-        say("ncsim: the program was not simulated\n");
-        return kFindings;
-    }
-    plan.tile = cda::TileNumber{number.shard, number.of};
-    Progress progress(survey.moves, !options.quiet && ::isatty(STDERR_FILENO) != 0);
-    const simulation::Simulation simulation =
-        simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });
-    if (!read.knows_all())
-        throw std::runtime_error("--tile: a subprogram was looked for in a whole folder");
-    file.head.files = read.files();
-    for (const simulation::MetStock& met : simulation.met)
-        file.met.emplace_back(met.motion, met.hulls);
-    std::ostringstream bytes;
-    simulation.part->write_tile(bytes);
-    file.tile = std::move(bytes).str();
+    const std::optional<report::TileFile> file = cut_tile(options, inputs, true);
+    if (!file) return kFindings;
     outputs.write(path,
-                  [&](std::ostream& out) { out << report::bytes_of(file, setup::digest_of); });
+                  [&](std::ostream& out) { out << report::bytes_of(*file, setup::digest_of); });
     outputs.commit();
-    progress.hide();
     say_done("was cut");
     return kClean;
 }

@@ -105,6 +105,29 @@ TEST(Baseline, HidesNothingElse) {
     EXPECT_EQ(folder.check().exit_code, 0);
 }
 
+// Rapid moves in a row are one finding, of the block where they begin.
+TEST(Baseline, HidesNoneOfARow) {
+    const auto with = [](const std::string& moves) {
+        return replaced(kSlot, "G1 X30. F500.\n", "G1 X-15. F500.\n" + moves);
+    };
+    const std::string row = "G0 X15.\nG0 Y9.\nG0 X-15.\nG0 X0.\n";
+    const Known folder(with(row));
+    EXPECT_EQ(folder.check().exit_code, 0);
+    const auto rows = json::parse(folder.read("known.json"))["findings"];
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0]["count"], 3);
+    const std::vector<std::pair<std::string, std::string>> others{
+        {"G0 X-15.", "G0 X-14."},                      // another block, and less
+        {"G0 Y9.\nG0 X-15.\n", "G1 Y9.\nG0 X-15.\n"},  // fewer of them
+    };
+    folder.write("part.nc", with("(moved)\n" + row));
+    EXPECT_EQ(folder.check().exit_code, 0);
+    for (const auto& [from, to] : others) {
+        folder.write("part.nc", with(replaced(row, from, to)));
+        EXPECT_EQ(folder.check().exit_code, 1) << to;
+    }
+}
+
 TEST(Baseline, AcceptsNoneOfThoseThatNobodyCanTellApart) {
     const Known folder;
     folder.write("mill.toml", "[spindle]\nmax = 500\n");

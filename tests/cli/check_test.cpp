@@ -188,7 +188,8 @@ TEST(Check, ReadsFixturesAsMeshes) {
     folder.write("jaw.stl", "solid nothing\nendsolid\n");
     const Ran broken = folder.run({"check", "slot.nc", "--machine", "m.toml"});
     EXPECT_EQ(broken.exit_code, 2);
-    EXPECT_TRUE(contains(broken.err, "'jaw.stl': it is neither STL, OBJ, VRML97, binary glTF nor STEP"))
+    EXPECT_TRUE(
+        contains(broken.err, "'jaw.stl': it is neither STL, OBJ, VRML97, binary glTF nor STEP"))
         << broken.err;
 }
 

@@ -49,6 +49,25 @@ std::string read(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// Whoever reads STEP for a program that is killed ends with it.
+TEST(StepInput, NoReaderOutlivesItsParent) {
+    const Folder folder;
+    folder.write("air.nc", kAir);
+    folder.write("part.step", "ISO-10303-21;\nEND-ISO-10303-21;\n");
+    folder.write("ncsim-step",
+                 "#!/bin/sh\necho $$ > reader.tmp; mv reader.tmp reader\n"
+                 "exec sleep 100000\n");
+    // Would wait for ever.
+    const Ran ran = folder.shell(
+        "cp \"$0\" ncsim; chmod +x ncsim-step\n"
+        "./ncsim check air.nc --design part.step & pid=$!\n"
+        "while ! test -e reader && kill -0 $pid; do sleep 0.01; done; read -r reader < reader\n"
+        "kill -KILL $pid; wait $pid; echo code $?\n"
+        "while read -r id name state rest 2>&- < /proc/$reader/stat && test $state != Z; do "
+        "sleep 0.01; done");
+    EXPECT_EQ(ran.out, "code 137\n") << ran.err;
+}
+
 // Of the stock in a file, mm³.
 double volume_of(const std::string& path) {
     Folder folder;

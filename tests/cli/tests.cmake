@@ -19,12 +19,14 @@ if(TARGET ncsim)
       doubts_test.cpp
       draft_test.cpp
       files_test.cpp
+      full_disk_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp
       isolate_test.cpp
       machine_test.cpp
       measure_test.cpp
       moving_machine_test.cpp
+      mpi_test.cpp
       options_test.cpp
       output_test.cpp
       parse_test.cpp
@@ -37,6 +39,7 @@ if(TARGET ncsim)
       set_ups_test.cpp
       shards_test.cpp
       step_input_test.cpp
+      tile_meshes_test.cpp
       tiles_test.cpp
       tools_test.cpp
       verdicts_test.cpp
@@ -50,6 +53,11 @@ if(TARGET ncsim)
       ../support/written_mesh.cpp)
   target_compile_definitions(ncsim_cli_tests PRIVATE NCSIM_PROGRAM="$<TARGET_FILE:ncsim>")
   add_dependencies(ncsim_cli_tests ncsim ncsim_step ncsim_write_step_cases)
+  if(TARGET ncsim_mpi)
+    target_compile_definitions(ncsim_cli_tests PRIVATE
+      NCSIM_MPI_PROGRAM="$<TARGET_FILE:ncsim_mpi>")
+    add_dependencies(ncsim_cli_tests ncsim_mpi)
+  endif()
   target_compile_definitions(ncsim_cli_tests PRIVATE
     NCSIM_WRITE_STEP_CASES="$<TARGET_FILE:ncsim_write_step_cases>")
 endif()

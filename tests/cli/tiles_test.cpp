@@ -190,7 +190,7 @@ TEST(Tiles, TakeOptionsThatMakeSense) {
     for (const Words& wrong :
          {Words{"--tile", "0/2"}, Words{"--tile-out", "tiles"}, Words{"--redo"},
           Words{"--tile", "2/2", "--tile-out", "tiles"},
-          Words{"--tile", "0/65", "--tile-out", "tiles"},
+          Words{"--tile", "0/4097", "--tile-out", "tiles"},
           Words{"--tile", "auto", "--tile-out", "tiles"},
           Words{"--tile", "0/2", "--tile-out", "tiles", "--stl", "a.stl"},
           Words{"--tile", "0/2", "--tile-out", "tiles", "--model", "cda-flat"}})

@@ -46,7 +46,7 @@ Expectation read_expectation(const std::filesystem::path& path) {
     }
     in.clear();
     while (in >> word) {
-        if (word != "turned" && word != "moved") continue;
+        if (word != "turned" && word != "shifted") continue;
         Moved moved;
         moved.turns = word == "turned";
         in >> moved.interpolator >> moved.fraction >> moved.node >> moved.x >> moved.y >> moved.z;

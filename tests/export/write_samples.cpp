@@ -151,7 +151,7 @@ void write_machine(const std::filesystem::path& folder) {
     // At 2 of 4 seconds: half of the way from 0 to 300 degrees, and at the end of the slide's.
     expect("machine_vrml.expect", 6.0 * volume)
         << "\nturned JOINT_A 0.5 LINK_1_round_table 1 0 0 150"
-        << "\nmoved JOINT_X 0.25 LINK_0_slide 25 0 0\n";
+        << "\nshifted JOINT_X 0.25 LINK_0_slide 25 0 0\n";
     auto wrl = create(folder / "machine_vrml.wrl");
     write_vrml(wrl, part, provenance_of(grooved), scene);
 }

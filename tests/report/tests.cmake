@@ -2,5 +2,7 @@ find_package(nlohmann_json CONFIG REQUIRED)
 ncsim_add_test(report
   LIBRARIES ncsim::report nlohmann_json::nlohmann_json
   SOURCES
+    baseline_test.cpp
     plain_text_test.cpp
-    shard_test.cpp)
+    shard_test.cpp
+    tile_file_test.cpp)

@@ -174,7 +174,6 @@ bool Chains::solve_vertex(Vertex& v) const {
         forms.push_back(&mesh_.surface(n).form);
     const std::size_t count = forms.size();
     std::vector<Form> touching;
-    touching.reserve(count * count + 1);
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
             if (auto t = touch(*forms[i], *forms[j])) {
@@ -185,9 +184,18 @@ bool Chains::solve_vertex(Vertex& v) const {
         }
     }
     if (auto across = corner_of_dome(forms)) touching.push_back(*across);
+    for (Form& across : touches_in_level(forms))
+        touching.push_back(std::move(across));
     for (const Form& t : touching)
         forms.push_back(&t);
-    if (!at_apex(forms, v.at)) brep::solve(forms, v.at);
+    if (!at_apex(forms, v.at)) {
+        brep::solve(forms, v.at);
+        // Where curved ones touch, rounding is left over: not off the planes.
+        for (const std::uint32_t n : numbers) {
+            if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))
+                v.at = v.at - distance(*plane, v.at) * plane->normal;
+        }
+    }
     v.miss = farthest(numbers, v.at);
     const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
     if (!is_lost) return true;

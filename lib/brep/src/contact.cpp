@@ -439,6 +439,43 @@ std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
     return std::nullopt;
 }
 
+std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
+    struct LevelCircle {
+        Vec3 centre;
+        double radius;
+        bool moves;
+    };
+    std::vector<Form> planes;
+    for (const Form* form : forms) {
+        const auto* level = std::get_if<Plane>(form);
+        if (!level) continue;
+        std::vector<LevelCircle> circles;
+        for (const Form* other : forms) {
+            if (const auto* f = std::get_if<Dome>(other)) {
+                if (is_parallel(f->axis, level->normal))
+                    circles.push_back({centre_at_height(*f, level->origin), f->radius, true});
+            } else if (const auto moved = moved_circle(*other, level->normal)) {
+                if (!is_parallel(moved->axis, level->normal)) continue;
+                const double lean = dot(moved->along, level->normal);
+                circles.push_back(
+                    {moved->centre - (distance(*level, moved->centre) / lean) * moved->along,
+                     moved->radius, std::holds_alternative<Extrusion>(*other)});
+            }
+        }
+        for (std::size_t i = 0; i < circles.size(); ++i) {
+            for (std::size_t j = i + 1; j < circles.size(); ++j) {
+                const LevelCircle &a = circles[i], &b = circles[j];
+                const Vec3 apart = away(a.centre, level->normal, b.centre);
+                const double d = norm(apart);
+                if ((!a.moves && !b.moves) || d < kApart) continue;
+                if (near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius)))
+                    planes.push_back(Plane{a.centre, normalized(cross(level->normal, apart))});
+            }
+        }
+    }
+    return planes;
+}
+
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
     if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace ncsim::brep {
 
@@ -26,6 +27,10 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 /// Where a level plane and a wall both touch a dome among `forms`, and none of the three tells how
 /// far along the wall they do: the plane across it.
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);
+
+/// Where circles in which upright forms meet a level plane touch, one of them of an extrusion or a
+/// dome, the forms cross elsewhere: planes through both centres, across the circles there.
+std::vector<Form> touches_in_level(std::span<const Form* const> forms);
 
 /// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then
 /// the curve through `p`, which is on both; `q` is another point of it, and it passes by `near_to`.

@@ -66,11 +66,15 @@ private:
 // left is covered. Where a cover ends, a piece does: there are no more of them.
 class Canceller {
 public:
-    explicit Canceller(const Naming& names) : stops_(names) {}
+    explicit Canceller(const Naming& names) : names_(names), stops_(names) {}
 
     void operator()(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
+        // What is outside of all of this is nobody's edge.
+        if (std::ranges::all_of(here,
+                                [&](const Interval& i) { return names_.is_outside(i.owner); }))
+            return;
         if (here.size() == 2 && here[0].tail == here[1].tail && here[0].head == here[1].head) {
-            if (here[0].owner == here[1].owner) return;
+            if (here[0].owner == here[1].owner && !names_.is_outside(here[0].owner)) return;
             covers.insert(covers.end(), here.begin(), here.end());
             return;
         }
@@ -83,8 +87,10 @@ public:
             std::size_t end = begin + 1;
             while (end < here.size() && here[end].owner == here[begin].owner)
                 ++end;
-            if (end == begin + 1) {
-                covers.push_back(here[begin]);
+            // Others have cancelled theirs.
+            if (end == begin + 1 || names_.is_outside(here[begin].owner)) {
+                covers.insert(covers.end(), here.begin() + static_cast<std::ptrdiff_t>(begin),
+                              here.begin() + static_cast<std::ptrdiff_t>(end));
                 begin = end;
                 continue;
             }
@@ -112,6 +118,7 @@ public:
     }
 
 private:
+    const Naming& names_;
     Stops stops_;
     std::vector<std::uint32_t> breaks_;
     std::vector<const Interval*> active_;
@@ -153,6 +160,20 @@ private:
     Groups<std::uint32_t> ends_{0};     // at those, the owner of each cover that ends there
 };
 
+// Covers of a line, those that are one edge as one.
+void join_covers(const Naming& names, const Corners& corners, std::span<const Interval> covers,
+                 std::vector<Interval>& joined) {
+    joined.clear();
+    for (const Interval& c : covers) {
+        if (!joined.empty() && follows(joined.back(), c) && !names.is_outside(c.owner) &&
+            corners.is_passed(c.owner, c.tail)) {
+            joined.back().head = c.head;
+        } else {
+            joined.push_back(c);
+        }
+    }
+}
+
 // 4. All owners at a line are cut wherever one of them has a corner.
 class Breaker {
 public:
@@ -160,15 +181,7 @@ public:
         : names_(names), corners_(corners), stops_(names) {}
 
     void break_up(std::uint32_t line, std::span<Interval> here) {
-        joined_.clear();
-        for (const Interval& c : here) {
-            if (!joined_.empty() && follows(joined_.back(), c) &&
-                corners_.is_passed(c.owner, c.tail)) {
-                joined_.back().head = c.head;
-            } else {
-                joined_.push_back(c);
-            }
-        }
+        join_covers(names_, corners_, here, joined_);
         if (joined_.size() == 2 && joined_[0].tail == joined_[1].tail &&
             joined_[0].head == joined_[1].head && joined_[0].forward != joined_[1].forward) {
             const auto h = static_cast<std::uint32_t>(half_edges.size());
@@ -291,6 +304,22 @@ Chunks<HalfEdge> pair_half_edges(const Naming& names, Groups<Interval> pieces,
             }
         });
     return all;
+}
+
+std::vector<BorderEdge> find_border_edges(
+    const Naming& names, Groups<Interval> pieces,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& is_wanted) {
+    pieces.replace(Runs(names.lines(), kRun), 1, [&names] { return Canceller(names); });
+    const Corners corners(names, pieces);
+    std::vector<BorderEdge> edges;
+    std::vector<Interval> joined;
+    for (std::uint32_t line = 0; line < names.lines(); ++line) {
+        join_covers(names, corners, pieces.of(line), joined);
+        for (const Interval& i : joined) {
+            if (is_wanted(i.tail, i.head)) edges.push_back({line, i});
+        }
+    }
+    return edges;
 }
 
 }  // namespace ncsim::cda

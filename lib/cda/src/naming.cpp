@@ -30,6 +30,21 @@ Plane Naming::plane_of(PlaneRef ref) const {
 }
 
 void Naming::take(const Outlines& part) {
+    take(part, false);
+}
+
+void Naming::take_outside(const Outlines& part) {
+    has_outside_ = true;
+    take(part, true);
+}
+
+std::array<Plane, 3> Naming::planes_at(std::uint32_t p) const {
+    const PointKey& key = points_.keys()[p];
+    return {planes_.keys()[key.planes[0]], planes_.keys()[key.planes[1]],
+            planes_.keys()[key.planes[2]]};
+}
+
+void Naming::take(const Outlines& part, bool is_outside) {
     plane_keys_.clear();
     for (const Plane& plane : part.planes())
         plane_keys_.push_back(is_turned(plane) ? plane.opposite() : plane);
@@ -70,7 +85,7 @@ void Naming::take(const Outlines& part) {
             line_keys_.push_back({pair, line.hash()});
             line_directions_.push_back({line.d[0], line.d[1], line.d[2]});
         }
-        const Owner owner{plane, piece.origin};
+        const Owner owner{plane, is_outside ? kOutside : piece.origin};
         if (owner_keys_.empty() || owner != owner_keys_.back()) owner_keys_.push_back(owner);
         named.push_back({p, tail, head, static_cast<std::uint32_t>(owner_keys_.size() - 1)});
     }

@@ -34,6 +34,9 @@ struct Direction {
 inline constexpr std::uint32_t kMostOwners = (std::uint32_t{1} << 31) - 1;
 inline constexpr std::uint32_t kMostLines = (std::uint32_t{1} << 30) - 1;
 
+/// Of pieces that others see: they only tell where edges are cut.
+inline constexpr Origin kOutside{0xffffffffU};
+
 /// A piece of an outline on its line, tail before head along the line. Points and owners by number.
 struct Interval {
     std::uint32_t tail, head;
@@ -49,6 +52,8 @@ public:
 
     /// Numbers depend on the order of the parts. Expected O(pieces).
     void take(const Outlines& part);
+    /// The same of what others see: all its pieces are kOutside.
+    void take_outside(const Outlines& part);
     /// After the last part: all pieces by line. Owners are numbered in an order that depends on the
     /// geometry only. Throws std::length_error if there are too many of them, or of lines.
     Groups<Interval> finish();
@@ -59,6 +64,9 @@ public:
     /// In lattice units.
     Vec3 point(std::uint32_t p) const { return points_.keys()[p].fixed.approx(); }
     ExactPoint exact(std::uint32_t p) const { return exact(points_.keys()[p], planes_.keys()); }
+    const FixedPoint& fixed(std::uint32_t p) const { return points_.keys()[p].fixed; }
+    /// Three that meet there.
+    std::array<Plane, 3> planes_at(std::uint32_t p) const;
     /// By coordinates, exactly: two points may be nearer to each other than what they are rounded
     /// to, and whoever was first must not decide. Negative, 0 or positive.
     int compare(std::uint32_t a, std::uint32_t b) const;
@@ -73,6 +81,9 @@ public:
 
     /// An oriented plane together with an origin.
     const std::vector<std::pair<Plane, Origin>>& owners() const { return owners_; }
+    bool is_outside(std::size_t owner) const {
+        return has_outside_ && owners_[owner].second == kOutside;
+    }
 
 private:
     // Planes are numbered without their orientation: the first component that is not zero is
@@ -81,6 +92,7 @@ private:
         std::uint64_t operator()(const Plane& p) const { return PlaneHash{}(p); }
     };
     Plane plane_of(PlaneRef ref) const;
+    void take(const Outlines& part, bool is_outside);
 
     // Points are told apart by what they are rounded to, and where that is the same, exactly.
     struct PointKey {
@@ -145,6 +157,7 @@ private:
     Interner<Owner, HashOwner> owner_numbers_;
     std::vector<std::vector<Named>> named_;  // of each part
     std::vector<std::pair<Plane, Origin>> owners_;
+    bool has_outside_ = false;
 
     // Of one part, kept for their memory.
     std::vector<Plane> plane_keys_;

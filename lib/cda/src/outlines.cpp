@@ -41,6 +41,15 @@ FixedPoint FixedPoint::of(const ExactPoint& p) {
     return {{rounded_down(p.x), rounded_down(p.y), rounded_down(p.z)}};
 }
 
+std::optional<std::int64_t> FixedPoint::wall(const std::vector<std::int64_t>& walls,
+                                             std::size_t axis) const {
+    constexpr std::int64_t kHalfUnit = std::int64_t{1} << 23;
+    if (at[axis] % kHalfUnit != 0) return std::nullopt;
+    const std::int64_t half = at[axis] / kHalfUnit;
+    if (!std::ranges::binary_search(walls, half)) return std::nullopt;
+    return half;
+}
+
 std::uint32_t Outlines::point(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (a > b) std::swap(a, b);
     if (b > c) std::swap(b, c);
@@ -120,6 +129,38 @@ void Outlines::cancel(std::span<const std::uint32_t> pieces) {
         piece.head = moved[piece.head];
     }
     turn_page();
+}
+
+Outlines Outlines::at(const Walls& walls) const {
+    std::vector<bool> is_at(points_.size());
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (points_[p].fixed.wall(walls[axis], axis)) is_at[p] = true;
+        }
+    }
+    Outlines result;
+    std::vector<std::uint32_t> plane_of(planes_.size(), kNone), point_of(points_.size(), kNone);
+    const auto plane = [&](std::uint32_t number) {
+        if (plane_of[number] == kNone) plane_of[number] = result.add_plane(planes_[number]);
+        return plane_of[number];
+    };
+    const auto point = [&](std::uint32_t number) {
+        if (point_of[number] != kNone) return point_of[number];
+        Point moved = points_[number];
+        for (std::uint32_t& p : moved.planes)
+            p = plane(p);
+        std::ranges::sort(moved.planes);
+        point_of[number] = static_cast<std::uint32_t>(result.points_.size());
+        result.add_point(moved);
+        return point_of[number];
+    };
+    for (const Piece& piece : pieces_) {
+        if (!is_at[piece.tail] && !is_at[piece.head]) continue;
+        result.add({2 * plane(piece.plane / 2) | (piece.plane & 1), plane(piece.edge), piece.origin,
+                    point(piece.tail), point(piece.head)});
+    }
+    result.close();
+    return result;
 }
 
 void Outlines::close() {

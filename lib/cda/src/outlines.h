@@ -11,7 +11,9 @@
 #include "interner.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,12 +30,18 @@ struct FixedPoint {
 
     static constexpr double kScale = 16777216.0;
     static FixedPoint of(const ExactPoint& p);
+    /// In which of the walls across that axis it lies, to 2^-24 of a unit.
+    std::optional<std::int64_t> wall(const std::vector<std::int64_t>& walls,
+                                     std::size_t axis) const;
     /// In lattice units.
     Vec3 approx() const {
         return {static_cast<double>(at[0]) / kScale, static_cast<double>(at[1]) / kScale,
                 static_cast<double>(at[2]) / kScale};
     }
 };
+
+/// Planes at right angles to each axis, at odd numbers of half units, ascending.
+using Walls = std::array<std::vector<std::int64_t>, 3>;
 
 /// An oriented plane of a table: twice the index, plus one for the opposite orientation.
 using PlaneRef = std::uint32_t;
@@ -73,6 +81,8 @@ public:
     void cancel(std::span<const std::uint32_t> pieces);
     /// After the last point and piece: gives back memory that only adding needs.
     void close();
+    /// What there is of it at the walls: pieces with an end in one of them.
+    Outlines at(const Walls& walls) const;
 
     Plane plane(PlaneRef ref) const {
         return ref & 1 ? planes_[ref / 2].opposite() : planes_[ref / 2];

@@ -28,7 +28,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <unordered_map>
@@ -64,6 +66,61 @@ public:
     Impl(const Lattice& lattice, std::size_t threads) : lattice_(lattice), threads_(threads) {}
 
     void take(const Outlines& part) { names_.take(part); }
+    void take_outside(const Outlines& border) { names_.take_outside(border); }
+
+    Outlines finish_border(const Walls& walls) {
+        Groups<Interval> pieces = names_.finish();
+        const auto wall_of = [&](std::uint32_t tail, std::uint32_t head) -> std::optional<Plane> {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto wall = names_.fixed(tail).wall(walls[axis], axis);
+                if (!wall || names_.fixed(head).at[axis] != names_.fixed(tail).at[axis]) continue;
+                std::array<std::int32_t, 3> normal{};
+                normal[axis] = 2;
+                return Plane{normal[0], normal[1], normal[2], *wall};
+            }
+            return std::nullopt;
+        };
+        const std::vector<BorderEdge> edges = find_border_edges(
+            names_, std::move(pieces), [&](std::uint32_t tail, std::uint32_t head) {
+                return wall_of(tail, head).has_value();
+            });
+        Outlines border;
+        std::map<Plane, std::uint32_t> planes;
+        const auto plane = [&](const Plane& p) {
+            const auto [known, is_new] = planes.try_emplace(p, 0U);
+            if (is_new) known->second = border.add_plane(p);
+            return known->second;
+        };
+        std::unordered_map<std::uint32_t, std::uint32_t> points;
+        const auto point = [&](std::uint32_t p) {
+            const auto [known, is_new] =
+                points.try_emplace(p, static_cast<std::uint32_t>(border.points().size()));
+            if (is_new) {
+                const std::array<Plane, 3> at = names_.planes_at(p);
+                Outlines::Point made{names_.fixed(p), {plane(at[0]), plane(at[1]), plane(at[2])}};
+                std::ranges::sort(made.planes);
+                border.add_point(made);
+            }
+            return known->second;
+        };
+        for (const auto& [line, i] : edges) {
+            const auto& [face, origin] = names_.owners()[i.owner];
+            const std::uint32_t tail = point(i.tail), head = point(i.head);
+            border.add({2 * plane(face), plane(*wall_of(i.tail, i.head)), origin,
+                        i.forward ? tail : head, i.forward ? head : tail});
+        }
+        border.close();
+        return border;
+    }
+
+    // Is nothing beyond one of the edges?
+    bool has_gap() const {
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
+            if (!is_outside(h) && (half_edges_[h].partner == kNone || half_edges_[h].next == kNone))
+                return true;
+        }
+        return false;
+    }
 
     Boundary finish() {
         half_edges_ = pair_half_edges(names_, names_.finish(), threads_);
@@ -73,6 +130,12 @@ public:
     }
 
 private:
+    bool is_outside(std::uint32_t h) const { return names_.is_outside(half_edges_[h].owner); }
+    // Does the surface go on at this edge, and not outside?
+    bool is_inner(std::uint32_t h) const {
+        const std::uint32_t p = half_edges_[h].partner;
+        return p != kNone && !is_outside(h) && !is_outside(p);
+    }
     Direction direction_of(const HalfEdge& h) const {
         const Direction d = names_.direction(h.line);
         return h.forward ? d : -d;
@@ -82,11 +145,13 @@ private:
     // first met clockwise from the way back: the wedge between is the face's own.
     void trace() {
         by_owner_ = Groups<std::uint32_t>(names_.owners().size());
-        for (std::uint32_t h = 0; h < half_edges_.size(); ++h)
-            by_owner_.count(half_edges_[h].owner);
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
+            if (!is_outside(h)) by_owner_.count(half_edges_[h].owner);
+        }
         by_owner_.reserve();
-        for (std::uint32_t h = 0; h < half_edges_.size(); ++h)
-            by_owner_.add(half_edges_[h].owner, h);
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
+            if (!is_outside(h)) by_owner_.add(half_edges_[h].owner, h);
+        }
         const Runs runs(names_.owners().size(), kRun);
         in_parallel(threads_, runs.tasks(), [&](std::size_t task) {
             for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner)
@@ -202,7 +267,7 @@ private:
         DisjointSets corners(half_edges_.size());
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
             const std::uint32_t p = half_edges_[h].partner;
-            if (p != kNone && half_edges_[p].next != kNone) corners.unite(h, half_edges_[p].next);
+            if (is_inner(h) && half_edges_[p].next != kNone) corners.unite(h, half_edges_[p].next);
         }
         return corners;
     }
@@ -212,7 +277,7 @@ private:
     std::vector<bool> find_twins(DisjointSets& corners) const {
         std::vector<std::array<std::uint32_t, 3>> ends;  // tail, head, half-edge
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
-            if (!half_edges_[h].crowded || half_edges_[h].next == kNone) continue;
+            if (!half_edges_[h].crowded || half_edges_[h].next == kNone || !is_inner(h)) continue;
             ends.push_back({corners.find(h), corners.find(half_edges_[h].next), h});
         }
         std::sort(ends.begin(), ends.end());
@@ -230,7 +295,7 @@ private:
         std::size_t loops = 0;
         done_.assign(half_edges_.size(), false);
         for (std::uint32_t start = 0; start < half_edges_.size(); ++start) {
-            if (done_[start]) continue;
+            if (done_[start] || is_outside(start)) continue;
             ++loops;
             for (std::uint32_t h = start; h != kNone && !done_[h]; h = half_edges_[h].next)
                 done_[h] = true;
@@ -304,8 +369,7 @@ private:
     void number_shells(Boundary& boundary, const std::vector<std::uint32_t>& face_of) const {
         DisjointSets shells(boundary.faces.size());
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
-            const std::uint32_t p = half_edges_[h].partner;
-            if (p != kNone) shells.unite(face_of[h], face_of[p]);
+            if (is_inner(h)) shells.unite(face_of[h], face_of[half_edges_[h].partner]);
         }
         std::vector<std::uint32_t> number(boundary.faces.size(), kNone);
         for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
@@ -351,6 +415,20 @@ Stitcher::~Stitcher() = default;
 
 void Stitcher::take(const Outlines& part) {
     impl_->take(part);
+}
+
+void Stitcher::take_outside(const Outlines& border) {
+    impl_->take_outside(border);
+}
+
+Outlines Stitcher::finish_border(const Walls& walls) {
+    return impl_->finish_border(walls);
+}
+
+Boundary Stitcher::finish_open() {
+    Boundary boundary = impl_->finish();
+    if (impl_->has_gap()) throw std::logic_error("the surface of the part has a gap");
+    return boundary;
 }
 
 Boundary Stitcher::finish() {

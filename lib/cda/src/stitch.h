@@ -42,11 +42,20 @@ public:
 
     /// Expected O(pieces).
     void take(const Outlines& part);
+    /// Edges of what lies beyond, of its border with what was taken: where they end, edges that lie
+    /// upon them are cut.
+    void take_outside(const Outlines& border);
     /// After all parts. The result does not depend on the order of the pieces nor on how faces were
     /// cut into them. Expected O(n log n), most of it O(n); a hole is looked for in all outlines of
     /// its plane and origin. Throws std::logic_error if they are not the whole surface: a fault of
     /// the caller's.
     Boundary finish();
+    /// The same of what is a part of the surface of a solid; open where it goes on outside, and
+    /// cut there as that is. Throws std::logic_error where nothing is beyond.
+    Boundary finish_open();
+    /// Of the same: its edges between points in one of `walls`, for who has to do with what is
+    /// beyond.
+    Outlines finish_border(const Walls& walls);
 
 private:
     class Impl;

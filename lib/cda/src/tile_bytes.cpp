@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_bytes.h"
 
+#include "naming.h"
 #include "wide.h"
 
 #include <array>
@@ -146,7 +147,7 @@ Outlines TileBytes::outlines() {
         piece.tail = u32();
         piece.head = u32();
         if (piece.plane / 2 >= planes || piece.edge >= planes || piece.tail >= points ||
-            piece.head >= points || piece.tail == piece.head) {
+            piece.head >= points || piece.tail == piece.head || piece.origin == kOutside) {
             fail("an edge is of something that is not there");
         }
         const Plane face = outlines.plane(piece.plane & ~1U);
@@ -159,7 +160,10 @@ Outlines TileBytes::outlines() {
 
 std::string_view TileBytes::outlines_as_bytes() {
     const std::string_view before = bytes_;
-    (void)outlines();
+    for (const std::size_t bytes_each : {kPlaneBytes, kPointBytes, kPieceBytes}) {
+        const std::size_t items = count(bytes_each);
+        bytes_.remove_prefix(items * bytes_each);
+    }
     return before.substr(0, before.size() - bytes_.size());
 }
 

@@ -27,7 +27,7 @@ public:
     /// Planes within the bits of the kernel, points where their planes meet, references to what
     /// there is: whatever is done with them is defined. O(size).
     Outlines outlines();
-    /// The bytes of outlines, which are looked at as by outlines().
+    /// The bytes of outlines; nobody has looked at them.
     std::string_view outlines_as_bytes();
     bool is_at_end() const { return bytes_.empty(); }
 

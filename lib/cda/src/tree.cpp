@@ -27,9 +27,9 @@ namespace ncsim::cda {
 
 namespace {
 
-// The stock is halved this often: more blocks than threads, so that none waits for long; not so
-// many that most of their surface is seams.
-constexpr int kHalvings = 6;
+// So often along whichever axis is longest; then along the two longer ones of the stock, which make
+// columns: most parts are cut from above, and what is deep in the stock is nobody's work.
+constexpr int kAnyHalvings = 6;
 
 // Fewer cells than this are not worth waking a thread for.
 constexpr std::size_t kCellsWorthThreads = 16;
@@ -58,6 +58,41 @@ bool has_its_normals(const Cell& cell) {
         is_so &= n.x[i] == p.nx && n.y[i] == p.ny && n.z[i] == p.nz;
     }
     return is_so;
+}
+
+// The last of several.
+std::size_t shortest_axis(const HalfBox& box) {
+    std::size_t axis = 2;
+    for (const std::size_t i : {1U, 0U}) {
+        if (box.extent(i) < box.extent(axis)) axis = i;
+    }
+    return axis;
+}
+
+std::size_t longer_axis(const HalfBox& box, std::size_t across) {
+    const std::size_t one = (across + 1) % 3, other = (across + 2) % 3;
+    return box.extent(other) > box.extent(one) ? other : one;
+}
+
+// Blocks in the order in which tiles take them, where block b is the half b >> (n - 1 - i) & 1 of
+// halving i: those above each other follow each other, so that runs of them are columns.
+std::vector<std::uint32_t> tile_order(const std::vector<std::size_t>& axes, std::size_t across) {
+    const std::size_t n = axes.size();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;
+    for (std::uint32_t block = 0; block < 1U << n; ++block) {
+        std::uint32_t key = 0;
+        for (const bool is_across : {false, true}) {
+            for (std::size_t i = 0; i < n; ++i) {
+                if ((axes[i] == across) == is_across) key = key << 1 | (block >> (n - 1 - i) & 1U);
+            }
+        }
+        keys.emplace_back(key, block);
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> order;
+    for (const auto& [key, block] : keys)
+        order.push_back(block);
+    return order;
 }
 
 }  // namespace
@@ -117,8 +152,8 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       stock_planes_(other.stock_planes_),
       stock_volume_(other.stock_volume_),
       cells_(std::make_unique<CellTable>(*other.cells_)),
-      first_own_(other.first_own_),
       own_(other.own_),
+      walls_(other.walls_),
       blocks_(other.blocks_),
       waiting_(other.waiting_),
       account_(other.account_),
@@ -139,9 +174,13 @@ void TreeCda::split_into_blocks() {
         root.max[i] = 2 * static_cast<std::int64_t>(std::ceil(stock_box_.max[axis])) + 1;
     }
     std::vector<HalfBox> boxes{root};
-    for (int i = 0; i < kHalvings; ++i) {
-        const std::size_t axis = boxes[0].longest_axis();
+    std::vector<std::size_t> axes;  // each halved in turn
+    const std::size_t across = shortest_axis(root);
+    for (int i = 0; i < parameters_.halvings; ++i) {
+        const std::size_t axis =
+            i < kAnyHalvings ? boxes[0].longest_axis() : longer_axis(boxes[0], across);
         if (boxes[0].extent(axis) < 8) break;
+        axes.push_back(axis);
         std::vector<HalfBox> halves;
         for (const HalfBox& box : boxes) {
             halves.push_back(box.half(axis, false));
@@ -151,13 +190,21 @@ void TreeCda::split_into_blocks() {
     }
     for (const HalfBox& box : boxes)
         blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
-    const auto [tile, of] = parameters_.tile.value_or(TileNumber{});
-    first_own_ = blocks_.size() * tile / of;
-    own_ = blocks_.size() * (tile + 1) / of - first_own_;
-}
-
-std::span<TreeCda::Block> TreeCda::own_blocks() const {
-    return std::span(blocks_).subspan(first_own_, own_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const HalfBox& box : boxes) {
+            if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
+        }
+        std::vector<std::int64_t>& walls = walls_[axis];
+        std::sort(walls.begin(), walls.end());
+        walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+    }
+    const TileNumber number = parameters_.tile.value_or(TileNumber{});
+    const std::vector<std::uint32_t> order = tile_order(axes, across);
+    const auto at = [&](std::size_t i) {
+        return order.begin() + static_cast<std::ptrdiff_t>(order.size() * i / number.of);
+    };
+    own_.assign(at(number.tile), at(number.tile + std::size_t{1}));
+    std::sort(own_.begin(), own_.end());
 }
 
 std::unique_ptr<WorkpieceModel> TreeCda::create(const Cell& stock, const Lattice& lattice) const {
@@ -185,8 +232,8 @@ void TreeCda::subtract_step(std::span<const Cell> cells) {
 std::optional<Box> TreeCda::wanted() const {
     if (!parameters_.tile) return std::nullopt;
     Box place;
-    for (const Block& block : own_blocks()) {
-        const HalfBox box = block.tree->box();
+    for (const std::uint32_t number : own_) {
+        const HalfBox box = blocks_[number].tree->box();
         for (const auto& corner : {box.min, box.max}) {
             place.add(lattice_.to_mm(Vec3{0.5 * static_cast<double>(corner[0]),
                                           0.5 * static_cast<double>(corner[1]),
@@ -224,7 +271,8 @@ bool TreeCda::take_in(const Cell& cell) {
         counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
-    for (Block& block : own_blocks()) {
+    for (const std::uint32_t number : own_) {
+        Block& block = blocks_[number];
         if (block.tree->meets(here)) block.waiting.push_back(taken);
     }
     return true;
@@ -437,9 +485,8 @@ double TreeCda::volume() const {
     const Asked asked(asking_.mutex);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
-    const std::span<Block> own = own_blocks();
-    in_parallel(parameters_.threads, own.size(), [&](std::size_t i) {
-        const Block& block = own[i];
+    in_parallel(parameters_.threads, own_.size(), [&](std::size_t i) {
+        const Block& block = blocks_[own_[i]];
         if (block.volume) return;
         Evaluation result = evaluate(*block.tree, input);
         block.volume = result.volume;
@@ -447,12 +494,12 @@ double TreeCda::volume() const {
             block.outlines = std::make_shared<const Outlines>(std::move(result.outlines));
     });
     double sum = 0.0;
-    for (const Block& block : own)
-        sum += *block.volume;
+    for (const std::uint32_t number : own_)
+        sum += *blocks_[number].volume;
     if (parameters_.tile) {
         std::vector<double>& volumes = volumes_asked_.emplace_back();
-        for (const Block& block : own)
-            volumes.push_back(*block.volume);
+        for (const std::uint32_t number : own_)
+            volumes.push_back(*blocks_[number].volume);
     }
     return sum * lattice_.cubic_unit_mm3();
 }
@@ -478,29 +525,36 @@ Boundary TreeCda::boundary() const {
     return stitcher.finish();
 }
 
-// Tile, of how many; blocks of the part, the first one and the one after the last; how often
-// volumes were asked for, and what they were; outlines block by block.
+// Tile, of how many; blocks of the part, how many of them are its own, how often volumes were asked
+// for; which blocks, and what their volumes were each time; outlines block by block; edges at the
+// walls.
 void TreeCda::write_tile(std::ostream& out) const {
     if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
     const Asked asked(asking_.mutex);
     settle_all();
     for (const std::size_t n :
          {std::size_t{parameters_.tile->tile}, std::size_t{parameters_.tile->of}, blocks_.size(),
-          first_own_, first_own_ + own_, volumes_asked_.size()})
+          own_.size(), volumes_asked_.size()})
         put_u32(out, static_cast<std::uint32_t>(n));
+    for (const std::uint32_t number : own_)
+        put_u32(out, number);
     for (const std::vector<double>& volumes : volumes_asked_) {
         for (const double volume : volumes)
             put_double(out, volume);
     }
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
-    const std::span<Block> own = own_blocks();
-    for (const Block& block : own) {
-        if (block.outlines) {
-            put_outlines(out, *block.outlines);
-        } else {
-            put_outlines(out, evaluate(*block.tree, input).outlines);
+    Stitcher stitcher(lattice_, parameters_.threads);
+    for (const std::uint32_t number : own_) {
+        Block& block = blocks_[number];
+        if (!block.outlines) {
+            block.outlines =
+                std::make_shared<const Outlines>(evaluate(*block.tree, input).outlines);
         }
+        put_outlines(out, *block.outlines);
+        stitcher.take(block.outlines->at(walls_));
+        block.outlines.reset();
     }
+    put_outlines(out, stitcher.finish_border(walls_));
 }
 
 TreeCounts TreeCda::counts() const {

@@ -106,12 +106,11 @@ private:
 };
 
 // Steps 1 and 2. Primitives without triangles are left out.
-std::vector<Primitive> primitives(const cda::Boundary& boundary, const Provenance& provenance,
-                                  const Palette& palette, cda::Vec3 centre) {
+std::vector<Primitive> primitives(const cda::Boundary& boundary, const FloatMesh& mesh,
+                                  const Provenance& provenance, const Palette& palette) {
     std::vector<Primitive> all(palette.makers().size());
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].maker = palette.makers()[i];
-    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
     const SmoothNormals normals(boundary, provenance, palette);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
@@ -200,6 +199,25 @@ void check_size(const std::vector<Primitive>& primitives) {
     }
 }
 
+// Each corner as it is rounded, wherever the others are: others do the same. What is nothing then
+// is left out.
+FloatMesh rounded_alone(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
+    FloatMesh result;
+    result.points.reserve(mesh.vertices.size());
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+        result.points.push_back(to_floats(mesh.vertices[v] - centre));
+        result.vertex.push_back(v);
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const auto& p = result.points;
+        if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) continue;
+        result.triangles.push_back(mesh.triangles[t]);
+        result.face.push_back(mesh.face[t]);
+    }
+    return result;
+}
+
 }  // namespace
 
 cda::Vec3 whole_centre(const cda::Boundary& boundary) {
@@ -235,9 +253,9 @@ tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& proven
 }
 
 std::optional<int> add_part(tinygltf::Model& model, const cda::Boundary& boundary,
-                            const Provenance& provenance, cda::Vec3 centre) {
+                            const FloatMesh& mesh, const Provenance& provenance) {
     const Palette palette(provenance);
-    const std::vector<Primitive> parts = primitives(boundary, provenance, palette, centre);
+    const std::vector<Primitive> parts = primitives(boundary, mesh, provenance, palette);
     check_size(parts);
     if (parts.empty()) return std::nullopt;
     model.meshes.push_back(mesh_of(parts, palette, model));
@@ -252,14 +270,37 @@ void write_model(std::ostream& out, tinygltf::Model& model) {
     }
 }
 
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance) {
-    const cda::Vec3 centre = whole_centre(boundary);
+namespace {
+
+void write_mesh(std::ostream& out, const cda::Boundary& boundary, const FloatMesh& mesh,
+                const Provenance& provenance, cda::Vec3 centre) {
     tinygltf::Model model = model_of(boundary, provenance);
-    if (add_part(model, boundary, provenance, centre)) {
+    if (add_part(model, boundary, mesh, provenance)) {
         model.nodes.push_back(node_of(centre));
         model.scenes.front().nodes = {0};
     }
     write_model(out, model);
+}
+
+}  // namespace
+
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                std::size_t threads) {
+    const cda::Vec3 centre = whole_centre(boundary);
+    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre);
+    write_mesh(out, boundary, mesh, provenance, centre);
+}
+
+std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
+                                        const Provenance& provenance, cda::Vec3 centre) {
+    const FloatMesh mesh = rounded_alone(cda::triangulate(piece), centre);
+    write_mesh(out, piece, mesh, provenance, centre);
+    Seams seams;
+    for (const auto& corners : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i)
+            seams.add({mesh.points[corners[i]], mesh.points[corners[(i + 1) % 3]]});
+    }
+    return seams.edges();
 }
 
 }  // namespace ncsim::exporter

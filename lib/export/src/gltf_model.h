@@ -118,10 +118,11 @@ private:
 
 /// A model that says who made it, of which program, and what the lines say that left a face.
 tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance);
-/// The part about `centre` (mm), a primitive for each tool: the number of its mesh; none if nothing
-/// is left of it. Throws std::runtime_error if it is too large.
+/// The part, of which `mesh` is what is left of its triangles in floats, a primitive for each tool:
+/// the number of its mesh; none if nothing is left of it. Throws std::runtime_error if it is too
+/// large.
 std::optional<int> add_part(tinygltf::Model& model, const cda::Boundary& boundary,
-                            const Provenance& provenance, cda::Vec3 centre);
+                            const FloatMesh& mesh, const Provenance& provenance);
 /// Whole millimetres near the middle of the part: positions given with few decimals keep them.
 cda::Vec3 whole_centre(const cda::Boundary& boundary);
 /// A colour without gloss. sRGB.

@@ -2,6 +2,7 @@
 //
 // A machine as glTF: node 0 turns millimetres into metres, node i + 1 is node i of the scene, and
 // the part comes last.
+#include "ncsim/cda/mesh.h"
 #include "ncsim/export/gltf.h"
 #include "ncsim/trig/angles.h"
 
@@ -236,7 +237,8 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
                 const MovingScene& scene) {
     const Vec3 centre = whole_centre(boundary);
     tinygltf::Model model = model_of(boundary, provenance);
-    const std::optional<int> part = add_part(model, boundary, provenance, centre);
+    const std::optional<int> part =
+        add_part(model, boundary, round_to_floats(cda::triangulate(boundary), centre), provenance);
     SceneModel machine(scene, model);
     machine.add_nodes();
     if (part) machine.add_part_node(*part, centre);

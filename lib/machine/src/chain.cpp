@@ -4,7 +4,6 @@
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace ncsim::machine {
 
@@ -110,7 +109,9 @@ Pose Chain::pose(const Values& values) const {
     Pose X_WT;
     int count = 0;
     bool is_least = true;
-    for (const Joint& joint : std::views::reverse(joints)) {
+    // Not by a view: clang 14 does not know those of this library.
+    for (auto next = joints.rbegin(); next != joints.rend(); ++next) {
+        const Joint& joint = *next;
         const std::size_t i = *index_of(joint.letter);
         double value = values[i];
         if (!joint.turns) {

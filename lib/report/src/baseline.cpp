@@ -72,7 +72,9 @@ KnownFinding known_of(const Checked& checked, const Finding& f, const std::strin
     known.count = f.count;
     known.goes_on = f.goes_on;
     known.quantity = f.quantity;
-    known.box = f.box;
+    if (f.row != 0) known.row = fmt::format("{:016x}", f.row);
+    // Of links of the machine the box is that of the whole path.
+    if (!f.point || !f.rule.starts_with("machine-")) known.box = f.box;
     if (f.point) known.box.add(*f.point);
     known.why = as_kept(f.accepted.value_or(""));
     return known;
@@ -86,6 +88,7 @@ Json to_json(const std::string& program, const KnownFinding& known) {
     if (!known.file.empty()) json["file"] = known.file;
     if (known.tool != 0) json["tool"] = known.tool;
     if (known.goes_on) json["goes_on"] = true;
+    if (!known.row.empty()) json["row"] = known.row;
     if (known.quantity) {
         json["quantity"] = {{"name", known.quantity->name},
                             {"value", tidy(known.quantity->value)},
@@ -118,17 +121,19 @@ KnownFinding known_from(const Json& json) {
         } else if (key == "file") {
             value.get_to(known.file);
         } else if (key == "line") {
-            value.get_to(known.line);
+            known.line = whole_number<std::uint32_t>(value);
         } else if (key == "block") {
             value.get_to(known.block);
         } else if (key == "tool") {
-            value.get_to(known.tool);
+            known.tool = whole_number<int>(value);
         } else if (key == "certain") {
             value.get_to(known.certain);
         } else if (key == "count") {
-            value.get_to(known.count);
+            known.count = whole_number<std::uint64_t>(value);
         } else if (key == "goes_on") {
             value.get_to(known.goes_on);
+        } else if (key == "row") {
+            value.get_to(known.row);
         } else if (key == "quantity") {
             known.quantity = verify::Quantity{value.at("name").get<std::string>(),
                                               value.at("value").get<double>(),
@@ -168,6 +173,7 @@ bool is_no_worse(const verify::Quantity& now, const verify::Quantity& known) {
     const double room = kSameNumber * std::max(1.0, std::abs(known.value));
     // Too slow is as wrong as too fast.
     if (now.unit == "rpm") return std::abs(now.value - known.value) <= room;
+    if (verify::less_is_worse(now)) return now.value >= known.value - room;
     return now.value <= known.value + room;
 }
 
@@ -175,7 +181,7 @@ bool is_no_worse(const verify::Quantity& now, const verify::Quantity& known) {
 bool is_covered(const KnownFinding& now, const KnownFinding& known) {
     if (now.quantity.has_value() != known.quantity.has_value()) return false;
     if (now.quantity && !is_no_worse(*now.quantity, *known.quantity)) return false;
-    return now.count <= known.count && (!now.goes_on || known.goes_on) &&
+    return now.row == known.row && now.count <= known.count && (!now.goes_on || known.goes_on) &&
            is_within(now.box, known.box);
 }
 
@@ -246,7 +252,7 @@ Baseline::Baseline(std::string file, const std::string& text) : file_(std::move(
         const Json json = Json::parse(text);
         if (!json.is_object() || !json.contains("ncsim-baseline"))
             throw std::runtime_error("it is no baseline of ncsim check");
-        if (json.at("ncsim-baseline").get<int>() != kBaselineFormat)
+        if (whole_number<int>(json.at("ncsim-baseline")) != kBaselineFormat)
             throw std::runtime_error("it was written by another version of ncsim");
         for (const Json& finding : json.at("findings")) {
             ++number;

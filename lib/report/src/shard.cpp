@@ -37,13 +37,14 @@ std::optional<Head> head_from(const std::string& line) {
     const Json json = Json::parse(line, nullptr, false);
     if (!json.is_object() || !json.contains("ncsim-shard")) return std::nullopt;
     try {
-        if (json.at("ncsim-shard").get<int>() != kFormat ||
-            json.at("programs").get<std::uint64_t>() > kMostPrograms)
+        if (whole_number<int>(json.at("ncsim-shard")) != kFormat ||
+            whole_number<std::uint64_t>(json.at("programs")) > kMostPrograms)
             return std::nullopt;
         return Head{json.at("version").get<std::string>(),
                     {json.at("list").get<std::string>(), json.at("options").get<std::string>(),
-                     json.at("shard").get<std::uint32_t>(), json.at("of").get<std::uint32_t>(),
-                     json.at("programs").get<std::uint64_t>()}};
+                     whole_number<std::uint32_t>(json.at("shard")),
+                     whole_number<std::uint32_t>(json.at("of")),
+                     whole_number<std::uint64_t>(json.at("programs"))}};
     } catch (const Json::exception&) {
         return std::nullopt;
     }

@@ -19,7 +19,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr int kTileFormat = 1;
+constexpr int kTileFormat = 2;
 constexpr std::uint32_t kMost = 1'000'000;
 
 [[noreturn]] void refuse_tile(const std::string& file, const std::string& why) {
@@ -47,7 +47,7 @@ std::string text_from(const Json& json) {
     if (json.is_string()) return json.get<std::string>();
     std::string text;
     for (const Json& byte : json)
-        text += static_cast<char>(byte.get<std::uint8_t>());
+        text += static_cast<char>(whole_number<std::uint8_t>(byte));
     return text;
 }
 
@@ -74,8 +74,8 @@ TileHead head_from(const Json& json) {
         auto& digest = head.files[text_from(file.at(0))];
         if (!file.at(1).is_null()) digest = file.at(1).get<std::string>();
     }
-    head.tile = json.at("tile").get<std::uint32_t>();
-    head.of = json.at("of").get<std::uint32_t>();
+    head.tile = whole_number<std::uint32_t>(json.at("tile"));
+    head.of = whole_number<std::uint32_t>(json.at("of"));
     return head;
 }
 
@@ -99,7 +99,7 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     TileFile file;
     try {
         const Json json = Json::parse(std::string_view(bytes).substr(0, line));
-        if (!json.is_object() || json.at("ncsim-tile").get<int>() != kTileFormat)
+        if (!json.is_object() || whole_number<int>(json.at("ncsim-tile")) != kTileFormat)
             throw std::invalid_argument("");
         const auto version = json.at("version").get<std::string>();
         if (version != kVersion)
@@ -119,6 +119,7 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
         refuse_tile(name, "it is cut off, or was changed");
     if (file.head.of == 0 || file.head.of > kMost || file.head.tile >= file.head.of)
         refuse_tile(name, "there is no such tile");
+    file.digest = bytes.substr(end + 1, kDigest);
     bytes.resize(end);
     std::size_t at = line + 1;
     while (at < bytes.size() && bytes[at] != '\n') {
@@ -138,29 +139,28 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
     return file;
 }
 
-std::vector<TileFile> in_order(std::vector<TileFile> files, const std::vector<std::string>& names) {
+std::vector<std::size_t> in_order(const std::vector<TileFile>& files,
+                                  const std::vector<std::string>& names) {
     if (files.empty()) throw std::runtime_error("there are no tiles");
-    const TileHead first = files[0].head;
-    std::vector<TileFile> ordered(first.of);
-    std::vector<const std::string*> found(first.of, nullptr);
+    const TileHead& first = files[0].head;
+    constexpr std::size_t kNowhere = ~std::size_t{0};
+    std::vector<std::size_t> found(first.of, kNowhere);
     for (std::size_t i = 0; i < files.size(); ++i) {
         const TileHead& head = files[i].head;
         if (head.of != first.of) refuse_tile(names[i], "it is of another number of tiles");
         if (head.words != first.words) refuse_tile(names[i], "something else was asked for");
         if (head.files != first.files) refuse_tile(names[i], "it was made of other files");
         const std::uint32_t tile = head.tile;
-        if (found[tile] &&
-            (ordered[tile].tile != files[i].tile || ordered[tile].met != files[i].met)) {
+        if (found[tile] != kNowhere && files[found[tile]].digest != files[i].digest) {
             refuse_tile(names[i],
-                        fmt::format("'{}' is the same tile, and not the same", *found[tile]));
+                        fmt::format("'{}' is the same tile, and not the same", names[found[tile]]));
         }
-        found[tile] = &names[i];
-        ordered[tile] = std::move(files[i]);
+        found[tile] = i;
     }
-    const auto missing = std::ranges::count(found, nullptr);
+    const auto missing = std::ranges::count(found, kNowhere);
     if (missing > 0)
         throw std::runtime_error(fmt::format("{} of {} tiles are missing", missing, first.of));
-    return ordered;
+    return found;
 }
 
 }  // namespace ncsim::report

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <ranges>
 #include <string_view>
 
 namespace ncsim::setup {
@@ -350,7 +349,7 @@ ToldKinematics KinematicsReader::of_links() const {
         down.pop_back();
     }
     std::ranges::for_each(up, add);
-    std::ranges::for_each(std::views::reverse(down), add);
+    std::for_each(down.rbegin(), down.rend(), add);
     for (const Link& link : links_) {
         if (link.joint && !told.chain.find(link.joint->letter)) {
             r_.fail(*link.node,
@@ -381,7 +380,8 @@ machine::Chain KinematicsReader::moved_by(const Name& link) const {
     if (part_) carries_part = way_up(*part_);
     machine::Chain chain;
     const std::vector<const Link*> way = way_up(link);
-    for (const Link* moved : std::views::reverse(way)) {
+    for (auto next = way.rbegin(); next != way.rend(); ++next) {
+        const Link* moved = *next;
         if (!moved->joint) continue;
         machine::Joint joint = *moved->joint;
         // Told as the motion of the tool: what carries the part goes the other way.

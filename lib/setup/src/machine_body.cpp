@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/setup/machine_body.h"
 
-#include <ranges>
-
 namespace ncsim::setup {
 
 std::vector<cda::Vec3> corners_at(const MachineBody& body, const machine::Values& values) {
     std::vector<cda::Vec3> corners = body.mesh.vertices;
-    for (const machine::Joint& joint : std::views::reverse(body.moved_by.joints)) {
-        const double value = values[*machine::index_of(joint.letter)];
+    const auto& joints = body.moved_by.joints;
+    for (auto joint = joints.rbegin(); joint != joints.rend(); ++joint) {
+        const double value = values[*machine::index_of(joint->letter)];
         for (cda::Vec3& p : corners)
-            p = machine::moved(joint, value, p);
+            p = machine::moved(*joint, value, p);
     }
     return corners;
 }

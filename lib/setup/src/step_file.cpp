@@ -6,6 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -70,9 +74,15 @@ std::string all_of(std::FILE* file) {
 int run(const std::string& program, const std::string& argument, std::FILE* in, std::FILE* out) {
     std::string first = program, second = argument;
     std::array<char*, 3> words{first.data(), second.data(), nullptr};
+    const pid_t parent = ::getpid();
     const pid_t child = ::fork();
     if (child < 0) refuse(fmt::format("cannot run ncsim-step: {}", std::strerror(errno)));
     if (child == 0) {
+#ifdef __linux__
+        // Nobody waits for it any more when who does is killed.
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+        if (::getppid() != parent) ::_exit(127);
         const auto limit = [](auto what, rlim_t most) {
             const rlimit both{most, most};
             ::setrlimit(what, &both);

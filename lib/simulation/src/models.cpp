@@ -21,6 +21,7 @@ std::unique_ptr<cda::WorkpieceModel> make_tree(const ModelParameters& parameters
     cda::TreeParameters tree;
     tree.threads = parameters.threads;
     tree.tile = parameters.tile;
+    tree.halvings = parameters.halvings;
     return std::make_unique<cda::TreeCda>(tree);
 }
 

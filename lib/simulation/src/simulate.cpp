@@ -32,10 +32,27 @@ double now_in_seconds() {
         .count();
 }
 
-std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan) {
-    return make_model(plan.model, {plan.threads, plan.hull_times ? &now_in_seconds : nullptr,
-                                   plan.resolution, plan.rays == RayDirections::AlongZ, plan.tile,
-                                   plan.tiles ? plan.tiles->tiles : nullptr});
+// More blocks where there is more to do: of the program, so that everybody makes the same ones,
+// tiles or not.
+int halvings_for(std::uint64_t moves) {
+    constexpr int kLeast = 6;
+    constexpr std::uint64_t kMovesOfABlock = 512;
+    int halvings = kLeast;
+    while (halvings < cda::kMostHalvings && (moves >> halvings) > kMovesOfABlock)
+        ++halvings;
+    return halvings;
+}
+
+std::unique_ptr<cda::WorkpieceModel> prototype(const Plan& plan, std::uint64_t moves) {
+    ModelParameters parameters;
+    parameters.threads = plan.threads;
+    if (plan.hull_times) parameters.clock = &now_in_seconds;
+    parameters.resolution_mm = plan.resolution;
+    parameters.only_along_z = plan.rays == RayDirections::AlongZ;
+    parameters.halvings = halvings_for(moves);
+    parameters.tile = plan.tile;
+    if (plan.tiles) parameters.tiles = plan.tiles->tiles;
+    return make_model(plan.model, parameters);
 }
 
 toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Lattice& lattice,
@@ -51,6 +68,10 @@ toolpath::Walk make_walk(const Plan& plan, const Survey& survey, const cda::Latt
     return {lattice,    survey.stock->box,  accuracy,
             sampling,   verification.rapid, verification.watch,
             plan.placed};
+}
+
+[[noreturn]] void refuse_tiles() {
+    throw std::runtime_error("the tiles do not agree on which motions met the stock");
 }
 
 class Mill {
@@ -141,7 +162,7 @@ public:
     void finish(bool needs_surface) {
         // The surface first: on the way to it, the volume is found.
         if (needs_surface) result_.boundary = result_.part->boundary();
-        if (result_.boundary && tiles_) name_motions(*result_.boundary);
+        if (result_.boundary && tiles_) name_motions(*result_.boundary, result_);
         if (tiles_ && next_met_ != tiles_->met.size()) refuse_tiles();
         const auto standing = result_.standing;
         change_tool(0);
@@ -215,29 +236,13 @@ private:
             const auto& met = tiles_->met;
             if (next_met_ == met.size() || met[next_met_].motion != motions_) return false;
             result_.hulls += met[next_met_++].hulls;
-            origins_.emplace_back(motions_, result_.provenance.entries.size());
+            result_.origins.emplace_back(motions_, result_.provenance.entries.size());
             return true;
         }
         const std::uint64_t hulls = result_.hulls - hulls_before;
         if (tile_ && hulls > 0 && motions_ % tile_->of == tile_->tile)
             result_.met.push_back({motions_, hulls});
         return !tile_ && hulls > 0;
-    }
-
-    [[noreturn]] static void refuse_tiles() {
-        throw std::runtime_error("the tiles do not agree on which motions met the stock");
-    }
-
-    // Faces that tiles cut get the origins that they would have without.
-    void name_motions(cda::Boundary& boundary) const {
-        for (cda::BoundaryFace& face : boundary.faces) {
-            if (face.origin == cda::kStockOrigin) continue;
-            const auto motion = static_cast<std::uint64_t>(face.origin);
-            const auto found = std::ranges::lower_bound(origins_, motion, {},
-                                                        [](const auto& o) { return o.first; });
-            if (found == origins_.end() || found->first != motion) refuse_tiles();
-            face.origin = cda::Origin{static_cast<std::uint32_t>(found->second)};
-        }
     }
 
     // What a tool removed is the difference of volumes.
@@ -285,10 +290,21 @@ private:
     double volume_;
     bool is_near_stock_ = false;  // was the tool, since it was changed
     std::size_t next_met_ = 0;    // of tiles_
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> origins_;  // by motion; of tiles_
 };
 
 }  // namespace
+
+void name_motions(cda::Boundary& boundary, const Simulation& simulation) {
+    const auto& origins = simulation.origins;
+    for (cda::BoundaryFace& face : boundary.faces) {
+        if (face.origin == cda::kStockOrigin) continue;
+        const auto motion = static_cast<std::uint64_t>(face.origin);
+        const auto found =
+            std::ranges::lower_bound(origins, motion, {}, [](const auto& o) { return o.first; });
+        if (found == origins.end() || found->first != motion) refuse_tiles();
+        face.origin = cda::Origin{static_cast<std::uint32_t>(found->second)};
+    }
+}
 
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,
                     const ProgressSink& progress, const Onlooker& onlooker) {
@@ -296,7 +312,7 @@ Simulation simulate(const Plan& plan, const Survey& survey, const Verification& 
     Simulation result;
     const cda::Shape stock = toolpath::stock_shape(*survey.stock, plan.tool_tolerance);
     result.lattice = stock.lattice;
-    result.part = cda::create(*prototype(plan), stock);
+    result.part = cda::create(*prototype(plan, survey.moves), stock);
     result.stock_volume = result.part->volume();
     if (verification.start) result.part = verification.start->clone();
 

@@ -144,37 +144,45 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
     }
 }
 
-cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties) const {
-    // The cylinder around all corners, turned: along a unit direction it reaches its radius times
-    // the sine, and its ends times the cosine, of the angle to the axis. A unit more for the
-    // rounding of the turned corners; in lattice units, as the cells' own bounds are.
-    double end = high_;
-    if (X_WA.rows != X_WB.rows) {
-        double kept = low_;
-        for (const PieceExtent& piece : extent_.pieces) {
-            const double cut = cut_off(piece, liberties.top_mm);
-            kept = std::max(kept, cut < piece.high_mm ? std::ceil(cut / lattice_.unit_mm) : high_);
-        }
-        end = std::min(end, kept);
+// The cylinder around all corners up to `end`, turned: along a unit direction it reaches its radius
+// times the sine, and its ends times the cosine, of the angle to the axis. A unit more for the
+// rounding of the turned corners; in lattice units, as the cells' own bounds are.
+Cutter::Reach Cutter::reach(const Rotation& rows, double end) const {
+    Reach reach;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 row = rows[static_cast<std::size_t>(axis)];
+        const double aside = radius_ * std::sqrt(row.x * row.x + row.y * row.y);
+        const double ends[] = {low_ * row.z, end * row.z};
+        const auto down =
+            static_cast<std::int64_t>(std::floor(std::min(ends[0], ends[1]) - aside)) - 1;
+        const auto up =
+            static_cast<std::int64_t>(std::ceil(std::max(ends[0], ends[1]) + aside)) + 1;
+        (axis == 0 ? reach.low.x : axis == 1 ? reach.low.y : reach.low.z) = down;
+        (axis == 0 ? reach.high.x : axis == 1 ? reach.high.y : reach.high.z) = up;
     }
+    return reach;
+}
+
+cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const {
     cda::Box box;
     for (const Pose* pose : {&X_WA, &X_WB}) {
         const LatticePoint t = lattice_.round(pose->translation);
-        LatticePoint low, high;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Vec3 row = pose->rows[static_cast<std::size_t>(axis)];
-            const double aside = radius_ * std::sqrt(row.x * row.x + row.y * row.y);
-            const double ends[] = {low_ * row.z, end * row.z};
-            const auto down =
-                static_cast<std::int64_t>(std::floor(std::min(ends[0], ends[1]) - aside)) - 1;
-            const auto up =
-                static_cast<std::int64_t>(std::ceil(std::max(ends[0], ends[1]) + aside)) + 1;
-            (axis == 0 ? low.x : axis == 1 ? low.y : low.z) = down;
-            (axis == 0 ? high.x : axis == 1 ? high.y : high.z) = up;
-        }
-        box.add(lattice_.to_mm(t + low));
-        box.add(lattice_.to_mm(t + high));
+        box.add(lattice_.to_mm(t + reach.low));
+        box.add(lattice_.to_mm(t + reach.high));
     }
+    return box;
+}
+
+cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties) const {
+    if (X_WA.rows == X_WB.rows) return bounds(X_WA, X_WB, reach(X_WA));
+    double kept = low_;
+    for (const PieceExtent& piece : extent_.pieces) {
+        const double cut = cut_off(piece, liberties.top_mm);
+        kept = std::max(kept, cut < piece.high_mm ? std::ceil(cut / lattice_.unit_mm) : high_);
+    }
+    const double end = std::min(high_, kept);
+    cda::Box box = bounds(X_WA, X_WA, reach(X_WA.rows, end));
+    box.add(bounds(X_WB, X_WB, reach(X_WB.rows, end)));
     return box;
 }
 

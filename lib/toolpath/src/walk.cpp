@@ -25,6 +25,17 @@ Length axis_at(Length from, Length to, double rate, double time) {
     return from + (rate * time / distance) * (to - from);
 }
 
+// Is it a straight one in which nothing is turned, now or before? Of most programs most are.
+const Linear* straight_upright(const gcode::Motion& motion) {
+    const auto* linear = std::get_if<Linear>(&motion.what);
+    if (!linear || motion.coordinates == gcode::Coordinates::Tip) return nullptr;
+    for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
+        if ((linear->from.*axis).degrees() != 0.0 || (linear->to.*axis).degrees() != 0.0)
+            return nullptr;
+    }
+    return linear;
+}
+
 cda::Box grown(cda::Box box, double by_mm) {
     box.min = box.min - cda::Vec3{by_mm, by_mm, by_mm};
     box.max = box.max + cda::Vec3{by_mm, by_mm, by_mm};
@@ -144,13 +155,23 @@ const Cutter* Walk::cutter(int number) const {
     return found == tools_.end() ? nullptr : &found->second.cutter;
 }
 
+// The same box without what it takes to find how far the tool reaches, which is known.
+cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
+    if (rows != X_WA.rows) {
+        rows = X_WA.rows;
+        reach = cutter.reach(X_WA);
+    }
+    return cutter.bounds(X_WA, X_WB, reach);
+}
+
 // Into cells_ or sweeps_: what may meet the stock.
 void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                  const Liberties& liberties) {
     Cutter& cutter = tool.cutter;
     cells_.clear();
     sweeps_.clear();
-    const cda::Box bounds = cutter.bounds(X_WA, X_WB, liberties);
+    const cda::Box bounds =
+        X_WA.rows == X_WB.rows ? tool.bounds(X_WA, X_WB) : cutter.bounds(X_WA, X_WB, liberties);
     is_near_ = stock_.overlaps(bounds);
     if (!is_near_ || (wanted_ && !wanted_->overlaps(bounds))) return;
     const cda::Vec3 up{0, 0, 1};
@@ -185,8 +206,19 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
     const auto found = tools_.find(motion.tool);
     if (found == tools_.end() || !has_known_start(motion)) return {};
-    Cutter& cutter = found->second.cutter;
-    const ToolExtent& followed = found->second.followed;
+    Known& tool = found->second;
+    if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
+        const Pose X_WA{upright_, linear_axes(linear->from)};
+        const Pose X_WB{upright_, linear_axes(linear->to)};
+        if (X_WA == X_WB) return {};
+        trace(tool, X_WA, X_WB, origin, {});
+        Turning turning;
+        turning.moved_mm = norm(X_WB.translation - X_WA.translation);
+        step({X_WA, X_WB, cells_, sweeps_, is_near_, {}, turning});
+        return {};
+    }
+    const Cutter& cutter = tool.cutter;
+    const ToolExtent& followed = tool.followed;
     // The bounds are those of round tools, whose hulls are so near to the ones that are made.
     const cda::Box place =
         grown(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
@@ -207,7 +239,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             const Pose& X_WB = samples.poses[i];
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
-            trace(found->second, X_WA, X_WB, origin, liberties);
+            trace(tool, X_WA, X_WB, origin, liberties);
             step({X_WA, X_WB, cells_, sweeps_, is_near_, samples.bounds, samples.turning});
         }
     };

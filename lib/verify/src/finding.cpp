@@ -30,4 +30,8 @@ std::string text_of(const Quantity& quantity) {
                        quantity.unit.empty() ? "" : " ", quantity.unit);
 }
 
+bool less_is_worse(const Quantity& quantity) {
+    return quantity.name == "apart";
+}
+
 }  // namespace ncsim::verify

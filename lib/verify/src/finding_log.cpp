@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "finding_log.h"
 
+#include "ncsim/cda/mix.h"
 #include "ncsim/verify/rule.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <tuple>
 
 namespace ncsim::verify {
@@ -17,6 +20,29 @@ std::string row_key(std::string_view rule, std::string_view message) {
 
 constexpr std::string_view kAtLeast = " at least";
 
+// What one motion adds to Finding::row.
+std::uint64_t print_of(const Sighting& s) {
+    std::uint64_t print = 1;
+    const auto add = [&](double value) {
+        constexpr double kPerMm = 1000.0;
+        // Whoever is farther away than that is as far away as that.
+        const double rounded = std::round(std::clamp(value * kPerMm, -1e15, 1e15));
+        print = cda::mix(print, static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded)));
+    };
+    for (const cda::Vec3& corner : {s.box.min, s.box.max}) {
+        if (s.box.is_empty()) break;
+        for (int axis = 0; axis < 3; ++axis)
+            add(corner[axis]);
+    }
+    if (s.point) {
+        for (int axis = 0; axis < 3; ++axis)
+            add((*s.point)[axis]);
+    }
+    for (const char c : s.quantity ? text_of(*s.quantity) : std::string())
+        print = cda::mix(print, static_cast<std::uint8_t>(c));
+    return print;
+}
+
 void merge(Finding& row, const Move& move, const Sighting& s) {
     row.last = {move.motion->file, move.motion->span};
     row.last_motion = move.number;
@@ -27,7 +53,9 @@ void merge(Finding& row, const Move& move, const Sighting& s) {
         row.quantity->name += kAtLeast;  // not all of it was measured
     if (row.quantity && s.quantity) {
         double& value = row.quantity->value;
-        value = s.sums ? value + s.quantity->value : std::max(value, s.quantity->value);
+        value = s.sums                       ? value + s.quantity->value
+                : less_is_worse(*s.quantity) ? std::min(value, s.quantity->value)
+                                             : std::max(value, s.quantity->value);
     }
 }
 
@@ -91,21 +119,23 @@ void FindingLog::add(std::string_view rule, const Move& move, Sighting s) {
 
     std::string key = row_key(rule, s.message);
     if (const auto open = rows_.find(key); open != rows_.end()) {
-        Finding& row = findings_[open->second];
+        Finding& row = findings_[open->second.finding];
         const bool follows = s.lasts || move.number <= row.last_motion + 1;
         if (follows && row.tool == f.tool && row.place.file == f.place.file &&
             row.suppressed == f.suppressed && row.severity == f.severity) {
             merge(row, move, s);
+            row.row = cda::mix(row.row == 0 ? open->second.print : row.row, print_of(s)) | 1U;
             return;
         }
     }
+    const std::uint64_t print = print_of(s);
     f.quantity = std::move(s.quantity);
     f.point = s.point;
     f.box = s.box;
     f.message = std::move(s.message);
     if (!s.hint.empty()) f.hint = std::move(s.hint);
     f.assumptions = std::move(s.assumptions);
-    if (store(std::move(f))) rows_[std::move(key)] = findings_.size() - 1;
+    if (store(std::move(f))) rows_[std::move(key)] = {findings_.size() - 1, print};
 }
 
 void FindingLog::end_row(std::string_view rule) {
@@ -119,7 +149,7 @@ void FindingLog::go_on(std::string_view rule) {
     const std::string begin = row_key(rule, "");
     for (auto it = rows_.lower_bound(begin); it != rows_.end() && it->first.starts_with(begin);
          ++it)
-        findings_[it->second].goes_on = true;
+        findings_[it->second.finding].goes_on = true;
 }
 
 void FindingLog::add(Finding finding) {

@@ -56,8 +56,14 @@ private:
     bool store(Finding finding);
 
     const Setup* setup_;
+    // The finding that a row becomes, and the print of its first motion.
+    struct Row {
+        std::size_t finding = 0;
+        std::uint64_t print = 0;
+    };
+
     std::vector<Finding> findings_;
-    std::map<std::string, std::size_t, std::less<>> rows_;  // rule + message: the open one
+    std::map<std::string, Row, std::less<>> rows_;  // rule + message: the open one
     std::map<std::string, std::uint64_t, std::less<>> stored_;
     std::map<std::string, std::uint64_t> unlisted_;
     std::vector<Doubt> doubts_;

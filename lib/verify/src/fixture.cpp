@@ -3,8 +3,8 @@
 
 #include "ncsim/cda/collision.h"
 #include "ncsim/cda/flat.h"
-#include "ncsim/cda/tree.h"
 #include "ncsim/cda/polytope.h"
+#include "ncsim/cda/tree.h"
 
 #include <algorithm>
 #include <tuple>

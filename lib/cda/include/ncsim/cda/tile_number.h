@@ -12,8 +12,9 @@ struct TileNumber {
     bool operator==(const TileNumber&) const = default;
 };
 
-/// A tree has no more blocks.
-inline constexpr std::uint32_t kMostTiles = 64;
+/// A tree has no more blocks, a power of two.
+inline constexpr int kMostHalvings = 12;
+inline constexpr std::uint32_t kMostTiles = 1U << kMostHalvings;
 
 /// The model whose parts may be cut in tiles.
 inline constexpr std::string_view kTiledModel = "cda";

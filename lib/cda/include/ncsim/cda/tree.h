@@ -7,6 +7,7 @@
 #include "ncsim/cda/tile_number.h"
 #include "ncsim/cda/workpiece.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -36,11 +37,15 @@ struct TreeCounts {
     std::uint64_t pieces = 0;         ///< Of outlines, handed to the stitching.
 };
 
-/// How the tree works; none of it changes a result.
+/// How the tree works; none of it changes a part.
 struct TreeParameters {
     std::uint32_t leaf = 80;     ///< Planes in a leaf before it is split.
     std::uint32_t threads = 0;   ///< 0: as many as the machine has.
     std::uint32_t batch = 8192;  ///< Cells that may wait, or steps.
+    /// So often the stock is halved, into blocks that know nothing of each other: more blocks than
+    /// threads or tiles, so that none waits for long; not so many that most of their surface is
+    /// seams. kMostHalvings at most. Sums of volumes may differ in their last bits.
+    int halvings = 6;
     /// Only some of its blocks: volumes are a share then, write_tile() is what it is for, and
     /// nothing else may be asked.
     std::optional<TileNumber> tile = std::nullopt;
@@ -113,7 +118,6 @@ private:
     TreeCda(const TreeCda& other, const Asked&);
 
     void split_into_blocks();
-    std::span<Block> own_blocks() const;
     bool take_in(const Cell& cell);
     void settle_all() const;
     void settle(Block& block) const;
@@ -133,7 +137,8 @@ private:
     std::vector<Plane> stock_planes_;
     double stock_volume_ = 0.0;  // cubic units
     std::unique_ptr<CellTable> cells_;
-    std::size_t first_own_ = 0, own_ = 0;  // blocks: all, or those of the tile
+    std::vector<std::uint32_t> own_;                  // blocks, ascending: all, or the tile's
+    std::array<std::vector<std::int64_t>, 3> walls_;  // where blocks meet, half units, by axis
     // What asking changes.
     mutable Asking asking_;
     mutable std::vector<Block> blocks_;

@@ -7,8 +7,11 @@
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/moving_scene.h"
 #include "ncsim/export/provenance.h"
+#include "ncsim/export/seams.h"
 
+#include <cstddef>
 #include <iosfwd>
+#include <vector>
 
 namespace ncsim::exporter {
 
@@ -29,8 +32,17 @@ namespace ncsim::exporter {
 ///
 /// A part of which nothing is left gives a valid file with an empty scene. Equal input
 /// gives equal bytes. Throws std::invalid_argument if `boundary` is not closed, std::runtime_error
-/// if the file would exceed the format's 4 GiB, or the stream fails.
-void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance);
+/// if the file would exceed the format's 4 GiB, or the stream fails. `threads` as in triangulate().
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                std::size_t threads = 1);
+
+/// The same of a piece of the surface, which is open where it meets others: one of several files.
+/// Each corner is rounded by itself, about the `centre` (mm) that all files have in common, so
+/// those that two files share are the same in both; what has no extent then is left out, and
+/// triangles may have no area. Returns the edges that no other triangle of the file has in the
+/// opposite direction: one of another file has.
+std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
+                                        const Provenance& provenance, cda::Vec3 centre);
 
 /// Writes `scene` with the part in it, and how all of it moves: the node `machine` turns
 /// millimetres, z up, into glTF's metres, y up, and stands for machine coordinates; below it each

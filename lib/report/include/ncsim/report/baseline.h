@@ -3,6 +3,7 @@
 // Findings that somebody looked at and accepts, in a file beside the programs: what is new is told
 // apart from what was known. A finding is the same where it says the same about the same block, in
 // the same place of the part, and is no worse; where in the file the block stands does not matter.
+// A finding of several motions is the same if all of them are: else one could hide another.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -30,6 +31,7 @@ struct KnownFinding {
     bool certain = true;
     std::uint64_t count = 1;  ///< As in verify::Finding.
     bool goes_on = false;
+    std::string row;  ///< Of several motions: verify::Finding::row, in hexadecimal.
     std::optional<verify::Quantity> quantity;
     cda::Box box;     ///< Where it happens, in W, mm; may be empty.
     std::string why;  ///< What people wrote there.

@@ -6,6 +6,7 @@
 
 #include "ncsim/report/file_digests.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,7 +27,8 @@ struct TileFile {
     TileHead head;
     /// Motions, from 1, and how many of their hulls met the stock: of those that this tile counts.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> met;
-    std::string tile;  ///< As WorkpieceModel::write_tile wrote it.
+    std::string tile;    ///< As WorkpieceModel::write_tile wrote it.
+    std::string digest;  ///< Of all before it, of a file that was read.
 };
 
 /// "tile-0003-of-0064.nctile"
@@ -39,9 +41,11 @@ std::string bytes_of(const TileFile& file, Digest digest_of);
 /// written by another version.
 TileFile tile_file_from(std::string bytes, const std::string& name, Digest digest_of);
 
-/// All tiles of a part, each once, in their order. Throws std::runtime_error, naming the file, if
-/// one is missing or there twice with other bytes, or is of another program, other options or
-/// other files than the first. `names[i]` is that of files[i].
-std::vector<TileFile> in_order(std::vector<TileFile> files, const std::vector<std::string>& names);
+/// Which of the files are all tiles of a part, each once, in their order. Throws
+/// std::runtime_error, naming the file, if one is missing or there twice with other bytes, or is of
+/// another program, other options or other files than the first. `names[i]` is that of files[i].
+/// Heads and digests are looked at alone.
+std::vector<std::size_t> in_order(const std::vector<TileFile>& files,
+                                  const std::vector<std::string>& names);
 
 }  // namespace ncsim::report

@@ -22,11 +22,12 @@ struct SurfaceFile {
     bool has_unit = false;       ///< The file tells in which unit its lengths are; else in mm.
 };
 
-/// Reads STL, binary or text, OBJ and VRML97 with lengths in mm, binary glTF 2.0 (.glb; metres with y up, which
-/// become millimetres with z up: what ncsim run --gltf writes comes back where it was), or STEP
-/// with lengths in whatever unit it tells, if a program ncsim-step is there to do it. What it is,
-/// its first bytes tell. Corners with the same coordinates become one; triangles without area that
-/// this leaves are dropped. Polygons of OBJ and VRML become triangles. Of STEP the solids of all parts and assemblies are taken.
+/// Reads STL, binary or text, OBJ and VRML97 with lengths in mm, binary glTF 2.0 (.glb; metres with
+/// y up, which become millimetres with z up: what ncsim run --gltf writes comes back where it was),
+/// or STEP with lengths in whatever unit it tells, if a program ncsim-step is there to do it. What
+/// it is, its first bytes tell. Corners with the same coordinates become one; triangles without
+/// area that this leaves are dropped. Polygons of OBJ and VRML become triangles. Of STEP the solids
+/// of all parts and assemblies are taken.
 ///
 /// Throws std::runtime_error, naming the file, if it cannot be read, is none of them, uses what
 /// is not understood (compressed meshes), or if its surface is not closed (every edge has as many

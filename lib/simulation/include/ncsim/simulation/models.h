@@ -46,6 +46,7 @@ struct ModelParameters {
     double resolution_mm = 0.0;   ///< Of a model that has one; 0: it chooses.
     bool only_along_z = false;    ///< Of a model of rays.
     // Of the tree alone:
+    int halvings = 6;                                    ///< As in cda::TreeParameters.
     std::optional<cda::TileNumber> tile = std::nullopt;  ///< Only this tile of the part.
     std::shared_ptr<const cda::Tiles> tiles = nullptr;   ///< All of them, which were cut before.
 };

@@ -18,6 +18,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -38,6 +39,9 @@ struct Simulation : report::PartFacts {
     std::uint64_t steps = 0;                ///< From pose to pose, whether they met it or not.
     std::vector<cda::Cell> carved;          ///< What was taken away, if it is kept.
     std::vector<MetStock> met;              ///< Of a tile: what it found out for all.
+    /// Of all tiles, by motion: the origin it has in `provenance`, where tiles call it by its
+    /// number.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> origins;
     verify::Place last_cut;  ///< The last motion that met the block, in the files of the program.
     std::uint64_t last_motion = 0;  ///< Its number, from 1 in the order of execution.
     std::uint32_t line = 0;         ///< Of the last motion that was made; 0: none yet.
@@ -52,6 +56,10 @@ struct Simulation : report::PartFacts {
     std::vector<exporter::PathLine> paths;  ///< Of the tip, if they are kept.
     gcode::Diagnostics diagnostics;         ///< Motions that could not be followed.
 };
+
+/// Gives faces that tiles cut the origins that they would have without. Throws std::runtime_error
+/// if the motion of one did not meet the stock.
+void name_motions(cda::Boundary& boundary, const Simulation& simulation);
 
 /// How far it got: moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;

@@ -50,6 +50,15 @@ public:
     /// before tracing.
     cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties = {}) const;
 
+    using Rotation = std::array<cda::Vec3, 3>;
+    /// How far the tool reaches from its tip along each axis.
+    struct Reach {
+        cda::LatticePoint low, high;
+    };
+    Reach reach(const Pose& X_WT) const { return reach(X_WT.rows, high_); }
+    /// The same as bounds() of poses that have this reach both.
+    cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Reach& reach) const;
+
     const ToolExtent& extent() const { return extent_; }
     /// Bound on the distance between the tool and its polytopes.
     double error_mm() const { return error_mm_; }
@@ -58,7 +67,8 @@ public:
     int sides() const { return sides_; }
 
 private:
-    using Rotation = std::array<cda::Vec3, 3>;
+    Reach reach(const Rotation& rows, double end) const;
+
     struct Oriented {
         Rotation rows;
         std::vector<std::optional<cda::TranslationSweep>> sweeps;  // one per piece

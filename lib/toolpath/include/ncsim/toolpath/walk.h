@@ -91,6 +91,10 @@ private:
         ToolExtent followed;
         std::vector<cda::RoundSweep>
             round;  ///< Its cutting pieces, if all can be swept as they are.
+        std::optional<Cutter::Rotation> rows = std::nullopt;  ///< Where its reach is known.
+        Cutter::Reach reach = {};
+
+        cda::Box bounds(const Pose& X_WA, const Pose& X_WB);
     };
     void trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                const Liberties& liberties);
@@ -105,6 +109,7 @@ private:
     std::shared_ptr<const Kinematics> told_;
     cda::Box place_;                  // that matters: the stock and what is watched
     std::optional<cda::Box> wanted_;  // cells
+    Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, Known> tools_;
     bool leaves_round_ = false;
     std::vector<cda::Cell> cells_;         // of one step, kept for its memory

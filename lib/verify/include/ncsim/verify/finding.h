@@ -55,6 +55,8 @@ struct Quantity {
 
 /// "removed 12.5 mm3", six significant digits.
 std::string text_of(const Quantity& quantity);
+/// Of distances that ought to be kept: "apart".
+bool less_is_worse(const Quantity& quantity);
 
 /// One fault, or a row of the same fault in successive motions.
 struct Finding {
@@ -69,6 +71,9 @@ struct Finding {
     std::uint64_t last_motion = 0;
     std::uint64_t count = 1;  ///< Motions (or repetitions of a diagnostic) in it.
     bool goes_on = false;     ///< Nobody looked how many more there are.
+    /// Of a row of motions: places and quantities of all of them, to a thousandth of a millimetre
+    /// and six digits, as a number that is another one where any of them is. 0: it is no such row.
+    std::uint64_t row = 0;
     int tool = 0;
     std::optional<Quantity> quantity;      ///< Summed or the largest over the row, by its nature.
     std::optional<cda::Vec3> point;        ///< In W, mm: of the first motion.

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// ncsim-mpi run: what `ncsim run` makes, each rank a tile of it. Ranks cut as --tile does, rank 0
+// puts together as merge does: there is nothing here but who gets what to whom.
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/tile_file.h"
+#include "ncsim/setup/digest.h"
+
+#include "console.h"
+#include "merge_tiles.h"
+#include "mesh_folder.h"
+#include "options.h"
+#include "run.h"
+#include "tile.h"
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace {
+
+using namespace ncsim;
+
+// MPI counts in int.
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;
+
+void send(const std::string& bytes, int to) {
+    const std::uint64_t size = bytes.size();
+    MPI_Send(&size, 1, MPI_UINT64_T, to, 0, MPI_COMM_WORLD);
+    for (std::size_t at = 0; at < bytes.size(); at += kMostAtOnce) {
+        const auto count = static_cast<int>(std::min(kMostAtOnce, bytes.size() - at));
+        MPI_Send(bytes.data() + at, count, MPI_BYTE, to, 0, MPI_COMM_WORLD);
+    }
+}
+
+std::string receive(int from) {
+    std::uint64_t size = 0;
+    MPI_Recv(&size, 1, MPI_UINT64_T, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    std::string bytes(size, '\0');
+    for (std::size_t at = 0; at < bytes.size(); at += kMostAtOnce) {
+        const auto count = static_cast<int>(std::min(kMostAtOnce, bytes.size() - at));
+        MPI_Recv(bytes.data() + at, count, MPI_BYTE, from, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    }
+    return bytes;
+}
+
+// Until rank 0 is done: others need the processors meanwhile, and MPI would wait by asking all the
+// time.
+void meet() {
+    MPI_Request request{};
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    for (int done = 0; done == 0;) {
+        MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+        if (done == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+}
+
+// Of rank 0: takes what all others have cut.
+int put_together(app::Options options, std::optional<report::TileFile> own, int ranks) {
+    std::vector<report::TileFile> files;
+    std::vector<std::string> names;
+    bool is_cut = own.has_value();
+    for (int rank = 0; rank < ranks; ++rank) {
+        names.push_back(fmt::format("rank {}", rank));
+        if (rank == 0) {
+            files.push_back(own ? std::move(*own) : report::TileFile{});
+            continue;
+        }
+        std::string bytes = receive(rank);
+        is_cut = is_cut && !bytes.empty();
+        files.push_back(
+            is_cut ? report::tile_file_from(std::move(bytes), names.back(), setup::digest_of)
+                   : report::TileFile{});
+    }
+    // What is wrong with the program is for run() to say.
+    if (!is_cut) return run(std::move(options));
+    const std::vector<std::size_t> order = report::in_order(files, names);
+    return app::run_of_tiles(std::move(options), files, order,
+                             [&](std::size_t tile) { return files[order[tile]].tile; });
+}
+
+int run(app::Options options, int rank, int ranks) {
+    if (!options.tile.empty()) throw std::runtime_error("--tile: ranks are tiles");
+    if (options.model != cda::kTiledModel || !options.step.empty() || !options.sections.empty() ||
+        !options.save_stock.empty() || !options.frames.empty() || !options.gif.empty() ||
+        options.block_volumes)
+        throw std::runtime_error(
+            "--step, --section, --save-stock, --frames, --gif, --block-volumes and other models "
+            "do not know tiles: ncsim run");
+    if (options.program == "-") throw std::runtime_error("the program has to have a name");
+    app::Options of_tile = options;
+    of_tile.number = {static_cast<std::uint32_t>(rank), static_cast<std::uint32_t>(ranks)};
+    // Ranks share the processors of a machine.
+    of_tile.threads = std::max(1U, options.threads);
+    setup::InputSet inputs;
+    std::optional<report::TileFile> tile = app::cut_tile(of_tile, inputs, false);
+    int code = app::kClean;
+    if (rank == 0) {
+        if (!options.gltf.empty() && app::names_a_folder(options.gltf))
+            options.mesh_folder = std::exchange(options.gltf, {});
+        code = put_together(std::move(options), std::move(tile), ranks);
+    } else {
+        send(tile ? report::bytes_of(*tile, setup::digest_of) : std::string(), 0);
+    }
+    meet();
+    return code;
+}
+
+// One of them says it for all.
+int say_once(const app::Farewell& farewell, int rank) {
+    if (rank == 0) {
+        if (farewell.exit_code == app::kClean) {
+            app::put_text(farewell.text);
+        } else {
+            app::say(farewell.text);
+        }
+    }
+    return farewell.exit_code;
+}
+
+// The others would wait for this one.
+[[noreturn]] void end_all(int rank, const std::string& why, int code) {
+    app::say(fmt::format("ncsim-mpi: rank {}: {}\n", rank, report::one_line(why)));
+    MPI_Abort(MPI_COMM_WORLD, code);
+    std::terminate();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    MPI_Init(&argc, &argv);
+    int rank = 0, ranks = 1;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    int code = app::kEnvironment;
+    try {
+        app::Command command =
+            app::parse_options(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+        if (auto* options = std::get_if<app::Options>(&command)) {
+            code = run(std::move(*options), rank, ranks);
+        } else if (const auto* farewell = std::get_if<app::Farewell>(&command)) {
+            code = say_once(*farewell, rank);
+        } else {
+            code = say_once({app::kEnvironment, "ncsim-mpi: there is only ncsim-mpi run\n"}, rank);
+        }
+    } catch (const std::bad_alloc&) {
+        end_all(rank, "out of memory", app::kEnvironment);
+    } catch (const std::logic_error& e) {
+        end_all(rank, std::string("a bug of ours, please report it: ") + e.what(), app::kBug);
+    } catch (const std::exception& e) {
+        end_all(rank, e.what(), app::kEnvironment);
+    }
+    MPI_Finalize();
+    return code;
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Any bytes, with a digest that fits, are the file of a tile: reading it must end, and what is no
+// tile must be refused. What is one has a volume, and a closed surface or none.
+#include "ncsim/cda/check.h"
+#include "ncsim/cda/tiles.h"
+#include "ncsim/report/tile_file.h"
+
+#include "support/scene.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// Nobody guesses SHA-256.
+std::string no_digest(std::string_view) {
+    return std::string(64, '0');
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ncsim;
+    std::string bytes(reinterpret_cast<const char*>(data), size);
+    bytes += '\n' + no_digest({}) + '\n';
+    std::vector<std::string> tiles;
+    try {
+        report::TileFile file = report::tile_file_from(bytes, "fuzz", no_digest);
+        // What was read is written as it was understood.
+        const report::TileFile again =
+            report::tile_file_from(report::bytes_of(file, no_digest), "again", no_digest);
+        if (again.head != file.head || again.met != file.met || again.tile != file.tile)
+            std::abort();
+        tiles.push_back(std::move(file.tile));
+    } catch (const std::runtime_error&) {
+        return 0;
+    }
+    std::shared_ptr<const cda::Tiles> all;
+    std::unique_ptr<cda::WorkpieceModel> part;
+    try {
+        all = std::make_shared<const cda::Tiles>(std::move(tiles));
+        part = cda::Tiles::model(all)->create(
+            cda::box_cell({-3000, -3000, -3000}, {3000, 3000, 3000}, test::kLattice),
+            test::kLattice);
+    } catch (const std::invalid_argument&) {
+        return 0;
+    }
+    try {
+        (void)part->volume();
+    } catch (const std::logic_error&) {
+        // Nobody asked for it.
+    }
+    try {
+        if (!cda::is_closed(part->boundary())) std::abort();
+    } catch (const std::runtime_error&) {
+        // It is the surface of nothing.
+    }
+    try {
+        (void)all->surface(0, test::kLattice);
+    } catch (const std::runtime_error&) {
+        // Nor is a part of it.
+    }
+    return 0;
+}
