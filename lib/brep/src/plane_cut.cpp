@@ -185,6 +185,16 @@ void PlaneCut::cut(const Extrusion& f) {
     add({centre, x, dot(cross(x, y), plane_.normal) < 0.0 ? -y : y});
 }
 
+// Level, the circle that is there. Others are not known.
+void PlaneCut::cut(const Dome& f) {
+    if (norm(cross(f.axis, plane_.normal)) >= kParallel) return;
+    kind_ = Kind::Round;
+    const Vec3 foot = f.centre - plane_.height(f.centre) * plane_.normal;
+    if (std::abs(plane_.height(f.centre)) >= f.reach) return;
+    const Vec3 x = across(plane_.normal);
+    add({centre_at_height(f, foot), f.radius * x, f.radius * cross(plane_.normal, x)});
+}
+
 std::size_t PlaneCut::branch_of(Vec3 p) const {
     if (count_ < 2) return 0;
     if (kind_ == Kind::Spiric) return dot(p - origin_, x_) > 0.0 ? 0 : 1;

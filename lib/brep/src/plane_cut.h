@@ -58,7 +58,7 @@ private:
     void cut(const Sphere& f);
     void cut(const Torus& f);
     void cut(const Extrusion& f);
-    void cut(const Dome&) {}
+    void cut(const Dome& f);
     void add(const CutBranch& branch);
 
     CutPlane plane_;
