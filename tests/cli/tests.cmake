@@ -23,6 +23,7 @@ if(TARGET ncsim)
       hostile_text_test.cpp
       in_order_test.cpp
       isolate_test.cpp
+      machine_mesh_test.cpp
       machine_test.cpp
       measure_test.cpp
       moving_machine_test.cpp
@@ -38,6 +39,7 @@ if(TARGET ncsim)
       samples_test.cpp
       set_ups_test.cpp
       shards_test.cpp
+      solid_test.cpp
       step_input_test.cpp
       tile_meshes_test.cpp
       tiles_test.cpp

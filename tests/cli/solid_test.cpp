@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Solids and sections that run writes.
+#include "cli/run_program.h"
+#include "support/count.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace ncsim::cli_test {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
+    Folder folder;
+    folder.write("drill.nc",
+                 "(T1 D=6. CR=0. TAPER=118deg - drill)\n(STOCK/BLOCK,20.,20.,20.,0.,0.,20.)\n"
+                 "G21 G90\nT1 M6 S5000 M3\nG0 X10. Y10. Z5.\nG1 Z-10. F100.\nG0 Z5.\nM30\n");
+    const Ran ran = folder.run(
+        {"run", "drill.nc", "--step", "a.step", "--step-surfaces", "analytic", "--step-strict"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "step      8 faces: 6 planes, 1 cylinder, 1 cone; edges within"))
+        << ran.out;
+    EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 1U);
+    const Ran flat = folder.run({"run", "drill.nc", "-q", "--step", "a.step"});
+    EXPECT_EQ(flat.exit_code, 0) << flat.err;
+    EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 0U);
+    EXPECT_GT(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE("), 20U);
+}
+
+TEST(Run, CutsThePartOpenInLinesAndArcs) {
+    Folder folder;
+    std::string pocket = kSlot;
+    pocket.replace(pocket.find("G0 X-30."), 8, "G0 X-10.");
+    pocket.replace(pocket.find("G1 X30."), 7, "G1 X10.");
+    folder.write("slot.nc", pocket);
+    const Ran ran = folder.run({"run", "slot.nc", "--section", "z=-2", "--section", "X=0.", "--dxf",
+                                "a.dxf", "--svg", "a.svg", "--report", "a.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    // 40 x 30 less 20 x 10 less a disc of 10.
+    EXPECT_TRUE(
+        contains(ran.out, "section   z=-2: 2 outlines, 921.46 mm2 of material; 6 lines, 2 arcs"))
+        << ran.out;
+    EXPECT_TRUE(contains(ran.out, "section   x=0: 1 outline, 280 mm2 of material; 8 lines"));
+    EXPECT_TRUE(contains(folder.read("a.dxf"), "AC1009"));
+    EXPECT_TRUE(contains(folder.read("a.svg"), "<svg"));
+    const json report = json::parse(folder.read("a.json"));
+    EXPECT_EQ(report["sections"][0]["plane"], "z=-2");
+    EXPECT_EQ(report["sections"][0]["arcs"], 2);
+    EXPECT_EQ(report["sections"][0]["lines_of_facets"], 0);
+}
+
+TEST(Run, ASectionOfFacetsSaysSo) {
+    Folder folder;
+    std::string ramp = kSlot;
+    ramp.replace(ramp.find("G1 X30."), 7, "G2 X10. I20. Z-4.");
+    ramp.replace(ramp.find("G0 X-30."), 8, "G0 X-15.");
+    folder.write("ramp.nc", ramp);
+    const Ran ran = folder.run({"run", "ramp.nc", "--section", "y=5", "--dxf", "-"});
+    EXPECT_TRUE(contains(ran.err, "of facets of round tools")) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "T1-FACETS"));
+}
+
+TEST(Run, RefusesDrawingsOfNoSection) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    EXPECT_TRUE(contains(folder.run({"run", "slot.nc", "--dxf", "a.dxf"}).err, "--section z=-4"));
+    const Ran ran = folder.run({"run", "slot.nc", "--section", "q=2"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.err, "--section 'q=2': expected x=, y= or z= and a number of mm"));
+}
+
+TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
+    Folder folder;
+    // Rounded corners that go down a slope.
+    folder.write("ramp.nc",
+                 "(T1 D=10. CR=2. - bull nose end mill)\n(STOCK/BLOCK,60.,20.,20.,0.,0.,20.)\n"
+                 "G21 G90\nT1 M6 S5000 M3\nG0 X15. Y10. Z0.\nG1 X45. Z-6. F100.\nG0 Z5.\nM30\n");
+    const Ran ran = folder.run({"run", "ramp.nc", "--step", "a.step", "--step-surfaces", "analytic",
+                                "--step-strict", "--report", "a.json"});
+    EXPECT_EQ(ran.exit_code, 2) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "facets of round tools")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, ": line 6")) << ran.out;
+    EXPECT_TRUE(contains(ran.err, "--step-strict")) << ran.err;
+    EXPECT_TRUE(contains(folder.read("a.json"), "\"facets_kept\"")) << folder.read("a.json");
+}
+
+TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
+    Folder folder;
+    // At the corner X100 Y0 the pipe of the first line ends less than a facet beside the second
+    // one.
+    folder.write("corner.nc",
+                 "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,100.,100.,40.,0.,0.,40.)\n"
+                 "G21 G90\nT1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y0. Z-4.168 F1500.\n"
+                 "X100. Y0. Z-6.265\nX100. Y25. Z-6.265\nG0 Z20.\nM30\n");
+    const Ran finer = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
+                                  "analytic", "--step-strict", "--report", "a.json"});
+    EXPECT_EQ(finer.exit_code, 0) << finer.err;
+    EXPECT_TRUE(contains(finer.out, "from a cut with round tools within 0.0")) << finer.out;
+    EXPECT_TRUE(contains(folder.read("a.json"), "\"refined_to_mm\": 0.0"));
+    const Ran once = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
+                                 "analytic", "--step-refine", "0"});
+    EXPECT_EQ(once.exit_code, 0) << once.err;
+    EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
+}
+
+TEST(Run, ASolidOfTooManyFacesIsRefused) {
+    Folder folder;
+    folder.write("slot.nc", kSlot);
+    const Ran ran =
+        folder.run({"run", "slot.nc", "-q", "--step", "a.step", "--step-max-faces", "5"});
+    EXPECT_EQ(ran.exit_code, 2);
+    // A block with a slot through it: ten faces.
+    EXPECT_TRUE(contains(ran.err, "the part has 10 faces, more than the 5")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "--step-max-faces")) << ran.err;
+    EXPECT_FALSE(folder.has("a.step"));
+}
+
+}  // namespace
+}  // namespace ncsim::cli_test
