@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fusion_machine.h"
 
+#include "xml_root.h"
+
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
@@ -44,15 +46,7 @@ public:
 
     MachineFile read(const std::string& text) {
         tinyxml2::XMLDocument document;
-        if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-            throw std::runtime_error(fmt::format("{}:{}: this is no XML that can be read ({})",
-                                                 name_, std::max(1, document.ErrorLineNum()),
-                                                 document.ErrorName()));
-        }
-        const XMLElement* root = document.RootElement();
-        if (!root || std::string_view(root->Name()) != "machine")
-            throw std::runtime_error(
-                fmt::format("{}:{}: expected <machine>", name_, root ? root->GetLineNum() : 1));
+        const XMLElement* root = xml_root(document, text, name_, "machine");
         for (const char* part : {"vendor", "model"}) {
             const XMLElement* e = root->FirstChildElement(part);
             const char* words = e ? e->GetText() : nullptr;

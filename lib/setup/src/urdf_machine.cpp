@@ -9,6 +9,8 @@
 #include "ncsim/setup/mesh_file.h"
 #include "ncsim/trig/angles.h"
 
+#include "xml_root.h"
+
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
@@ -70,15 +72,7 @@ public:
 
     MachineFile read(const std::string& text) {
         tinyxml2::XMLDocument document;
-        if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-            throw std::runtime_error(fmt::format("{}:{}: this is no XML that can be read ({})",
-                                                 name_, std::max(1, document.ErrorLineNum()),
-                                                 document.ErrorName()));
-        }
-        const XMLElement* robot = document.RootElement();
-        if (!robot || std::string_view(robot->Name()) != "robot")
-            throw std::runtime_error(fmt::format("{}:{}: expected <robot> (URDF)", name_,
-                                                 robot ? robot->GetLineNum() : 1));
+        const XMLElement* robot = xml_root(document, text, name_, "robot", " (URDF)");
         for (const XMLElement* e = robot->FirstChildElement("link"); e;
              e = e->NextSiblingElement("link")) {
             take_link(e);
