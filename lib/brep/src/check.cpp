@@ -168,21 +168,53 @@ double apart(const Segment& s, const Segment& t) {
                                squared_distance(t.a, s), squared_distance(t.b, s)}));
 }
 
+// Of both halves of what is nearly a circle, a quarter of how far it is off.
+std::array<Segment, 2> halves_of(const Map& map, const Segment& s) {
+    const double middle = 0.5 * (s.begin + s.end);
+    const Point p = map(s.track->at(middle));
+    Segment first = s, second = s;
+    first.b = second.a = p;
+    first.end = second.begin = middle;
+    first.off = second.off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
+    return {first, second};
+}
+
 // Pieces of curves without a common end: chords that come near are halved until it is clear.
 bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth) {
     if (apart(s, t) >= s.off + t.off + clear) return false;
     if (depth == 0 || s.off + t.off <= 0.25 * clear) return apart(s, t) < clear;
     if (s.off < t.off) std::swap(s, t);
-    const double middle = 0.5 * (s.begin + s.end);
-    const Point p = map(s.track->at(middle));
-    // Of both halves of what is nearly a circle, a quarter.
-    const double off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
-    Segment first = s, second = s;
-    first.b = second.a = p;
-    first.end = second.begin = middle;
-    first.off = second.off = off;
+    const auto [first, second] = halves_of(map, s);
     return curves_interfere(map, first, t, clear, depth - 1) ||
            curves_interfere(map, second, t, clear, depth - 1);
+}
+
+// Do pieces of curves that go out from a common point cross again?
+bool cross_beyond(const Map& map, const Segment& s, const Segment& t) {
+    constexpr double kNowhere = 1e-3, kTouching = 1e-9;  // mm
+    constexpr int kDepth = 30;
+    const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
+    const double near = kNowhere * kNowhere;
+    const bool is_acute = sx * tx + sy * ty > 0.0;
+    if (!is_acute || sx * sx + sy * sy < near || tx * tx + ty * ty < near) return false;
+    const auto [s_near, s_far] = halves_of(map, s);
+    const auto [t_near, t_far] = halves_of(map, t);
+    return curves_interfere(map, s_far, t_far, kTouching, kDepth) ||
+           curves_interfere(map, s_near, t_far, kTouching, kDepth) ||
+           curves_interfere(map, s_far, t_near, kTouching, kDepth) ||
+           cross_beyond(map, s_near, t_near);
+}
+
+// Turned round, so that they start in the point that they have in common.
+bool neighbours_cross_again(const Map& map, Segment s, Segment t) {
+    if (s.to == t.from && t.to == s.from) return false;
+    const auto turn_round = [](Segment& piece) {
+        std::swap(piece.a, piece.b);
+        std::swap(piece.begin, piece.end);
+    };
+    if (s.to == t.from || s.to == t.to) turn_round(s);
+    if (t.to == s.from || t.to == s.to) turn_round(t);
+    return cross_beyond(map, s, t);
 }
 
 bool have_common_end(const Segment& s, const Segment& t) {
@@ -209,8 +241,11 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
             if (t.low() > s.high() + clear) break;
             if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
             const bool both_straight = s.is_straight && t.is_straight;
-            if (both_straight || have_common_end(s, t) ? interfere(s, t, clear)
-                                                       : curves_interfere(map, s, t, clear, kDepth))
+            const bool are_neighbours = have_common_end(s, t);
+            if (both_straight || are_neighbours ? interfere(s, t, clear)
+                                                : curves_interfere(map, s, t, clear, kDepth))
+                return {{s.edge, t.edge}};
+            if (!both_straight && are_neighbours && neighbours_cross_again(map, s, t))
                 return {{s.edge, t.edge}};
         }
     }
