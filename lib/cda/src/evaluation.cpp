@@ -216,7 +216,7 @@ private:
             if (glances_.where[i] == Glance::Below) continue;
             const Plane& plane = rows_[i].exact;
             if (glances_.where[i] == Glance::Across || !facet_plane().is_parallel_to(plane)) {
-                cuts_.emplace_back(share_below(i), i);
+                cuts_.emplace_back(share_below(glances_, i), i);
                 continue;
             }
             const bool same = same_direction(facet_plane(), plane);
@@ -226,10 +226,10 @@ private:
         return clip_in_order(facet_, cuts_, planes);
     }
 
-    // How much of facet_ is below a plane that it has been looked at from: a rough measure.
-    double share_below(std::size_t i) const {
-        const double low = glances_.low[i];
-        const double high = glances_.high[i];
+    // How much of a polygon is below a plane that it has been looked at from: a rough measure.
+    static double share_below(const Glances& glances, std::size_t i) {
+        const double low = glances.low[i];
+        const double high = glances.high[i];
         return low < high ? low / (low - high) : 1.0;
     }
 
@@ -247,9 +247,11 @@ private:
             polygon.look(rows_, planes.begin, planes.end, glances_again_);
             std::size_t kept = 0;
             for (std::size_t i = kFirst; i < cuts.size(); ++i) {
-                const Glance where = glances_again_.where[cuts[i].second];
+                const std::size_t plane = cuts[i].second;
+                const Glance where = glances_again_.where[plane];
                 if (where == Glance::Above) return false;
-                if (where != Glance::Below) cuts[kept++] = cuts[i];
+                if (where != Glance::Below)
+                    cuts[kept++] = {share_below(glances_again_, plane), plane};
             }
             cuts.resize(kept);
         }
@@ -320,11 +322,11 @@ private:
             if (glances_.where[i] == Glance::Below) continue;
             const Plane& plane = rows_[i].exact;
             if (glances_.where[i] == Glance::Across) {
-                section.cuts.emplace_back(share_below(i), i);
+                section.cuts.emplace_back(share_below(glances_, i), i);
             } else if (!plane.is_parallel_to(facet_plane())) {
                 const int where = facet_.classify(rows_[i]);
                 if (where < 0) return Overlap::None;
-                if (where == 0) section.cuts.emplace_back(share_below(i), i);
+                if (where == 0) section.cuts.emplace_back(share_below(glances_, i), i);
             } else {
                 const bool same = same_direction(facet_plane(), plane);
                 const int beyond = distance_beyond(facet_plane(), plane, same);
