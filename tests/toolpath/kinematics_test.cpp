@@ -213,7 +213,7 @@ TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
 TEST(ToldMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
     test::Random random(13);
     double nearest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 20'000; ++i) {
+    for (int i = 0; i < 10'000; ++i) {
         Case c(random);
         if (!c.where) continue;
         auto& line = std::get<gcode::Linear>(c.motion.what);
@@ -239,6 +239,37 @@ TEST(ToldMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
         }
     }
     EXPECT_LT(nearest, 0.5) << "the bound is no bound of this";
+}
+
+TEST(ToldMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
+    test::Random random(14);
+    double worst = 0.0;
+    for (int i = 0; i < 4'000; ++i) {
+        Case c(random);
+        const auto line = std::get<gcode::Linear>(c.motion.what);
+        if (random.one_in(3)) {
+            gcode::Arc arc{line.from, line.to, gcode::Plane::XY, {}, {}, 1, {}};
+            arc.centre_1 = Length::from_mm(random.within(-20, 20));
+            arc.centre_2 = Length::from_mm(random.within(-20, 20));
+            c.motion.what = arc;
+        }
+        const Kinematics* told = random.one_in(3) ? nullptr : &c.told;
+        if (!told) c.motion.coordinates = gcode::Coordinates::Axes;
+        const Poses poses(told, c.motion);
+        const double reach =
+            std::sqrt(c.tool.radius * c.tool.radius + c.tool.height * c.tool.height);
+        const double strays = strays_mm(c.motion, poses, reach).value();
+        const ToolExtent tool = extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height));
+        const Pose A = poses.at(line.from), B = poses.at(line.to);
+        for (const Pose& now : sample(c.motion, tool, {.max_steps = 30}, {}, told).poses) {
+            const Vec3 d = direction(random);
+            const double beyond =
+                support(now, c.tool, d) - std::max(support(A, c.tool, d), support(B, c.tool, d));
+            ASSERT_LE(beyond, strays + 1e-9) << i;
+            if (strays > 1e-3) worst = std::max(worst, beyond / strays);
+        }
+    }
+    EXPECT_GT(worst, 0.6) << "the bound is no bound of this";
 }
 
 // At 15 degrees it leaves the upper side of a wide stock at once.

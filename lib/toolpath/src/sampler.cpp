@@ -30,6 +30,7 @@ struct Course {
     double sweep_rad = 0.0;  // of an arc
     double radius_mm = 0.0;  // the largest
     double radius_change_mm = 0.0;
+    double way_mm = 0.0;  // of the tip where nothing turns
     Turning turning;
 
     Turning step(double steps) const {
@@ -132,8 +133,8 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
     std::uint32_t steps =
         fewest(least_steps(course, options), options.max_steps, [&](std::uint32_t n) {
             const Turning t = course.step(n);
-            return t.chord_mm <= options.chord_tolerance_mm &&
-                   missed_mm(t, tool) <= options.rotation_miss_mm;
+            if (t.chord_mm > options.chord_tolerance_mm) return false;
+            return t.turn_rad == 0.0 || t.chord_mm + missed_mm(t, tool) <= options.rotation_miss_mm;
         });
     double slab_mm = Turning::kInf;
     if (course.turning.turn_rad > 0.0) {
@@ -441,10 +442,11 @@ Turning turning_of(const Poses& poses, const Position& from, const Position& to,
     return t;
 }
 
-Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
-                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
+Course course_of(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
+                 const std::optional<cda::Box>& place) {
     Course c;
     const double way = norm(linear_axes(m.to) - linear_axes(m.from));
+    c.way_mm = way;
     if (poses.chain()) {
         c.turning = turning_of(poses, m.from, m.to, 0.0, way, radius_of(tool), place);
     } else {
@@ -453,20 +455,24 @@ Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExte
         };
         c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, way, radius_of(tool), place);
     }
-    return sample_course(c, tool, options, poses,
+    return c;
+}
+
+Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
+                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
+    return sample_course(course_of(m, poses, tool, place), tool, options, poses,
                          [&m](double t) { return between(m.from, m.to, t); });
 }
 
-Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
-                   const ToolExtent& tool, const SamplingOptions& options,
-                   const std::optional<cda::Box>& place) {
-    const Polar p = polar(m);
+Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const Polar& p,
+                 const Poses& poses, const ToolExtent& tool, const std::optional<cda::Box>& place) {
     Course c;
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
     const double way = c.radius_mm * c.sweep_rad + c.radius_change_mm +
                        norm(linear_axes(m.to) - linear_axes(m.from));
+    c.way_mm = way;
     if (poses.chain()) {
         c.turning = turning_of(poses, m.from, m.to, 2 * c.radius_mm, way, radius_of(tool), place);
     } else {
@@ -474,7 +480,15 @@ Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses
         c.turning =
             turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, way, radius_of(tool), place);
     }
-    return sample_course(c, tool, options, poses, [&](double t) { return on_arc(m, p, t); });
+    return c;
+}
+
+Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
+                   const ToolExtent& tool, const SamplingOptions& options,
+                   const std::optional<cda::Box>& place) {
+    const Polar p = polar(m);
+    return sample_course(course_of(motion, m, p, poses, tool, place), tool, options, poses,
+                         [&](double t) { return on_arc(m, p, t); });
 }
 
 // --- Splines ------------------------------------------------------------------------------
@@ -529,6 +543,22 @@ Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExte
 }
 
 }  // namespace
+
+std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm) {
+    Course c;
+    if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
+        c = course_of(*linear, poses, {}, {});
+    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        c = course_of(motion, *arc, polar(*arc), poses, {}, {});
+    } else {
+        return std::nullopt;
+    }
+    // At any time one of the ends is no farther away than half of all it does.
+    const Turning& t = c.turning;
+    const double way =
+        poses.of_tip() ? c.way_mm : std::max(c.way_mm, t.moved_mm) + t.turn_rad * t.tip_mm;
+    return way / 2 + t.tilt_rad / 2 * reach_mm;
+}
 
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
                const std::optional<cda::Box>& place, const Kinematics* told) {
