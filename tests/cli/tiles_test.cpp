@@ -84,6 +84,41 @@ TEST(Tiles, AreOneRun) {
         expect_one_run(folder, {"complex.nc"}, n);
 }
 
+// A tile passes by motions that stay out of it: about an axis, under tip control, on arcs.
+TEST(Tiles, OfToolsThatTurnAreOneRun) {
+    const Folder folder;
+    std::string around =
+        "(T1 D=8. CR=4. - ball end mill)\n(STOCK/BLOCK,60.,40.,40.,30.,20.,20.)\n"
+        "G21 G90 T1 M6 S8000 M3\nG0 X-40. Y0. Z40. A0.\nF1000.\n";
+    for (int i = 0; i < 30; ++i)
+        around += fmt::format("G1 X{} Z{} A{}.\n", 2 * i - 30, 17 + i % 3, 25 * i);
+    folder.write("around.nc", around + "G2 X30. Y10. R20. A800.\nG0 Z60.\nM30\n");
+    std::string tip =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,40.,20.,30.,20.,20.)\n"
+        "G21 G90 T1 M6 S8000 M3\nG0 X-40. Y0. Z40. A0. B0.\nG43.4 H1\nF1000.\n";
+    for (int i = 0; i < 20; ++i)
+        tip += fmt::format("G1 X{} Y{} Z-2. A{}. B{}.\n", 2 * i - 20, i % 5, i % 7 * 5, i);
+    folder.write("tip.nc", tip + "G49\nG0 Z60.\nM30\n");
+    folder.write("m.toml",
+                 "preset = \"xyzab-table\"\n"
+                 "control = { tip_frame = \"table\", tip_frame_at = \"zero\" }\n");
+    for (const Words& program :
+         {Words{"around.nc"}, Words{"tip.nc", "--machine", "m.toml", "--tool", "T1=flat:D6:L40"}}) {
+        SCOPED_TRACE(program[0]);
+        const Ran one = folder.run(Words{"run"} + program +
+                                   Words{"-q", "--stl", "one.stl", "--report", "one.json"});
+        ASSERT_EQ(one.exit_code, 0) << one.err;
+        for (int i = 0; i < 5; ++i)
+            ASSERT_EQ(cut(folder, program, i, 5).exit_code, 0);
+        const Ran merged =
+            folder.run({"merge", "tiles", "-q", "--stl", "merged.stl", "--report", "merged.json"});
+        ASSERT_EQ(merged.exit_code, 0) << merged.err;
+        EXPECT_TRUE(folder.read("merged.stl") == folder.read("one.stl"));
+        EXPECT_EQ(folder.read("merged.json"), folder.read("one.json"));
+        std::filesystem::remove_all(folder.path() / "tiles");
+    }
+}
+
 TEST(Tiles, KnowWhatWasAsked) {
     const Folder folder;
     folder.write("wave.nc", sample("wave.nc"));

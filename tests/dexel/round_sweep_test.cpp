@@ -262,7 +262,10 @@ TEST(SweptTool, ReachesWhatItsRaysAlongZMeet) {
         if (meet(tool, 2, x, y)) {
             EXPECT_LE(low, x);
             EXPECT_GE(high, x);
-            EXPECT_LE(tool.lowest_at(y), meet(tool, 2, x, y)->low + 1e-3);
+            const double lowest = meet(tool, 2, x, y)->low;
+            EXPECT_LE(tool.lowest_at(y), lowest + 1e-3);
+            const double aside = std::max(tool.least_x() - x, x - tool.most_x());
+            EXPECT_LE(tool.lowest_at(y) + tool.rise_beside(aside), lowest + 1e-3);
         }
     }
 }

@@ -173,10 +173,14 @@ TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
         const Case c(random);
         const auto steps = static_cast<double>(c.samples.poses.size() - 1);
         const auto k = static_cast<std::size_t>(random.between(0, static_cast<int>(steps) - 1));
+        const PieceExtent whole =
+            extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height)).pieces[0];
+        if (is_above(whole, c.samples.turning.top_mm)) continue;
+        const double height = cut_off(whole, c.samples.turning.top_mm);
         const auto on_tool = [&] {
             const double angle = random.within(0, 6.2831853);
             const double r = random.one_in(2) ? c.tool.radius : random.within(0, c.tool.radius);
-            const double z = random.one_in(2) ? c.tool.height : random.within(0, c.tool.height);
+            const double z = random.one_in(2) ? height : random.within(0, height);
             return Vec3{r * std::cos(angle), r * std::sin(angle), z};
         };
         // Of slabs, each has a hull.
@@ -203,6 +207,86 @@ TEST(ToldMachine, NoHullGainsMoreThanTheBound) {
             worst = std::max(worst, nearest / c.samples.bounds.gained_mm);
     }
     EXPECT_GT(worst, 0.1) << "the bound is no bound of this";
+}
+
+// Whatever moves and turns: tools are cut off above that height.
+TEST(ToldMachine, NoPlaceBesideAToolThatTurnsIsHigherThanItTells) {
+    test::Random random(13);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 10'000; ++i) {
+        Case c(random);
+        if (!c.where) continue;
+        auto& line = std::get<gcode::Linear>(c.motion.what);
+        if (random.one_in(2)) line.to = between(line.from, line.to, 0.001);
+        if (random.one_in(3)) {
+            gcode::Arc arc{line.from, line.to, gcode::Plane::XY, {}, {}, 1, {}};
+            arc.centre_1 = Length::from_mm(random.within(-20, 20));
+            arc.centre_2 = Length::from_mm(random.within(-20, 20));
+            c.motion.what = arc;
+        }
+        const Kinematics* told = random.one_in(3) ? nullptr : &c.told;
+        if (!told) c.motion.coordinates = gcode::Coordinates::Axes;
+        const ToolExtent tool = extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height));
+        const Samples samples = sample(c.motion, tool, {.max_steps = 50}, c.where, told);
+        for (const Pose& X_WT : samples.poses) {
+            const double angle = random.within(0, 6.2831853);
+            const double r = c.tool.radius + random.within(0, Turning::kBeside);
+            const double z = random.within(0, 100);
+            if (!c.where->contains(X_WT * Vec3{r * std::cos(angle), r * std::sin(angle), z}))
+                continue;
+            ASSERT_LE(z, samples.turning.top_mm) << i;
+            nearest = std::min(nearest, samples.turning.top_mm - z);
+        }
+    }
+    EXPECT_LT(nearest, 0.5) << "the bound is no bound of this";
+}
+
+TEST(ToldMachine, AToolStraysNoFartherThanToldFromWhereItIsAtTheEnds) {
+    test::Random random(14);
+    double worst = 0.0;
+    for (int i = 0; i < 4'000; ++i) {
+        Case c(random);
+        const auto line = std::get<gcode::Linear>(c.motion.what);
+        if (random.one_in(3)) {
+            gcode::Arc arc{line.from, line.to, gcode::Plane::XY, {}, {}, 1, {}};
+            arc.centre_1 = Length::from_mm(random.within(-20, 20));
+            arc.centre_2 = Length::from_mm(random.within(-20, 20));
+            c.motion.what = arc;
+        }
+        const Kinematics* told = random.one_in(3) ? nullptr : &c.told;
+        if (!told) c.motion.coordinates = gcode::Coordinates::Axes;
+        const Poses poses(told, c.motion);
+        const double reach =
+            std::sqrt(c.tool.radius * c.tool.radius + c.tool.height * c.tool.height);
+        const double strays = strays_mm(c.motion, poses, reach).value();
+        const ToolExtent tool = extent_of(flat_end_mill(2 * c.tool.radius, c.tool.height));
+        const Pose A = poses.at(line.from), B = poses.at(line.to);
+        for (const Pose& now : sample(c.motion, tool, {.max_steps = 30}, {}, told).poses) {
+            const Vec3 d = direction(random);
+            const double beyond =
+                support(now, c.tool, d) - std::max(support(A, c.tool, d), support(B, c.tool, d));
+            ASSERT_LE(beyond, strays + 1e-9) << i;
+            if (strays > 1e-3) worst = std::max(worst, beyond / strays);
+        }
+    }
+    EXPECT_GT(worst, 0.6) << "the bound is no bound of this";
+}
+
+// At 15 degrees it leaves the upper side of a wide stock at once.
+TEST(ToldMachine, AToolIsCutOffWhereItLeavesTheStock) {
+    const cda::Box stock{{-100, -100, -30}, {100, 100, 0}};
+    const ToolExtent tool = extent_of(flat_end_mill(6, 40));
+    const auto top_of = [&](const gcode::Motion& motion, const Kinematics* told) {
+        return sample(motion, tool, {}, stock, told).turning.top_mm;
+    };
+    Kinematics told{*machine::preset("xyzab-table"), {}};
+    const gcode::Motion of_tip =
+        line(at(0, 0, -5, 15, 0), at(1, 0, -5, 16, 0), gcode::Coordinates::Tip);
+    EXPECT_LT(top_of(of_tip, &told), 8.0);
+    EXPECT_GT(top_of(of_tip, &told), 5.0);
+    const gcode::Motion of_axes =
+        line(at(0, 0, -5, 15, 0), at(1, 0, -5, 16, 0), gcode::Coordinates::Axes);
+    EXPECT_LT(top_of(of_axes, nullptr), 8.0);
 }
 
 TEST(ToldMachine, TheTipStaysInItsPlaceWhileTheTableTurns) {

@@ -220,6 +220,16 @@ TEST(Sample, ATurningToolIsDividedUntilBothBoundsHold) {
     EXPECT_LE(worst, s.bounds.missed_mm);
 }
 
+// The arc and the turn together: each alone would be within the tolerance in fewer steps.
+TEST(Sample, OfAnArcThatTurnsTheToolKeepsTheToleranceOfBoth) {
+    const SamplingOptions options;
+    for (const double turn : {1.0, 5.0, 20.0, 125.0}) {
+        Motion m = arc(at(10, 0, 10, 0), at(0, 10, 10, turn), gcode::Plane::XY, 0, 0, 1);
+        const Samples s = sample(m, kTool, options);
+        EXPECT_LE(s.bounds.missed_mm, options.rotation_miss_mm) << turn;
+    }
+}
+
 // High above a place that matters nothing is missed or gained; the path is one to be drawn.
 TEST(Sample, ATurnIsNeverOneStepThroughThePart) {
     const cda::Box place{{-10, -10, -10}, {10, 10, 10}};

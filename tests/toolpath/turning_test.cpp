@@ -363,6 +363,29 @@ TEST(Turning, TheBoundOfWhatIsGainedIsNotFarFromTheTruth) {
     EXPECT_GT(worst_gain(goes_on, 4000, random), 0.5);
 }
 
+// About a point of its own axis.
+TEST(Turning, ACylinderGainsByItsHeightOrByItsWidthAndNotByBoth) {
+    test::Random random(6);
+    double worst = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        SCOPED_TRACE(i);
+        const double d = random.within(2, 20);
+        const double l = random.within(0.3, 3) * d;
+        const double low = -random.within(0, 1) * l;
+        const Case c{flat_end_mill(d, l).pieces[0],
+                     place_at(0, 0, low, 0, 0, 0),
+                     place_at(0, 0, low, random.within(1, 5), 0, 0),
+                     {}};
+        const Samples s = c.samples();
+        const double s_mm = norm(axis_of(s.poses[1]) - axis_of(s.poses[0])) * std::max(d, l) / 4;
+        EXPECT_LT(s.bounds.gained_mm, 1.3 * s_mm + s.bounds.missed_mm);
+        const double ratio = worst_gain(c, 200, random);
+        ASSERT_LE(ratio, 1.0);
+        worst = std::max(worst, ratio);
+    }
+    EXPECT_GT(worst, 0.7) << "the bound is not far from the truth";
+}
+
 // A table that stands at C90, with the stock on it, changes nothing about what A and B do.
 TEST(Turning, AxesThatStandStillTurnTheOnesBeforeThem) {
     const auto bounds = [](double b, double c, cda::Box place) {

@@ -5,8 +5,10 @@
 // where it cannot be asked.
 #include "verify/expected.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 namespace ncsim::verify_test {
@@ -189,9 +191,9 @@ TEST(FixtureContact, IsNotFoundWhereAConeOnlyTouches) {
     EXPECT_EQ(only(lower, "fixture-contact").place.span.line, 3U);
 }
 
-TEST(FixtureContact, IsFoundForAMesh) {
-    // The same jaw as a closed surface of triangles.
-    verify::Setup setup = with_jaw(0);
+// The same jaw as a closed surface of triangles.
+verify::Setup with_jaw_of_triangles(double clearance) {
+    verify::Setup setup = with_jaw(clearance);
     cda::TriangleMesh& mesh = setup.machine.fixtures[0].mesh;
     const cda::Box b = setup.machine.fixtures[0].box;
     for (int i = 0; i < 8; ++i) {
@@ -200,6 +202,11 @@ TEST(FixtureContact, IsFoundForAMesh) {
     }
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return setup;
+}
+
+TEST(FixtureContact, IsFoundForAMesh) {
+    const verify::Setup setup = with_jaw_of_triangles(0);
     const auto verdict = verdict_of(kStart + "G0 Y9.9 Z-2\nG1 X30\nG1 Y10.1\n", setup);
     const auto found = findings_of(verdict, "fixture-contact");
     ASSERT_EQ(found.size(), 2U);
@@ -207,6 +214,38 @@ TEST(FixtureContact, IsFoundForAMesh) {
     EXPECT_EQ(found[0].certainty, Certainty::Certain);
     const auto clear = verdict_of(kStart + "G0 Y10 Z-2\nG1 X30\n", setup);
     EXPECT_TRUE(findings_of(clear, "fixture-contact").empty());
+}
+
+// Triangles of STEP lie inside of what is round: what they hide may be met, and what they do not
+// hide is met for certain only if it is deeper than that.
+TEST(FixtureContact, IsOpenWhereTrianglesHideTheSurface) {
+    verify::Setup setup = with_jaw_of_triangles(0);
+    setup.machine.fixtures[0].deflection_mm = 0.01;
+    const auto certainty_at = [&](double y) -> std::optional<Certainty> {
+        const auto verdict = verdict_of(kStart + fmt::format("G0 Y{} Z-2\nG1 X30\n", y), setup);
+        const auto found = findings_of(verdict, "fixture-contact");
+        if (found.empty()) return std::nullopt;
+        return found[0].certainty;
+    };
+    EXPECT_EQ(certainty_at(9.985), std::nullopt);
+    EXPECT_EQ(certainty_at(9.995), Certainty::Within);
+    EXPECT_EQ(certainty_at(10.005), Certainty::Within);
+    EXPECT_EQ(certainty_at(10.015), Certainty::Certain);
+}
+
+TEST(FixtureClearance, IsOpenWhereTrianglesHideTheSurface) {
+    verify::Setup setup = with_jaw_of_triangles(1.5);
+    setup.machine.fixtures[0].deflection_mm = 0.01;
+    const auto certainty_at = [&](double y) -> std::optional<Certainty> {
+        const auto verdict = verdict_of(kStart + fmt::format("G0 Y{} Z-2\nG1 X30\n", y), setup);
+        EXPECT_TRUE(findings_of(verdict, "fixture-contact").empty());
+        const auto found = findings_of(verdict, "fixture-clearance");
+        if (found.empty()) return std::nullopt;
+        return found[0].certainty;
+    };
+    EXPECT_EQ(certainty_at(8.485), std::nullopt);
+    EXPECT_EQ(certainty_at(8.495), Certainty::Within);
+    EXPECT_EQ(certainty_at(8.515), Certainty::Certain);
 }
 
 }  // namespace

@@ -216,26 +216,26 @@ private:
             if (glances_.where[i] == Glance::Below) continue;
             const Plane& plane = rows_[i].exact;
             if (glances_.where[i] == Glance::Across || !facet_plane().is_parallel_to(plane)) {
-                cuts_.emplace_back(share_below(i), i);
+                cuts_.emplace_back(share_below(glances_, i), i);
                 continue;
             }
             const bool same = same_direction(facet_plane(), plane);
             const int beyond = distance_beyond(facet_plane(), plane, same);
             if (beyond < 0 || (beyond == 0 && !same)) return false;
         }
-        return clip_in_order(facet_, cuts_);
+        return clip_in_order(facet_, cuts_, planes);
     }
 
-    // How much of facet_ is below a plane that it has been looked at from: a rough measure.
-    double share_below(std::size_t i) const {
-        const double low = glances_.low[i];
-        const double high = glances_.high[i];
+    // How much of a polygon is below a plane that it has been looked at from: a rough measure.
+    static double share_below(const Glances& glances, std::size_t i) {
+        const double low = glances.low[i];
+        const double high = glances.high[i];
         return low < high ? low / (low - high) : 1.0;
     }
 
-    // By planes of rows_. Those first that leave least, since most others do not meet what those
-    // leave: after two of them, the others are looked at once more.
-    bool clip_in_order(FilteredPolygon& polygon, Cuts& cuts) {
+    // By some of the planes. Those first that leave least, since most others do not meet what those
+    // leave: after two of them, all are looked at once more.
+    bool clip_in_order(FilteredPolygon& polygon, Cuts& cuts, const Range& planes) {
         constexpr std::size_t kFirst = 2;
         constexpr std::size_t kWorthALook = 4;
         if (cuts.size() >= kFirst + kWorthALook) {
@@ -244,15 +244,14 @@ private:
                 std::iter_swap(begin, std::min_element(begin, cuts.end()));
                 if (!polygon.clip(rows_[cuts[k].second])) return false;
             }
-            others_.clear();
-            for (std::size_t i = kFirst; i < cuts.size(); ++i)
-                others_.add(rows_[cuts[i].second]);
-            polygon.look(others_, 0, others_.size(), glances_at_others_);
+            polygon.look(rows_, planes.begin, planes.end, glances_again_);
             std::size_t kept = 0;
             for (std::size_t i = kFirst; i < cuts.size(); ++i) {
-                const Glance where = glances_at_others_.where[i - kFirst];
+                const std::size_t plane = cuts[i].second;
+                const Glance where = glances_again_.where[plane];
                 if (where == Glance::Above) return false;
-                if (where != Glance::Below) cuts[kept++] = cuts[i];
+                if (where != Glance::Below)
+                    cuts[kept++] = {share_below(glances_again_, plane), plane};
             }
             cuts.resize(kept);
         }
@@ -323,11 +322,11 @@ private:
             if (glances_.where[i] == Glance::Below) continue;
             const Plane& plane = rows_[i].exact;
             if (glances_.where[i] == Glance::Across) {
-                section.cuts.emplace_back(share_below(i), i);
+                section.cuts.emplace_back(share_below(glances_, i), i);
             } else if (!plane.is_parallel_to(facet_plane())) {
                 const int where = facet_.classify(rows_[i]);
                 if (where < 0) return Overlap::None;
-                if (where == 0) section.cuts.emplace_back(share_below(i), i);
+                if (where == 0) section.cuts.emplace_back(share_below(glances_, i), i);
             } else {
                 const bool same = same_direction(facet_plane(), plane);
                 const int beyond = distance_beyond(facet_plane(), plane, same);
@@ -344,7 +343,7 @@ private:
     // has no area.
     bool find_area(Section& section) {
         section.area.assign(facet_);
-        if (!clip_in_order(section.area, section.cuts)) return false;
+        if (!clip_in_order(section.area, section.cuts, section.cell->planes)) return false;
         section.planes.clear();
         for (std::size_t i = 0; i < section.area.size(); ++i) {
             const FilterPlane& edge = section.area.edge_plane(i);
@@ -513,8 +512,7 @@ private:
     FilteredPolygon facet_;
     Glances glances_;  // at rows_
     Cuts cuts_;
-    PlaneRows others_;
-    Glances glances_at_others_;
+    Glances glances_again_;  // after some cuts
     std::vector<Section> sections_;
     std::size_t sections_in_use_ = 0;
     std::vector<FilteredSegment> remaining_, rest_;

@@ -261,13 +261,13 @@ FilteredSegment::Clipped FilteredSegment::clip(const FilterPlane& cut) {
     return Clipped::Head;
 }
 
-void FilteredPolygon::Corners::clear(std::size_t most) {
-    size = 0;
-    const std::size_t room = most + kLanes;
-    if (x.size() >= room) return;
+void FilteredPolygon::Corners::make_room(std::size_t most) {
+    static_assert(kSpare >= kLanes);
+    const std::size_t room = 2 * (most + kSpare);
     x.resize(room);
     y.resize(room);
     z.resize(room);
+    edge.resize(room);
 }
 
 std::size_t FilteredPolygon::Corners::pad() {
@@ -294,33 +294,79 @@ bool FilteredPolygon::assign_section(const FilterPlane& plane,
     std::size_t u = (axis + 1) % 3;
     std::size_t v = (axis + 2) % 3;
     if (n[axis] < 0) std::swap(u, v);
-    edges_.assign({&walls[2 * v], &walls[2 * u + 1], &walls[2 * v + 1], &walls[2 * u]});
-    corners_.clear(4);
+    corners().clear(4);
     error_ = kCornerError;
     const auto corner = [&](const std::array<std::int64_t, 3>& at_u,
-                            const std::array<std::int64_t, 3>& at_v) {
+                            const std::array<std::int64_t, 3>& at_v, std::size_t wall) {
         const double cu = 0.5 * static_cast<double>(at_u[u]);
         const double cv = 0.5 * static_cast<double>(at_v[v]);
         Vec3 p;
         p[static_cast<int>(u)] = cu;
         p[static_cast<int>(v)] = cv;
         p[static_cast<int>(axis)] = (plane.d - n[u] * cu - n[v] * cv) / n[axis];
-        corners_.add(p);
+        corners().add(p, &walls[wall]);
     };
-    corner(min, min);
-    corner(max, min);
-    corner(max, max);
-    corner(min, max);
-    padded_ = corners_.pad();
-    return clip(walls[2 * axis + 1]) && clip(walls[2 * axis]);
+    corner(min, min, 2 * v);
+    corner(max, min, 2 * u + 1);
+    corner(max, max, 2 * v + 1);
+    corner(min, max, 2 * u);
+    padded_ = corners().pad();
+    return clip_to_walls(walls[2 * axis], walls[2 * axis + 1]);
+}
+
+// The same as two calls of clip(), for four corners between parallel planes: where doubles tell on
+// which side of both they are, in one walk around them.
+bool FilteredPolygon::clip_to_walls(const FilterPlane& lower, const FilterPlane& upper) {
+    constexpr std::size_t kCorners = 4;
+    std::array<double, kCorners> below, above;
+    std::array<int, kCorners> where;
+    const double bound = height_error(upper, error_);
+    int insiders = 0;
+    int uppers = 0;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+        const Vec3 p = corners().at(i);
+        below[i] = p.x * lower.nx + p.y * lower.ny + p.z * lower.nz - lower.d;
+        above[i] = p.x * upper.nx + p.y * upper.ny + p.z * upper.nz - upper.d;
+        if (std::abs(below[i]) <= bound || std::abs(above[i]) <= bound)
+            return clip(upper) && clip(lower);
+        where[i] = below[i] > 0.0 ? -1 : above[i] > 0.0 ? 1 : 0;
+        insiders += where[i] == 0 ? 1 : 0;
+        uppers += where[i] > 0 ? 1 : 0;
+    }
+    count_asked(Filter::Corner, 2 * kCorners);
+    if (insiders == kCorners) return true;
+    if (insiders == 0 && (uppers == 0 || uppers == kCorners)) return false;
+    const Corners& from = corners();
+    Corners& to = kept();
+    to.clear(2 * kCorners);
+    double error = error_;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+        const std::size_t k = (i + 1) % kCorners;
+        const auto cross = [&](int side, const FilterPlane* edge) {
+            const FilterPlane& cut = side < 0 ? lower : upper;
+            const auto& heights = side < 0 ? below : above;
+            const FilteredPoint at =
+                crossing(*plane_, *from.edge[i], cut, corner(i), corner(k), heights[i], heights[k]);
+            error = std::max(error, at.error);
+            to.add(at.p, edge);
+        };
+        if (where[i] == 0) to.add(from, i);
+        if (where[i] == where[k]) continue;
+        if (where[i] != 0) cross(where[i], from.edge[i]);
+        if (where[k] != 0) cross(where[k], where[k] < 0 ? &lower : &upper);
+    }
+    turn();
+    error_ = error;
+    padded_ = to.pad();
+    return true;
 }
 
 int FilteredPolygon::classify_corners(const FilterPlane& cut) {
     count_asked(Filter::Corner, size());
     if (heights_.size() < padded_) heights_.resize(2 * padded_);
     const double bound = height_error(cut, error_);
-    const Found found = heights_above(cut, bound, corners_.x.data(), corners_.y.data(),
-                                      corners_.z.data(), padded_, heights_.data());
+    const Found found = heights_above(cut, bound, corners().x.data(), corners().y.data(),
+                                      corners().z.data(), padded_, heights_.data());
     if (found.below + found.above < static_cast<std::int64_t>(padded_))
         return classify_doubtful(cut, bound);
     if (found.below == 0) return -1;
@@ -343,7 +389,8 @@ int FilteredPolygon::classify_doubtful(const FilterPlane& cut, double bound) {
         } else if (heights_[i] < -bound) {
             side = Side::Below;
         } else {
-            side = side_exactly(*plane_, *edges_[before(i)], *edges_[i], cut, 2.0 * bound);
+            side = side_exactly(*plane_, *corners().edge[before(i)], *corners().edge[i], cut,
+                                2.0 * bound);
             if (side == Side::On) heights_[i] = 0.0;
         }
         any_below |= side == Side::Below;
@@ -363,34 +410,33 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
     std::size_t next = first;
     while (sides_[next] == Side::Above)
         next = after(next);
-    kept_corners_.clear(n + 2);
-    kept_edges_.resize(n + 2);
+    const Corners& from = corners();
+    Corners& to = kept();
+    to.clear(n + 2);
     double error = error_;
-    const auto keep = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            kept_edges_[kept_corners_.size] = edges_[i];
-            kept_corners_.add(corners_.at(i));
-        }
+    const auto keep = [&](std::size_t begin, std::size_t end) __attribute__((always_inline)) {
+        for (std::size_t i = begin; i < end; ++i)
+            to.add(from, i);
     };
-    const auto cross = [&](std::size_t i, std::size_t k, const FilterPlane* edge) {
+    const auto cross = [&](std::size_t i, std::size_t k, const FilterPlane* edge)
+        __attribute__((always_inline)) {
         const FilteredPoint at =
-            crossing(*plane_, *edges_[i], cut, corner(i), corner(k), heights_[i], heights_[k]);
+            crossing(*plane_, *from.edge[i], cut, corner(i), corner(k), heights_[i], heights_[k]);
         error = std::max(error, at.error);
-        kept_edges_[kept_corners_.size] = edge;
-        kept_corners_.add(at.p);
+        to.add(at.p, edge);
     };
     // The edge in `cut` begins at the last corner before those above, if that lies in it.
-    const auto leave = [&] {
+    const auto leave = [&]() __attribute__((always_inline)) {
         const std::size_t last = before(first);
         if (sides_[last] == Side::On) {
-            kept_edges_[kept_corners_.size - 1] = &cut;
+            to.edge[to.size - 1] = &cut;
         } else {
             cross(last, first, &cut);
         }
     };
-    const auto enter = [&] {
+    const auto enter = [&]() __attribute__((always_inline)) {
         const std::size_t last = before(next);
-        if (sides_[next] != Side::On) cross(last, next, edges_[last]);
+        if (sides_[next] != Side::On) cross(last, next, from.edge[last]);
     };
     if (first < next) {
         keep(0, first);
@@ -403,12 +449,10 @@ bool FilteredPolygon::clip(const FilterPlane& cut) {
         keep(next, first);
         leave();
     }
-    kept_edges_.resize(kept_corners_.size);
-    std::swap(corners_, kept_corners_);
-    edges_.swap(kept_edges_);
+    turn();
     error_ = error;
     if (size() < 3) return false;
-    padded_ = corners_.pad();
+    padded_ = to.pad();
     return true;
 }
 
@@ -425,7 +469,7 @@ void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size
     look_at(
         {from(planes.nx_), from(planes.ny_), from(planes.nz_), from(planes.d_),
          from(planes.one_norm_)},
-        end - begin, {corners_.x.data(), corners_.y.data(), corners_.z.data()}, size(), error_,
+        end - begin, {corners().x.data(), corners().y.data(), corners().z.data()}, size(), error_,
         {glances.where.data() + begin, glances.low.data() + begin, glances.high.data() + begin});
     count_glances(std::span(glances.where).subspan(begin, end - begin));
 }
@@ -433,18 +477,19 @@ void FilteredPolygon::look(const PlaneRows& planes, std::size_t begin, std::size
 void FilteredPolygon::assign(const FilteredPolygon& other) {
     plane_ = other.plane_;
     const std::size_t n = other.size();
-    corners_.clear(n);
-    corners_.size = n;
+    corners().clear(n);
+    corners().size = n;
     padded_ = other.padded_;
-    std::copy_n(other.corners_.x.begin(), padded_, corners_.x.begin());
-    std::copy_n(other.corners_.y.begin(), padded_, corners_.y.begin());
-    std::copy_n(other.corners_.z.begin(), padded_, corners_.z.begin());
+    std::copy_n(other.corners().x.begin(), padded_, corners().x.begin());
+    std::copy_n(other.corners().y.begin(), padded_, corners().y.begin());
+    std::copy_n(other.corners().z.begin(), padded_, corners().z.begin());
+    std::copy_n(other.corners().edge.begin(), n, corners().edge.begin());
     error_ = other.error_;
-    edges_ = other.edges_;
 }
 
 FilteredSegment FilteredPolygon::edge(std::size_t i) const {
-    return {plane_, edges_[i], edges_[before(i)], edges_[after(i)], corner(i), corner(after(i))};
+    return {plane_,    corners().edge[i], corners().edge[before(i)], corners().edge[after(i)],
+            corner(i), corner(after(i))};
 }
 
 }  // namespace ncsim::cda

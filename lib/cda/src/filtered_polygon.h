@@ -97,9 +97,9 @@ public:
     void assign(const FilteredPolygon& other);
 
     const FilterPlane& plane() const { return *plane_; }
-    std::size_t size() const { return edges_.size(); }
+    std::size_t size() const { return corners().size; }
     /// The plane that cuts off the edge from corner `i` to the next.
-    const FilterPlane& edge_plane(std::size_t i) const { return *edges_[i]; }
+    const FilterPlane& edge_plane(std::size_t i) const { return *corners().edge[i]; }
     /// From corner `i` to the next.
     FilteredSegment edge(std::size_t i) const;
 
@@ -117,38 +117,51 @@ public:
 private:
     struct Corners {
         std::vector<double> x, y, z;
+        std::vector<const FilterPlane*> edge;  // from corner i to the next
         std::size_t size = 0;
 
-        // Makes room for so many.
-        void clear(std::size_t most);
-        void add(const Vec3& p) {
+        // None, with room for so many.
+        void clear(std::size_t most) {
+            size = 0;
+            if (x.size() < most + kSpare) make_room(most);
+        }
+        void add(const Vec3& p, const FilterPlane* edge_after) {
             x[size] = p.x;
             y[size] = p.y;
             z[size] = p.z;
+            edge[size] = edge_after;
             ++size;
         }
+        void add(const Corners& other, std::size_t i) { add(other.at(i), other.edge[i]); }
         Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
         // Repeats the first corner, so that loops over corners have no remainder: until where.
         std::size_t pad();
+
+    private:
+        static constexpr std::size_t kSpare = 2;  // for pad()
+        void make_room(std::size_t most);
     };
-    FilteredPoint corner(std::size_t i) const { return {corners_.at(i), error_}; }
+    Corners& corners() { return sets_[now_]; }
+    const Corners& corners() const { return sets_[now_]; }
+    // What clip() keeps: until turn(), another set of corners.
+    Corners& kept() { return sets_[1 - now_]; }
+    void turn() { now_ = 1 - now_; }
+    FilteredPoint corner(std::size_t i) const { return {corners().at(i), error_}; }
     std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
     std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
     // 1: all below or on; -1: none below; 0: cut, and sides_ and heights_ are known.
     int classify_corners(const FilterPlane& cut);
     int classify_doubtful(const FilterPlane& cut, double bound);
+    bool clip_to_walls(const FilterPlane& lower, const FilterPlane& upper);
 
     const FilterPlane* plane_ = nullptr;
-    Corners corners_;
+    std::array<Corners, 2> sets_;
+    std::size_t now_ = 0;
     std::size_t padded_ = 0;
-    double error_ = 0.0;                     // of each coordinate of them
-    std::vector<const FilterPlane*> edges_;  // edges_[i]: corner i → corner i + 1
+    double error_ = 0.0;  // of each coordinate of them
     // Of the last classification.
     std::vector<Side> sides_;
     std::vector<double> heights_;
-    // Of clip(), kept for its memory.
-    Corners kept_corners_;
-    std::vector<const FilterPlane*> kept_edges_;
 };
 
 }  // namespace ncsim::cda

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -52,6 +51,21 @@ Wide area_vector(std::span<const LatticePoint> points, const std::vector<std::ui
     return sum;
 }
 
+// Of absolute values. The greatest common divisor, or 0 if it is less than `least`: what remains
+// of divisions gets smaller, and is a multiple of it. Of nothing but zeros it is 0.
+std::int64_t common_divisor(std::array<std::int64_t, 3> values, std::int64_t least) {
+    std::int64_t a = 0;
+    for (std::int64_t b : values) {
+        while (b != 0) {
+            if (b < least) return 0;
+            const std::int64_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+    }
+    return a;
+}
+
 // The nearest normal of kNormalBits to `v`, without common divisors; exact where it fits. v and -v
 // give opposite normals. Requires v != 0, components below 2^100.
 Normal quantised(const Wide& v) {
@@ -65,8 +79,12 @@ Normal quantised(const Wide& v) {
         return {nx / g, ny / g, nz / g};
     };
     if (largest < (Int128{1} << 62)) {
-        const Normal n = reduced(v.x, v.y, v.z);
-        if (std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) <= kLimit) return n;
+        const auto x = static_cast<std::int64_t>(v.x), y = static_cast<std::int64_t>(v.y),
+                   z = static_cast<std::int64_t>(v.z);
+        // What it has to be divided by at least, to fit.
+        const auto least = static_cast<std::int64_t>((largest + kLimit - 1) >> kNormalBits);
+        const std::int64_t g = common_divisor({std::abs(x), std::abs(y), std::abs(z)}, least);
+        if (g != 0) return {x / g, y / g, z / g};
     } else {
         // Divided by hand, since std::gcd has no 128 bits: only what is axis-parallel or diagonal
         // matters here, and for that a division by the largest component is enough.
@@ -117,12 +135,14 @@ struct LatticeHull {
     Normal normal(std::size_t facet) const { return quantised(areas[facet]); }
 };
 
-LatticeHull lattice_hull(std::span<const LatticePoint> points, const HullFacets& facets) {
+LatticeHull lattice_hull(std::span<const LatticePoint> points, HullFacets facets) {
     LatticeHull hull;
-    for (const auto& loop : facets.loops) {
+    hull.loops.reserve(facets.loops.size());
+    hull.areas.reserve(facets.loops.size());
+    for (auto& loop : facets.loops) {
         const Wide v = area_vector(points, loop);
         if (v.x == 0 && v.y == 0 && v.z == 0) continue;
-        hull.loops.push_back(loop);
+        hull.loops.push_back(std::move(loop));
         hull.areas.push_back(v);
     }
     return hull;
@@ -140,14 +160,14 @@ std::optional<LatticeHull> merged_hull(std::span<const LatticePoint> points) {
         local.push_back(
             {static_cast<double>(q.x), static_cast<double>(q.y), static_cast<double>(q.z)});
     }
-    const auto facets = quickhull(local);
+    auto facets = quickhull(local);
     if (!facets) return std::nullopt;
-    return lattice_hull(points, *facets);
+    return lattice_hull(points, std::move(*facets));
 }
 
 // In triangles, where that can be.
 std::optional<LatticeHull> hull_of(std::span<const LatticePoint> points) {
-    if (const auto facets = lattice_quickhull(points)) return lattice_hull(points, *facets);
+    if (auto facets = lattice_quickhull(points)) return lattice_hull(points, std::move(*facets));
     return merged_hull(points);
 }
 
@@ -176,8 +196,9 @@ std::size_t add(std::vector<Plane>& planes, const Plane& plane) {
 }
 
 // A unit vector that leans as little as is easily found from the worst of `normals`, of unit
-// length; the cosine between them, below 0 if there is none.
-double common_cosine(std::span<const Vec3> normals) {
+// length; the cosine between them, below 0 if there is none. None better is looked for once it is
+// `enough`.
+double common_cosine(std::span<const Vec3> normals, double enough) {
     const auto worst_of = [&](Vec3 m) {
         return *std::min_element(normals.begin(), normals.end(),
                                  [m](Vec3 a, Vec3 b) { return dot(m, a) < dot(m, b); });
@@ -190,7 +211,7 @@ double common_cosine(std::span<const Vec3> normals) {
     // Towards the worst by ever less: the middle of the smallest ball around the normals (Badoiu
     // and Clarkson, Smaller core-sets for balls, 2003).
     constexpr int kSteps = 8;
-    for (int i = 1; i <= kSteps; ++i) {
+    for (int i = 1; i <= kSteps && !(best > 0.0 && best >= enough); ++i) {
         m = m + (1.0 / (i + 1)) * (worst_of(m) - m);
         const Vec3 unit = normalized(m);
         best = std::max(best, dot(unit, worst_of(unit)));
@@ -256,7 +277,7 @@ private:
 };
 
 // The outline of facets that are one patch; empty if it is not one loop.
-std::vector<std::uint32_t> outline(const LatticeHull& hull, const std::vector<std::uint32_t>& patch,
+std::vector<std::uint32_t> outline(const LatticeHull& hull, std::span<const std::uint32_t> patch,
                                    const std::vector<std::uint32_t>& patch_of,
                                    const Neighbours& neighbours) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -280,6 +301,7 @@ std::vector<std::uint32_t> outline(const LatticeHull& hull, const std::vector<st
     return loop;
 }
 
+// They close, as the facets do.
 struct Patches {
     LatticeHull hull;
     std::vector<Plane> planes;  // one a patch, with all points below it
@@ -292,46 +314,63 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     const Neighbours neighbours(hull.loops);
     if (!neighbours.is_closed()) return std::nullopt;
     const auto count = static_cast<std::uint32_t>(hull.loops.size());
-    std::vector<double> areas;
-    for (const Wide& a : hull.areas) {
-        areas.push_back(norm(
-            Vec3{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)}));
+    struct Sized {
+        double area;
+        std::uint32_t facet;
+    };
+    std::vector<Sized> order;
+    order.reserve(count);
+    for (std::uint32_t f = 0; f < count; ++f) {
+        const Wide& a = hull.areas[f];
+        const Vec3 area{static_cast<double>(a.x), static_cast<double>(a.y),
+                        static_cast<double>(a.z)};
+        order.push_back({norm(area), f});
     }
-    std::vector<std::uint32_t> order(count);
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+    std::sort(order.begin(), order.end(), [](const Sized& a, const Sized& b) {
+        return a.area > b.area || (a.area == b.area && a.facet < b.facet);
+    });
     constexpr std::uint32_t kNone = ~0U;
     std::vector<std::uint32_t> patch_of(count, kNone);
-    std::vector<std::vector<std::uint32_t>> patches;
+    std::vector<std::uint32_t> looked_at(count, kNone);  // for which patch
+    std::vector<std::int64_t> heights(points.size());
+    std::vector<std::uint32_t> facets;  // patch by patch
+    facets.reserve(count);
+    std::vector<std::size_t> begins;
     Patches result;
-    for (const std::uint32_t seed : order) {
-        if (patch_of[seed] != kNone) continue;
-        const auto number = static_cast<std::uint32_t>(patches.size());
-        const Normal n = hull.normal(seed);
+    for (const Sized& seed : order) {
+        if (patch_of[seed.facet] != kNone) continue;
+        const auto number = static_cast<std::uint32_t>(begins.size());
+        const Normal n = hull.normal(seed.facet);
         const double length = norm(
             Vec3{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)});
-        const std::int64_t d = support(n, points);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            heights[i] = dot(n, points[i]);
+        const std::int64_t d = *std::max_element(heights.begin(), heights.end());
         const auto lowest = d - static_cast<std::int64_t>(depth * length);
         const auto is_near = [&](std::uint32_t f) {
             return std::all_of(hull.loops[f].begin(), hull.loops[f].end(),
-                               [&](std::uint32_t p) { return dot(n, points[p]) >= lowest; });
+                               [&](std::uint32_t p) { return heights[p] >= lowest; });
         };
-        std::vector<std::uint32_t> patch{seed};
-        patch_of[seed] = number;
-        for (std::size_t i = 0; i < patch.size(); ++i) {
-            const auto& loop = hull.loops[patch[i]];
+        begins.push_back(facets.size());
+        facets.push_back(seed.facet);
+        patch_of[seed.facet] = number;
+        for (std::size_t i = begins.back(); i < facets.size(); ++i) {
+            const auto& loop = hull.loops[facets[i]];
             for (std::size_t k = 0; k < loop.size(); ++k) {
                 const std::uint32_t next = neighbours.across(loop[k], loop[(k + 1) % loop.size()]);
-                if (patch_of[next] != kNone || !is_near(next)) continue;
+                if (patch_of[next] != kNone || looked_at[next] == number) continue;
+                looked_at[next] = number;
+                if (!is_near(next)) continue;
                 patch_of[next] = number;
-                patch.push_back(next);
+                facets.push_back(next);
             }
         }
-        patches.push_back(std::move(patch));
         result.planes.push_back(plane_of(n, d));
     }
-    for (const auto& patch : patches) {
+    begins.push_back(facets.size());
+    for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
+        const std::span<const std::uint32_t> patch(facets.data() + begins[i],
+                                                   begins[i + 1] - begins[i]);
         auto loop =
             patch.size() == 1 ? hull.loops[patch[0]] : outline(hull, patch, patch_of, neighbours);
         if (loop.size() < 3) return std::nullopt;
@@ -341,8 +380,9 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
     return result;
 }
 
-// How far the cell of these planes, one a facet, is from the hull of the points, in units; infinite
-// if that is not known. Each plane has all points below it.
+// Is the cell of these planes, one a facet, nowhere farther than `limit` units from the hull of the
+// points? False if that is not known. Each plane has all points below it, and each edge of a facet
+// belongs to one other.
 //
 // Around each corner the normals of the facets span a cone. If the facets close, and each faces
 // away from a point inside at all of its corners, these cones cover all directions: the map from
@@ -351,13 +391,11 @@ std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const Latti
 // of the cell is farther along it than Σ λi (ni·p + e) = u·p + e Σ λi, where e is how far the
 // planes are above p, which is in the hull. If m is a unit vector with m·ni ≥ c for these facets,
 // then c Σ λi ≤ m·u ≤ 1: the cell is no farther away along u than e/c.
-double distance_bound(const LatticeHull& hull, std::span<const LatticePoint> points,
-                      const std::vector<Plane>& planes) {
-    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+bool is_within(const LatticeHull& hull, std::span<const LatticePoint> points,
+               const std::vector<Plane>& planes, double limit) {
     const auto vec_of = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         return Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
     };
-    if (!Neighbours(hull.loops).is_closed()) return kUnknown;
     struct Incidence {
         std::uint32_t corner;
         Vec3 normal;
@@ -378,7 +416,6 @@ double distance_bound(const LatticeHull& hull, std::span<const LatticePoint> poi
     inside = (1.0 / static_cast<double>(incidences.size())) * inside;
     std::stable_sort(incidences.begin(), incidences.end(),
                      [](const Incidence& a, const Incidence& b) { return a.corner < b.corner; });
-    double worst = 0.0;
     std::vector<Vec3> normals;
     for (std::size_t i = 0; i < incidences.size();) {
         const std::uint32_t corner = incidences[i].corner;
@@ -388,13 +425,12 @@ double distance_bound(const LatticeHull& hull, std::span<const LatticePoint> poi
         for (; i < incidences.size() && incidences[i].corner == corner; ++i) {
             normals.push_back(incidences[i].normal);
             above = std::max(above, incidences[i].above);
-            if (!(dot(incidences[i].normal, vec_of(p.x, p.y, p.z) - inside) > 0.0)) return kUnknown;
+            if (!(dot(incidences[i].normal, vec_of(p.x, p.y, p.z) - inside) > 0.0)) return false;
         }
-        const double cosine = common_cosine(normals);
-        if (!(cosine > 0.0)) return kUnknown;
-        worst = std::max(worst, above / cosine);
+        const double cosine = common_cosine(normals, above / limit);
+        if (!(cosine > 0.0) || !(above / cosine <= limit)) return false;
     }
-    return worst;
+    return true;
 }
 
 // Six planes that keep a cell within the box of its points: where facets are nearly parallel,
@@ -440,7 +476,7 @@ std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, con
     constexpr double kShare = 0.5;
     if (kShare * slack >= 1.0) {
         if (const auto patches = in_patches(*hull, sorted, kShare * slack)) {
-            if (distance_bound(patches->hull, sorted, patches->planes) <= slack)
+            if (is_within(patches->hull, sorted, patches->planes, slack))
                 return cell_of(patches->planes, sorted, lattice, origin);
         }
     }

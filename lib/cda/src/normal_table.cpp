@@ -23,6 +23,9 @@ Floats load(const float* from) {
     std::memcpy(&result, from, sizeof result);
     return result;
 }
+void store(Floats x, float* to) {
+    std::memcpy(to, &x, sizeof x);
+}
 Floats all(float x) {
     return Floats{} + x;
 }
@@ -30,11 +33,16 @@ Floats size_of(Floats x) {
     return x < 0.0F ? -x : x;
 }
 
-Bound bound_from(float length, float across_1, float across_2, float m, float m_1, float m_2) {
-    const float slope = length / m;
-    const bool tells = slope > 0.0F && slope <= kSteepest;
-    const float offset = std::abs(across_1 - slope * m_1) + std::abs(across_2 - slope * m_2);
-    return {tells ? slope : 0.0F, tells ? offset : row::kUnknown};
+struct Bounds {
+    Floats slope, offset;
+};
+
+Bounds bounds_from(Floats length, Floats across_1, Floats across_2, Floats m, Floats m_1,
+                   Floats m_2) {
+    const Floats slope = length / m;
+    const auto tells = (slope > 0.0F) & (slope <= kSteepest);
+    const Floats offset = size_of(across_1 - slope * m_1) + size_of(across_2 - slope * m_2);
+    return {tells ? slope : Floats{}, tells ? offset : all(row::kUnknown)};
 }
 
 }  // namespace
@@ -51,18 +59,22 @@ Bound bound_along(const ScaledNormal& p, const ScaledNormal& m) {
     const std::size_t k = p.longest_axis();
     const std::size_t u = k == 2 ? 0 : k + 1;
     const std::size_t v = k == 0 ? 2 : k - 1;
-    return bound_from(p.n[k], p.n[u], p.n[v], m.n[k], m.n[u], m.n[v]);
+    const Bounds bounds =
+        bounds_from(all(p.n[k]), all(p.n[u]), all(p.n[v]), all(m.n[k]), all(m.n[u]), all(m.n[v]));
+    return {bounds.slope[0], bounds.offset[0]};
 }
 
-// Calls take(i, bound) for each column: what a plane along `m` tells of it.
+// Calls take(i, bounds) for the columns from i on, so many at a time: what a plane along `m` tells
+// of them.
 template <class Take>
-void NormalTable::for_each_bound(const ScaledNormal& m, Take take) const {
+void NormalTable::for_bounds(const ScaledNormal& m, Take take) const {
     for (std::size_t k = 0; k < 3; ++k) {
-        const float along = m.n[k];
-        const float m_1 = m.n[k == 2 ? 0 : k + 1];
-        const float m_2 = m.n[k == 0 ? 2 : k - 1];
-        for (std::size_t i = groups_[k].begin; i < groups_[k].end; ++i) {
-            take(i, bound_from(length_[i], across_[0][i], across_[1][i], along, m_1, m_2));
+        const Floats along = all(m.n[k]);
+        const Floats m_1 = all(m.n[k == 2 ? 0 : k + 1]);
+        const Floats m_2 = all(m.n[k == 0 ? 2 : k - 1]);
+        for (std::size_t i = groups_[k].begin; i < groups_[k].end; i += kFloats) {
+            take(i, bounds_from(load(&length_[i]), load(&across_[0][i]), load(&across_[1][i]),
+                                along, m_1, m_2));
         }
     }
 }
@@ -71,10 +83,11 @@ void NormalTable::assign(std::span<const ScaledNormal> normals) {
     std::array<std::size_t, 3> sizes{};
     for (const ScaledNormal& normal : normals)
         ++sizes[normal.longest_axis()];
+    // Columns without a normal, of which nothing tells anything, fill the groups up.
     std::size_t begin = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         groups_[k] = {begin, begin};
-        begin += sizes[k];
+        begin += (sizes[k] + kFloats - 1) / kFloats * kFloats;
     }
     stride_ = (begin + kLanes - 1) / kLanes * kLanes;
     length_.assign(stride_, 0.0F);
@@ -90,16 +103,25 @@ void NormalTable::assign(std::span<const ScaledNormal> normals) {
         across_[0][column] = normal.n[k == 2 ? 0 : k + 1];
         across_[1][column] = normal.n[k == 0 ? 2 : k - 1];
     }
-    slopes_.assign(stride_ * normals.size(), 0.0F);
-    offsets_.assign(stride_ * normals.size(), row::kUnknown);
+    for (Group& group : groups_)
+        group.end = group.begin + (group.end - group.begin + kFloats - 1) / kFloats * kFloats;
+    const std::size_t entries = stride_ * stride_;
+    if (slopes_.size() < entries) {
+        slopes_.resize(2 * entries);
+        offsets_.resize(2 * entries);
+    }
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const std::size_t first = columns_[i] * stride_;
         float* const slopes = &slopes_[first];
         float* const offsets = &offsets_[first];
-        for_each_bound(normals[i], [=](std::size_t k, const Bound& bound) {
-            slopes[k] = bound.slope;
-            offsets[k] = bound.offset;
+        for_bounds(normals[i], [=](std::size_t k, const Bounds& bounds) {
+            store(bounds.slope, slopes + k);
+            store(bounds.offset, offsets + k);
         });
+        for (std::size_t k = begin; k < stride_; ++k) {
+            slopes[k] = 0.0F;
+            offsets[k] = row::kUnknown;
+        }
         // Of itself a plane tells nothing but itself.
         slopes_[first + columns_[i]] = 0.0F;
         offsets_[first + columns_[i]] = row::kUnknown;
@@ -114,8 +136,10 @@ void NormalTable::bound_by(std::uint32_t column, float e, float* row) const {
 }
 
 void NormalTable::bound_by(const ScaledNormal& m, float e, float* row) const {
-    for_each_bound(m, [=](std::size_t i, const Bound& bound) {
-        row[i] = std::min(row[i], bound.slope * e + bound.offset);
+    for_bounds(m, [=](std::size_t i, const Bounds& bounds) {
+        const Floats bound = bounds.slope * e + bounds.offset;
+        const Floats before = load(row + i);
+        store(bound < before ? bound : before, row + i);
     });
 }
 

@@ -72,7 +72,7 @@ private:
         std::size_t begin = 0, end = 0;
     };
     template <class Take>
-    void for_each_bound(const ScaledNormal& m, Take take) const;
+    void for_bounds(const ScaledNormal& m, Take take) const;
 
     std::size_t stride_ = 0;
     std::vector<std::uint32_t> columns_;

@@ -37,7 +37,7 @@ bool BlockTree::Descent::make_table(const BoxFrame& frame, std::span<const Item>
         column_of_[directions_[i]] = static_cast<std::uint32_t>(i);
     if (directions_.size() > kManyNormals) return false;
     normals_.assign(scaled_);
-    std::vector<ScaledNormal> by_column(scaled_.size());
+    std::vector<ScaledNormal> by_column(normals_.stride());
     for (std::size_t i = 0; i < directions_.size(); ++i) {
         column_of_[directions_[i]] = normals_.column(i);
         by_column[normals_.column(i)] = scaled_[i];

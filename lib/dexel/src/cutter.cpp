@@ -203,6 +203,25 @@ void Cutter::cut(const SweptTool& tool, std::size_t begin, std::size_t end) {
     }
 }
 
+// At both ends of a row, rays on which the material ends lower than the tool gets, which comes no
+// lower than `reach` in this row; some at a time, as the one that is nearest to its axis.
+void Cutter::leave_out_lower(const double* ends, const double* x, const SweptTool& tool,
+                             double reach, Range& range) {
+    constexpr std::size_t kTogether = 4;
+    const auto highest = [ends](std::size_t i) {
+        return std::max(std::max(ends[i], ends[i + 1]), std::max(ends[i + 2], ends[i + 3]));
+    };
+    const double least_x = tool.least_x(), most_x = tool.most_x();
+    while (range.begin + kTogether <= range.end &&
+           highest(range.begin) <=
+               reach + tool.rise_beside(least_x - x[range.begin + kTogether - 1]))
+        range.begin += kTogether;
+    while (range.begin + kTogether <= range.end &&
+           highest(range.end - kTogether) <=
+               reach + tool.rise_beside(x[range.end - kTogether] - most_x))
+        range.end -= kTogether;
+}
+
 void Cutter::cut_open(std::span<const SweptTool* const> tools, std::size_t begin, std::size_t end) {
     const std::vector<double>& x = grid_.axes[0].at;
     const std::vector<double>& y = grid_.axes[1].at;
@@ -218,9 +237,7 @@ void Cutter::cut_open(std::span<const SweptTool* const> tools, std::size_t begin
         for (std::size_t k = 0; k < tools.size(); ++k) {
             const SweptTool& tool = *tools[k];
             if (row < tool.box.begin[1] || row >= tool.box.end[1]) continue;
-            const auto [low, high] = tool.reach_along_x(y[row]);
-            Range range{std::max(tool.box.begin[0], grid_.axes[0].from(low)),
-                        std::min(tool.box.end[0], grid_.axes[0].from(high))};
+            Range range{tool.box.begin[0], tool.box.end[0]};
             if (range.begin >= range.end) continue;
             if (all.end == 0) {
                 for (std::size_t i = 0; i < x.size(); ++i) {
@@ -233,10 +250,7 @@ void Cutter::cut_open(std::span<const SweptTool* const> tools, std::size_t begin
             }
             all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
             const double reach = tool.lowest_at(y[row]) - 1.0;
-            while (range.begin < range.end && lowest_.at[range.begin] <= reach)
-                ++range.begin;
-            while (range.begin < range.end && lowest_.at[range.end - 1] <= reach)
-                --range.end;
+            leave_out_lower(lowest_.at.data(), x.data(), tool, reach, range);
             if (range.begin >= range.end) continue;
             tool.lower_row(padded_x_.data(), range.begin, range.end, y[row], static_cast<double>(k),
                            lanes_, lowest_);

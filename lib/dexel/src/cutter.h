@@ -52,6 +52,8 @@ private:
     struct Range {
         std::size_t begin, end;
     };
+    static void leave_out_lower(const double* ends, const double* x, const SweptTool& tool,
+                                double reach, Range& range);
     Range find_intervals(const CuttingCell& cell, std::size_t row, Range range);
     // Of the rays from `begin` on, what is between the places of these arrays, where that is not
     // in their gap anyhow. end(i, below): of what is left of ray begin + i there.

@@ -137,6 +137,9 @@ SweptTool::SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, 
     if (is_short(n.way[2])) n.way[2] = 0.0;
     n.way_across = std::sqrt(n.across);
     if (n.across > 0.0) n.by_across = 1.0 / n.across;
+    // Of a cone r slope, of a ball R - sqrt(R² - r²): over r², less than this nowhere.
+    if (n.flat == 0.0 && tip_ != Tip::Flat)
+        n.rise = tip_ == Tip::Cone ? n.steepness / (2.0 * n.radius) : 0.5 / n.tip;
     course_ = n.way[2] == 0.0 && n.across > 0.0 ? Course::Level
               : n.across > 0.0                  ? Course::Slope
                                                 : Course::Plunge;

@@ -14,6 +14,7 @@
 
 #include "grid.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -60,6 +61,15 @@ public:
     std::pair<double, double> reach_along_x(double y) const;
     /// On the rays along z at this y, it reaches no lower, units.
     double lowest_at(double y) const;
+    /// How much higher it stays on rays that are so far from its axis along x, at least.
+    double rise_beside(double aside) const {
+        return aside > 0.0 ? numbers_.rise * aside * aside : 0.0;
+    }
+    /// Where its axis is along x, from and to; units.
+    double least_x() const {
+        return std::min(numbers_.from[0], numbers_.from[0] + numbers_.way[0]);
+    }
+    double most_x() const { return std::max(numbers_.from[0], numbers_.from[0] + numbers_.way[0]); }
     /// Out of what the tool passes over where the ray enters (leaves) it, at `at` and `s` as found
     /// by meet_row; not of unit length.
     cda::Vec3 normal(std::size_t axis, double u, double v, bool is_high, double at, double s) const;
@@ -77,6 +87,7 @@ public:
         std::array<double, 3> from, way;   ///< Of the lowest point on the axis.
         double across, way_across;         ///< Of the way along x and y: squared, and not.
         double by_across;                  ///< 1 / across.
+        double rise;                       ///< Over the squared distance from it, at least.
     };
 
 private:

@@ -5,9 +5,9 @@
 //     have no height are flipped, where what hangs together stays as it is (remove_slivers).
 //  3. Corners that are still in the same place, or on a line with the others of a triangle, are
 //     moved on (Places).
-//  4. What came out is looked at. Should it not be what was promised, everything is done again
-//     without step 2, which leaves nothing to chance: step 1 gives a manifold whose vertices have
-//     numbers, and step 3 gives each number a place of its own.
+//  4. What steps 2 and 3 changed is looked at. Should it not be what was promised, everything is
+//     done again without step 2, which leaves nothing to chance: step 1 gives a manifold whose
+//     vertices have numbers, and step 3 gives each number a place of its own.
 //
 // Why step 3 succeeds: a cube of (2r + 1)³ places about a corner has 2r + 1 coordinates an axis. A
 // line has one point for each coordinate along the axis in which it is not constant, so it meets
@@ -34,7 +34,6 @@
 #include <optional>
 #include <stdexcept>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace ncsim::exporter {
@@ -164,8 +163,11 @@ public:
 
     FloatPoint round(Vec3 p) const {
         FloatPoint point = to_floats(p);
-        for (float& x : point)
-            x = static_cast<float>(fine_ * std::round(static_cast<double>(x) / fine_)) + 0.0F;
+        for (float& x : point) {
+            // The others have no finer bits.
+            if (std::abs(static_cast<double>(x)) < step_)
+                x = static_cast<float>(fine_ * std::round(static_cast<double>(x) / fine_)) + 0.0F;
+        }
         return point;
     }
 
@@ -198,13 +200,52 @@ private:
     double step_, fine_;
 };
 
-struct HashPoint {
-    std::size_t operator()(const FloatPoint& p) const {
-        std::uint64_t h = 0;
-        for (const float x : p)
-            h = cda::mix(h, std::bit_cast<std::uint32_t>(x));
-        return h;
+// Which places are taken, and by whom: a table with open addressing, half full at most.
+class PlaceTable {
+public:
+    explicit PlaceTable(std::size_t places) { resize(2 * places); }
+
+    /// Who is there; `v` if nobody was.
+    Vertex take(const FloatPoint& place, Vertex v) {
+        if (2 * (taken_ + 1) > slots_.size()) resize(2 * slots_.size());
+        Slot& slot = slots_[find(place)];
+        if (slot.vertex == kNone) {
+            slot = {place, v};
+            ++taken_;
+        }
+        return slot.vertex;
     }
+    bool is_taken(const FloatPoint& place) const { return slots_[find(place)].vertex != kNone; }
+    /// Requires that it is taken.
+    Vertex at(const FloatPoint& place) const { return slots_[find(place)].vertex; }
+
+private:
+    static constexpr Vertex kNone = ~Vertex{0};
+    struct Slot {
+        FloatPoint place{};
+        Vertex vertex = kNone;
+    };
+
+    // Where the place is, or would be.
+    std::size_t find(const FloatPoint& place) const {
+        std::uint64_t h = 0;
+        for (const float x : place)
+            h = cda::mix(h, std::bit_cast<std::uint32_t>(x));
+        std::size_t i = h & (slots_.size() - 1);
+        while (slots_[i].vertex != kNone && slots_[i].place != place)
+            i = (i + 1) & (slots_.size() - 1);
+        return i;
+    }
+    void resize(std::size_t least) {
+        const std::vector<Slot> before = std::exchange(
+            slots_, std::vector<Slot>(std::bit_ceil(std::max<std::size_t>(least, 16))));
+        for (const Slot& slot : before) {
+            if (slot.vertex != kNone) slots_[find(slot.place)] = slot;
+        }
+    }
+
+    std::vector<Slot> slots_;
+    std::size_t taken_ = 0;
 };
 
 // Step 3.
@@ -212,9 +253,14 @@ class Places {
 public:
     Places(const std::vector<Vec3>& exact, const std::vector<Triangle>& triangles,
            const Steps& steps, std::vector<FloatPoint>& points)
-        : exact_(exact), triangles_(triangles), steps_(steps), points_(points) {}
+        : exact_(exact),
+          triangles_(triangles),
+          steps_(steps),
+          points_(points),
+          taken_(points.size()) {}
 
-    void run() {
+    /// False: there was nothing to do.
+    bool run() {
         // The first corner in a place stays, and so do the first two of a flat triangle.
         std::vector<bool> is_used(points_.size(), false);
         std::vector<Vertex> suspects;
@@ -225,17 +271,17 @@ public:
             if (steps_.are_collinear(points_[a], points_[b], points_[c]))
                 suspects.push_back(std::max({a, b, c}));
         }
-        taken_.reserve(points_.size());
         for (Vertex v = 0; v < points_.size(); ++v) {
-            if (is_used[v] && !taken_.try_emplace(points_[v], v).second) suspects.push_back(v);
+            if (is_used[v] && taken_.take(points_[v], v) != v) suspects.push_back(v);
         }
-        if (suspects.empty()) return;
+        if (suspects.empty()) return false;
         std::sort(suspects.begin(), suspects.end());
         suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
         find_opposites();
         for (const Vertex v : suspects) {
             if (taken_.at(points_[v]) != v || is_flat_at(v, points_[v])) move(v);
         }
+        return true;
     }
 
 private:
@@ -296,9 +342,9 @@ private:
                 return std::tie(a.distance, a.place) < std::tie(b.distance, b.place);
             });
             for (const auto& [distance, place] : shell) {
-                if (taken_.contains(place) || is_flat_at(v, place)) continue;
+                if (taken_.is_taken(place) || is_flat_at(v, place)) continue;
                 // Where it was stays taken: it may be that of another one.
-                taken_.emplace(place, v);
+                taken_.take(place, v);
                 points_[v] = place;
                 return;
             }
@@ -309,14 +355,13 @@ private:
     const std::vector<Triangle>& triangles_;
     const Steps& steps_;
     std::vector<FloatPoint>& points_;
-    std::unordered_map<FloatPoint, Vertex, HashPoint> taken_;  // by the first one there
+    PlaceTable taken_;                // by the first one there
     std::vector<std::size_t> first_;  // for each vertex, where in `opposite_` its own begin
     std::vector<Edge> opposite_;      // edges of the triangles around it
 };
 
-// Step 4.
-bool is_as_promised(const FloatMesh& mesh, const Steps& steps) {
-    if (!is_manifold(mesh.triangles, mesh.points.size())) return false;
+// Step 4, of corners: no two in one place, no triangle flat.
+bool are_places_right(const FloatMesh& mesh, const Steps& steps) {
     std::vector<bool> is_used(mesh.points.size(), false);
     for (const Triangle& t : mesh.triangles) {
         const auto& [a, b, c] = t;
@@ -324,10 +369,9 @@ bool is_as_promised(const FloatMesh& mesh, const Steps& steps) {
         for (const Vertex v : t)
             is_used[v] = true;
     }
-    std::unordered_map<FloatPoint, Vertex, HashPoint> taken;
-    taken.reserve(mesh.points.size());
+    PlaceTable taken(mesh.points.size());
     for (Vertex v = 0; v < mesh.points.size(); ++v) {
-        if (is_used[v] && !taken.try_emplace(mesh.points[v], v).second) return false;
+        if (is_used[v] && taken.take(mesh.points[v], v) != v) return false;
     }
     return true;
 }
@@ -359,12 +403,15 @@ std::optional<FloatMesh> rounded(const std::vector<Vec3>& exact, const Steps& st
         mesh.vertices.push_back(
             {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2])});
     }
-    if (contracts) remove_slivers(mesh, kLow * steps.step());
+    const bool are_other_triangles = contracts && remove_slivers(mesh, kLow * steps.step());
     sort_by_face(mesh);
     result.triangles = std::move(mesh.triangles);
     result.face = std::move(mesh.face);
-    Places(exact, result.triangles, steps, result.points).run();
-    if (!is_as_promised(result, steps)) return std::nullopt;
+    const bool are_other_places = Places(exact, result.triangles, steps, result.points).run();
+    // What nobody touched is as it was found to be: a manifold (step 1), right (step 3).
+    if (are_other_triangles && !is_manifold(result.triangles, result.points.size()))
+        return std::nullopt;
+    if (are_other_places && !are_places_right(result, steps)) return std::nullopt;
     return result;
 }
 

@@ -11,7 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <iterator>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,34 +30,86 @@ using Triangle = std::array<Vertex, 3>;
 // Flips and contractions make room for each other. Where they chase each other around, it ends.
 constexpr int kMostRounds = 20;
 
-class Slivers {
+void make_set(std::vector<std::uint32_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+double doubled_area(const cda::TriangleMesh& mesh, const Triangle& corners) {
+    const auto& [a, b, c] = corners;
+    return cda::norm(
+        cda::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+}
+
+// Has it an edge shorter, or a height less, than `least`?
+bool is_low(const cda::TriangleMesh& mesh, const Triangle& corners, double least) {
+    double base = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double edge =
+            cda::norm(mesh.vertices[corners[(i + 1) % 3]] - mesh.vertices[corners[i]]);
+        if (edge < least) return true;
+        base = std::max(base, edge);
+    }
+    return doubled_area(mesh, corners) < least * base;
+}
+
+// Ascending numbers of the triangles at each vertex: all in one array, and lists of their own for
+// those that changed.
+class TrianglesAt {
 public:
-    Slivers(cda::TriangleMesh& mesh, double least)
-        : mesh_(mesh),
-          least_(least),
-          triangles_at_(mesh.vertices.size()),
-          radius_(mesh.vertices.size(), 0.0),
-          is_gone_(mesh.triangles.size(), false) {
-        std::vector<std::uint32_t> counts(mesh.vertices.size(), 0);
-        for (const Triangle& corners : mesh.triangles) {
+    TrianglesAt(const std::vector<Triangle>& triangles, std::size_t vertices)
+        : first_(vertices + 1, 0), all_(3 * triangles.size()), own_(vertices, kNone) {
+        for (const Triangle& corners : triangles) {
             for (const Vertex v : corners)
-                ++counts[v];
+                ++first_[v + std::size_t{1}];
         }
-        for (Vertex v = 0; v < counts.size(); ++v)
-            triangles_at_[v].reserve(counts[v]);
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-            for (const Vertex v : mesh.triangles[t])
-                triangles_at_[v].push_back(t);
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+            for (const Vertex v : triangles[t])
+                all_[next[v]++] = t;
         }
-        for (auto& triangles : triangles_at_)
-            make_set(triangles);
     }
 
-    void run() {
+    std::span<const std::uint32_t> operator[](Vertex v) const {
+        if (own_[v] != kNone) return lists_[own_[v]];
+        return std::span(all_).subspan(first_[v], first_[v + std::size_t{1}] - first_[v]);
+    }
+    std::vector<std::uint32_t>& change(Vertex v) {
+        if (own_[v] == kNone) {
+            const auto before = (*this)[v];
+            own_[v] = static_cast<std::uint32_t>(lists_.size());
+            lists_.emplace_back(before.begin(), before.end());
+        }
+        return lists_[own_[v]];
+    }
+
+private:
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    std::vector<std::uint32_t> first_;  // for each vertex, where in `all_` its own begin
+    std::vector<std::uint32_t> all_;
+    std::vector<std::uint32_t> own_;  // in `lists_`
+    std::deque<std::vector<std::uint32_t>> lists_;
+};
+
+// Vertices stay where they are, so only triangles whose corners were exchanged can become low.
+class Slivers {
+public:
+    /// Requires the triangles that are low.
+    Slivers(cda::TriangleMesh& mesh, double least, std::vector<std::uint32_t> low)
+        : mesh_(mesh),
+          least_(least),
+          low_(std::move(low)),
+          triangles_at_(mesh.triangles, mesh.vertices.size()),
+          radius_(mesh.vertices.size(), 0.0),
+          is_gone_(mesh.triangles.size(), false) {}
+
+    bool run() {
         for (int round = 0; round < kMostRounds; ++round) {
             const bool contracted = contract_needles();
             if (!flip_caps() && !contracted) break;
         }
+        if (changed_.empty()) return false;
         drop_leaves();
         std::size_t kept = 0;
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -63,22 +119,28 @@ public:
         }
         mesh_.triangles.resize(kept);
         mesh_.face.resize(kept);
+        return true;
     }
 
 private:
-    static void make_set(std::vector<std::uint32_t>& numbers) {
-        std::sort(numbers.begin(), numbers.end());
-        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    }
-
     double length(Vertex a, Vertex b) const {
         return cda::norm(mesh_.vertices[b] - mesh_.vertices[a]);
     }
 
+    // What was low, and what came to be since.
+    void look_again() {
+        low_.insert(low_.end(), touched_.begin(), touched_.end());
+        changed_.insert(changed_.end(), touched_.begin(), touched_.end());
+        touched_.clear();
+        make_set(low_);
+        std::erase_if(low_, [this](std::uint32_t t) {
+            return is_gone_[t] || !is_low(mesh_, mesh_.triangles[t], least_);
+        });
+    }
+
     bool contract_needles() {
         std::vector<std::pair<double, std::pair<Vertex, Vertex>>> edges;
-        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            if (is_gone_[t]) continue;
+        for (const std::uint32_t t : low_) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const Vertex a = mesh_.triangles[t][i];
                 const Vertex b = mesh_.triangles[t][(i + 1) % 3];
@@ -89,6 +151,7 @@ private:
         bool changed = false;
         for (const auto& [far, ends] : edges)
             changed |= contract(ends.first, ends.second, far);
+        look_again();
         return changed;
     }
 
@@ -145,12 +208,14 @@ private:
 
         for (const std::uint32_t t : both)
             take_out(t);
+        std::vector<std::uint32_t>& at_kept = triangles_at_.change(kept);
         for (const std::uint32_t t : triangles_at_[gone]) {
             std::replace(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), gone, kept);
-            triangles_at_[kept].push_back(t);
+            at_kept.push_back(t);
+            touched_.push_back(t);
         }
-        make_set(triangles_at_[kept]);
-        triangles_at_[gone].clear();
+        make_set(at_kept);
+        triangles_at_.change(gone).clear();
         radius_[kept] = std::max(radius_[kept], radius_[gone] + far);
         return true;
     }
@@ -158,7 +223,8 @@ private:
     void take_out(std::uint32_t t) {
         is_gone_[t] = true;
         for (const Vertex v : mesh_.triangles[t])
-            std::erase(triangles_at_[v], t);
+            std::erase(triangles_at_.change(v), t);
+        touched_.push_back(t);
     }
 
     struct Cap {
@@ -175,14 +241,13 @@ private:
             const double base = length(a, b);
             if (base > result.base) result = {base, false, a, b, corners[(i + 2) % 3]};
         }
-        result.is_low = doubled_area(t) < least_ * result.base;
+        result.is_low = doubled_area(mesh_, corners) < least_ * result.base;
         return result;
     }
 
     bool flip_caps() {
         std::vector<std::pair<double, std::uint32_t>> caps;
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-            if (is_gone_[t]) continue;
+        for (const std::uint32_t t : low_) {
             if (const Cap found = cap(t); found.is_low) caps.emplace_back(-found.base, t);
         }
         // Longest first: a cap upon a longer one waits until that one is gone.
@@ -190,6 +255,7 @@ private:
         bool changed = false;
         for (const auto& [base, t] : caps)
             changed |= flip(t);
+        look_again();
         return changed;
     }
 
@@ -220,18 +286,13 @@ private:
         return std::find(corners.begin(), corners.end(), v) != corners.end();
     }
 
-    double doubled_area(std::uint32_t t) const {
-        const auto& [a, b, c] = mesh_.triangles[t];
-        return cda::norm(cda::cross(mesh_.vertices[b] - mesh_.vertices[a],
-                                    mesh_.vertices[c] - mesh_.vertices[a]));
-    }
-
     // The triangle loses a corner and wins another.
     void set(std::uint32_t t, Triangle corners, Vertex lost) {
         mesh_.triangles[t] = corners;
-        std::erase(triangles_at_[lost], t);
+        std::erase(triangles_at_.change(lost), t);
+        touched_.push_back(t);
         for (const Vertex v : corners) {
-            auto& at = triangles_at_[v];
+            auto& at = triangles_at_.change(v);
             const auto place = std::lower_bound(at.begin(), at.end(), t);
             if (place == at.end() || *place != t) at.insert(place, t);
         }
@@ -239,7 +300,8 @@ private:
 
     // What is left of a shell that was smaller than `least_`: two triangles, back to back.
     void drop_leaves() {
-        for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        make_set(changed_);
+        for (const std::uint32_t t : changed_) {
             if (is_gone_[t]) continue;
             const auto& [a, b, c] = mesh_.triangles[t];
             std::array<std::uint32_t, 2> same{};
@@ -257,15 +319,23 @@ private:
 
     cda::TriangleMesh& mesh_;
     double least_;
-    std::vector<std::vector<std::uint32_t>> triangles_at_;  // ascending
-    std::vector<double> radius_;                            // farthest vertex that became this one
+    std::vector<std::uint32_t> low_;  // ascending
+    TrianglesAt triangles_at_;
+    std::vector<double> radius_;  // farthest vertex that became this one
     std::vector<bool> is_gone_;
+    std::vector<std::uint32_t> touched_;  // since low_ was found
+    std::vector<std::uint32_t> changed_;  // ever
 };
 
 }  // namespace
 
-void remove_slivers(cda::TriangleMesh& mesh, double least_mm) {
-    if (least_mm > 0.0) Slivers(mesh, least_mm).run();
+bool remove_slivers(cda::TriangleMesh& mesh, double least_mm) {
+    if (!(least_mm > 0.0)) return false;
+    std::vector<std::uint32_t> low;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (is_low(mesh, mesh.triangles[t], least_mm)) low.push_back(t);
+    }
+    return !low.empty() && Slivers(mesh, least_mm, std::move(low)).run();
 }
 
 }  // namespace ncsim::exporter

@@ -11,7 +11,7 @@ namespace ncsim::exporter {
 /// as what hangs together does not change: the ends of a short edge become one vertex; the longest
 /// edge of a low triangle is bent to the vertex opposite. Vertices are moved onto others, by less
 /// than twice `least_mm` altogether, and left unused. Shells smaller than that vanish. The mesh
-/// stays closed. Where `least_mm` is 0, nothing happens. Expected O(n log n).
-void remove_slivers(cda::TriangleMesh& mesh, double least_mm);
+/// stays closed. Where `least_mm` is 0, nothing happens. Whether anything did. Expected O(n log n).
+bool remove_slivers(cda::TriangleMesh& mesh, double least_mm);
 
 }  // namespace ncsim::exporter

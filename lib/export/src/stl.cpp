@@ -24,16 +24,19 @@ namespace {
 // Must not begin with "solid": by that word readers tell the text form of STL.
 constexpr std::string_view kHeader = "binary STL by ncsim, unit: millimetre";
 constexpr std::size_t kHeaderSize = 80;
+constexpr std::size_t kRecordSize = 50;  // of a triangle; the last two bytes stay 0
 
-void append(std::string& bytes, std::uint32_t number) {
-    for (int shift = 0; shift < 32; shift += 8) {
-        bytes.push_back(static_cast<char>((number >> shift) & 0xFF));
-    }
+// Each returns where the next one goes.
+char* put(char* at, std::uint32_t number) {
+    for (int shift = 0; shift < 32; shift += 8)
+        *at++ = static_cast<char>((number >> shift) & 0xFF);
+    return at;
 }
 
-void append(std::string& bytes, const FloatPoint& point) {
+char* put(char* at, const FloatPoint& point) {
     for (const float coordinate : point)
-        append(bytes, std::bit_cast<std::uint32_t>(coordinate));
+        at = put(at, std::bit_cast<std::uint32_t>(coordinate));
+    return at;
 }
 
 using Corners = std::array<FloatPoint, 3>;
@@ -58,13 +61,16 @@ void write_stl(std::ostream& out, const cda::TriangleMesh& mesh) {
     }
     std::string bytes(kHeader);
     bytes.resize(kHeaderSize, '\0');
-    append(bytes, static_cast<std::uint32_t>(rounded.triangles.size()));
+    std::array<char, kRecordSize> record{};
+    put(record.data(), static_cast<std::uint32_t>(rounded.triangles.size()));
+    bytes.append(record.data(), sizeof(std::uint32_t));
+    record.fill(0);
     for (const auto& [a, b, c] : rounded.triangles) {
         const Corners corners{rounded.points[a], rounded.points[b], rounded.points[c]};
-        append(bytes, normal_of(corners));
+        char* at = put(record.data(), normal_of(corners));
         for (const FloatPoint& corner : corners)
-            append(bytes, corner);
-        bytes.append(2, '\0');
+            at = put(at, corner);
+        bytes.append(record.data(), record.size());
         if (bytes.size() >= kFlushSize) {
             out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
             bytes.clear();

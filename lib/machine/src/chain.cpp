@@ -4,6 +4,8 @@
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace ncsim::machine {
 
@@ -46,9 +48,17 @@ Vec3 times(const Rows& rows, Vec3 v) {
 
 }  // namespace
 
+// Asked for each joint of each pose.
 std::optional<std::size_t> index_of(char letter) {
-    const std::size_t i = kLetters.find(letter);
-    return i == std::string_view::npos ? std::nullopt : std::optional(i);
+    constexpr auto table = [] {
+        std::array<std::uint8_t, 256> places{};
+        places.fill(kLetters.size());
+        for (std::size_t i = 0; i < kLetters.size(); ++i)
+            places[static_cast<unsigned char>(kLetters[i])] = static_cast<std::uint8_t>(i);
+        return places;
+    }();
+    const std::size_t i = table[static_cast<unsigned char>(letter)];
+    return i == kLetters.size() ? std::nullopt : std::optional(i);
 }
 
 Joint joint_of(char letter, bool turns, Vec3 direction, Vec3 through, Positive positive) {

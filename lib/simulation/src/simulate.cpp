@@ -226,7 +226,7 @@ private:
             return cda::Origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         }
         const bool is_turn = motions_ % tile_->of == tile_->tile;
-        walk_.want_cells(is_turn ? std::nullopt : result_.part->wanted());
+        walk_.want_nothing_but(is_turn ? std::nullopt : result_.part->wanted());
         return cda::Origin{static_cast<std::uint32_t>(motions_)};
     }
 

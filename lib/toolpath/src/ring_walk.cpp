@@ -11,6 +11,7 @@
 // walks that nobody beats in both, facets and how far they have turned, go on to the next ring.
 #include "ring_walk.h"
 
+#include "ncsim/cda/lattice.h"
 #include "ncsim/trig/angles.h"
 
 #include "half_plane.h"
@@ -106,7 +107,15 @@ public:
           most_corners_(most_corners),
           tolerance_(std::max(play.within, play.beyond)),
           inset_(play.within > 0 ? play.within - 1 - kAlmost : 0.0),
-          excess_(play.beyond > 0 ? play.beyond - 1 - kAlmost : 0.0) {
+          excess_(play.beyond > 0 ? play.beyond - 1 - kAlmost : 0.0),
+          most_common_(std::max<std::int64_t>(1, round_down(tolerance_ / 4))) {
+        const auto& corners = family[0].corners;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto& [x, y] = corners[i];
+            const auto& [u, v] = corners[(i + 1) % corners.size()];
+            longest_ = std::max({longest_, std::abs(u - x), std::abs(v - y)});
+            widest_ = std::max(widest_, std::abs(x * v - y * u));
+        }
         steps_.emplace_back();
         here_ = {0};
     }
@@ -152,6 +161,28 @@ private:
     std::int64_t scale_of(double radius, std::size_t polygon) const {
         const double b = radius_of(polygon);
         return outside() ? round_up(radius / b) : std::max<std::int64_t>(0, round_down(radius / b));
+    }
+
+    // The height of a ring on top of a narrower one, moved down (up) by less than the second
+    // number, such that normals of the facets between them have kNormalBits. For a side (x, y) of
+    // the polygon, with the area A of its triangle about the axis doubled, a strip k multiples wide
+    // and h high has the normal (y h, -x h, A k): what h and k have in common is divided out.
+    std::pair<std::int64_t, std::int64_t> exact_height(const Step& under, std::int64_t scale,
+                                                       std::int64_t height, bool up) const {
+        const std::int64_t wide = scale - under.ring.scale;
+        const std::int64_t high = height - under.ring.height;
+        if (!under.has_ring || (under.ring.scale > 0 && under.ring.polygon != 0))
+            return {height, 1};
+        if (wide <= 0 || high <= 0) return {height, 1};
+        constexpr std::int64_t kMost = std::int64_t{1} << cda::kNormalBits;
+        for (std::int64_t common = 1; common <= most_common_; ++common) {
+            if (wide % common != 0) continue;
+            const std::int64_t times = high / common + (up && high % common != 0 ? 1 : 0);
+            if (times < 1) break;
+            if (times <= kMost / longest_ && wide / common <= kMost / widest_)
+                return {under.ring.height + times * common, common};
+        }
+        return {height, 1};
     }
 
     // Heights go outwards: down on the lower side of the tool, up at its upper end.
@@ -213,12 +244,17 @@ private:
         std::vector<int> there;
         for (const int under : here_) {
             if (scale != 0 && !may_follow(under, kFinest, upright)) continue;
-            if (outside() && is_both && round_down(p.h) < round_up(p.h)) {
-                const int rim = add(under, kFinest, scale, p.h, false, error);
-                arrive(there, add(rim, kFinest, scale, p.h, true, error));
-            } else {
-                arrive(there, add(under, kFinest, scale, p.h, upper_end, error));
-            }
+            const bool is_rim = outside() && is_both;
+            const bool is_upper = upper_end && !is_rim;
+            // Inscribed, an upper end that is moved down would let the cone out.
+            const bool up = is_upper == outside();
+            const auto [height, step] =
+                is_upper ? std::pair{up ? round_up(p.h) : round_down(p.h), std::int64_t{1}}
+                         : exact_height(at(under), scale, up ? round_up(p.h) : round_down(p.h), up);
+            const double off = error + static_cast<double>(step - 1);
+            const int ring = add(under, kFinest, scale, static_cast<double>(height), is_upper, off);
+            const bool is_beyond = is_rim && height < round_up(p.h);
+            arrive(there, is_beyond ? add(ring, kFinest, scale, p.h, true, off) : ring);
         }
         here_ = std::move(there);
     }
@@ -473,8 +509,12 @@ private:
     Side side_;
     int most_corners_;
     double tolerance_;
-    double inset_;   // how far within the arc facets may lie
-    double excess_;  // how far beyond it corners may
+    double inset_;              // how far within the arc facets may lie
+    double excess_;             // how far beyond it corners may
+    std::int64_t most_common_;  // heights are moved by less for normals that fit
+    // Of the finest polygon: of its sides, along an axis; of doubled areas of their triangles
+    // about its middle.
+    std::int64_t longest_ = 1, widest_ = 1;
     std::vector<Step> steps_;
     std::vector<int> here_;  // the walks that go on
 };

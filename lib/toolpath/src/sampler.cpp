@@ -30,6 +30,7 @@ struct Course {
     double sweep_rad = 0.0;  // of an arc
     double radius_mm = 0.0;  // the largest
     double radius_change_mm = 0.0;
+    double way_mm = 0.0;  // of the tip where nothing turns
     Turning turning;
 
     Turning step(double steps) const {
@@ -94,11 +95,11 @@ double cost_of(const ToolExtent& tool) {
     return sum;
 }
 
-double widest(const ToolExtent& tool) {
+double radius_of(const ToolExtent& tool) {
     double radius = 0.0;
     for (const PieceExtent& piece : tool.pieces)
         radius = std::max(radius, piece.radius_mm);
-    return 2 * radius;
+    return radius;
 }
 
 double longest_straight(const ToolExtent& tool) {
@@ -132,8 +133,8 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
     std::uint32_t steps =
         fewest(least_steps(course, options), options.max_steps, [&](std::uint32_t n) {
             const Turning t = course.step(n);
-            return t.chord_mm <= options.chord_tolerance_mm &&
-                   missed_mm(t, tool) <= options.rotation_miss_mm;
+            if (t.chord_mm > options.chord_tolerance_mm) return false;
+            return t.turn_rad == 0.0 || t.chord_mm + missed_mm(t, tool) <= options.rotation_miss_mm;
         });
     double slab_mm = Turning::kInf;
     if (course.turning.turn_rad > 0.0) {
@@ -147,7 +148,7 @@ Samples sample_course(const Course& course, const ToolExtent& whole, const Sampl
         std::uint32_t best = fewest_in(tool);
         double least = best * cost_of(tool);
         // Shorter slabs, in fewer steps, where that is what decides.
-        for (double slab = longest_straight(tool) / 2; best > steps && slab >= widest(tool);
+        for (double slab = longest_straight(tool) / 2; best > steps && slab >= 2 * radius_of(tool);
              slab /= 2) {
             const ToolExtent slabs = in_slabs(tool, slab);
             const std::uint32_t fewer = fewest_in(slabs);
@@ -208,6 +209,35 @@ double distance_from(const std::optional<Vec3>& axis, Vec3 p) {
     return norm(axis ? p - dot(p, *axis) * *axis : p);
 }
 
+// A tool about to leave the pose it has here: its axis turns by no more than `tilt_rad`, and its
+// tip goes no farther than `way_mm`. A place within `radius_mm` of its axis is at a height above
+// the tip at which a disc of that radius reaches the box: how high that can be. A disc across the
+// axis a at the height z is, along X, between T + z a - r and T + z a + r, r² = radius² (1 - a²).
+double highest_beside(const Pose& X_WT, double tilt_rad, double way_mm, double radius_mm,
+                      const cda::Box& place) {
+    double highest = Turning::kInf;
+    const Vec3 axis = axis_of(X_WT);
+    for (int i = 0; i < 3; ++i) {
+        const double steepest = std::min(1.0, std::abs(axis[i]) + tilt_rad);
+        const double flattest = std::abs(axis[i]) - tilt_rad;
+        if (!(flattest > 0.0)) continue;
+        const double up =
+            axis[i] > 0.0 ? place.max[i] - X_WT.translation[i] : X_WT.translation[i] - place.min[i];
+        const double aside = radius_mm * std::sqrt(std::max(0.0, 1.0 - flattest * flattest));
+        const double room = up + way_mm + aside;
+        highest = std::min(highest, room / (room > 0.0 ? flattest : steepest));
+    }
+    return highest;
+}
+
+// The same, whatever the tool does in a motion in which its axis and its tip keep to speeds that
+// make such ways of the whole: at any time one end is no farther away than half of them.
+double highest_beside(const Pose& start, const Pose& end, double tilt_rad, double way_mm,
+                      double radius_mm, const cda::Box& place) {
+    return std::max(highest_beside(start, tilt_rad / 2, way_mm / 2, radius_mm, place),
+                    highest_beside(end, tilt_rad / 2, way_mm / 2, radius_mm, place));
+}
+
 std::array<Vec3, 8> corners_of(const cda::Box& box) {
     std::array<Vec3, 8> corners;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -217,11 +247,14 @@ std::array<Vec3, 8> corners_of(const cda::Box& box) {
 }
 
 // Of a whole motion with such ends; its tip is never farther from the axis than at its ends by more
-// than `bulge_mm`, and as low as `lowest_mm()`, which is only asked of motions that turn.
+// than `bulge_mm`, and as low as `lowest_mm()`, which is only asked of motions that turn. `way_mm`:
+// of the tip where nothing turns. The tool is nowhere thicker than `radius_mm`.
 template <class Lowest>
 Turning turning_of(const Position& from, const Position& to, const Lowest& lowest_mm,
-                   double bulge_mm, const std::optional<cda::Box>& place) {
+                   double bulge_mm, double way_mm, double radius_mm,
+                   const std::optional<cda::Box>& place) {
     Turning t;
+    t.moved_mm = way_mm;
     const auto radians = [](Angle a, Angle b) {
         return kRadiansPerDegree * std::abs((b - a).degrees());
     };
@@ -259,6 +292,9 @@ Turning turning_of(const Position& from, const Position& to, const Lowest& lowes
     }
     if (!axis) highest = farthest;
     t.top_mm = std::min(highest, at_ends + t.tilt_rad / 2 * farthest) - lowest_mm();
+    const double way = way_mm + t.turn_rad * t.tip_mm;
+    t.top_mm = std::min(t.top_mm, highest_beside(start, end, t.tilt_rad, way,
+                                                 radius_mm + Turning::kBeside, *place));
     return t;
 }
 
@@ -285,7 +321,7 @@ double distance_from_line(Vec3 p, Vec3 through, Vec3 direction) {
 // The joints are followed from the tool to the part; `bulge_mm` as above, `way_mm` that of the tip
 // against what does not turn.
 Turning turning_of(const Poses& poses, const Position& from, const Position& to, double bulge_mm,
-                   double way_mm, const std::optional<cda::Box>& place) {
+                   double way_mm, double radius_mm, const std::optional<cda::Box>& place) {
     const machine::Chain& chain = *poses.chain();
     const machine::Values v0 = values_of(from), v1 = values_of(to);
     const auto of = [&chain](const machine::Values& v, const machine::Joint& joint) {
@@ -401,44 +437,58 @@ Turning turning_of(const Poses& poses, const Position& from, const Position& to,
         }
     }
     t.top_mm += tip_way / 2 + bulge_mm;
+    t.top_mm = std::min(t.top_mm, highest_beside(start, end, t.tilt_rad, tip_way,
+                                                 radius_mm + Turning::kBeside, *place));
     return t;
 }
 
-Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
-                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
+Course course_of(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
+                 const std::optional<cda::Box>& place) {
     Course c;
     const double way = norm(linear_axes(m.to) - linear_axes(m.from));
+    c.way_mm = way;
     if (poses.chain()) {
-        c.turning = turning_of(poses, m.from, m.to, 0.0, way, place);
+        c.turning = turning_of(poses, m.from, m.to, 0.0, way, radius_of(tool), place);
     } else {
         const auto lowest_mm = [&m] {
             return std::min(linear_axes(m.from).z, linear_axes(m.to).z);
         };
-        c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, place);
-        c.turning.moved_mm = way;
+        c.turning = turning_of(m.from, m.to, lowest_mm, 0.0, way, radius_of(tool), place);
     }
-    return sample_course(c, tool, options, poses,
+    return c;
+}
+
+Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
+                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
+    return sample_course(course_of(m, poses, tool, place), tool, options, poses,
                          [&m](double t) { return between(m.from, m.to, t); });
 }
 
-Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
-                   const ToolExtent& tool, const SamplingOptions& options,
-                   const std::optional<cda::Box>& place) {
-    const Polar p = polar(m);
+Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const Polar& p,
+                 const Poses& poses, const ToolExtent& tool, const std::optional<cda::Box>& place) {
     Course c;
     c.sweep_rad = std::abs(p.sweep_degrees) * kRadiansPerDegree;
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
     const double way = c.radius_mm * c.sweep_rad + c.radius_change_mm +
                        norm(linear_axes(m.to) - linear_axes(m.from));
+    c.way_mm = way;
     if (poses.chain()) {
-        c.turning = turning_of(poses, m.from, m.to, 2 * c.radius_mm, way, place);
+        c.turning = turning_of(poses, m.from, m.to, 2 * c.radius_mm, way, radius_of(tool), place);
     } else {
         const auto lowest_mm = [&motion] { return extent_of_path(motion).min.z; };
-        c.turning = turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, place);
-        c.turning.moved_mm = way;
+        c.turning =
+            turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, way, radius_of(tool), place);
     }
-    return sample_course(c, tool, options, poses, [&](double t) { return on_arc(m, p, t); });
+    return c;
+}
+
+Samples sample_arc(const gcode::Motion& motion, const gcode::Arc& m, const Poses& poses,
+                   const ToolExtent& tool, const SamplingOptions& options,
+                   const std::optional<cda::Box>& place) {
+    const Polar p = polar(m);
+    return sample_course(course_of(motion, m, p, poses, tool, place), tool, options, poses,
+                         [&](double t) { return on_arc(m, p, t); });
 }
 
 // --- Splines ------------------------------------------------------------------------------
@@ -493,6 +543,22 @@ Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExte
 }
 
 }  // namespace
+
+std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm) {
+    Course c;
+    if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
+        c = course_of(*linear, poses, {}, {});
+    } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        c = course_of(motion, *arc, polar(*arc), poses, {}, {});
+    } else {
+        return std::nullopt;
+    }
+    // At any time one of the ends is no farther away than half of all it does.
+    const Turning& t = c.turning;
+    const double way =
+        poses.of_tip() ? c.way_mm : std::max(c.way_mm, t.moved_mm) + t.turn_rad * t.tip_mm;
+    return way / 2 + t.tilt_rad / 2 * reach_mm;
+}
 
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
                const std::optional<cda::Box>& place, const Kinematics* told) {

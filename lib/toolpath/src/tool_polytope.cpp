@@ -52,6 +52,35 @@ struct BaseCandidates {
     std::vector<std::int64_t> more;  // near divisors of all sizes
 };
 
+// Of a piece with a cone, and one radius but for tips: the largest divisor of the radius for which
+// facets of cones have normals of kNormalBits (exact_height in ring_walk.cpp), so that they meet in
+// their corners exactly. Where there is none that is fine enough, one that divides it but for nine
+// units at most; the radius if that is not to be had, either.
+std::int64_t base_of_cone(const ToolPiece& piece, std::int64_t radius, Side side) {
+    bool has_cone = false;
+    double slope = 1.0;  // of a cone, at least that of its facets' other component
+    for (std::size_t i = 1; i < piece.profile.size(); ++i) {
+        const double wide = piece.profile[i].radius - piece.profile[i - 1].radius;
+        const double high = piece.profile[i].height - piece.profile[i - 1].height;
+        if (!(wide > 0) || !(high > 0)) continue;
+        has_cone = true;
+        slope = std::max(slope, high / wide);
+    }
+    if (!has_cone) return radius;
+    constexpr double kLongestSide = 0.4;  // of kMinSides, in radii
+    constexpr std::int64_t kFineEnough = 1000;
+    const auto most = static_cast<std::int64_t>(
+        std::sqrt(std::ldexp(1.0, cda::kNormalBits) / (kLongestSide * slope)));
+    constexpr std::int64_t kMostOff = 9;
+    std::pair<std::int64_t, std::int64_t> best{kMostOff + 1, radius};
+    for (std::int64_t b = std::min(most, radius - 1); b >= kFineEnough && best.first > 0; --b) {
+        const std::int64_t rest = radius % b;
+        const std::int64_t off = side != Side::Inscribed ? (b - rest) % b : rest;
+        if (off < best.first) best = {off, b};
+    }
+    return best.second;
+}
+
 BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, double unit_mm,
                                Side side) {
     bool one_ring = !has_fillet(piece);
@@ -60,7 +89,10 @@ BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, doub
         const std::int64_t rounded = side != Side::Inscribed ? round_up(r) : round_down(r);
         one_ring = one_ring && (rounded == 0 || rounded == radius);
     }
-    if (one_ring) return {{radius}, {}};
+    if (one_ring) {
+        const std::int64_t b = base_of_cone(piece, radius, side);
+        return b < radius ? BaseCandidates{{b}, {radius}} : BaseCandidates{{radius}, {}};
+    }
     const double root = std::sqrt(static_cast<double>(radius));
     const auto low = std::max<std::int64_t>(1, static_cast<std::int64_t>(root / 2));
     const auto high = std::max(static_cast<std::int64_t>(root * 2), radius / 200);

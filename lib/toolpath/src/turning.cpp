@@ -18,9 +18,10 @@ double length_of(double a, double b) {
     return std::sqrt(a * a + b * b);
 }
 
-// A part of the axis of a tool with a disc of one radius at every height.
+// What is between two heights, no farther from the axis than the radius; or all of that.
 struct Body {
     double low_mm, high_mm, radius_mm;
+    bool is_cylinder;
 };
 
 // What the hull gains where the motion is taken to be straight: of first order in the angle.
@@ -32,7 +33,12 @@ double gained_at_first(const Pose& X_WA, const Pose& X_WB, const Body& body) {
     const double s = norm(tilt);
     if (s == 0.0) return 0.0;
     const double across = 2 * body.radius_mm;
-    const double at_once = s * length_of(body.high_mm - body.low_mm, across) / 4;
+    const double height = body.high_mm - body.low_mm;
+    double at_once = s * length_of(height, across) / 4;
+    if (body.is_cylinder && s <= 1.0) {
+        at_once =
+            std::min(at_once, s * std::max(height, across) / 4 + s * s * (height + across) / 4);
+    }
     const Vec3 D = X_WB.translation - X_WA.translation;
     const double along = dot(D, tilt) / s;
     const double v1 = along + s * body.low_mm;
@@ -70,7 +76,7 @@ double missed_mm(const Turning& t, const PieceExtent& piece) {
     const double as_it_turns = t.turn_rad * t.turn_rad * distance + 2 * t.turn_rad * t.moved_mm;
     // Or without its turning about itself: the axis, and a disc across it that leans with it.
     const double r = piece.radius_mm;
-    const double as_it_leans = bend_of_axis(t, {piece.low_mm, piece.high_mm, r}, place + r) +
+    const double as_it_leans = bend_of_axis(t, {piece.low_mm, piece.high_mm, r, false}, place + r) +
                                r * (t.tilt_bend_rad + t.tilt_rad * t.tilt_rad);
     return std::min(as_it_turns, as_it_leans) / 8;
 }
@@ -92,14 +98,20 @@ double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const Bod
 
 double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const PieceExtent& piece) {
     const double ball = ball_of(piece);
-    const double rolled = gained_mm(
-        X_WA, X_WB, t, {piece.core_low_mm, piece.core_high_mm, piece.core_radius_mm}, ball);
-    // What is above all places that matter by more than it gains gains nothing there.
-    if (piece.core_low_mm - ball > t.top_mm + rolled + t.chord_mm) return 0.0;
-    if (!piece.open_above || t.top_mm + rolled + t.chord_mm <= piece.high_mm) return rolled;
-    const double flat =
-        gained_mm(X_WA, X_WB, t, {piece.low_mm, piece.high_mm, piece.radius_mm}, 0.0);
-    return piece.low_mm > t.top_mm + flat + t.chord_mm ? 0.0 : flat;
+    const Body core{piece.core_low_mm, piece.core_high_mm, piece.core_radius_mm,
+                    piece.is_core_cylinder};
+    const double rolled = gained_mm(X_WA, X_WB, t, core, ball);
+    // What is above all places that matter by more than it gains gains nothing there. A place that
+    // it gains is no farther from the tool than that.
+    const auto highest = [&](double gained) {
+        const double gain = gained + t.chord_mm;
+        return gain <= Turning::kBeside ? t.top_mm + gain : Turning::kInf;
+    };
+    if (piece.core_low_mm - ball > highest(rolled)) return 0.0;
+    if (!piece.open_above || highest(rolled) <= piece.high_mm) return rolled;
+    const Body whole{piece.low_mm, piece.high_mm, piece.radius_mm, false};
+    const double flat = gained_mm(X_WA, X_WB, t, whole, 0.0);
+    return piece.low_mm > highest(flat) ? 0.0 : flat;
 }
 
 }  // namespace
@@ -128,6 +140,7 @@ PieceExtent extent_of(const ToolPiece& piece) {
     const double rise = above.height - below.height;
     const double opening = above.radius - below.radius;
     if (opening < 0.0 || rise <= 0.0) return e;
+    e.is_core_cylinder = opening == 0.0 && below.fillet == 0.0 && above.fillet == 0.0;
     // The ball touches the wall at right angles: on a cone higher up than its centre is, so that of
     // the centres some lie above the upper end.
     const double f = below.fillet;
@@ -138,6 +151,7 @@ PieceExtent extent_of(const ToolPiece& piece) {
     e.core_high_mm = e.open_above ? e.high_mm + f * opening / slant : e.high_mm - f;
     e.core_high_mm = std::max(e.core_high_mm, e.core_low_mm);
     e.core_radius_mm = std::max(0.0, e.radius_mm - f * rise / slant);
+    e.is_core_cylinder = opening == 0.0;
     return e;
 }
 
@@ -199,6 +213,7 @@ ToolExtent in_slabs(const ToolExtent& tool, double slab_mm) {
                 const double ball =
                     std::min({piece.radius_mm, e.low_mm - piece.straight_mm, above});
                 e.core_radius_mm = piece.radius_mm - ball;
+                e.is_core_cylinder = true;
                 e.open_above = is_last;
             } else {
                 // As the whole piece is rounded, if that fits.
@@ -207,6 +222,7 @@ ToolExtent in_slabs(const ToolExtent& tool, double slab_mm) {
                 if (piece.open_above && ball <= above && piece.core_low_mm <= e.high_mm) {
                     e.core_low_mm = piece.core_low_mm;
                 } else {
+                    e.is_core_cylinder &= ball == 0.0;
                     e.core_radius_mm = piece.radius_mm;
                 }
             }

@@ -202,6 +202,18 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     step({X_WT, X_WT, cells_, sweeps_, is_near_, {}, {}});
 }
 
+// Does all it does in this motion stay out of what is wanted?
+bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
+                     const Pose& X_WA, const Pose& X_WB) const {
+    double reach = 0.0;
+    for (const PieceExtent& piece : tool.followed.pieces) {
+        const double high = std::max(std::abs(piece.low_mm), std::abs(piece.high_mm));
+        reach = std::max(reach, std::sqrt(high * high + piece.radius_mm * piece.radius_mm));
+    }
+    const auto strays = strays_mm(motion, poses, reach);
+    return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
+}
+
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
     const auto found = tools_.find(motion.tool);
@@ -216,6 +228,15 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         turning.moved_mm = norm(X_WB.translation - X_WA.translation);
         step({X_WA, X_WB, cells_, sweeps_, is_near_, {}, turning});
         return {};
+    }
+    const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
+    if (passes_by_ && !has_legs && start_of(motion)) {
+        const Poses poses(told_.get(), motion);
+        const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
+        if (passes_by(tool, motion, poses, X_WA, X_WB)) {
+            step({X_WA, X_WB, {}, {}, false, {}, {}});
+            return {};
+        }
     }
     const Cutter& cutter = tool.cutter;
     const ToolExtent& followed = tool.followed;

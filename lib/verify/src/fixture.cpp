@@ -24,16 +24,23 @@ Box grown(const Box& box, double by) {
 // How much finer a tool is looked at where it matters: the last one leaves less than a micrometre.
 constexpr double kFiner[] = {16.0, 256.0};
 
+// Of a fixture is asked what is so near to it, mm.
+constexpr double kAround = 1.0;
+
 Cell cell_of(const Box& box, const cda::Lattice& lattice) {
     return cda::box_cell(lattice.round(box.min), lattice.round(box.max), lattice);
 }
 
 }  // namespace
 
+Box Fixture::place() const {
+    return grown(box, clearance_mm + deflection_mm);
+}
+
 FixtureScene::FixtureScene(const Setup& setup) : setup_(&setup), fixtures_(setup.machine.fixtures) {
     Box all;
     for (const Fixture& f : fixtures_)
-        all.add(grown(f.box, f.clearance_mm + 1.0));
+        all.add(grown(f.place(), kAround));
     if (all.is_empty()) return;
     lattice_ = cda::Lattice::for_stock(all);
     const cda::TreeCda model{cda::TreeParameters{}};
@@ -50,7 +57,7 @@ bool FixtureScene::touches(std::size_t index, const Cell& cell) const {
     const Fixture& fixture = fixtures_[index];
     if (fixture.mesh.triangles.empty()) return boxes_[index]->contact(cell).has_value();
     // The part of the cell near the mesh plays the part, the mesh the body that may meet it.
-    Cell near = cell_of(grown(fixture.box, 1.0), lattice_);
+    Cell near = cell_of(grown(fixture.place(), kAround), lattice_);
     near.planes.insert(near.planes.end(), cell.planes.begin(), cell.planes.end());
     if (!cda::ConvexPolytope::of(near, lattice_)) return false;
     return cda::collision(cda::FlatCda(near, lattice_), fixture.mesh).has_value();
@@ -63,17 +70,21 @@ FixtureContact FixtureScene::contact_of(Body& body, std::size_t f,
     contact.fixture = f;
     const double clearance = fixtures_[f].clearance_mm;
     const double rounding = body.rounding(step);
+    // Its surface may be as far outside of its triangles, or inside.
+    const double hidden = fixtures_[f].deflection_mm;
     const auto meets = [&](const Cell& cell, double less) {
         return touches(f, less != 0.0 ? shrunk(cell, less, lattice_) : cell);
     };
     for (const Cell& cell : body.cells(step, 0.0, Side::Circumscribed)) {
-        const bool touching = meets(cell, rounding);
-        const bool near = touching || (clearance > 0.0 && meets(cell, rounding - clearance));
-        if (near) contact.box.add(intersection(cell.bounds, grown(fixtures_[f].box, clearance)));
+        const bool touching = meets(cell, rounding - hidden);
+        const bool near =
+            touching || (clearance > 0.0 && meets(cell, rounding - clearance - hidden));
+        if (near) contact.box.add(intersection(cell.bounds, fixtures_[f].place()));
         contact.touches |= touching;
     }
     if (contact.box.is_empty()) return contact;
-    const double less = rounding + body.gained(step, 0.0) - (contact.touches ? 0.0 : clearance);
+    const double less =
+        rounding + hidden + body.gained(step, 0.0) - (contact.touches ? 0.0 : clearance);
     for (const Cell& cell : body.cells(step, 0.0, Side::Inscribed)) {
         if (meets(cell, less)) contact.certainty = Certainty::Certain;
     }
@@ -98,7 +109,7 @@ void FixtureScene::meet(int tool, const toolpath::Step& step,
     for (std::size_t piece = 0; piece < bodies.size(); ++piece) {
         const Box bounds = bodies[piece].bounds(step, 0.0);
         for (std::size_t f = 0; f < fixtures_.size(); ++f) {
-            if (!bounds.overlaps(grown(fixtures_[f].box, fixtures_[f].clearance_mm))) continue;
+            if (!bounds.overlaps(fixtures_[f].place())) continue;
             const auto old = std::ranges::find_if(contacts, [&](const FixtureContact& c) {
                 return c.fixture == f && c.piece == piece;
             });

@@ -81,10 +81,8 @@ bool needs_volumes(const Setup& setup) {
 toolpath::Watch watch_of(const Setup& setup) {
     toolpath::Watch watch;
     watch.shanks = true;
-    for (const Fixture& f : setup.machine.fixtures) {
-        const Vec3 clear{f.clearance_mm, f.clearance_mm, f.clearance_mm};
-        watch.place.add(Box{f.box.min - clear, f.box.max + clear});
-    }
+    for (const Fixture& f : setup.machine.fixtures)
+        watch.place.add(f.place());
     return watch;
 }
 
@@ -114,7 +112,7 @@ public:
         contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
         if (!stock_.is_empty()) highest_ = stock_.max.z;
         for (const Fixture& fixture : setup_.machine.fixtures)
-            highest_ = std::max(highest_, fixture.box.max.z + fixture.clearance_mm);
+            highest_ = std::max(highest_, fixture.place().max.z);
         needs_part_ = needs_part(setup_);
         if (setup_.not_simulated) return;
         for (const auto& [number, facts] : setup_.tools) {

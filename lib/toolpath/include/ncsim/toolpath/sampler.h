@@ -67,4 +67,9 @@ struct Samples {
 Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const SamplingOptions& options,
                const std::optional<cda::Box>& place = {}, const Kinematics* told = nullptr);
 
+/// How far a point of a tool that reaches no farther from its tip than `reach_mm` may get from
+/// where it is at both ends of a straight move or an arc, mm; but for turns of the tool about
+/// itself. `poses` are those of the motion. Cheap, and more than the truth. Nothing of splines.
+std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm);
+
 }  // namespace ncsim::toolpath

@@ -41,6 +41,12 @@ struct PiecePolytope {
 /// other radii, the four sides lie a few units farther out, always less than √r/2. Forms of three
 /// radii and more, and whole balls (lollipops) of a few units, may need twice the least tolerance.
 ///
+/// Facets of cones under a wider ring, as at the tips of drills and V-bits, meet exactly in their
+/// corners, where their normals would be rounded otherwise: that ring is lower by less than a
+/// quarter of the tolerance (a drill of 4 mm: 0.3 µm), and a tool of one radius has one that is a
+/// multiple of a b of a thousand to some thousands units, which is up to nine units larger than it
+/// where no such b divides it. Inscribed, cones that go on to the upper end are not moved.
+///
 /// Rings around rounded corners have fewer sides where they are smaller: of the largest polygon
 /// every second, third … in a multiple of four; azimuth and profile share the tolerance. A ball of
 /// radius r takes about 2.1 r/ε planes (fair: 1.4 to 1.8) where it took 3 to 4 with as many sides

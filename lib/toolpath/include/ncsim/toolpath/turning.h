@@ -21,6 +21,14 @@
 // left is across w: (t' - t) (D_across - s u m), where t' - t is at most (√v2 - √v1)/(√v2 + √v1),
 // and s t (1-t) (u1 - u2) m. Add what the chord is off, as above.
 //
+// Of a cylinder, height and width do not count at once. Across the axis of the tool at t, x is s t
+// (1-t) |z1-z2| away from q, but for what the axis leans from m, s/2 at most: less than s/4 times
+// the height and s² times a quarter of the radius. Along it, it is s t (1-t) |u1-u2| away, with as
+// little more. So far it is beyond an end, the lower one, only if q, at the height (1-t) z1 + t z2,
+// is nearer to that than by this: then z1 is about 2 s t R at most, z2 2 s (1-t) R, and x no
+// farther away across than s² R/3. For s up to 1, s² (height + width)/4 is more than all of these:
+// the gain is no more than this and the larger of s/4 times the height and s/4 times the width.
+//
 // Where the tool is a body rolled around by a ball (a ball nose: an axis; a corner radius: the
 // cylinder within the corner), the sum of a point of each, a ball turned is a ball: only the body
 // within counts. That fails where the piece is cut off flat, at its upper end: it holds if this end
@@ -56,6 +64,7 @@ struct PieceExtent {
     double radius_mm = 0.0;  ///< The largest.
     /// Of the body that a ball rolls around to make the piece: the piece itself where it has edges.
     double core_low_mm = 0.0, core_high_mm = 0.0, core_radius_mm = 0.0;
+    bool is_core_cylinder = false;
     /// It ends flat, where the core ends, too: the ball is cut off there.
     bool open_above = false;
     /// From here on it is a cylinder, which may be cut off anywhere; high_mm if there is none.
@@ -104,9 +113,11 @@ struct Turning {
     /// Sine of the angle between the tool's axis and the one that turns, at most; 1 if several do.
     double lean = 1.0;
     /// The same distance of the farthest place that matters, and the height above the tip below
-    /// which all such places are, whatever the tool does in this motion.
+    /// which all such places are that are no farther than kBeside from the tool as it is at that
+    /// time, whatever it does in this motion.
     double place_mm = kInf;
     double top_mm = kInf;
+    static constexpr double kBeside = 1.0;  ///< mm, across the axis, from the thickest piece.
     /// How high the slabs are, at most, whose hulls the tool leaves.
     double slab_mm = kInf;
 

@@ -71,7 +71,16 @@ public:
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
     /// From now on no more cells are made than those near `place` (mm, W); nothing: all.
-    void want_cells(const std::optional<cda::Box>& place) { wanted_ = place; }
+    void want_cells(const std::optional<cda::Box>& place) {
+        wanted_ = place;
+        passes_by_ = false;
+    }
+    /// The same, and motions that turn the tool and stay away from there are no more than a step
+    /// from end to end, without bounds.
+    void want_nothing_but(const std::optional<cda::Box>& place) {
+        want_cells(place);
+        passes_by_ = place.has_value();
+    }
     /// Null if there is none of this number.
     const Cutter* cutter(int number) const;
 
@@ -96,6 +105,8 @@ private:
 
         cda::Box bounds(const Pose& X_WA, const Pose& X_WB);
     };
+    bool passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
+                   const Pose& X_WA, const Pose& X_WB) const;
     void trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                const Liberties& liberties);
 
@@ -109,6 +120,7 @@ private:
     std::shared_ptr<const Kinematics> told_;
     cda::Box place_;                  // that matters: the stock and what is watched
     std::optional<cda::Box> wanted_;  // cells
+    bool passes_by_ = false;          // all else
     Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, Known> tools_;
     bool leaves_round_ = false;

@@ -33,6 +33,9 @@ struct Fixture {
     double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
     /// Every part of a tool must stay this far away, mm.
     double clearance_mm = 0.0;
+
+    /// All it may reach, and what has to stay free around it.
+    cda::Box place() const;
 };
 
 /// Lengths mm, rates mm/min, accelerations mm/s². Index 0, 1, 2: X, Y, Z.
