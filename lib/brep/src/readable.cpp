@@ -3,7 +3,6 @@
 
 #include "none.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <variant>
@@ -59,31 +58,6 @@ void halve_wide_edges(Part& part) {
             }
             loop = std::move(halved);
         }
-    }
-}
-
-void part_pinched_loops(Part& part) {
-    const auto begin_of = [&](const EdgeUse& use) {
-        return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
-    };
-    for (Face& face : part.faces) {
-        if (std::holds_alternative<Plane>(face.surface.form)) continue;
-        std::vector<Loop> loops;
-        for (const Loop& loop : face.loops) {
-            Loop open;
-            for (const EdgeUse& use : loop) {
-                // What goes on from a corner that it came from is closed.
-                const auto before = std::ranges::find_if(
-                    open, [&](const EdgeUse& other) { return begin_of(other) == begin_of(use); });
-                if (before != open.end()) {
-                    loops.emplace_back(before, open.end());
-                    open.erase(before, open.end());
-                }
-                open.push_back(use);
-            }
-            loops.push_back(std::move(open));
-        }
-        face.loops = std::move(loops);
     }
 }
 

@@ -12,8 +12,4 @@ namespace ncsim::brep {
 /// it goes.
 void halve_wide_edges(Part& part);
 
-/// Of curved faces loops that come back to a corner become two: readers find one loop crossed
-/// there.
-void part_pinched_loops(Part& part);
-
 }  // namespace ncsim::brep

@@ -375,7 +375,6 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
         result.part.solids.push_back(std::move(solid));
     }
     halve_wide_edges(result.part);
-    part_pinched_loops(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;
