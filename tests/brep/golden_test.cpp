@@ -262,6 +262,26 @@ TEST(Recognise, KnowsTheMiddlesOfDomesAndExtrusions) {
     EXPECT_NEAR(cda::norm(middle_of("ramp") - of_ramp), 0.0, 1e-9);
 }
 
+// A ramp leaves the block through its side, where its floor ends in half an ellipse. Readers know
+// the ends of that by their angles, half a turn apart, and took it to pass above.
+TEST(Recognise, RampsHaveNoEdgesHalfAround) {
+    const Golden golden{"ramp_out", "T1 M6\nG0 X60 Y30 Z0\nG1 X100 Z-8\nG0 Z5\n", {}, 0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    const Part& part = made.solid.part;
+    int ellipses = 0;
+    for (const Edge& edge : part.edges) {
+        if (!std::holds_alternative<Ellipse>(edge.curve)) continue;
+        ++ellipses;
+        EXPECT_LT(cda::norm(part.vertices[edge.to] - part.vertices[edge.from]), 6.0);
+    }
+    EXPECT_EQ(ellipses, 2);
+    Part checked = part;
+    EXPECT_TRUE(check(checked, 1e-9).empty());
+    const double left = kBlock - (1250.0 / 3.0 + 50.0 * kPi);
+    EXPECT_NEAR(volume(part), left, 1e-9 * left);
+}
+
 // Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
 // miss their common corner by almost a micrometre, and cross beside it.
 TEST(Recognise, ArcsEndInTheirCorners) {

@@ -78,7 +78,8 @@ void Chains::trace() {
     }
     for (const std::uint32_t h : boundary) {
         const std::uint32_t v = mesh_.edges()[h].from;
-        if (degree[v] == 2 && (is_tip(h) || is_beside_facet(h))) degree[v] = kTip;
+        if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_beside_facet(h)))
+            degree[v] = kTip;
         if (degree[v] == 2) continue;
         const std::uint32_t number = vertex_at(v);
         vertices_[number].groups.push_back(groups_.group_at(h));
@@ -138,6 +139,22 @@ bool Chains::is_tip(std::uint32_t h) const {
     return false;
 }
 
+// Where the edge of two ramps that meet has a corner: the one of its points that is nearest to it,
+// its ends left out.
+bool Chains::is_bend(std::uint32_t h, const std::vector<int>& degree) const {
+    const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from);
+    const auto corner = corner_of_bend(groups_.form_of(one), groups_.form_of(other), p);
+    if (!corner || norm(p - *corner) >= reach({one, other})) return false;
+    const auto is_farther = [&](std::uint32_t beside) {
+        const Vec3 q = mesh_.point(beside);
+        if (degree[beside] != 2) return dot(*corner - q, p - q) > 0.0;
+        return norm(p - *corner) <= norm(q - *corner);
+    };
+    return is_farther(mesh_.to(h)) &&
+           is_farther(mesh_.to(groups_.next_boundary(mesh_.edges()[h].twin)));
+}
+
 std::uint32_t Chains::vertex_at(std::uint32_t v) {
     std::uint32_t& number = vertex_of_[v];
     if (number == kNone) {
@@ -172,6 +189,14 @@ bool Chains::solve_vertex(Vertex& v) const {
     std::vector<const Form*> forms;
     for (const std::uint32_t n : numbers)
         forms.push_back(&mesh_.surface(n).form);
+    if (forms.size() == 2) {
+        const auto corner = corner_of_bend(*forms[0], *forms[1], v.at);
+        if (corner && norm(*corner - v.at) < reach(v.groups)) {
+            v.at = *corner;
+            v.miss = farthest(numbers, v.at);
+            return v.miss <= kTouchMm;
+        }
+    }
     const std::size_t count = forms.size();
     std::vector<Form> touching;
     for (std::size_t i = 0; i < count; ++i) {

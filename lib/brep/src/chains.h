@@ -57,6 +57,7 @@ private:
     std::uint32_t vertex_at(std::uint32_t v);
     bool is_beside_facet(std::uint32_t h) const;
     bool is_tip(std::uint32_t h) const;
+    bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& around) const;
     bool solve_vertex(Vertex& v) const;
     bool flip_reversed();

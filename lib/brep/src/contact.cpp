@@ -512,6 +512,17 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     return is_nearer(one, other, p) ? one : other;
 }
 
+std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p) {
+    const auto planes = bends(a, b);
+    if (!planes) return std::nullopt;
+    const auto& [level, other] = *planes;
+    const auto* moved = std::get_if<Extrusion>(&a);
+    if (!moved) moved = std::get_if<Extrusion>(&b);
+    const Vec3 side = moved->radius * normalized(cross(level.normal, other.normal));
+    const Vec3 one = level.origin + side, two = level.origin - side;
+    return norm(p - one) < norm(p - two) ? one : two;
+}
+
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
     for (const Form* form : forms) {
         const auto* dome = std::get_if<Dome>(form);

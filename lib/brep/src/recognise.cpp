@@ -22,6 +22,7 @@
 #include "groups.h"
 #include "known_faces.h"
 #include "nesting.h"
+#include "readable.h"
 
 #include <algorithm>
 #include <array>
@@ -118,9 +119,11 @@ private:
             name(face, g);
             face.is_facet = groups_.is_facet(g);
             auto& found = known_.look_at(part, face, groups_[g].facets.front());
-            // Facets may be as thin as they are.
+            // Facets may be as thin as they are. Beside them readers make edges as wide as they are
+            // off.
+            const double width = std::max(kNoWidth, error_beside(g));
             has_gone[g] = groups_[g].is_analytic &&
-                          2.0 * std::abs(found.measure.area) < kNoWidth * found.measure.length;
+                          2.0 * std::abs(found.measure.area) < width * found.measure.length;
             if (has_gone[g]) vanish(g);
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
@@ -134,15 +137,11 @@ private:
                     return has_gone[beside.first];
                 });
             if (is_beside_gone || !is_wanted(g)) continue;
-            double error = 0.0;
-            if (groups_.is_facet(g)) error = groups_.error_of(g);
-            for (const auto& [n, shared] : groups_.neighbours(g)) {
-                if (groups_.is_facet(n)) error = std::max(error, groups_.error_of(n));
-            }
+            const double error = error_beside(g);
             const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
             // Readers lay edges that are off a curved surface down on it, each in its own way.
             const bool is_flat = std::holds_alternative<Plane>(groups_.form_of(g));
-            const double clear = error > 0.0 && !is_flat ? 0.01 * tolerance : kClear;
+            const double clear = error > 0.0 && !is_flat ? 0.05 * tolerance : kClear;
             double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
             if (!is_too_large(g, known[f]->measure.area) && !has_tiny_corner(part, part.faces[f]) &&
                 !KnownFaces::is_faulty(*known[f], part, f, tolerance, clear, miss))
@@ -165,6 +164,15 @@ private:
             failures_.push_back({std::move(around)});
         }
         return part;
+    }
+
+    // Of it and the facets beside it; zero if there are none.
+    double error_beside(std::uint32_t g) const {
+        double error = groups_.is_facet(g) ? groups_.error_of(g) : 0.0;
+        for (const auto& [n, shared] : groups_.neighbours(g)) {
+            if (groups_.is_facet(n)) error = std::max(error, groups_.error_of(n));
+        }
+        return error;
     }
 
     // What the polyhedron had, with its corners where they were, is as good as it was.
@@ -366,6 +374,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
             solid.voids.push_back(add(s));
         result.part.solids.push_back(std::move(solid));
     }
+    halve_wide_edges(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;

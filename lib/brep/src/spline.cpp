@@ -148,7 +148,7 @@ Spline through(const std::vector<Knot>& knots, const Pace& pace) {
 // Through the knots, and others between them where it would be too far off.
 Spline through(const Walk& walk, std::vector<Knot> knots) {
     constexpr double kEven = 10.0;
-    constexpr int kMostPasses = 6;
+    constexpr int kMostPasses = 20;
     const std::vector<double> chords = chords_of(knots);
     const auto [shortest, longest] = std::ranges::minmax(chords);
     const Pace even = even_pace(knots);

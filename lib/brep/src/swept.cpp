@@ -23,6 +23,8 @@ using toolpath::ProfilePoint;
 
 // Lengths that are equal but for rounding, mm.
 constexpr double kEqual = 1e-9;
+// Of lines that rise by less for 1 mm, readers do not find points on the extruded circle.
+constexpr double kFlattest = 1e-3;
 // Programs round: an arc may end so much nearer to its centre than it starts.
 constexpr double kMostSpiral = 4e-3;
 
@@ -127,7 +129,7 @@ public:
     // The corner in which a piece starts, on a line askew.
     void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
         const double along = dot(d, axis);
-        if (e.radius <= kEqual || std::abs(along) <= kEqual || norm(cross(axis, d)) <= kEqual)
+        if (e.radius <= kEqual || std::abs(along) <= kFlattest || norm(cross(axis, d)) <= kEqual)
             return;
         add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
     }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "readable.h"
+
+#include "none.h"
+
+#include <cstdint>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+
+// Do its ends lie opposite each other, seen along the line that the circle moves along?
+bool is_half_around(const Extrusion& extrusion, const Part& part, const Edge& edge) {
+    const auto out = [&](std::uint32_t v) {
+        const Vec3 p = part.vertices[v];
+        return cda::normalized(p - place_along(extrusion, p) * extrusion.along - extrusion.centre);
+    };
+    constexpr double kOpposite = -0.9;
+    return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < kOpposite;
+}
+
+}  // namespace
+
+void halve_wide_edges(Part& part) {
+    std::vector<std::uint32_t> second(part.edges.size(), kNone);
+    for (const Face& face : part.faces) {
+        const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
+        if (!extrusion) continue;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge edge = part.edges[use.edge];
+                if (use.edge >= second.size() || second[use.edge] != kNone ||
+                    !std::holds_alternative<Ellipse>(edge.curve) ||
+                    !is_half_around(*extrusion, part, edge))
+                    continue;
+                const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+                const auto middle = static_cast<std::uint32_t>(part.vertices.size());
+                part.vertices.push_back(track.at(0.5));
+                second[use.edge] = static_cast<std::uint32_t>(part.edges.size());
+                part.edges[use.edge].to = middle;
+                part.edges.push_back({middle, edge.to, edge.curve});
+            }
+        }
+    }
+    for (Face& face : part.faces) {
+        for (Loop& loop : face.loops) {
+            Loop halved;
+            for (const EdgeUse& use : loop) {
+                const std::uint32_t other = use.edge < second.size() ? second[use.edge] : kNone;
+                if (other != kNone && !use.is_forward) halved.push_back({other, false});
+                halved.push_back(use);
+                if (other != kNone && use.is_forward) halved.push_back({other, true});
+            }
+            loop = std::move(halved);
+        }
+    }
+}
+
+}  // namespace ncsim::brep

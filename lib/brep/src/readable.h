@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What readers of files need beyond what is true.
+#pragma once
+
+#include "ncsim/brep/part.h"
+
+namespace ncsim::brep {
+
+/// Ellipses beside extrusions that go about half around them become two edges. Readers know such a
+/// surface by its parameters alone, and of an edge whose ends are half a turn apart not which way
+/// it goes.
+void halve_wide_edges(Part& part);
+
+}  // namespace ncsim::brep
