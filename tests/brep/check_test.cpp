@@ -104,6 +104,28 @@ TEST(Check, FindsCirclesThatTouch) {
     EXPECT_EQ(faults_of(part, 0, 1e-9, miss, 1e-4).size(), 1U);
 }
 
+// A line ends at the tip of a slender ellipse, and crosses it once more if it goes up: 0.04 mm
+// before that, or by so little that it may be meant to touch.
+TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
+    const auto faults = [](double rise) {
+        Part part;
+        part.vertices = {{0, 0, 0}, {-1, 10, 0}, {-9.95, 9.95 * rise, 0}};
+        const Vec3 up{0, 0, 1};
+        part.edges = {
+            {1, 0, Ellipse{{0, 10, 0}, up, {0, 1, 0}, 10, 1}}, {1, 2, Line{}}, {2, 0, Line{}}};
+        Face face;
+        face.surface.form = Plane{{}, up};
+        face.frame = {{}, up, {1, 0, 0}};
+        face.loops = {{{2, true}, {0, false}, {1, true}}};
+        part.faces.push_back(face);
+        double miss = 0.0;
+        return told(faults_of(part, 0, 1e-9, miss));
+    };
+    EXPECT_NE(faults(0.2).find(kCrossOrTouch), std::string::npos);
+    EXPECT_EQ(faults(0.001), "");
+    EXPECT_EQ(faults(-0.2), "");
+}
+
 TEST(Check, FindsLoopsThatCross) {
     Part part = solid_named("bored_box").part;
     for (Edge& edge : part.edges) {

@@ -26,8 +26,8 @@ using test::Made;
 constexpr double kPi = std::numbers::pi;
 constexpr double kBlock = 80.0 * 60.0 * 20.0;
 
-// Planes, cylinders, cones, spheres, tori, extrusions, domes.
-using Kinds = std::array<int, 7>;
+// Planes, cylinders, cones, spheres, tori, extrusions, domes, coils.
+using Kinds = std::array<int, 8>;
 
 struct Golden {
     std::string name;
@@ -183,6 +183,26 @@ TEST_P(GoldenPart, HasTheFacesOfItsDrawingAtAnyTolerance) {
 
 INSTANTIATE_TEST_SUITE_P(Recognise, GoldenPart, testing::ValuesIn(goldens()),
                          [](const auto& tested) { return tested.param.name; });
+
+// Once around, 4 deep in 30 pi: along the helix the walls and the floor are splines. The disc, 5 in
+// radius, is as deep as where it passed last, which is behind.
+TEST(Recognise, KnowsTheFloorsOfHelices) {
+    for (const std::string turn : {"G2", "G3"}) {
+        const Golden golden{
+            "helix", "T1 M6\nG0 X55 Y30 Z1\n" + turn + " X55 Y30 Z-3 I-15\nG0 Z5\n", {}, 0.0};
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(turn + " " + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 3, 0, 0, 0, 0, 0, 1}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            const double left = kBlock - 412.5 * kPi;
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+            const Mass mass = mass_of(made.solid.part);
+            EXPECT_NEAR(mass.volume, left, 1e-8 * left);
+        }
+    }
+}
 
 // Over squares of 0.02 mm, what the ball of 8 mm takes out, 6 deep, that passes within `distance`
 // of their middles.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <random>
 
 namespace ncsim::brep::test {
@@ -11,7 +12,7 @@ namespace {
 
 class Writer {
 public:
-    explicit Writer(std::uint64_t seed) : random_(seed) {}
+    explicit Writer(std::uint64_t seed) : random_(seed), has_helices_(seed >= kWithHelices) {}
 
     std::string write() {
         text_ =
@@ -40,7 +41,7 @@ private:
     void line(const std::string& text) { text_ += text + "\n"; }
 
     void operation() {
-        const int tool = pick(1, 7);
+        const int tool = has_helices_ ? pick(1, 2) : pick(1, 7);
         line(fmt::format("T{} M6 S5000 M3", tool));
         x_ = length(0, 80), y_ = length(0, 60);
         is_ramp_ = pick(0, 2) == 0;
@@ -81,13 +82,19 @@ private:
             u = w;
         }
         const double to_x = x_ + i + u, to_y = y_ + j + v;
-        line(fmt::format("{} X{:.3f} Y{:.3f} I{:.3f} J{:.3f}", left ? "G3" : "G2", to_x, to_y, i,
-                         j));
+        std::string down;
+        if (has_helices_ && pick(0, 1) == 0) {
+            z_ = std::max(-12.0, z_ - length(0, 3));
+            down = fmt::format(" Z{:.3f}", z_);
+        }
+        line(fmt::format("{} X{:.3f} Y{:.3f}{} I{:.3f} J{:.3f}", left ? "G3" : "G2", to_x, to_y,
+                         down, i, j));
         x_ = to_x, y_ = to_y;
     }
 
     std::mt19937_64 random_;
     std::string text_;
+    bool has_helices_;
     int grid_ = 1;  // µm
     double x_ = 0.0, y_ = 0.0, z_ = 0.0;
     bool is_ramp_ = false;  // straight moves go up and down

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Programs at random of what most programs are made of: level lines, flat arcs and holes, by end
-// mills, balls, bull noses, V-cutters and drills.
+// mills, balls, bull noses, V-cutters and drills; and some of helices by end mills.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 namespace ncsim::brep::test {
+
+/// Seeds from here on are of programs with end mills alone, half of whose arcs go down.
+inline constexpr std::uint64_t kWithHelices = 1'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.
 std::string random_part(std::uint64_t seed);

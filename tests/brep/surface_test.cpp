@@ -152,5 +152,62 @@ TEST(Dome, IsTheSameOnOneSideOnly) {
     EXPECT_FALSE(is_same({dome, true}, {other, true}, 1e-3));
 }
 
+Coil random_coil(Draw& draw) {
+    Coil coil;
+    coil.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
+    coil.axis = draw.direction();
+    const double turn = draw.from(0.0, 6.2);
+    const Vec3 x = across(coil.axis);
+    coil.ahead = std::cos(turn) * x + std::sin(turn) * cross(coil.axis, x);
+    coil.reach = draw.from(0.2, 9.0);
+    coil.radius = draw.from(0.5, 9.0);
+    coil.lead = draw.from(0.1, 1.0) * (draw.from(-1, 1) < 0.0 ? -1.0 : 1.0);
+    return coil;
+}
+
+// Angles in radians: of the helix, and of the circle from where it goes.
+Vec3 point_of(const Coil& c, double helix, double circle) {
+    const Vec3 side = cross(c.axis, c.ahead);
+    const Vec3 up = std::cos(helix) * c.ahead + std::sin(helix) * side;
+    const Vec3 way = cross(c.axis, up);
+    return c.centre + c.reach * up + c.lead * helix * c.axis +
+           c.radius * (std::cos(circle) * way - std::sin(circle) * up);
+}
+
+TEST(Coil, HasItsPlacesNormalsAndDistances) {
+    Draw draw;
+    for (int i = 0; i < 2000; ++i) {
+        const Coil coil = random_coil(draw);
+        // On the half behind, two turns up or down.
+        const double helix = draw.from(-12.0, 12.0), circle = draw.from(1.7, 4.6);
+        const Vec3 p = point_of(coil, helix, circle);
+        constexpr double kStep = 1e-6;
+        const Vec3 u =
+            point_of(coil, helix, circle + kStep) - point_of(coil, helix, circle - kStep);
+        const Vec3 v =
+            point_of(coil, helix + kStep, circle) - point_of(coil, helix - kStep, circle);
+        // Out of the circle: up on one half of it, down on the other one.
+        const Vec3 n = (coil.lead < 0.0 ? -1.0 : 1.0) * normalized(cross(u, v));
+        EXPECT_NEAR(distance(coil, p), 0.0, 1e-11);
+        EXPECT_NEAR(norm(gradient(coil, p) - n), 0.0, 1e-7);
+        EXPECT_GT(cda::dot(n, place_on(coil, p).out), 0.0);
+        EXPECT_NEAR(place_on(coil, p).turn, helix, 1e-9);
+    }
+}
+
+TEST(Coil, IsTheSameFromAnyTurnOn) {
+    const Coil coil{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 6.0, 5.0, -0.5};
+    Coil other = coil;
+    // A quarter on, and two turns.
+    other.ahead = {0, 1, 0};
+    other.centre.z -= 0.5 * 4.5 * std::numbers::pi;
+    EXPECT_TRUE(is_same({coil, true}, {other, true}, 1e-6));
+    other.centre.z += 1e-4;
+    EXPECT_FALSE(is_same({coil, true}, {other, true}, 1e-5));
+    other = coil;
+    other.lead = 0.5;
+    EXPECT_FALSE(is_same({coil, true}, {other, true}, 1e-5));
+}
+
 }  // namespace
 }  // namespace ncsim::brep

@@ -34,6 +34,13 @@ set_tests_properties(brep.write_random_parts PROPERTIES FIXTURES_SETUP brep_rand
 add_test(NAME brep.random_parts_are_read_by_opencascade COMMAND ncsim_read_step ${random})
 set_tests_properties(brep.random_parts_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_random)
+# The same of helices.
+set(helices ${CMAKE_CURRENT_BINARY_DIR}/brep/helices)
+add_test(NAME brep.write_parts_with_helices COMMAND ncsim_brep_random ${helices} 8 1000000)
+set_tests_properties(brep.write_parts_with_helices PROPERTIES FIXTURES_SETUP brep_helices)
+add_test(NAME brep.parts_with_helices_are_read_by_opencascade COMMAND ncsim_read_step ${helices})
+set_tests_properties(brep.parts_with_helices_are_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_helices)
 
 # Of a solid as a mesh its own program is within what all of them are off.
 find_package(OpenCASCADE CONFIG REQUIRED)

@@ -2,16 +2,19 @@
 //
 // read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid
 // closed solids, in millimetres, with the volume and the number of faces that the .expect file
-// beside it names.
+// beside it names. Each face becomes triangles, as programs draw it, and these have the volume, too.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <Interface_Static.hxx>
+#include <Poly_Triangulation.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cmath>
 #include <cstdlib>
@@ -54,6 +57,35 @@ bool all_shells_are_closed(const TopoDS_Shape& shape) {
     return true;
 }
 
+// What is drawn of it: how many faces have no triangles, and what volume is within those of all.
+struct Drawn {
+    int without = 0;
+    double volume = 0.0;
+};
+
+constexpr double kDeflectionMm = 0.01;
+
+Drawn draw(const TopoDS_Shape& shape) {
+    BRepMesh_IncrementalMesh(shape, kDeflectionMm, false, 0.3);
+    Drawn drawn;
+    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+        TopLoc_Location at;
+        const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(face.Current()), at);
+        if (mesh.IsNull() || mesh->NbTriangles() == 0) {
+            ++drawn.without;
+            continue;
+        }
+        double six = 0.0;
+        for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+            int a = 0, b = 0, c = 0;
+            mesh->Triangle(i).Get(a, b, c);
+            six += mesh->Node(a).XYZ().DotCross(mesh->Node(b).XYZ(), mesh->Node(c).XYZ());
+        }
+        drawn.volume += (face.Current().Orientation() == TopAbs_REVERSED ? -six : six) / 6.0;
+    }
+    return drawn;
+}
+
 bool check(const std::filesystem::path& path) {
     const Expectation expected =
         read_expectation(std::filesystem::path(path).replace_extension(".expect"));
@@ -94,6 +126,10 @@ bool check(const std::filesystem::path& path) {
     const double slack = 1e-9 * expected.volume + expected.moved * surface.Mass();
     expect(std::abs(properties.Mass() - expected.volume) <= slack,
            "volume " + std::to_string(properties.Mass()));
+    const Drawn drawn = draw(shape);
+    expect(drawn.without == 0, std::to_string(drawn.without) + " faces without triangles");
+    expect(std::abs(drawn.volume - properties.Mass()) <= slack + 2.0 * kDeflectionMm * surface.Mass(),
+           "triangles around " + std::to_string(drawn.volume));
     std::cout << path << ": " << solids << " solids, " << faces << " faces, " << properties.Mass()
               << " mm³\n";
     return good;

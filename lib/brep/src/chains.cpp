@@ -391,10 +391,14 @@ void Chains::solve_chain(Chain& chain) {
     if (!curve) {
         points.front() = from.at;
         points.back() = to.at;
-        auto spline = spline_between(a, b, points);
+        // Where they touch, what crosses both tells where.
+        const std::optional<Form> touching = touch(a, b);
+        const Form& second = touching ? *touching : b;
+        const Form& first = std::holds_alternative<Coil>(a) && touching ? b : a;
+        auto spline = spline_between(first, second, points);
         // Where facets are large, corners of the polygon may lie beyond its true ends.
         if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))
-            spline = spline_between(a, b, {from.at, to.at});
+            spline = spline_between(first, second, {from.at, to.at});
         if (!spline) return fail(chain);
         chain.curve = std::move(*spline);
         return;

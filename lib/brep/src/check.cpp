@@ -3,7 +3,7 @@
 // Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
 // is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
 // front, those of extrusions along their lines; other cylinders and rings become rings of paper; of
-// spheres the point opposite the face is where the map has none.
+// spheres the point opposite the face is where the map has none; of coils both angles are lengths.
 #include "ncsim/brep/check.h"
 
 #include "ncsim/brep/measure.h"
@@ -68,10 +68,26 @@ public:
             axes_ = Axes(s->centre, {s->centre, middle, across(middle)});
         } else if (const auto* t = std::get_if<Torus>(form_)) {
             cut_ = cut_of(part, face, axes_, t->major);
+        } else if (const auto* coil = std::get_if<Coil>(form_)) {
+            double sum = 0.0;
+            for_edges(part, face, [&](const Track& track, double) {
+                for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                    const CoilPlace place = place_on(*coil, track.at(at));
+                    sum += dot(place.out, place.way);
+                }
+            });
+            ahead_ = sum < 0.0 ? -1.0 : 1.0;
         }
     }
 
     Point operator()(Vec3 at) const {
+        // From the middle of the half of the circle, which turns with the way.
+        if (const auto* c = std::get_if<Coil>(form_)) {
+            const CoilPlace place = place_on(*c, at);
+            const double x = ahead_ * dot(place.out, place.way);
+            const double y = ahead_ * dot(place.out, cross(c->axis, place.way));
+            return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
+        }
         const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
@@ -109,6 +125,7 @@ private:
     const Form* form_;
     Axes axes_;
     double low_ = 0.0, cut_ = 0.0;
+    double ahead_ = 1.0;         // of a coil: which half of the circle
     bool faces_one_way_ = true;  // seen from there, nothing of it hides anything
 };
 
@@ -168,21 +185,65 @@ double apart(const Segment& s, const Segment& t) {
                                squared_distance(t.a, s), squared_distance(t.b, s)}));
 }
 
-// Pieces of curves without a common end: chords that come near are halved until it is clear.
-bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth) {
-    if (apart(s, t) >= s.off + t.off + clear) return false;
-    if (depth == 0 || s.off + t.off <= 0.25 * clear) return apart(s, t) < clear;
-    if (s.off < t.off) std::swap(s, t);
+// Of both halves of what is nearly a circle, a quarter of how far it is off.
+std::array<Segment, 2> halves_of(const Map& map, const Segment& s) {
     const double middle = 0.5 * (s.begin + s.end);
     const Point p = map(s.track->at(middle));
-    // Of both halves of what is nearly a circle, a quarter.
-    const double off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
     Segment first = s, second = s;
     first.b = second.a = p;
     first.end = second.begin = middle;
-    first.off = second.off = off;
-    return curves_interfere(map, first, t, clear, depth - 1) ||
-           curves_interfere(map, second, t, clear, depth - 1);
+    first.off = second.off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
+    return {first, second};
+}
+
+// Sine of the angle between two chords.
+double sine_between(const Segment& s, const Segment& t) {
+    const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
+    const double lengths = std::sqrt((sx * sx + sy * sy) * (tx * tx + ty * ty));
+    return lengths > 0.0 ? std::abs(sx * ty - sy * tx) / lengths : 0.0;
+}
+
+// Pieces of curves without a common end: chords that come near are halved until it is clear. What
+// runs beside each other, but for a least angle, may be near.
+bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth,
+                      double least_sine = 0.0) {
+    if (apart(s, t) >= s.off + t.off + clear) return false;
+    if (depth == 0 || s.off + t.off <= 0.25 * clear)
+        return apart(s, t) < clear && sine_between(s, t) >= least_sine;
+    if (s.off < t.off) std::swap(s, t);
+    const auto [first, second] = halves_of(map, s);
+    return curves_interfere(map, first, t, clear, depth - 1, least_sine) ||
+           curves_interfere(map, second, t, clear, depth - 1, least_sine);
+}
+
+// Do pieces of curves that go out from a common point cross again, by an angle of which readers
+// take notice? Others touch in their corner but for rounding.
+bool cross_beyond(const Map& map, const Segment& s, const Segment& t) {
+    constexpr double kNowhere = 1e-3, kTouching = 1e-9;  // mm
+    constexpr double kSteep = 0.06;
+    constexpr int kDepth = 30;
+    const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
+    const double near = kNowhere * kNowhere;
+    const bool is_acute = sx * tx + sy * ty > 0.0;
+    if (!is_acute || sx * sx + sy * sy < near || tx * tx + ty * ty < near) return false;
+    const auto [s_near, s_far] = halves_of(map, s);
+    const auto [t_near, t_far] = halves_of(map, t);
+    return curves_interfere(map, s_far, t_far, kTouching, kDepth, kSteep) ||
+           curves_interfere(map, s_near, t_far, kTouching, kDepth, kSteep) ||
+           curves_interfere(map, s_far, t_near, kTouching, kDepth, kSteep) ||
+           cross_beyond(map, s_near, t_near);
+}
+
+// Turned round, so that they start in the point that they have in common.
+bool neighbours_cross_again(const Map& map, Segment s, Segment t) {
+    if (s.to == t.from && t.to == s.from) return false;
+    const auto turn_round = [](Segment& piece) {
+        std::swap(piece.a, piece.b);
+        std::swap(piece.begin, piece.end);
+    };
+    if (s.to == t.from || s.to == t.to) turn_round(s);
+    if (t.to == s.from || t.to == s.to) turn_round(t);
+    return cross_beyond(map, s, t);
 }
 
 bool have_common_end(const Segment& s, const Segment& t) {
@@ -209,8 +270,11 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
             if (t.low() > s.high() + clear) break;
             if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
             const bool both_straight = s.is_straight && t.is_straight;
-            if (both_straight || have_common_end(s, t) ? interfere(s, t, clear)
-                                                       : curves_interfere(map, s, t, clear, kDepth))
+            const bool are_neighbours = have_common_end(s, t);
+            if (both_straight || are_neighbours ? interfere(s, t, clear)
+                                                : curves_interfere(map, s, t, clear, kDepth))
+                return {{s.edge, t.edge}};
+            if (!both_straight && are_neighbours && neighbours_cross_again(map, s, t))
                 return {{s.edge, t.edge}};
         }
     }

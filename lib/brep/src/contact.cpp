@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact.h"
 
+#include "ncsim/trig/angles.h"
+
 #include "plane_cut.h"
 
 #include <algorithm>
@@ -86,6 +88,13 @@ struct Touch {
             !near(norm(away(a.origin, a.axis, end)), 0.0))
             return {};
         return plane_at(end, b.axis);
+    }
+    // The walls on both sides of the way.
+    Answer operator()(const Cylinder& a, const Coil& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(norm(away(b.centre, b.axis, a.origin)), 0.0) ||
+            !(near(a.radius, b.reach + b.radius) || near(a.radius, std::abs(b.reach - b.radius))))
+            return {};
+        return Helicoid{b.centre, b.axis, b.ahead, b.lead};
     }
     // The arc goes on as a line.
     Answer operator()(const Extrusion& a, const Dome& b) const {
@@ -308,7 +317,67 @@ std::optional<Vec3> common_circle(const Dome& dome, const Form& other, Vec3 p) {
     return best;
 }
 
+// A circle that does not turn, when it is as high as `p`: its centre, and how far that goes for 1
+// mm along the axis.
+struct MovingCircle {
+    Vec3 centre, slope;
+    double radius = 0.0;
+};
+
+std::optional<MovingCircle> circle_at_height(const Form& form, Vec3 axis, Vec3 p) {
+    if (const auto* f = std::get_if<Coil>(&form)) {
+        if (!is_parallel(f->axis, axis)) return std::nullopt;
+        const CoilPlace place = place_at_height(*f, p);
+        return MovingCircle{place.centre, axis + (f->reach / f->lead) * place.way, f->radius};
+    }
+    const auto moved = moved_circle(form, axis);
+    if (!moved || !is_parallel(moved->axis, axis)) return std::nullopt;
+    const Vec3 slope = (1.0 / dot(moved->along, axis)) * moved->along;
+    return MovingCircle{moved->centre + dot(p - moved->centre, axis) * slope, slope, moved->radius};
+}
+
+// Where the tool stands ahead of what it left a turn before, the point below its circle is of
+// another one, which was behind there.
+bool is_of_circle(const Coil& coil, Vec3 centre, Vec3 p) {
+    return dot(place_on(coil, p).out, p - centre) > 0.0;
+}
+
+// The same of a coil: near the height of `p`.
+std::optional<Vec3> common_circle(const Coil& coil, const Form& other, Vec3 p) {
+    const Vec3 start = p;
+    constexpr double kEqual = 1e-6, kFarthestStep = 0.3;
+    constexpr int kMostSteps = 30;
+    if (const auto* wall = std::get_if<Cylinder>(&other)) {
+        // It stands where the circle passes once in a turn.
+        if (!is_parallel(wall->axis, coil.axis)) return std::nullopt;
+        const CoilPlace near_p = place_at_height(coil, p);
+        const Vec3 up = away(coil.centre, coil.axis, near_p.centre);
+        const Vec3 to = away(coil.centre, coil.axis, wall->origin);
+        const double degrees = trig::angle_of(dot(to, up), dot(to, cross(coil.axis, up)));
+        p = near_p.centre + (degrees * trig::kRadiansPerDegree * coil.lead) * coil.axis;
+    }
+    Vec3 at = p;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const auto one = circle_at_height(coil, coil.axis, at);
+        const auto two = circle_at_height(other, coil.axis, at);
+        if (!two || std::abs(two->radius - coil.radius) > kEqual) return std::nullopt;
+        const Vec3 apart = two->centre - one->centre, drift = two->slope - one->slope;
+        const double square = dot(drift, drift);
+        if (square < kEqual * kEqual) return std::nullopt;
+        const double farthest = kFarthestStep * std::abs(coil.lead);
+        const double up = std::clamp(-dot(apart, drift) / square, -farthest, farthest);
+        at = at + up * coil.axis;
+        constexpr double kNoStep = 1e-14;
+        if (std::abs(up) > kNoStep && step + 1 < kMostSteps) continue;
+        if (norm(apart) > kTouchMm || !is_of_circle(coil, one->centre, start)) return std::nullopt;
+        return one->centre;
+    }
+    return std::nullopt;
+}
+
 std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p) {
+    if (const auto* coil = std::get_if<Coil>(&b)) return common_circle(*coil, a, p);
+    if (const auto* coil = std::get_if<Coil>(&a)) return common_circle(*coil, b, p);
     if (const auto* dome = std::get_if<Dome>(&b)) return common_circle(*dome, a, p);
     if (const auto* dome = std::get_if<Dome>(&a)) return common_circle(*dome, b, p);
     return std::nullopt;
@@ -329,6 +398,20 @@ std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q) {
     const auto is_level = [&](Vec3 at) { return near(dot(at - *centre, dome.axis), 0.0); };
     if (!centre || !is_level(p) || !is_level(q)) return std::nullopt;
     return Circle{*centre, dome.axis, dome.radius};
+}
+
+// The same of a coil. Where the tool stands ahead of what it left a turn before, their curve ends
+// on a common circle, but passes lower, where the circle was behind.
+std::optional<Curve> meet(const Coil& coil, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
+    const auto is_level = [&](Vec3 a, Vec3 b) { return near(dot(a - b, coil.axis), 0.0); };
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        if (!is_parallel(plane->normal, coil.axis)) return std::nullopt;
+        return Circle{place_at_height(coil, plane->origin).centre, coil.axis, coil.radius};
+    }
+    const auto centre = common_circle(coil, other, p);
+    if (!centre || !is_level(p, *centre) || !is_level(q, *centre)) return std::nullopt;
+    if (!is_of_circle(coil, *centre, near_to)) return std::nullopt;
+    return Circle{*centre, coil.axis, coil.radius};
 }
 
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
@@ -415,8 +498,13 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p) {
     const auto* first = std::get_if<Cylinder>(&a);
     const auto* second = std::get_if<Cylinder>(&b);
     if (const auto centre = common_circle(a, b, p)) {
-        const auto* dome = std::get_if<Dome>(&a);
-        return Plane{*centre, (dome ? dome : std::get_if<Dome>(&b))->axis};
+        const auto axis_of_moved = [](const Form& form) -> std::optional<Vec3> {
+            if (const auto* dome = std::get_if<Dome>(&form)) return dome->axis;
+            if (const auto* coil = std::get_if<Coil>(&form)) return coil->axis;
+            return std::nullopt;
+        };
+        const auto axis = axis_of_moved(a);
+        return Plane{*centre, axis ? *axis : *axis_of_moved(b)};
     }
     const auto planes = first && second ? mitres(*first, *second) : bends(a, b);
     if (!planes) return std::nullopt;
@@ -454,6 +542,10 @@ std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
             if (const auto* f = std::get_if<Dome>(other)) {
                 if (is_parallel(f->axis, level->normal))
                     circles.push_back({centre_at_height(*f, level->origin), f->radius, true});
+            } else if (const auto* coil = std::get_if<Coil>(other)) {
+                if (is_parallel(coil->axis, level->normal))
+                    circles.push_back(
+                        {place_at_height(*coil, level->origin).centre, coil->radius, true});
             } else if (const auto moved = moved_circle(*other, level->normal)) {
                 if (!is_parallel(moved->axis, level->normal)) continue;
                 const double lean = dot(moved->along, level->normal);
@@ -478,6 +570,8 @@ std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
 
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
+    if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
+    if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
     if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);
     if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q);
     const bool is_first_plane = std::holds_alternative<Plane>(a);

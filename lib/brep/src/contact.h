@@ -28,8 +28,9 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 /// far along the wall they do: the plane across it.
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);
 
-/// Where circles in which upright forms meet a level plane touch, one of them of an extrusion or a
-/// dome, the forms cross elsewhere: planes through both centres, across the circles there.
+/// Where circles in which upright forms meet a level plane touch, one of them of an extrusion, a
+/// dome or a coil, the forms cross elsewhere: planes through both centres, across the circles
+/// there.
 std::vector<Form> touches_in_level(std::span<const Form* const> forms);
 
 /// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then

@@ -19,6 +19,8 @@ constexpr double kMostTurn = 0.45;
 constexpr double kLevel = 1e-6;
 // Corners of hulls that meet may lie farther out than those of the tool.
 constexpr double kSlack = 1.5;
+// Of coils, beside walls, both beyond the wall and below the floor.
+constexpr double kSlackOfCoils = 2.0;
 
 double area_of(const cda::Boundary& boundary, const cda::BoundaryFace& face, Vec3& centroid) {
     const Vec3 apex = boundary.vertices[face.loops[0][0]];
@@ -101,8 +103,9 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
             // A surface that the tool went along is preferred to one where it only stood.
             constexpr double kAtRest = 0.05;
             double score = 0.0;
-            if (!fits(facet, candidate.surface, kSlack * source->second.error_mm, kMostTurn,
-                      &score))
+            const double slack =
+                std::holds_alternative<Coil>(candidate.surface.form) ? kSlackOfCoils : kSlack;
+            if (!fits(facet, candidate.surface, slack * source->second.error_mm, kMostTurn, &score))
                 continue;
             // What is flat and lies on a plane of the tool is that: ramps may be flatter than
             // errors.

@@ -117,6 +117,8 @@ Frame frame_for(const Part& part, const Face& face) {
         }
         return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
     }
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return {f->centre, f->axis, f->ahead};
     const auto& plane = std::get<Plane>(face.surface.form);
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];

@@ -16,6 +16,8 @@ namespace {
 
 // Of what joins a neighbour, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
+// Of what is narrower than its error, and so may look anywhere.
+constexpr double kMostTurnOfNarrow = 1.0;
 // So many errors is a lune that is one error low off either of the pipes beside it, at most: four
 // times as far from the one as from the plane between both, and corners of hulls lie farther out.
 constexpr double kAcrossLune = 6.0;
@@ -92,12 +94,15 @@ bool Groups::unify() {
         }
     }
     any = join_lunes() || any;
+    any = join_ledges() || any;
     if (any) return true;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const Group& group = groups_[g];
         const Facet& first = mesh_[group.facets.front()];
         if (group.is_analytic || first.may_be_true || first.is_final) continue;
-        if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) any = absorb(g, 1.5) || any;
+        if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) {
+            any = absorb(g, 1.5, kMostTurnOfNeighbours) || absorb(g, 2.0, kMostTurnOfNarrow) || any;
+        }
     }
     return any;
 }
@@ -130,7 +135,7 @@ bool Groups::join_lunes() {
         const auto longest = std::ranges::max_element(
             pipes, [](const auto& a, const auto& b) { return a.second < b.second; });
         // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
-        if (!lies_on(g, longest->first, kAcrossLune)) continue;
+        if (!lies_on(g, longest->first, kAcrossLune, kMostTurnOfNeighbours)) continue;
         relabel(g, groups_[longest->first].surface);
         mitred_mm_ = std::max(mitred_mm_, lower);
         any = true;
@@ -138,10 +143,34 @@ bool Groups::join_lunes() {
     return any;
 }
 
+// Hulls of a tool that goes down a helix have corners at every height. Between them ledges are left
+// on the wall that are floors of nothing.
+bool Groups::join_ledges() {
+    constexpr double kMostOfTheWay = 0.7, kNarrow = 0.5, kAnyTurn = 2.0;
+    bool any = false;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        if (mesh_[groups_[g].facets.front()].is_final) continue;
+        const double around = perimeter(g);
+        if (2.0 * groups_[g].area > kNarrow * error_of(g) * around) continue;
+        for (const auto& [n, shared] : neighbours(g)) {
+            if (shared < kMostOfTheWay * around || !groups_[n].is_analytic) continue;
+            if (mesh_[groups_[n].facets.front()].label != groups_[n].surface ||
+                groups_[n].area < groups_[g].area || !lies_on(g, n, 2.0, kAnyTurn))
+                continue;
+            relabel(g, groups_[n].surface);
+            any = true;
+            break;
+        }
+    }
+    return any;
+}
+
 bool Groups::give_up_rings() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        if (!groups_[g].is_analytic || !std::holds_alternative<Torus>(form_of(g))) continue;
+        const bool is_ring = std::holds_alternative<Torus>(form_of(g));
+        if (!groups_[g].is_analytic || !(is_ring || std::holds_alternative<Coil>(form_of(g))))
+            continue;
         const bool is_beside = std::ranges::any_of(
             neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
         if (!is_beside) continue;
@@ -158,14 +187,14 @@ void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
 
 // Into the neighbour with the longest common boundary on whose surface it lies. Neighbours
 // that change in the same round do not count.
-bool Groups::absorb(std::uint32_t g, double errors) {
+bool Groups::absorb(std::uint32_t g, double errors, double most_turn) {
     std::uint32_t best = kNone;
     double longest = 0.0;
     for (const auto& [n, shared] : neighbours(g)) {
         if (shared <= longest || !groups_[n].is_analytic ||
             mesh_[groups_[n].facets.front()].label != groups_[n].surface)
             continue;
-        if (!lies_on(g, n, errors)) continue;
+        if (!lies_on(g, n, errors, most_turn)) continue;
         longest = shared;
         best = n;
     }
@@ -175,11 +204,11 @@ bool Groups::absorb(std::uint32_t g, double errors) {
 }
 
 // Within so many errors.
-bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors) const {
+bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const {
     return std::ranges::all_of(groups_[g].facets, [&](std::uint32_t i) {
         const Facet& facet = mesh_[i];
         const double most = errors * std::max(facet.error_mm, error_of(n));
-        return mesh_.fits(facet, surface_of(n), most, kMostTurnOfNeighbours);
+        return mesh_.fits(facet, surface_of(n), most, most_turn);
     });
 }
 
@@ -233,7 +262,7 @@ bool Groups::relabel(const Failures& failures, Patience patience) {
             continue;
         }
         const bool absorbed = std::ranges::any_of(order, [&](std::uint32_t g) {
-            if (!may_be_absorbed(g) || !absorb(g, 3.0)) return false;
+            if (!may_be_absorbed(g) || !absorb(g, 3.0, kMostTurnOfNeighbours)) return false;
             done.insert(g);
             return true;
         });

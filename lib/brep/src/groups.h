@@ -38,11 +38,13 @@ public:
     /// From the labels, anew.
     void gather();
     /// Neighbours whose surfaces differ by what programs round are one; so are what a ball leaves
-    /// where its way bends so little that nobody can tell, and a neighbour; and a facet that stands
-    /// for nothing and a neighbour within its error. True: labels have changed.
+    /// where its way bends so little that nobody can tell, and a neighbour; ledges on a wall, and the
+    /// wall; and a facet that stands for nothing and a neighbour within its error. True: labels have
+    /// changed.
     bool unify();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
-    /// lose the face: rings have no facets beside them. True: labels have changed.
+    /// lose the face; and what is off a coil by little is somewhere else on it beside a wall. Rings
+    /// and coils have no facets beside them. True: labels have changed.
     bool give_up_rings();
     /// What went wrong joins a neighbour, or goes back to facets: the smallest group; with little
     /// patience for good; with none, so do all that are around. True: labels have changed.
@@ -77,10 +79,11 @@ public:
 private:
     void meet();
     bool join_lunes();
+    bool join_ledges();
     void relabel(std::uint32_t g, std::uint32_t surface);
     void give_up(std::uint32_t g, bool for_good);
-    bool absorb(std::uint32_t g, double errors);
-    bool lies_on(std::uint32_t g, std::uint32_t n, double errors) const;
+    bool absorb(std::uint32_t g, double errors, double most_turn);
+    bool lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const;
     bool may_be_absorbed(std::uint32_t g) const;
     std::vector<std::uint32_t> analytic_around(std::vector<std::uint32_t> around) const;
 

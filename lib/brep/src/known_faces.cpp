@@ -29,6 +29,19 @@ std::size_t outline_of(const Part& part, const Face& face) {
     return best;
 }
 
+// Does a loop come back to a corner, or another one come to it?
+bool is_pinched(const Part& part, const Face& face) {
+    std::vector<std::uint32_t> corners;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            corners.push_back(use.is_forward ? edge.from : edge.to);
+        }
+    }
+    std::sort(corners.begin(), corners.end());
+    return std::ranges::adjacent_find(corners) != corners.end();
+}
+
 }  // namespace
 
 KnownFaces::Known& KnownFaces::look_at(const Part& part, Face& face, std::uint32_t name) {
@@ -70,7 +83,9 @@ bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, d
         // Beside facets readers make edges as wide as they are off, and touching is folding.
         const bool touches = may_be_touch && tolerance_mm <= kTouchMm &&
                              only_touches_itself(part, part.faces[face], clear_mm);
-        known.is_faulty = !faults.empty() && !touches;
+        const bool folds = tolerance_mm > kTouchMm && !part.faces[face].is_facet &&
+                           is_pinched(part, part.faces[face]);
+        known.is_faulty = (!faults.empty() && !touches) || folds;
         known.fault_at.clear();
         const bool is_local =
             std::ranges::none_of(faults, [](const Fault& fault) { return fault.edges.empty(); });

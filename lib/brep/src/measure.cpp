@@ -208,27 +208,89 @@ private:
     Vec3 w_;
 };
 
-template <typename Take>
-void for_dome(const Part& part, const Face& face, const Dome& dome, const OnDome& on,
-              const Take& take) {
+// Over the angle of the circle against the way, between edges; over that of the way, from where it
+// counts, by Gauss.
+class OnCoil {
+public:
+    OnCoil(const Coil& coil, Vec3 apex) : coil_(coil), w_(coil.centre - apex) {}
+
+    // As on a dome.
+    using Sum = OnDome::Sum;
+    Sum below(const CoilPlace& place) const {
+        constexpr double kPiece = 15.0;
+        const double degrees = place.turn / kRadiansPerDegree;
+        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
+        const double width = degrees / pieces;
+        const Vec3 side = cross(coil_.axis, coil_.ahead), beside = cross(coil_.axis, place.way);
+        const double out = dot(place.out, place.way), off = dot(place.out, beside);
+        Sum sum;
+        for (int i = 0; i < pieces; ++i) {
+            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+                for (const double sign : {-1.0, 1.0}) {
+                    const double at_degrees = (i + 0.5 + 0.5 * sign * kAbscissae[k]) * width;
+                    const auto t = trig::sin_cos(at_degrees);
+                    const Vec3 up = t.cos * coil_.ahead + t.sin * side;
+                    const Vec3 way = t.cos * side - t.sin * coil_.ahead;
+                    const Vec3 outward = out * way - off * up;
+                    const Vec3 at = w_ + coil_.reach * up +
+                                    (coil_.lead * at_degrees * kRadiansPerDegree) * coil_.axis +
+                                    coil_.radius * outward;
+                    const Vec3 normal =
+                        (0.5 * width * kRadiansPerDegree * kWeights[k] * coil_.radius) *
+                        cross(cross(coil_.axis, outward),
+                              coil_.reach * way + coil_.lead * coil_.axis);
+                    const bool is_back = (width < 0.0) != (coil_.lead < 0.0);
+                    sum.area += is_back ? -norm(normal) : norm(normal);
+                    sum.volume += dot(at, normal);
+                    sum.moment = sum.moment + dot(at, normal) * at;
+                }
+            }
+        }
+        return sum;
+    }
+
+    // The angle of the circle against the way that a step on the surface makes.
+    double turn(const CoilPlace& place, Vec3 step) const {
+        const Vec3 around = cross(coil_.axis, place.out);
+        const double along = dot(step, coil_.axis) / coil_.lead;
+        return dot(step - (along * coil_.reach) * place.way, around) / coil_.radius - along;
+    }
+
+private:
+    Coil coil_;
+    Vec3 w_;
+};
+
+template <typename Form, typename On, typename Take>
+void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
+               const Take& take) {
     for_edges(part, face, [&](const Track& track, double sign) {
         integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            const DomePlace place = place_on(dome, at);
+            const auto place = place_on(form, at);
             take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
         });
     });
 }
 
-Measure measure_dome(const Part& part, const Face& face, const Dome& dome, Vec3 apex) {
-    const OnDome on(dome, apex);
+template <typename Form, typename On>
+Measure measure_moved(const Part& part, const Face& face, const Form& form, const On& on) {
     Measure sum;
-    for_dome(part, face, dome, on, [&](double length, double turned, const DomePlace& place) {
-        const OnDome::Sum b = on.below(place);
+    for_moved(part, face, form, on, [&](double length, double turned, const auto& place) {
+        const auto b = on.below(place);
         sum.length += length;
         sum.area -= turned * b.area;
         sum.volume -= turned * b.volume / 3.0;
     });
     if (face.surface.is_hollow) sum.area = -sum.area;
+    return sum;
+}
+
+template <typename Form, typename On>
+Vec3 moment_of_moved(const Part& part, const Face& face, const Form& form, const On& on) {
+    Vec3 sum;
+    for_moved(part, face, form, on, [&](double, double turned, const auto& place) {
+        sum = sum - turned * on.below(place).moment;
+    });
     return sum;
 }
 
@@ -347,14 +409,10 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
             return (below.per_mm(p).volume * p.z) * (start + (0.5 * p.z) * f->along);
         }));
     }
-    if (const auto* f = std::get_if<Dome>(&face.surface.form)) {
-        const OnDome on(*f, apex);
-        Vec3 sum;
-        for_dome(part, face, *f, on, [&](double, double turned, const DomePlace& place) {
-            sum = sum - turned * on.below(place).moment;
-        });
-        return quarter(sum);
-    }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnDome(*f, apex)));
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -425,7 +483,9 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
                       BelowExtrusion{f->radius, axes.upright(f->centre - apex), axes.lean});
     }
     if (const auto* f = std::get_if<Dome>(&face.surface.form))
-        return measure_dome(part, face, *f, apex);
+        return measure_moved(part, face, *f, OnDome(*f, apex));
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return measure_moved(part, face, *f, OnCoil(*f, apex));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

@@ -6,6 +6,7 @@
 #include "around.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ncsim::brep {
 
@@ -17,16 +18,18 @@ using cda::dot;
 // The arc from x to y about `centre`, both of its radius and at right angles; in cubics that have
 // the ends and directions of the arc, and meet it in the middle (Goldapp, Approximation of Circular
 // Arcs by Cubic Polynomials, 1991).
-Spline spline_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end) {
-    constexpr double kPiece = 7.5;  // degrees
-    const int pieces = std::max(1, static_cast<int>((end - begin) / kPiece) + 1);
+// `rise` is what it climbs for each radian: a helix.
+Spline spline_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, double piece,
+                     Vec3 rise = {}) {
+    const int pieces = std::max(1, static_cast<int>((end - begin) / piece) + 1);
     const double width = (end - begin) / pieces;
     const double handle = 4.0 / 3.0 * trig::tangent(0.25 * width);
     Spline spline;
     for (int i = 0; i <= pieces; ++i) {
-        const auto t = trig::sin_cos(begin + i * width);
-        const Vec3 at = centre + t.cos * x + t.sin * y;
-        const Vec3 on = handle * (t.cos * y - t.sin * x);
+        const double degrees = begin + i * width;
+        const auto t = trig::sin_cos(degrees);
+        const Vec3 at = centre + t.cos * x + t.sin * y + (degrees * trig::kRadiansPerDegree) * rise;
+        const Vec3 on = handle * (t.cos * y - t.sin * x + rise);
         spline.points.push_back(i == 0 ? at : at - on);
         spline.points.push_back(i == pieces ? at : at + on);
         spline.knots.push_back(i);
@@ -34,29 +37,102 @@ Spline spline_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end) {
     return spline;
 }
 
-}  // namespace
+// How far a face goes around a circle, and along its way; degrees.
+struct Reach {
+    double first = 360.0, last = -360.0, low = 1e9, high = -1e9;
+    void take(double around, double along) {
+        first = std::min(first, around);
+        last = std::max(last, around);
+        low = std::min(low, along);
+        high = std::max(high, along);
+    }
+};
 
-Patch patch_of(const Part& part, const Face& face) {
-    const auto& dome = std::get<Dome>(face.surface.form);
+constexpr double kBeyond = 4.0;  // degrees
+// So wide are pieces, degrees: within 2e-10 of the radius, and within 1.2e-8.
+constexpr double kPieceOfDome = 7.5, kPieceOfCoil = 15.0;
+
+Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
     const Vec3 x = face.frame.x, y = cross(dome.axis, x);
-    double first = 360.0, last = 0.0, low = 90.0, high = -90.0;
+    Reach reach;
     for (const auto& points : points_along(part, face)) {
         for (const Vec3& p : points) {
             const DomePlace place = place_on(dome, p);
-            double angle = trig::angle_of(dot(place.out, x), dot(place.out, y));
-            if (angle < 0.0) angle += 360.0;
-            first = std::min(first, angle);
-            last = std::max(last, angle);
-            low = std::min(low, place.degrees());
-            high = std::max(high, place.degrees());
+            const double angle = trig::angle_of(dot(place.out, x), dot(place.out, y));
+            reach.take(angle < 0.0 ? angle + 360.0 : angle, place.degrees());
         }
     }
-    constexpr double kBeyond = 4.0;  // degrees
-    first = std::max(0.0, first - kBeyond);
-    last = std::min(360.0, last + kBeyond);
-    return {spline_of_arc({}, dome.radius * x, dome.radius * y, first, last),
-            spline_of_arc(dome.centre, dome.reach * dome.ahead, dome.reach * dome.axis,
-                          low - kBeyond, high + kBeyond)};
+    const Spline circle =
+        spline_of_arc({}, dome.radius * x, dome.radius * y, std::max(0.0, reach.first - kBeyond),
+                      std::min(360.0, reach.last + kBeyond), kPieceOfDome);
+    const Spline arc = spline_of_arc(dome.centre, dome.reach * dome.ahead, dome.reach * dome.axis,
+                                     reach.low - kBeyond, reach.high + kBeyond, kPieceOfDome);
+    Patch patch{{}, circle.knots, arc.knots};
+    for (const Vec3& p : circle.points) {
+        auto& row = patch.net.emplace_back();
+        for (const Vec3& q : arc.points)
+            row.push_back(p + q);
+    }
+    return patch;
+}
+
+// Is it where a level circle is, so that the patch may end there? Readers know what lies on the end
+// of a patch without looking for it.
+bool ends_level(const Part& part, const Face& face, const Coil& coil, double degrees) {
+    constexpr double kOn = 1e-9;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            const auto* circle = std::get_if<Circle>(&edge.curve);
+            if (!circle || std::abs(dot(circle->axis, coil.axis)) < 1.0 - kOn) continue;
+            const double turn = place_at_height(coil, part.vertices[edge.from]).turn;
+            if (std::abs(turn / trig::kRadiansPerDegree - degrees) < kOn) return true;
+        }
+    }
+    return false;
+}
+
+// Control numbers of a spline of sine and cosine are those of an arc of radius 1, so that each
+// control point of the circle turns about the axis as the way does.
+Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
+    double ahead = 0.0;
+    Reach reach;
+    for (const auto& points : points_along(part, face)) {
+        for (const Vec3& p : points) {
+            const CoilPlace place = place_on(coil, p);
+            ahead += dot(place.out, place.way);
+            reach.take(0.0, place.turn / trig::kRadiansPerDegree);
+        }
+    }
+    const double sign = ahead < 0.0 ? -1.0 : 1.0;
+    const Vec3 side = cross(coil.axis, coil.ahead);
+    constexpr double kHalf = 90.0;
+    double low = reach.low, high = reach.high;
+    if (!ends_level(part, face, coil, low)) low -= kBeyond;
+    if (!ends_level(part, face, coil, high)) high += kBeyond;
+    // Where the circle is ahead for t = 0, and on from there.
+    const Spline circle =
+        spline_of_arc({}, (sign * coil.radius) * side, (-sign * coil.radius) * coil.ahead, -kHalf,
+                      kHalf, kPieceOfCoil);
+    const Spline turn = spline_of_arc({}, {1, 0, 0}, {0, 1, 0}, low, high, kPieceOfCoil);
+    const Spline way = spline_of_arc(coil.centre, coil.reach * coil.ahead, coil.reach * side, low,
+                                     high, kPieceOfCoil, coil.lead * coil.axis);
+    Patch patch{{}, circle.knots, turn.knots};
+    for (const Vec3& p : circle.points) {
+        auto& row = patch.net.emplace_back();
+        const Vec3 across = cross(coil.axis, p);
+        for (std::size_t i = 0; i < way.points.size(); ++i)
+            row.push_back(way.points[i] + turn.points[i].x * p + turn.points[i].y * across);
+    }
+    return patch;
+}
+
+}  // namespace
+
+Patch patch_of(const Part& part, const Face& face) {
+    if (const auto* coil = std::get_if<Coil>(&face.surface.form))
+        return patch_of_coil(part, face, *coil);
+    return patch_of_dome(part, face, std::get<Dome>(face.surface.form));
 }
 
 }  // namespace ncsim::brep

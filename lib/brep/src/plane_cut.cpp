@@ -195,6 +195,14 @@ void PlaneCut::cut(const Dome& f) {
     add({centre_at_height(f, foot), f.radius * x, f.radius * cross(plane_.normal, x)});
 }
 
+void PlaneCut::cut(const Coil& f) {
+    if (norm(cross(f.axis, plane_.normal)) >= kParallel) return;
+    kind_ = Kind::Round;
+    const Vec3 foot = f.centre - plane_.height(f.centre) * plane_.normal;
+    const Vec3 x = across(plane_.normal);
+    add({place_at_height(f, foot).centre, f.radius * x, f.radius * cross(plane_.normal, x)});
+}
+
 std::size_t PlaneCut::branch_of(Vec3 p) const {
     if (count_ < 2) return 0;
     if (kind_ == Kind::Spiric) return dot(p - origin_, x_) > 0.0 ? 0 : 1;

@@ -59,6 +59,8 @@ private:
     void cut(const Torus& f);
     void cut(const Extrusion& f);
     void cut(const Dome& f);
+    void cut(const Coil& f);
+    void cut(const Helicoid&) {}
     void add(const CutBranch& branch);
 
     CutPlane plane_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The curve is followed in steps, each a cubic that has the right ends and directions, and is half
-// as long where it lies too far off.
+// as long where it lies too far off. Readers look for a curve on its surfaces at equal steps of its
+// parameter: where steps are short, so must it be slow.
 #include "spline.h"
 
 #include "contact.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace ncsim::brep {
 
@@ -68,8 +70,13 @@ public:
         return to.along != Vec3{} && follows(from, to);
     }
 
-    // Is the cubic between both knots as near as it has to be?
+    // Is the cubic between both knots as near as it has to be? Its derivatives at them are so
+    // long.
     bool follows(const Knot& from, const Knot& to) const {
+        const double length = norm(to.at - from.at);
+        return follows(from, to, length, length);
+    }
+    bool follows(const Knot& from, const Knot& to, double first, double last) const {
         const Vec3 chord = to.at - from.at;
         const double length = norm(chord);
         if (dot(from.along, chord) < kStraight * length ||
@@ -77,8 +84,8 @@ public:
             return false;
         for (const double s : {0.2, 0.4, 0.6, 0.8}) {
             const double r = 1.0 - s;
-            const Vec3 p = (r * r * (1.0 + 2.0 * s)) * from.at + (s * r * r * length) * from.along +
-                           (s * s * (3.0 - 2.0 * s)) * to.at - (s * s * r * length) * to.along;
+            const Vec3 p = (r * r * (1.0 + 2.0 * s)) * from.at + (s * r * r * first) * from.along +
+                           (s * s * (3.0 - 2.0 * s)) * to.at - (s * s * r * last) * to.along;
             for (const Form* form : forms_) {
                 if (std::abs(distance(*form, p)) > accuracy_) return false;
             }
@@ -91,27 +98,80 @@ private:
     double accuracy_ = 0.5 * kAccuracy;
 };
 
-Spline through(const std::vector<Knot>& knots) {
+// How fast it is at each knot, and from which parameter to which each piece goes.
+struct Pace {
+    std::vector<double> speeds, widths;
+};
+
+std::vector<double> chords_of(const std::vector<Knot>& knots) {
+    std::vector<double> chords;
+    for (std::size_t i = 1; i < knots.size(); ++i)
+        chords.push_back(norm(knots[i].at - knots[i - 1].at));
+    return chords;
+}
+
+// One everywhere.
+Pace even_pace(const std::vector<Knot>& knots) {
+    return {std::vector<double>(knots.size(), 1.0), chords_of(knots)};
+}
+
+// A mean of the chords beside each knot; on a piece it changes evenly, so that all of them are
+// about as wide.
+Pace pace_by_chords(const std::vector<Knot>& knots) {
+    const std::vector<double> chords = chords_of(knots);
+    Pace pace;
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const double before = chords[i == 0 ? 0 : i - 1];
+        const double after = chords[std::min(i, chords.size() - 1)];
+        pace.speeds.push_back(std::sqrt(before * after));
+    }
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        pace.widths.push_back(2.0 * chords[i] / (pace.speeds[i] + pace.speeds[i + 1]));
+    return pace;
+}
+
+Spline through(const std::vector<Knot>& knots, const Pace& pace) {
     Spline spline;
     double at = 0.0;
     for (std::size_t i = 0; i < knots.size(); ++i) {
         const Knot& k = knots[i];
-        if (i > 0) {
-            const double width = norm(k.at - knots[i - 1].at);
-            at += width;
-            spline.points.push_back(k.at - (width / 3.0) * k.along);
-        } else {
-            spline.points.push_back(k.at);
-        }
+        const Vec3 on = (pace.speeds[i] / 3.0) * k.along;
+        const bool is_last = i + 1 == knots.size();
+        if (i > 0) at += pace.widths[i - 1];
+        spline.points.push_back(i == 0 ? k.at : k.at - pace.widths[i - 1] * on);
+        spline.points.push_back(is_last ? k.at : k.at + pace.widths[i] * on);
         spline.knots.push_back(at);
-        if (i + 1 < knots.size()) {
-            const double width = norm(knots[i + 1].at - k.at);
-            spline.points.push_back(k.at + (width / 3.0) * k.along);
-        } else {
-            spline.points.push_back(k.at);
-        }
     }
     return spline;
+}
+
+// Through the knots, and others between them where it would be too far off.
+Spline through(const Walk& walk, std::vector<Knot> knots) {
+    constexpr double kEven = 10.0;
+    constexpr int kMostPasses = 6;
+    const std::vector<double> chords = chords_of(knots);
+    const auto [shortest, longest] = std::ranges::minmax(chords);
+    const Pace even = even_pace(knots);
+    if (longest < kEven * shortest) return through(knots, even);
+    std::vector<Knot> finer = knots;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        const Pace pace = pace_by_chords(finer);
+        std::vector<Knot> next{finer.front()};
+        for (std::size_t i = 1; i < finer.size(); ++i) {
+            const Knot &from = finer[i - 1], &to = finer[i];
+            const double width = pace.widths[i - 1];
+            if (!walk.follows(from, to, width * pace.speeds[i - 1], width * pace.speeds[i])) {
+                Knot between;
+                if (!walk.advance(from, 0.5 * norm(to.at - from.at), between))
+                    return through(knots, even);
+                next.push_back(between);
+            }
+            next.push_back(to);
+        }
+        if (next.size() == finer.size()) return through(finer, pace);
+        finer = std::move(next);
+    }
+    return through(knots, even);
 }
 
 }  // namespace
@@ -139,7 +199,7 @@ std::optional<Spline> spline_between(const Form& a, const Form& b,
         const bool is_near = i > 0 || norm(end - begin) > 0.5 * length;
         if (rest <= 1.5 * step && is_near && rest > 0.0 && walk.follows(at, goal)) {
             knots.push_back(goal);
-            return through(knots);
+            return through(walk, std::move(knots));
         }
         Knot next;
         if (!walk.advance(at, std::min(step, std::max(0.6 * rest, 4.0 * kLeastStep)), next)) {

@@ -94,6 +94,26 @@ Vec3 normal_at(const Dome& f, const DomePlace& place) {
     return normalized(place.cosine * place.out - dot(place.out, place.along) * f.axis);
 }
 
+// The same of a coil.
+Vec3 normal_at(const Coil& f, const CoilPlace& place) {
+    const double sign = f.lead > 0.0 ? 1.0 : -1.0;
+    return normalized(sign * (f.lead * place.out - f.reach * dot(place.out, place.way) * f.axis));
+}
+
+// How far beside the line across the axis at its height, and how fast that grows.
+struct BesideHelix {
+    BesideHelix(const Helicoid& f, Vec3 p) {
+        const Vec3 v = p - f.centre;
+        const auto t = trig::sin_cos(dot(v, f.axis) / f.lead / trig::kRadiansPerDegree);
+        const Vec3 side = cross(f.axis, f.ahead);
+        const Vec3 up = t.cos * f.ahead + t.sin * side, way = t.cos * side - t.sin * f.ahead;
+        off = dot(v, way);
+        slope = way - (dot(v, up) / f.lead) * f.axis;
+    }
+    double off = 0.0;
+    Vec3 slope;
+};
+
 struct Distance {
     Vec3 p;
     double operator()(const Plane& f) const { return dot(f.normal, p - f.origin); }
@@ -117,6 +137,15 @@ struct Distance {
         const Vec3 off = p - point_at(f, place);
         return dot(off, normal_at(f, place)) < 0.0 ? -norm(off) : norm(off);
     }
+    double operator()(const Coil& f) const {
+        const CoilPlace place = place_on(f, p);
+        const Vec3 off = p - place.centre - f.radius * place.out;
+        return dot(off, normal_at(f, place)) < 0.0 ? -norm(off) : norm(off);
+    }
+    double operator()(const Helicoid& f) const {
+        const BesideHelix at(f, p);
+        return at.off / norm(at.slope);
+    }
 };
 
 struct Gradient {
@@ -139,6 +168,8 @@ struct Gradient {
         return foot.x * seen.x + foot.y * seen.y;
     }
     Vec3 operator()(const Dome& f) const { return normal_at(f, place_on(f, p)); }
+    Vec3 operator()(const Coil& f) const { return normal_at(f, place_on(f, p)); }
+    Vec3 operator()(const Helicoid& f) const { return normalized(BesideHelix(f, p).slope); }
 };
 
 bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
@@ -182,6 +213,14 @@ struct Same {
                !turned(a.axis, b.axis) && !turned(a.ahead, b.ahead) && dot(a.axis, b.axis) > 0.0 &&
                dot(a.ahead, b.ahead) > 0.0;
     }
+    // Whatever the turn from which each counts.
+    bool operator()(const Coil& a, const Coil& b) const {
+        const Vec3 start = b.centre + b.reach * b.ahead;
+        return near(a.radius, b.radius) && near(a.reach, b.reach) && !turned(a.axis, b.axis) &&
+               dot(a.axis, b.axis) > 0.0 && polar(a.centre, a.axis, b.centre).radius <= tolerance &&
+               std::abs(a.lead - b.lead) <= tolerance / kReach &&
+               near(place_at_height(a, start).centre, start);
+    }
     template <typename A, typename B>
     bool operator()(const A&, const B&) const {
         return false;
@@ -213,6 +252,7 @@ double radius_of(const Form& form) {
     if (const auto* f = std::get_if<Torus>(&form)) return f->major + f->minor;
     if (const auto* f = std::get_if<Extrusion>(&form)) return f->radius / dot(f->axis, f->along);
     if (const auto* f = std::get_if<Dome>(&form)) return f->reach + f->radius;
+    if (const auto* f = std::get_if<Coil>(&form)) return f->reach + f->radius;
     return 0.0;
 }
 

@@ -45,6 +45,10 @@ struct Key {
         return dot(f.centre, kAskew) + 0.7 * f.radius + 0.3 * f.reach + along(f.axis) +
                dot(f.ahead, kAskew);
     }
+    double operator()(const Coil& f) const {
+        return place(f.centre, f.axis) + 0.7 * f.radius + 0.3 * f.reach + along(f.axis) + f.lead;
+    }
+    double operator()(const Helicoid& f) const { return place(f.centre, f.axis) + f.lead; }
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/pose.h"
+#include "ncsim/trig/angles.h"
 
 #include <array>
 #include <cmath>
@@ -150,6 +151,13 @@ public:
         }
     }
 
+    // The same on a helix.
+    void rim_around(const Element& e, Vec3 start, Vec3 axis, Vec3 ahead, double reach,
+                    double lead) {
+        if (e.radius <= kEqual || reach <= kEqual || std::abs(lead) <= kEqual) return;
+        add(Coil{start + e.height * axis, axis, ahead, reach, e.radius, lead});
+    }
+
     // The same on an arc about an axis across the tool's.
     void rim_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.radius <= kEqual || reach <= kEqual || std::abs(dot(about, axis)) > kEqual) return;
@@ -232,6 +240,8 @@ struct Way {
     bool is_level = true;
     Vec3 fitted;  // the centre so that both ends are as far from it
     double fitted_radius = 0.0;
+    Vec3 ahead;         // unit, from the centre to the start
+    double rise = 0.0;  // mm for each radian counter-clockwise
 };
 
 std::optional<Way> way_of(const gcode::Arc& arc) {
@@ -264,6 +274,20 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     way.fitted_radius =
         0.5 * (norm_across(from, way.fitted, third) + norm_across(to, way.fitted, third));
     way.is_level = std::abs(from[third] - to[third]) <= kEqual;
+    const auto level = [&](Vec3 p) {
+        Vec3 v = p - way.centre;
+        v[third] = 0.0;
+        return normalized(v);
+    };
+    way.ahead = level(from);
+    const Vec3 end = level(to);
+    double swept = trig::angle_of(dot(end, way.ahead), dot(end, cross(way.about, way.ahead)));
+    constexpr double kNoAngle = 1e-7, kTurn = 360.0;
+    const bool is_left = arc.turns > 0;
+    if (is_left && swept <= kNoAngle) swept += kTurn;
+    if (!is_left && swept >= -kNoAngle) swept -= kTurn;
+    swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
+    way.rise = (to[third] - from[third]) / (swept * trig::kRadiansPerDegree);
     return way;
 }
 
@@ -290,6 +314,8 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
             sweeps.set_at_rest(false);
             if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
                 sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
+                if (is_corner && !way->is_level)
+                    sweeps.rim_around(e, way->centre, axis, way->ahead, way->radius, way->rise);
             } else if (way && way->is_level) {
                 sweeps.arc_across(e, way->centre, axis, way->about, way->radius);
                 if (is_corner)

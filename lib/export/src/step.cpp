@@ -272,18 +272,18 @@ private:
         std::vector<Entity> points;
         for (const Vec3& p : c.points)
             points.push_back(point(p));
-        const Knots knots(c);
+        const Knots knots(c.knots);
         return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.," +
                    knots.multiplicities + "," + knots.places + ",.UNSPECIFIED.)");
     }
 
     struct Knots {
-        explicit Knots(const brep::Spline& c) {
-            for (std::size_t i = 0; i < c.knots.size(); ++i) {
+        explicit Knots(const std::vector<double>& knots) {
+            for (std::size_t i = 0; i < knots.size(); ++i) {
                 multiplicities += i == 0 ? '(' : ',';
                 places += i == 0 ? '(' : ',';
-                multiplicities += i == 0 || i + 1 == c.knots.size() ? '4' : '2';
-                places += real(c.knots[i]);
+                multiplicities += i == 0 || i + 1 == knots.size() ? '4' : '2';
+                places += real(knots[i]);
             }
             multiplicities += ')';
             places += ')';
@@ -486,14 +486,19 @@ private:
         const Entity vector = add("VECTOR(''," + ref(direction(form.along)) + ",1.)");
         return add("SURFACE_OF_LINEAR_EXTRUSION(''," + ref(circle) + "," + ref(vector) + ")");
     }
-    // In files a spline: sums of points of a circle and of an arc.
-    Entity surface_of(const brep::Dome&, const brep::Face& face) {
+    // In files splines.
+    Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
+    Entity surface_of(const brep::Coil&, const brep::Face& face) { return patch(face); }
+    Entity surface_of(const brep::Helicoid&, const brep::Face&) {
+        throw std::logic_error("faces do not lie on helicoids");
+    }
+    Entity patch(const brep::Face& face) {
         const brep::Patch patch = brep::patch_of(part_, face);
         std::string rows;
-        for (const Vec3& p : patch.around.points) {
+        for (const auto& points : patch.net) {
             std::vector<Entity> row;
-            for (const Vec3& q : patch.along.points)
-                row.push_back(point(p + q));
+            for (const Vec3& p : points)
+                row.push_back(point(p));
             rows += (rows.empty() ? "(" : ",") + list(row);
         }
         const Knots around(patch.around), along(patch.along);

@@ -6,16 +6,21 @@
 #include "ncsim/brep/curve.h"
 #include "ncsim/brep/part.h"
 
+#include <vector>
+
 namespace ncsim::brep {
 
-/// A surface each of whose points is the sum of one of each spline; so are its control points. The
-/// normal is that of `around` with `along`: outwards.
+/// A cubic B-spline surface: rows of control points, one for each control point around, of as many
+/// as there are along; knots as those of a Spline. The normal is that of around with along:
+/// outwards, of the form.
 struct Patch {
-    Spline around, along;
+    std::vector<std::vector<Vec3>> net;
+    std::vector<double> around, along;
 };
 
-/// Of a dome, as far as the face on it goes and a little beyond: the circle, about zero, and the
-/// arc. Within 2e-10 of the radii.
+/// Of a dome or a coil, as far as the face on it goes and a little beyond: the circle (of a coil
+/// the half of it that goes ahead, or behind, as the face does, and turns with the way), and the
+/// way. Within 4e-10 of the radii of domes, 2.4e-8 of those of coils.
 Patch patch_of(const Part& part, const Face& face);
 
 }  // namespace ncsim::brep

@@ -58,7 +58,26 @@ struct Dome {
     bool operator==(const Dome&) const = default;
 };
 
-using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome>;
+/// What a circle passes that moves along a helix about an axis upright to it, and does not turn.
+/// The centre of the circle is at centre + reach (cos t ahead + sin t side) + lead t axis, t in
+/// radians, side = axis x ahead.
+struct Coil {
+    Vec3 centre, axis;  ///< Of the helix where t is 0; unit.
+    Vec3 ahead;         ///< Unit, at right angles to the axis.
+    double reach = 0.0, radius = 0.0;
+    double lead = 0.0;  ///< mm for each radian, not 0.
+    bool operator==(const Coil&) const = default;
+};
+
+/// All lines across the axis that meet a helix about it. Faces do not lie on it: it crosses a coil
+/// and the walls beside it where they touch.
+struct Helicoid {
+    Vec3 centre, axis, ahead;
+    double lead = 0.0;  ///< As of coils.
+    bool operator==(const Helicoid&) const = default;
+};
+
+using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Helicoid>;
 
 /// A form, and on which side of it the material is.
 struct Surface {
@@ -79,9 +98,9 @@ Vec3 outward(const Surface& surface, Vec3 p);
 /// The same surface, as far as lengths of `tolerance_mm` tell; with the material on the same side.
 bool is_same(const Surface& a, const Surface& b, double tolerance_mm);
 
-/// What forms are called, by their index.
-inline constexpr std::array<std::string_view, 7> kForms{"plane", "cylinder",  "cone", "sphere",
-                                                        "torus", "extrusion", "dome"};
+/// What forms are called, by their index; of those that faces may lie on.
+inline constexpr std::array<std::string_view, 8> kForms{"plane", "cylinder",  "cone", "sphere",
+                                                        "torus", "extrusion", "dome", "coil"};
 /// The largest radius of curvature; 0 for planes, and for cones, which have any.
 double radius_of(const Form& form);
 
@@ -102,6 +121,19 @@ DomePlace place_on(const Dome& dome, Vec3 p);
 Vec3 point_at(const Dome& dome, const DomePlace& place);
 /// Where the centre of its circle is at the height of `p`, or nearest to that.
 Vec3 centre_at_height(const Dome& dome, Vec3 p);
+
+/// A point of a coil.
+struct CoilPlace {
+    Vec3 out;           ///< Unit, from the centre of the circle to the point.
+    Vec3 centre;        ///< Of the circle.
+    Vec3 way;           ///< Unit, level: where the circle goes, to greater t.
+    double turn = 0.0;  ///< t, radians.
+};
+/// That of the point of `coil` nearest to `p`, as far as it can be found from the one at its
+/// height.
+CoilPlace place_on(const Coil& coil, Vec3 p);
+/// Where the circle is when it is as high as `p`.
+CoilPlace place_at_height(const Coil& coil, Vec3 p);
 
 /// Between the axis and the side.
 double half_angle_rad(const Cone& cone);

@@ -34,7 +34,7 @@ struct Source {
 /// | sloping | 2 planes | cone | 2 cones, if it is level |
 /// | rounded | 2 cylinders, if it is level | ring | 2 rings, if it is level |
 /// | ball | cylinder | sphere | ring, in any plane |
-/// | corner | extrusion, if it is not level | | dome, in upright planes |
+/// | corner | extrusion, if it is not level | | coil, if it is a helix; dome, in upright planes |
 ///
 /// Arcs whose radius changes by more than 4 µm, and rings that are thicker than wide, have no
 /// surface here. Of tools that turn, only those at rest.

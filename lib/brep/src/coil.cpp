@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/surface.h"
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::normalized;
+using trig::kRadiansPerDegree;
+
+// Where its circle is.
+void turn_to(const Coil& coil, double turn, CoilPlace& place) {
+    const auto t = trig::sin_cos(turn / kRadiansPerDegree);
+    const Vec3 side = cross(coil.axis, coil.ahead);
+    place.turn = turn;
+    place.centre = coil.centre + coil.reach * (t.cos * coil.ahead + t.sin * side) +
+                   (coil.lead * turn) * coil.axis;
+    place.way = t.cos * side - t.sin * coil.ahead;
+}
+
+Vec3 level(const Coil& coil, Vec3 v) {
+    return v - dot(v, coil.axis) * coil.axis;
+}
+
+}  // namespace
+
+CoilPlace place_at_height(const Coil& coil, Vec3 p) {
+    CoilPlace place;
+    turn_to(coil, dot(p - coil.centre, coil.axis) / coil.lead, place);
+    place.out = normalized(level(coil, p - place.centre));
+    if (place.out == Vec3{}) place.out = place.way;
+    return place;
+}
+
+CoilPlace place_on(const Coil& coil, Vec3 p) {
+    CoilPlace place = place_at_height(coil, p);
+    // Both angles at once, by least squares (Gauss and Newton).
+    constexpr int kCoilSteps = 40;
+    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-13, kLeastApart = 1e-9;
+    for (int step = 0; step < kCoilSteps; ++step) {
+        const Vec3 off = p - place.centre - coil.radius * place.out;
+        const Vec3 around = coil.radius * cross(coil.axis, place.out);
+        const Vec3 along = coil.reach * place.way + coil.lead * coil.axis;
+        const double aa = dot(around, around), ab = dot(around, along), bb = dot(along, along);
+        const double det = aa * bb - ab * ab;
+        const double a = dot(around, off), b = dot(along, off);
+        double first = a / aa, second = 0.0;
+        if (det > kLeastApart * aa * bb) {
+            first = (a * bb - b * ab) / det;
+            second = (b * aa - a * ab) / det;
+        }
+        // As both nearly go the same way beside a wall, so that a long step of the one is undone by
+        // one of the other.
+        const double longest = std::max(std::abs(first), std::abs(second));
+        const double scale = longest > kFarthestTurn ? kFarthestTurn / longest : 1.0;
+        const Vec3 unit = cross(coil.axis, place.out);
+        place.out = normalized(place.out + (scale * first) * unit);
+        turn_to(coil, place.turn + scale * second, place);
+        if (std::abs(first) + std::abs(second) < kNoTurn) break;
+    }
+    return place;
+}
+
+}  // namespace ncsim::brep
