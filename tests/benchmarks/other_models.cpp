@@ -31,6 +31,7 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepLib.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -386,12 +387,14 @@ void voxels(const Work& work, double size) {
 
 #ifdef NCSIM_HAS_OCCT
 TopoDS_Shape solid_of(const Body& body) {
-    BRepBuilderAPI_Sewing sewing(1e-6);
+    // Edges that are shorter than what is sewn would be edges of no length, which it cannot cut.
+    constexpr double kSewn = 1e-6, kShortest = 2e-6;  // mm
+    BRepBuilderAPI_Sewing sewing(kSewn);
     for (const Polygon& p : polygons_of(body)) {
         BRepBuilderAPI_MakePolygon outline;
         for (std::size_t i = 0; i < p.size(); ++i) {
             const Vec3& before = p[(i + p.size() - 1) % p.size()];
-            if (norm(p[i] - before) > 1e-7) outline.Add(gp_Pnt(p[i].x, p[i].y, p[i].z));
+            if (norm(p[i] - before) > kShortest) outline.Add(gp_Pnt(p[i].x, p[i].y, p[i].z));
         }
         outline.Close();
         BRepBuilderAPI_MakeFace face(outline.Wire(), true);
@@ -400,7 +403,9 @@ TopoDS_Shape solid_of(const Body& body) {
     sewing.Perform();
     TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL);
     if (!shells.More()) throw std::runtime_error("a hull is no shell");
-    return BRepBuilderAPI_MakeSolid(TopoDS::Shell(shells.Current())).Solid();
+    TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shells.Current())).Solid();
+    BRepLib::OrientClosedSolid(solid);
+    return solid;
 }
 
 double volume_of(const TopoDS_Shape& shape) {

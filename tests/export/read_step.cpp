@@ -2,7 +2,8 @@
 //
 // read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid
 // closed solids, in millimetres, with the volume and the number of faces that the .expect file
-// beside it names. Each face becomes triangles, as programs draw it, and these have the volume, too.
+// beside it names. Each face becomes triangles, as programs draw it, and these have the volume,
+// too.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -128,8 +129,9 @@ bool check(const std::filesystem::path& path) {
            "volume " + std::to_string(properties.Mass()));
     const Drawn drawn = draw(shape);
     expect(drawn.without == 0, std::to_string(drawn.without) + " faces without triangles");
-    expect(std::abs(drawn.volume - properties.Mass()) <= slack + 2.0 * kDeflectionMm * surface.Mass(),
-           "triangles around " + std::to_string(drawn.volume));
+    expect(
+        std::abs(drawn.volume - properties.Mass()) <= slack + 2.0 * kDeflectionMm * surface.Mass(),
+        "triangles around " + std::to_string(drawn.volume));
     std::cout << path << ": " << solids << " solids, " << faces << " faces, " << properties.Mass()
               << " mm³\n";
     return good;

@@ -38,9 +38,9 @@ public:
     /// From the labels, anew.
     void gather();
     /// Neighbours whose surfaces differ by what programs round are one; so are what a ball leaves
-    /// where its way bends so little that nobody can tell, and a neighbour; ledges on a wall, and the
-    /// wall; and a facet that stands for nothing and a neighbour within its error. True: labels have
-    /// changed.
+    /// where its way bends so little that nobody can tell, and a neighbour; ledges on a wall, and
+    /// the wall; and a facet that stands for nothing and a neighbour within its error. True: labels
+    /// have changed.
     bool unify();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
     /// lose the face; and what is off a coil by little is somewhere else on it beside a wall. Rings

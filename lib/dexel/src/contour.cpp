@@ -189,6 +189,29 @@ private:
         std::vector<Vec3> points;
     };
 
+    // Crossings of the edges of a slab: those along x are asked for by four of its cells, the
+    // others by two. They are kept until the next but one row of columns comes to the same heights.
+    class KnownCrossings {
+    public:
+        explicit KnownCrossings(std::size_t heights) : heights_(heights), all_(12 * heights) {}
+
+        template <class Find>
+        const Crossing& get(const Place& from, std::size_t axis, const Find& find) {
+            Known& known =
+                all_[((axis * 2 + (from[0] & 1)) * 2 + (from[1] & 1)) * heights_ + from[2]];
+            if (known.row != from[1] + 1) known = {from[1] + 1, find()};
+            return known.crossing;
+        }
+
+    private:
+        struct Known {
+            std::size_t row = 0;  // and one
+            Crossing crossing;
+        };
+        std::size_t heights_;
+        std::vector<Known> all_;
+    };
+
     void place_corners() {
         column_.assign(grid_.axes[0].cells() * grid_.axes[1].cells() + 1, 0);
         cda::make_in_parallel(
@@ -206,6 +229,7 @@ private:
 
     Slab slab(std::size_t x) const {
         Slab slab;
+        KnownCrossings known(grid_.axes[2].corners());
         for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
             const std::size_t before = slab.cells.size();
             const std::array<const std::uint64_t*, 4> columns{
@@ -224,7 +248,7 @@ private:
                     const std::size_t upper =
                         64 * w + static_cast<std::size_t>(std::countr_zero(mixed));
                     if (upper > 0 && upper < grid_.axes[2].corners())
-                        add_cell(slab, {x, y, upper - 1});
+                        add_cell(slab, known, {x, y, upper - 1});
                 }
                 any_below = any >> 63;
                 all_below = all >> 63;
@@ -234,7 +258,7 @@ private:
         return slab;
     }
 
-    void add_cell(Slab& slab, const Place& at) const {
+    void add_cell(Slab& slab, KnownCrossings& known, const Place& at) const {
         std::uint8_t inside = 0;
         for (int corner = 0; corner < 8; ++corner) {
             if (signs_(corner_at(at, corner)))
@@ -249,7 +273,8 @@ private:
                 if (components.of_edge[static_cast<std::size_t>(e)] != piece) continue;
                 const auto axis = static_cast<std::size_t>(e / 4);
                 const Place from = corner_at(at, first_corner(e));
-                const Crossing crossing = crossing_at(from, axis);
+                const Crossing& crossing =
+                    known.get(from, axis, [&] { return crossing_at(from, axis); });
                 Vec3 point = point_of(from);
                 point[e / 4] = crossing.at;
                 nearest.add(point, crossing.normal);

@@ -103,7 +103,9 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
                                       const Verification& verification,
                                       const Simulation& simulation) {
     std::vector<verify::Finding> findings;
-    const Solids solids(simulation.part->boundary());
+    const cda::Boundary boundary = simulation.part->boundary();
+    if (boundary.shells < 2) return findings;
+    const Solids solids(boundary);
     if (solids.all().size() < 2) return findings;
     History history(plan, survey, verification);
     const Solid& main = solids.all().front();
