@@ -24,9 +24,9 @@ std::optional<Form> touch(const Form& a, const Form& b);
 /// Of two pipes that bend into each other: the plane near `p` in which they meet.
 std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 
-/// Level circles of one radius that move along two lines meet in a circle and in an ellipse: which of
-/// the two points in which these cross is nearer to `p`. There an edge may go on from the one to the
-/// other.
+/// Level circles of one radius that move along two lines meet in a circle and in an ellipse: which
+/// of the two points in which these cross is nearer to `p`. There an edge may go on from the one to
+/// the other.
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p);
 
 /// Where a level plane and a wall both touch a dome among `forms`, and none of the three tells how
