@@ -185,8 +185,9 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
         ->add_option("--baseline", o.baseline,
                      "Findings that are known and do not count, as --write-baseline wrote them")
         ->type_name("FILE");
-    check->add_flag("--cut-free", o.cut_free,
-                    "Ask for pieces cut free, too: makes the surface of the part, at most the price of a run");
+    check->add_flag(
+        "--cut-free", o.cut_free,
+        "Ask for pieces cut free, too: makes the surface of the part, at most the price of a run");
     check->add_flag("--air-cuts", o.air_cuts,
                     "Ask for feed moves that remove nothing, too; slower");
     add_report_options(*check, o);
