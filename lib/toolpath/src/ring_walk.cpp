@@ -175,7 +175,7 @@ private:
             return {height, 1};
         if (wide <= 0 || high <= 0) return {height, 1};
         constexpr std::int64_t kMost = std::int64_t{1} << cda::kNormalBits;
-        for (std::int64_t common = 1; common <= most_common_; ++common) {
+        for (std::int64_t common = 1; common <= std::min(most_common_, wide); ++common) {
             if (wide % common != 0) continue;
             const std::int64_t times = high / common + (up && high % common != 0 ? 1 : 0);
             if (times < 1) break;
