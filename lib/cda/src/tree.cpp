@@ -264,7 +264,7 @@ bool TreeCda::take_in(const Cell& cell) {
     }
     here.enclose(cell.bounds, lattice_.unit_mm);
     here.number = cells_->size();
-    cells_->add(cell.origin, facets > 0 ? cell.normals : nullptr);
+    cells_->add(cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr);
     ++counts_.cells;
     counts_.planes += here.loose.size();
     for (const double d : here.facets)

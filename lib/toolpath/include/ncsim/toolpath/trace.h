@@ -42,7 +42,8 @@ public:
     /// Appends to `cells` the convex hull of each piece, or each of its slabs, at X_WA and at X_WB.
     /// Poses that differ in their translation only make exact hulls; turned ones are rounded to the
     /// lattice corner by corner (half a unit an axis). Errs on the side of the tool's accuracy. A
-    /// tool at rest leaves its own shape. Poses beyond cda::kMaxPose units are clamped to it.
+    /// tool at rest leaves its own shape. The deeper along the tool's axis, the lower the rank: where
+    /// a wall was cut in several depths, the deepest pass has all of it. Poses beyond cda::kMaxPose units are clamped to it.
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                std::vector<cda::Cell>& cells, const Liberties& liberties = {});
 
