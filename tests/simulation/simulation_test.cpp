@@ -75,6 +75,32 @@ TEST(Simulation, AWallIsWhoseToolWentDeepest) {
     EXPECT_EQ(thrice.removed_by_block.size(), 3U);
 }
 
+// Three turns of a helix and a circle at its end: the bore has the walls and the floor of the
+// circle, and each line took what it took.
+TEST(Simulation, ABoreIsOfTheCircleAtItsEnd) {
+    const auto milled = [](const std::string& text, std::string model = "cda") {
+        Plan plan = plan_of(kTool + kStock + text);
+        plan.model = std::move(model);
+        plan.keep_boundary = true;
+        plan.block_volumes = plan.model == "cda";
+        return simulate(plan);
+    };
+    const std::string bore =
+        "G21 G90 T1 M6 S8000 M3 F300\nG0 X22. Y20. Z0.\nG3 Z-2. I-2.\nZ-4. I-2.\nZ-6. I-2.\n"
+        "G3 I-2.\nG0 Z5.\nM30\n";
+    const Simulation part = milled(bore);
+    for (const cda::BoundaryFace& face : part.boundary->faces) {
+        const auto line = part.provenance.of(face.origin).nc_line;
+        EXPECT_TRUE(line == 0 || line == 8) << line;
+    }
+    EXPECT_EQ(part.removed_by_block.size(), 4U);
+    const Simulation flat = milled(bore, "cda-flat");
+    EXPECT_TRUE(flat.boundary->vertices == part.boundary->vertices);
+    ASSERT_EQ(flat.boundary->faces.size(), part.boundary->faces.size());
+    for (std::size_t i = 0; i < flat.boundary->faces.size(); ++i)
+        EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
+}
+
 TEST(Simulation, SaysWhyItCannotBe) {
     try {
         simulate(plan_of(kStock + kSlot));

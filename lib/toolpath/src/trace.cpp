@@ -109,11 +109,11 @@ std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece
     return points;
 }
 
-const Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
-    for (const Oriented& known : cache_) {
+Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
+    for (Oriented& known : cache_) {
         if (known.rows == rows) return known;
     }
-    Oriented made{rows, {}};
+    Oriented made{rows, {}, {}};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         made.sweeps.push_back(
             cda::TranslationSweep::of(turned(rows, i, {-kAll, kAll}), lattice_, rounding_));
@@ -158,6 +158,34 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
             cells.push_back(std::move(*cell));
             cells.back().rank = rank_of(i);
         }
+    }
+}
+
+void Cutter::cover(std::span<const LatticePoint> turn, const Pose& X_WA, cda::Origin origin,
+                   std::vector<cda::Cell>& cells) {
+    Oriented& oriented = this->oriented(X_WA.rows);
+    const auto is_all_straight = [](const PieceExtent& e) { return e.straight_mm <= e.low_mm; };
+    if (oriented.straight.empty()) {
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const PieceExtent& extent = extent_.pieces[i];
+            const bool is_needed = !is_all_straight(extent) && extent.straight_mm < extent.high_mm;
+            oriented.straight.push_back(
+                is_needed
+                    ? cda::TranslationSweep::of(turned(X_WA.rows, i, {extent.straight_mm, kAll}),
+                                                lattice_, rounding_)
+                    : std::nullopt);
+        }
+    }
+    const LatticePoint& highest = *std::ranges::max_element(turn, {}, &LatticePoint::z);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const PieceExtent& extent = extent_.pieces[i];
+        const auto& body = (is_all_straight(extent) ? oriented.sweeps : oriented.straight)[i];
+        if (!body) continue;
+        auto cell = body->around(turn, origin);
+        if (!cell) continue;
+        const double low = std::max(extent.low_mm, extent.straight_mm) / lattice_.unit_mm;
+        cell->rank = depth(axis_of(X_WA), highest, low) - 1;
+        cells.push_back(std::move(*cell));
     }
 }
 
