@@ -137,6 +137,8 @@ TEST(Tiles, OfBoresByHelicesAreOneRun) {
         }
         bores += "G0 Z5.\n";
     }
+    // Half of a turn outside.
+    bores += "G0 X-23. Y3. Z1.\nG1 Z-4.\nG3 Y7. J2.\nG3 Y3. J-2.\nG0 Z5.\n";
     folder.write("bores.nc", bores + "M30\n");
     for (const int n : {2, 7, 64})
         expect_one_run(folder, {"bores.nc"}, n);

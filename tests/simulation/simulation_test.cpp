@@ -101,6 +101,25 @@ TEST(Simulation, ABoreIsOfTheCircleAtItsEnd) {
         EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
 }
 
+// A turn beside the stock, of which the second half does not come near: what follows has a number
+// of its own.
+TEST(Simulation, ATurnThatEndsOutsideIsOfItsOwnLine) {
+    Plan plan = plan_of(kTool + kStock +
+                        "G21 G90 T1 M6 S8000 M3 F300\nG0 X-3.5 Y18. Z5.\nG1 Z-4.\nG3 Y22. J2.\n"
+                        "G3 Y18. J-2.\nG0 Z5.\nX30. Y30.\nG1 Z-1.\nG0 Z5.\nM30\n");
+    plan.keep_boundary = true;
+    const Simulation part = simulate(plan);
+    int beside = 0;
+    for (const cda::BoundaryFace& face : part.boundary->faces) {
+        const auto line = part.provenance.of(face.origin).nc_line;
+        if (line == 0) continue;
+        const cda::Vec3 corner = part.boundary->vertices[face.loops[0][0]];
+        EXPECT_EQ(line, corner.x < 20 ? 7U : 10U);
+        beside += corner.x < 20 ? 1 : 0;
+    }
+    EXPECT_GT(beside, 2);
+}
+
 TEST(Simulation, SaysWhyItCannotBe) {
     try {
         simulate(plan_of(kStock + kSlot));

@@ -251,9 +251,8 @@ void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::
     if (X_WA.rows != X_WB.rows || to.x != way[0].x || to.y != way[0].y) return;
     cutter.cover(way, X_WB, origin, covering_);
     way = {to};
-    std::erase_if(covering_, [&](const cda::Cell& c) {
-        return !stock_.overlaps(c.bounds) || (wanted_ && !wanted_->overlaps(c.bounds));
-    });
+    // Wherever they are wanted or not: that there is one may end a step that is not near.
+    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,

@@ -43,7 +43,8 @@ struct Step {
     /// Of the cutting pieces; only those that may meet the stock, where they are wanted. Often
     /// none.
     std::span<const cda::Cell> cells;
-    /// Where a step ends a whole turn that leaves no core: what all of these took away in any case.
+    /// Where a step ends a whole turn that leaves no core: what all of these took away in any case,
+    /// if that may meet the stock, wherever cells are wanted.
     std::span<const cda::Cell> covering;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
