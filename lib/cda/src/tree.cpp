@@ -247,12 +247,14 @@ std::optional<Box> TreeCda::wanted() const {
 }
 
 // Of the latest cells that wait for a block, those that show nowhere beside this one, which is
-// before them in rank, need not go down the tree.
+// before them in rank, need not go down the tree. Where it is told what each origin took, only its
+// own.
 void TreeCda::forget_within(Block& block, const Cell& covering) const {
     constexpr std::size_t kLatest = 256;
     auto& waiting = block.waiting;
     const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
     const auto is_within = [&](const auto& w) {
+        if (account_ && w->cell.origin != covering.origin) return false;
         return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
     };
     waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),
@@ -291,8 +293,7 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     for (const std::uint32_t number : own_) {
         Block& block = blocks_[number];
         if (!block.tree->meets(here)) continue;
-        // What each took has to be told of those that are within it, too.
-        if (covers && !account_) forget_within(block, cell);
+        if (covers) forget_within(block, cell);
         block.waiting.push_back(taken);
     }
     return true;
