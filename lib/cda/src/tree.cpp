@@ -156,6 +156,7 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       own_(other.own_),
       walls_(other.walls_),
       blocks_(other.blocks_),
+      places_(other.places_),
       waiting_(other.waiting_),
       account_(other.account_),
       counts_(other.counts_),
@@ -189,8 +190,15 @@ void TreeCda::split_into_blocks() {
         }
         boxes = std::move(halves);
     }
-    for (const HalfBox& box : boxes)
+    for (const HalfBox& box : boxes) {
         blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
+        Place place{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            place.min[i] = static_cast<double>(box.min[i]);
+            place.max[i] = static_cast<double>(box.max[i]);
+        }
+        places_.push_back(place);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const HalfBox& box : boxes) {
             if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
@@ -290,7 +298,14 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
         counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
+    const auto is_there = [](const Place& place, const IncomingCell& c) {
+        bool is_so = true;
+        for (std::size_t i = 0; i < 3; ++i)
+            is_so &= (c.min[i] <= place.max[i]) & (c.max[i] >= place.min[i]);
+        return is_so;
+    };
     for (const std::uint32_t number : own_) {
+        if (!is_there(places_[number], here)) continue;
         Block& block = blocks_[number];
         if (!block.tree->meets(here)) continue;
         if (covers) forget_within(block, cell);
