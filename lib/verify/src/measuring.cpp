@@ -77,7 +77,7 @@ namespace {
 void Measuring::note(const Observation& seen) {
     switch (seen.subject) {
         case Subject::FeedCut:
-            if (move_.meets_material && !move_.volume_known) return;
+            if (!seen.touches || (move_.meets_material && !move_.volume_known)) return;
             meets_now_ = true;
             move_.meets_material = true;
             move_.contact.add(seen.box);
@@ -164,7 +164,14 @@ void Measuring::meet_at_feed(const Step& step, const cda::WorkpieceModel& part) 
         seen.point = contact(cell, rounding, part);
         ++seen.rank;
     }
-    if (!seen.point) return;
+    // In another tile there may be more than rounding.
+    seen.touches = seen.point.has_value();
+    const auto has_sliver = [&] {
+        return kept_ && !volumes_ && wants_volume() &&
+               std::ranges::any_of(
+                   step.cells, [&](const Cell& cell) { return part.contact(cell).has_value(); });
+    };
+    if (!seen.touches && !has_sliver()) return;
     for (const Cell& cell : step.cells)
         seen.box.add(intersection(cell.bounds, stock_));
     if (!volumes_ && wants_volume()) seen.value = common_volume(step, part);
