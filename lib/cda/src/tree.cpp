@@ -11,6 +11,7 @@
 #include "query_point.h"
 #include "stitch.h"
 #include "tile_bytes.h"
+#include "within.h"
 
 #include <algorithm>
 #include <array>
@@ -223,9 +224,11 @@ void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     }
 }
 
-void TreeCda::subtract_step(std::span<const Cell> cells) {
+void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> covering) {
     for (const Cell& cell : cells)
         take_in(cell);
+    for (const Cell& cell : covering)
+        take_in(cell, true);
     if (++waiting_ >= parameters_.batch) settle_all();
 }
 
@@ -243,8 +246,22 @@ std::optional<Box> TreeCda::wanted() const {
     return place.is_empty() ? place : near(place);
 }
 
+// Of the latest cells that wait for a block, those that show nowhere beside this one, which is
+// before them in rank, need not go down the tree.
+void TreeCda::forget_within(Block& block, const Cell& covering) const {
+    constexpr std::size_t kLatest = 256;
+    auto& waiting = block.waiting;
+    const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
+    const auto is_within = [&](const auto& w) {
+        return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
+    };
+    waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),
+                                 waiting.end(), is_within),
+                  waiting.end());
+}
+
 // Hands a cell to the blocks that it may meet. False: it does not meet the stock.
-bool TreeCda::take_in(const Cell& cell) {
+bool TreeCda::take_in(const Cell& cell, bool covers) {
     assert(stands_once(cell.planes));
     // What is not below here does not cut the stock.
     constexpr double kBeyond = std::numeric_limits<double>::infinity();
@@ -264,7 +281,7 @@ bool TreeCda::take_in(const Cell& cell) {
     }
     here.enclose(cell.bounds, lattice_.unit_mm);
     here.number = cells_->size();
-    cells_->add(cell.origin, facets > 0 ? cell.normals : nullptr);
+    cells_->add(cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr);
     ++counts_.cells;
     counts_.planes += here.loose.size();
     for (const double d : here.facets)
@@ -273,7 +290,10 @@ bool TreeCda::take_in(const Cell& cell) {
     here.planes = taken->cell.planes;
     for (const std::uint32_t number : own_) {
         Block& block = blocks_[number];
-        if (block.tree->meets(here)) block.waiting.push_back(taken);
+        if (!block.tree->meets(here)) continue;
+        // What each took has to be told of those that are within it, too.
+        if (covers && !account_) forget_within(block, cell);
+        block.waiting.push_back(taken);
     }
     return true;
 }

@@ -216,7 +216,10 @@ private:
                 result_.part->subtract_unmeasured(cell);
             }
         }
-        if (!verifier_ && step.is_near) result_.part->subtract_step(step.cells);
+        if (!verifier_ && step.is_near)
+            result_.part->subtract_step(step.cells, step.covering);
+        else if (!step.covering.empty())
+            result_.part->subtract_step({}, step.covering);
         return removed;
     }
 

@@ -78,7 +78,7 @@ public:
     using WorkpieceModel::subtract_unmeasured;
     /// The same without. Many cells at a time are shared between threads.
     void subtract_unmeasured(std::span<const Cell> cells) override;
-    void subtract_step(std::span<const Cell> cells) override;
+    void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {}) override;
     std::optional<Box> wanted() const override;
     /// Lets no cell wait any longer.
     void settle() const;
@@ -119,7 +119,8 @@ private:
     TreeCda(const TreeCda& other, const Asked&);
 
     void split_into_blocks();
-    bool take_in(const Cell& cell);
+    bool take_in(const Cell& cell, bool covers = false);
+    void forget_within(Block& block, const Cell& covering) const;
     void settle_all() const;
     void settle(Block& block) const;
     Box near(const Box& bounds) const;

@@ -43,6 +43,8 @@ struct Step {
     /// Of the cutting pieces; only those that may meet the stock, where they are wanted. Often
     /// none.
     std::span<const cda::Cell> cells;
+    /// Where a step ends a whole turn that leaves no core: what all of these took away in any case.
+    std::span<const cda::Cell> covering;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
     bool is_near = false;  ///< Is the stock near enough for cells?
@@ -105,6 +107,15 @@ private:
 
         cda::Box bounds(const Pose& X_WA, const Pose& X_WB);
     };
+    // Arcs in a row about one middle, so far.
+    struct Round {
+        std::vector<cda::LatticePoint> way;
+        Cutter::Rotation rows = {};
+        double centre_1 = 0.0, centre_2 = 0.0;  // mm, in the plane of the arc
+        int tool = 0;
+    };
+    bool go_round(const Cutter& cutter, const gcode::Motion& motion);
+    void close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
     bool passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
                    const Pose& X_WA, const Pose& X_WB) const;
     void trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
@@ -124,7 +135,9 @@ private:
     Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, Known> tools_;
     bool leaves_round_ = false;
-    std::vector<cda::Cell> cells_;         // of one step, kept for its memory
+    std::vector<cda::Cell> cells_;     // of one step, kept for its memory
+    std::vector<cda::Cell> covering_;  // likewise
+    Round round_;
     std::vector<cda::RoundSweep> sweeps_;  // likewise
     bool is_near_ = false;                 // the stock, in that step
 };
