@@ -36,8 +36,9 @@ int merge_checks(const MergeOptions& merge, const std::vector<report::TileFile>&
     // Whoever wrote the tiles may say what is read, but not what is written.
     const CheckOptions of_tiles = check_options_from(words);
     if (!outputs_of(of_tiles).empty() || !of_tiles.tile.empty() || !of_tiles.shard.empty() ||
-        !of_tiles.cache.empty() || !of_tiles.list.empty() || of_tiles.programs.size() != 1)
-        throw std::runtime_error("the tiles name files to be written, or many programs");
+        of_tiles.github || of_tiles.exit_zero || !of_tiles.cache.empty() ||
+        !of_tiles.list.empty() || of_tiles.programs.size() != 1)
+        throw std::runtime_error("the tiles say where reports go, or name many programs");
     const auto tell = [&words](const std::string& option) {
         words.insert(words.begin() + 1, "--" + option);
     };

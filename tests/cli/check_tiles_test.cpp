@@ -229,7 +229,7 @@ TEST(CheckTiles, SayNeitherWhatIsWrittenNorWhatDidNotHappen) {
         return ran;
     };
     for (const char* word : {"--json=evil", "--cache=evil", "--html=evil", "--list=slot.nc",
-                             "--tile=0/2", "--no-such-option", "slot.nc"}) {
+                             "--tile=0/2", "--exit-zero", "--no-such-option", "slot.nc"}) {
         const std::string head = "\"words\":[\"check\"";
         std::string changed = body;
         changed.replace(changed.find(head), head.size(), head + ",\"" + word + "\"");

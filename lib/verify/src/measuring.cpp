@@ -251,6 +251,7 @@ std::optional<Vec3> Measuring::find_material(const Step& step, const cda::Workpi
             ++rank;
             const Vec3 p_W = pose * p_T;
             if (dot(p_W - pose.translation, way) < 0.0 || !stock_.contains(p_W)) continue;
+            if (place_ && !place_->contains(p_W)) continue;
             const double u = lattice_.unit_mm;
             const Vec3 corners[] = {p_W, p_W + Vec3{1.3 * u, 0.4 * u, 0.7 * u},
                                     p_W + Vec3{-0.6 * u, 1.1 * u, -0.9 * u},
