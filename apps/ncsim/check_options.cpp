@@ -268,7 +268,7 @@ void complete(CheckOptions& o) {
         throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
                                     : "--out: of which shard? --shard I/N"};
     if (o.shard.empty() && o.tile.empty() && (o.redo || o.shards > 0))
-        throw Refusal{"--redo and --shards are about a --shard"};
+        throw Refusal{"--redo and --shards are about a --shard or a --tile"};
     complete_tile_of_check(o);
     if (!o.shard.empty() && (o.github || !outputs_of(o).empty()))
         throw Refusal{"--shard: reports are written by ncsim merge"};
