@@ -7,8 +7,10 @@
 #include "ncsim/report/rules.h"
 #include "ncsim/report/shard.h"
 #include "ncsim/setup/digest.h"
+#include "ncsim/setup/recorded_input.h"
 
 #include "check_settings.h"
+#include "check_tile.h"
 #include "checking.h"
 #include "console.h"
 #include "interruption.h"
@@ -16,6 +18,7 @@
 #include "program_list.h"
 #include "progress.h"
 #include "reports.h"
+#include "tile.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -92,6 +95,7 @@ int check_shard(const CheckOptions& options, const std::vector<std::string>& pro
 }  // namespace
 
 int run(CheckOptions options) {
+    if (!options.tile.empty()) return check_tile(std::move(options));
     setup::InputSet inputs;
     OutputSet outputs(inputs);
     if (options.github) outputs.claim_standard_output("--github");
@@ -104,9 +108,12 @@ int run(CheckOptions options) {
         if (std::ranges::find(options.programs, program) == options.programs.end())
             inputs.expect(program);
     }
-    SettingsOfPrograms settings(options, programs, inputs);
+    setup::RecordedInput recorded(inputs);
+    setup::InputSet& read = options.tiles ? recorded : inputs;
+    SettingsOfPrograms settings(options, programs, read);
     say(settings.lost_programs());
-    Checking checking(options, programs, settings, inputs);
+    if (options.tiles) settings.of(0).questions.tiles = options.tiles;
+    Checking checking(options, programs, settings, read);
     if (!options.shard.empty())
         return check_shard(options, programs, settings.key(), checking, outputs);
 
@@ -127,6 +134,7 @@ int run(CheckOptions options) {
     const std::size_t begun = checking.run(
         every, [&](std::size_t, report::Entry entry) { take(std::move(entry)); },
         [&](std::size_t done) { progress.update(finished = done); });
+    if (options.tiles) expect_same_files(options.tile_files, recorded.files());
     for (std::size_t i = begun; i < programs.size(); ++i)
         take(checking.not_reached(i));
     progress.hide();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check_options.h"
 
+#include "ncsim/cda/tile_number.h"
 #include "ncsim/verify/doubt.h"
 #include "ncsim/verify/rule.h"
 #include "ncsim/verify/setup.h"
@@ -100,7 +101,7 @@ bool decides_verdicts(const std::string& name) {
         "programs",  "list",       "shard",          "shards",  "out",     "redo",
         "cache",     "jobs",       "json",           "sarif",   "junit",   "csv",
         "html",      "github",     "write-baseline", "isolate", "threads", "max-time",
-        "exit-zero", "max-memory", "no-project"};
+        "exit-zero", "max-memory", "no-project",     "tile",    "tile-out"};
     return !kOthers.contains(name);
 }
 
@@ -166,7 +167,13 @@ CLI::App* add_check(CLI::App& app, CheckOptions& o) {
         ->check(CLI::Range(1U, 1'000'000U));
     check->add_option("--out", o.out, "Folder for the result of a shard, for ncsim merge")
         ->type_name("DIR");
-    check->add_flag("--redo", o.redo, "Verify a shard again whose result is there");
+    check
+        ->add_option("--tile", o.tile,
+                     "Ask only tile I of N of the part, from 0 on; auto: as for --shard")
+        ->type_name("I/N");
+    check->add_option("--tile-out", o.tile_out, "Folder for what a tile met, for ncsim merge")
+        ->type_name("DIR");
+    check->add_flag("--redo", o.redo, "Verify a shard or tile again whose result is there");
     check
         ->add_option("--cache", o.cache,
                      "Folder of verdicts: of what has not changed they are not found again")
@@ -227,6 +234,27 @@ std::vector<std::string> outputs_of(const CheckOptions& o) {
     return paths;
 }
 
+namespace {
+
+void complete_tile_of_check(CheckOptions& o) {
+    if (o.tile.empty() != o.tile_out.empty()) {
+        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
+                                     : "--tile: where to is its result to go? --tile-out DIR"};
+    }
+    if (o.tile.empty()) return;
+    if (!o.shard.empty()) throw Refusal{"--tile: a shard is of programs, a tile of one part"};
+    o.number = shard_number(o.tile, o.shards, "--tile");
+    if (o.number.of > cda::kMostTiles)
+        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
+    if (o.github || !outputs_of(o).empty())
+        throw Refusal{"--tile: reports are written by ncsim merge"};
+    if (o.programs.size() != 1 || !o.list.empty() || o.programs[0] == "-")
+        throw Refusal{"--tile: the part of one program, which has a name"};
+    if (!o.cache.empty()) throw Refusal{"--tile: a tile has no verdict to be kept in a --cache"};
+}
+
+}  // namespace
+
 void complete(CheckOptions& o) {
     if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
     require_verifying(o);
@@ -239,8 +267,9 @@ void complete(CheckOptions& o) {
     if (o.shard.empty() != o.out.empty())
         throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
                                     : "--out: of which shard? --shard I/N"};
-    if (o.shard.empty() && (o.redo || o.shards > 0))
-        throw Refusal{"--redo and --shards are about a --shard"};
+    if (o.shard.empty() && o.tile.empty() && (o.redo || o.shards > 0))
+        throw Refusal{"--redo and --shards are about a --shard or a --tile"};
+    complete_tile_of_check(o);
     if (!o.shard.empty() && (o.github || !outputs_of(o).empty()))
         throw Refusal{"--shard: reports are written by ncsim merge"};
     if (!o.shard.empty()) o.number = shard_number(o.shard, o.shards);
@@ -257,6 +286,13 @@ std::string told_to(const CLI::App& command) {
         told += '\n';
     }
     return told;
+}
+
+std::vector<std::string> words_of_check(const CLI::App& command) {
+    return words_of(command, [](const std::string& name) {
+        return name == "no-project" ||
+               (decides_verdicts(name) && name != "quiet" && name != "notes");
+    });
 }
 
 std::set<std::string> given_to(const CLI::App& command) {

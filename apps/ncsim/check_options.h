@@ -3,6 +3,8 @@
 // What `ncsim check` and `ncsim rules` are asked for.
 #pragma once
 
+#include "ncsim/report/file_digests.h"
+#include "ncsim/simulation/check.h"
 #include "ncsim/verify/selection.h"
 
 #include "program_options.h"
@@ -10,6 +12,7 @@
 #include "shard_number.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,13 +24,20 @@ namespace ncsim::app {
 /// `program`, `save_job` and `model` are not used: there may be many programs.
 struct CheckOptions : ProgramOptions, SimulationOptions, ReportOptions {
     std::vector<std::string> programs;
-    std::string list;                ///< More programs, a path a line.
-    std::string shard;               ///< "3/200", "auto"; empty: all of them.
-    std::uint32_t shards = 0;        ///< How many there are, where "auto" cannot know.
-    ShardNumber number;              ///< What these two say.
-    std::string out;                 ///< Folder for the results of a shard.
-    bool isolate = false;            ///< Each program in a process of its own.
-    bool redo = false;               ///< Though the result of the shard is there.
+    std::string list;                     ///< More programs, a path a line.
+    std::string shard;                    ///< "3/200", "auto"; empty: all of them.
+    std::uint32_t shards = 0;             ///< How many there are, where "auto" cannot know.
+    ShardNumber number;                   ///< What these say, or `tile`.
+    std::string out;                      ///< Folder for the results of a shard.
+    bool isolate = false;                 ///< Each program in a process of its own.
+    bool redo = false;                    ///< Though the result of the shard or tile is there.
+    std::string tile;                     ///< "17/64", "auto"; empty: all of the part.
+    std::string tile_out;                 ///< Folder for its result.
+    std::vector<std::string> tile_words;  ///< What decides it, in one way to say it.
+    /// All tiles, which were seen before, and the files they were made of; null: the part is cut
+    /// now.
+    std::shared_ptr<const simulation::SeenTiles> tiles;
+    report::FileDigests tile_files;
     std::string cache;               ///< Folder of verdicts that are known already; empty: none.
     bool no_project = false;         ///< Pass over ncsim.toml.
     std::vector<std::string> words;  ///< Of the command line, the name of the command first.
@@ -73,6 +83,8 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name);
 /// What was told `command` that decides its verdicts: neither where results go nor how the work is
 /// shared. And the options that stand on the command line, without dashes.
 std::string told_to(const CLI::App& command);
+/// The command line that asks the same, whoever shares the work.
+std::vector<std::string> words_of_check(const CLI::App& command);
 std::set<std::string> given_to(const CLI::App& command);
 
 /// What can be judged only when all options were read; throws Refusal.

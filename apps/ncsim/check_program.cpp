@@ -28,17 +28,23 @@ int exit_code_of(verify::Outcome outcome) {
 
 }  // namespace
 
+simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
+                               unsigned threads, setup::InputSet& inputs) {
+    ProgramOptions program = options;
+    program.program = path;
+    simulation::Plan plan = plan_for(program, options, inputs);
+    if (plan.model.empty()) plan.model = simulation::verifying_model().name;
+    plan.threads = threads;
+    return plan;
+}
+
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
                   const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
                   std::stop_token stop) {
     checked.path = setup::name_of_input(path);
     int code = kEnvironment;
     try {
-        ProgramOptions program = options;
-        program.program = path;
-        simulation::Plan plan = plan_for(program, options, inputs);
-        if (plan.model.empty()) plan.model = simulation::verifying_model().name;
-        plan.threads = threads;
+        simulation::Plan plan = plan_to_check(path, options, threads, inputs);
         plan.budget.stop_with(std::move(stop));
         simulation::check(std::move(plan), questions, checked);
         return exit_code_of(checked.outcome);

@@ -13,6 +13,10 @@
 
 namespace ncsim::app {
 
+/// What `path` and the options say is to be verified; `threads` evaluate at a time.
+simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
+                               unsigned threads, setup::InputSet& inputs);
+
 /// Reads and verifies `path`; returns the exit code that the program alone would have. Never
 /// throws: what is wrong is in the result. The result depends on the file and the options only.
 /// `threads` evaluate at a time. Gives up when it is asked to `stop`.

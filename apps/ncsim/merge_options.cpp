@@ -8,7 +8,7 @@ namespace ncsim::app {
 CLI::App* add_merge(CLI::App& app, MergeOptions& o) {
     CLI::App* merge = app.add_subcommand(
         "merge",
-        "Put results of ncsim check --shard or ncsim run --tile together: what one run writes");
+        "Put results of --shard, or of run or check --tile, together: what one run writes");
     merge->add_option("sources", o.sources, "Folders of results, or the files")
         ->required()
         ->type_name("DIRS");

@@ -3,8 +3,8 @@
 
 #include "ncsim/cda/tiles.h"
 #include "ncsim/report/tile_file.h"
-#include "ncsim/simulation/plan.h"
 
+#include "merge_checks.h"
 #include "mesh_folder.h"
 #include "options.h"
 #include "run.h"
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -38,18 +37,29 @@ Options options_from(const std::vector<std::string>& words) {
 
 int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
     std::ranges::sort(files);
-    if (!merge.json.empty() || !merge.sarif.empty() || !merge.junit.empty() ||
-        !merge.write_baseline.empty() || merge.github || merge.notes || merge.exit_zero)
-        throw std::runtime_error("tiles are of ncsim run, which writes no verdicts");
     // What they are like now, without what fills them: that is read when it is needed.
     std::vector<report::TileFile> read;
+    bool has_part = false;
     for (const std::string& file : files) {
         read.push_back(read_tile(file));
+        has_part |= !read.back().tile.empty();
         std::string().swap(read.back().tile);  // an assignment would keep its room
     }
     const std::vector<std::size_t> order = report::in_order(read, files);
 
+    const auto read_again = [&](std::size_t tile) {
+        const std::size_t file = order[tile];
+        report::TileFile again = read_tile(files[file]);
+        if (again.digest != read[file].digest)
+            throw std::runtime_error(fmt::format("'{}' was changed meanwhile", files[file]));
+        return std::move(again.tile);
+    };
     std::vector<std::string> words = read[0].head.words;
+    if (!words.empty() && words[0] == "check")
+        return merge_checks(merge, read, order, has_part, read_again);
+    if (!merge.json.empty() || !merge.sarif.empty() || !merge.junit.empty() ||
+        !merge.write_baseline.empty() || merge.github || merge.notes || merge.exit_zero)
+        throw std::runtime_error("these tiles are of ncsim run, which writes no verdicts");
     // Whoever wrote the tiles may say what is read, but not what is written.
     const Options of_tiles = options_from(words);
     if (!outputs_of(of_tiles).empty() || !of_tiles.frames.empty() || !of_tiles.tile.empty())
@@ -65,30 +75,13 @@ int merge_tiles(const MergeOptions& merge, std::vector<std::string> files) {
     if (merge.quiet) words.insert(words.begin() + 1, "--quiet");
     Options options = options_from(words);
     options.mesh_folder = mesh_folder;
-    return run_of_tiles(std::move(options), read, order, [&](std::size_t tile) {
-        const std::size_t file = order[tile];
-        report::TileFile again = read_tile(files[file]);
-        if (again.digest != read[file].digest)
-            throw std::runtime_error(fmt::format("'{}' was changed meanwhile", files[file]));
-        return std::move(again.tile);
-    });
+    return run_of_tiles(std::move(options), read, order, read_again);
 }
 
 int run_of_tiles(Options options, const std::vector<report::TileFile>& files,
                  const std::vector<std::size_t>& order, const cda::Tiles::Read& read) {
     options.tile_files = files[order[0]].head.files;
-    auto cut = std::make_shared<simulation::CutTiles>();
-    for (const std::size_t file : order) {
-        for (const auto& [motion, hulls] : files[file].met)
-            cut->met.push_back({motion, hulls});
-    }
-    std::ranges::sort(cut->met, {}, &simulation::MetStock::motion);
-    try {
-        cut->tiles = std::make_shared<const cda::Tiles>(order.size(), read, options.threads);
-    } catch (const std::invalid_argument& e) {
-        throw std::runtime_error(e.what());
-    }
-    options.tiles = std::move(cut);
+    options.tiles = tiles_in_order(files, order, read, options.threads);
     return run(std::move(options));
 }
 

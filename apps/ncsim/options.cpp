@@ -164,6 +164,7 @@ Command parse_options(const std::vector<std::string>& arguments) {
             check_options.words = words;
             check_options.given = given_to(*check);
             check_options.told = told_to(*check);
+            check_options.tile_words = words_of_check(*check);
             return check_options;
         }
         if (chosen() == merge) return merge_options;

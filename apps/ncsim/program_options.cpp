@@ -269,4 +269,28 @@ void add_simulation_options(CLI::App& command, SimulationOptions& options) {
         ->check(number_range(1e-6, 1e9));
 }
 
+std::vector<std::string> words_of(const CLI::App& command,
+                                  const std::function<bool(const std::string&)>& matters) {
+    std::vector<std::string> words{command.get_name()};
+    std::vector<std::string> programs;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0) continue;
+        if (option->get_positional()) {
+            programs = option->results();
+            continue;
+        }
+        const std::string name = option->get_lnames().front();
+        if (!matters(name)) continue;
+        if (option->get_expected_max() == 0) {
+            words.push_back("--" + name);
+            continue;
+        }
+        for (const std::string& value : option->results())
+            words.push_back("--" + name + "=" + value);
+    }
+    if (!programs.empty()) words.emplace_back("--");
+    words.insert(words.end(), programs.begin(), programs.end());
+    return words;
+}
+
 }  // namespace ncsim::app

@@ -6,6 +6,7 @@
 
 #include "ncsim/setup/job_options.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,10 @@ std::vector<std::string> inputs_of(const ProgramOptions& options);
 /// What can be judged only when all options were read: throws Refusal if no program is named.
 void complete(const ProgramOptions& options);
 void add_simulation_options(CLI::App& command, SimulationOptions& options);
+/// What was told `command`, in one way to say it: its name, the options that matter, by their long
+/// names without dashes, and what stands alone.
+std::vector<std::string> words_of(const CLI::App& command,
+                                  const std::function<bool(const std::string&)>& matters);
 /// Throws Refusal if a model was asked for that programs are not verified with.
 void require_verifying(const SimulationOptions& options);
 /// Throws Refusal if a model was asked for whose parts are not exact, as `what` needs them.

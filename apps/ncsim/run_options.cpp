@@ -301,26 +301,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
 std::vector<std::string> words_of_part(const CLI::App& command) {
     static const std::set<std::string, std::less<>> kOthers{
         "tile", "tile-out", "redo", "threads", "quiet", "max-time", "max-memory"};
-    std::vector<std::string> words{command.get_name()};
-    std::vector<std::string> programs;
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0) continue;
-        if (option->get_positional()) {
-            programs = option->results();
-            continue;
-        }
-        const std::string name = option->get_lnames().front();
-        if (kOthers.contains(name)) continue;
-        if (option->get_expected_max() == 0) {
-            words.push_back("--" + name);
-            continue;
-        }
-        for (const std::string& value : option->results())
-            words.push_back("--" + name + "=" + value);
-    }
-    if (!programs.empty()) words.emplace_back("--");
-    words.insert(words.end(), programs.begin(), programs.end());
-    return words;
+    return words_of(command, [](const std::string& name) { return !kOthers.contains(name); });
 }
 
 namespace {

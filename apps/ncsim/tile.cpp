@@ -39,16 +39,19 @@ report::TileFile read_tile(const std::string& path) {
     return report::tile_file_from(inputs.read(path, kMost), path, setup::digest_of);
 }
 
-namespace {
+TilePlace::TilePlace(report::TileHead head, std::string folder)
+    : head_(std::move(head)),
+      folder_(std::move(folder)),
+      path_((fs::path(folder_) / report::tile_file_name(head_.tile, head_.of)).string()) {}
 
-// Is it this tile, made of files that are still what they were?
-bool is_done(const std::string& path, const report::TileHead& head, setup::InputSet& inputs) {
+bool TilePlace::is_done(setup::InputSet& inputs) const {
     std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) return false;
+    if (!fs::is_regular_file(path_, ignored)) return false;
     try {
-        const report::TileFile file = read_tile(path);
-        return file.head.words == head.words && file.head.tile == head.tile &&
-               file.head.of == head.of && std::ranges::all_of(file.head.files, [&](const auto& f) {
+        const report::TileFile file = read_tile(path_);
+        return file.head.knows_all_files && file.head.words == head_.words &&
+               file.head.tile == head_.tile && file.head.of == head_.of &&
+               std::ranges::all_of(file.head.files, [&](const auto& f) {
                    return setup::digest_of_file(f.first, inputs) == f.second;
                });
     } catch (const std::runtime_error&) {
@@ -56,7 +59,44 @@ bool is_done(const std::string& path, const report::TileHead& head, setup::Input
     }
 }
 
-}  // namespace
+void TilePlace::reserve(OutputSet& outputs) const {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) {
+        throw std::runtime_error(
+            fmt::format("cannot make the folder '{}': {}", folder_, error.message()));
+    }
+    outputs.reserve(path_);
+}
+
+void TilePlace::write(const report::TileFile& file, OutputSet& outputs) const {
+    outputs.write(path_,
+                  [&](std::ostream& out) { out << report::bytes_of(file, setup::digest_of); });
+    outputs.commit();
+}
+
+int TilePlace::say(const char* what) const {
+    put_text(fmt::format("tile {} of {} {}: {}\n", head_.tile, head_.of, what,
+                         report::shown_path(path_)));
+    return kClean;
+}
+
+std::shared_ptr<const simulation::CutTiles> tiles_in_order(
+    const std::vector<report::TileFile>& files, const std::vector<std::size_t>& order,
+    const cda::Tiles::Read& read, unsigned threads) {
+    auto cut = std::make_shared<simulation::CutTiles>();
+    for (const std::size_t file : order) {
+        for (const auto& [motion, hulls] : files[file].met)
+            cut->met.push_back({motion, hulls});
+    }
+    std::ranges::sort(cut->met, {}, &simulation::MetStock::motion);
+    try {
+        cut->tiles = std::make_shared<const cda::Tiles>(order.size(), read, threads);
+    } catch (const std::invalid_argument& e) {
+        throw std::runtime_error(e.what());
+    }
+    return cut;
+}
 
 std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet& inputs,
                                          bool may_say) {
@@ -78,10 +118,8 @@ std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet
     Progress progress(survey.moves, may_say && !options.quiet && ::isatty(STDERR_FILENO) != 0);
     const simulation::Simulation simulation =
         simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });
-    if (!read.knows_all())
-        throw std::runtime_error("--tile: a subprogram was looked for in a whole folder");
     report::TileFile file;
-    file.head = {options.words, read.files(), number.shard, number.of};
+    file.head = {options.words, read.files(), number.shard, number.of, read.knows_all()};
     for (const simulation::MetStock& met : simulation.met)
         file.met.emplace_back(met.motion, met.hulls);
     std::ostringstream bytes;
@@ -98,32 +136,13 @@ int run_tile(Options options) {
         inputs.expect(path);
     if (!options.machine.empty()) inputs.expect(options.machine);
     const ShardNumber& number = options.number;
-    const report::TileHead head{options.words, {}, number.shard, number.of};
-    const std::string path =
-        (fs::path(options.tile_out) / report::tile_file_name(number.shard, number.of)).string();
-    const auto say_done = [&](const char* what) {
-        put_text(fmt::format("tile {} of {} {}: {}\n", number.shard, number.of, what,
-                             report::shown_path(path)));
-    };
-    if (!options.redo && is_done(path, head, inputs)) {
-        say_done("was cut before");
-        return kClean;
-    }
-    std::error_code error;
-    fs::create_directories(options.tile_out, error);
-    if (error) {
-        throw std::runtime_error(
-            fmt::format("cannot make the folder '{}': {}", options.tile_out, error.message()));
-    }
-    outputs.reserve(path);
-
+    const TilePlace place({options.words, {}, number.shard, number.of}, options.tile_out);
+    if (!options.redo && place.is_done(inputs)) return place.say("was cut before");
+    place.reserve(outputs);
     const std::optional<report::TileFile> file = cut_tile(options, inputs, true);
     if (!file) return kFindings;
-    outputs.write(path,
-                  [&](std::ostream& out) { out << report::bytes_of(*file, setup::digest_of); });
-    outputs.commit();
-    say_done("was cut");
-    return kClean;
+    place.write(*file, outputs);
+    return place.say("was cut");
 }
 
 void expect_same_files(const report::FileDigests& then, const report::FileDigests& now) {

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -57,22 +58,35 @@ std::string receive(int from) {
     return bytes;
 }
 
-// Until rank 0 is done: others need the processors meanwhile, and MPI would wait by asking all the
-// time.
-void meet() {
-    MPI_Request request{};
-    MPI_Ibarrier(MPI_COMM_WORLD, &request);
-    for (int done = 0; done == 0;) {
-        MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-        if (done == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+// What rank 0 asks of others.
+enum class Request : std::uint8_t { Tile, Nothing };
+
+void ask(Request what, int rank) {
+    const auto word = static_cast<std::uint8_t>(what);
+    MPI_Send(&word, 1, MPI_UINT8_T, rank, 0, MPI_COMM_WORLD);
+}
+
+// Of all ranks but 0: hands out the tile as often as it is asked for, until rank 0 is done. Others
+// need the processors meanwhile, and MPI would wait by asking all the time.
+void serve(const std::string& tile) {
+    while (true) {
+        for (int is_there = 0; is_there == 0;) {
+            MPI_Iprobe(0, 0, MPI_COMM_WORLD, &is_there, MPI_STATUS_IGNORE);
+            if (is_there == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        std::uint8_t word = 0;
+        MPI_Recv(&word, 1, MPI_UINT8_T, 0, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+        if (static_cast<Request>(word) == Request::Nothing) return;
+        send(tile, 0);
     }
 }
 
-// Of rank 0: takes what all others have cut.
+// Of rank 0: takes what all others have cut, when it is needed, and keeps none of it.
 int put_together(app::Options options, std::optional<report::TileFile> own, int ranks) {
     std::vector<report::TileFile> files;
     std::vector<std::string> names;
     bool is_cut = own.has_value();
+    const std::string tile = own ? std::exchange(own->tile, {}) : std::string();
     for (int rank = 0; rank < ranks; ++rank) {
         names.push_back(fmt::format("rank {}", rank));
         if (rank == 0) {
@@ -88,8 +102,15 @@ int put_together(app::Options options, std::optional<report::TileFile> own, int 
     // What is wrong with the program is for run() to say.
     if (!is_cut) return run(std::move(options));
     const std::vector<std::size_t> order = report::in_order(files, names);
-    return app::run_of_tiles(std::move(options), files, order,
-                             [&](std::size_t tile) { return files[order[tile]].tile; });
+    // MPI takes one thread at a time.
+    std::mutex asking;
+    return app::run_of_tiles(std::move(options), files, order, [&](std::size_t number) {
+        const auto rank = static_cast<int>(order[number]);
+        if (rank == 0) return tile;
+        const std::scoped_lock lock(asking);
+        ask(Request::Tile, rank);
+        return receive(rank);
+    });
 }
 
 int run(app::Options options, int rank, int ranks) {
@@ -107,15 +128,17 @@ int run(app::Options options, int rank, int ranks) {
     of_tile.threads = std::max(1U, options.threads);
     setup::InputSet inputs;
     std::optional<report::TileFile> tile = app::cut_tile(of_tile, inputs, false);
-    int code = app::kClean;
-    if (rank == 0) {
-        if (!options.gltf.empty() && app::names_a_folder(options.gltf))
-            options.mesh_folder = std::exchange(options.gltf, {});
-        code = put_together(std::move(options), std::move(tile), ranks);
-    } else {
+    if (rank > 0) {
+        const std::string bytes = tile ? std::exchange(tile->tile, {}) : std::string();
         send(tile ? report::bytes_of(*tile, setup::digest_of) : std::string(), 0);
+        serve(bytes);
+        return app::kClean;
     }
-    meet();
+    if (!options.gltf.empty() && app::names_a_folder(options.gltf))
+        options.mesh_folder = std::exchange(options.gltf, {});
+    const int code = put_together(std::move(options), std::move(tile), ranks);
+    for (int other = 1; other < ranks; ++other)
+        ask(Request::Nothing, other);
     return code;
 }
 
@@ -141,7 +164,8 @@ int say_once(const app::Farewell& farewell, int rank) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    MPI_Init(&argc, &argv);
+    int threads = MPI_THREAD_SINGLE;
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &threads);
     int rank = 0, ranks = 1;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -150,6 +174,7 @@ int main(int argc, char** argv) {
         app::Command command =
             app::parse_options(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
         if (auto* options = std::get_if<app::Options>(&command)) {
+            if (threads < MPI_THREAD_SERIALIZED) options->threads = 1;
             code = run(std::move(*options), rank, ranks);
         } else if (const auto* farewell = std::get_if<app::Farewell>(&command)) {
             code = say_once(*farewell, rank);

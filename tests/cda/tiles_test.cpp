@@ -303,5 +303,75 @@ TEST(Tiles, MayBeAnything) {
     EXPECT_LT(accepted, 1500);
 }
 
+// mm
+Cell cube(Vec3 low, double size) {
+    return box_cell(kLattice.round(low), kLattice.round(low + Vec3{size, size, size}), kLattice);
+}
+
+// What is asked of a part is asked of its tiles: one of them is met where the part is, and what
+// they have in common with a body adds up. A body that meets a tile is met by what contains it.
+TEST(Tiles, AnswerAsTheWholePartDoes) {
+    test::Random random(5);
+    int met = 0, missed = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        SCOPED_TRACE(seed);
+        const std::vector<Cell> cuts = random_cuts(seed, 30, 30000);
+        TreeCda whole(kStock, kLattice, parameters_for(std::nullopt));
+        std::vector<TreeCda> tiles;
+        for (const std::uint32_t of : {1U, 2U, 7U, 64U}) {
+            for (std::uint32_t i = 0; i < of; ++i)
+                tiles.emplace_back(kStock, kLattice, parameters_for(TileNumber{i, of}));
+        }
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+            const auto coordinate = [&] { return 6.5 * random.unit() - 3.5; };
+            const auto size = [&] { return i % 3 == 0 ? 0.2 : i % 3 == 1 ? 2.0 : 7.0; };
+            const Vec3 low{coordinate(), coordinate(), coordinate()};
+            const double grown = 1e-3;
+            const Cell body = cube(low, size());
+            const Cell larger = cube(low - Vec3{grown, grown, grown}, size() + 2.0 * grown);
+            const bool expected = whole.contact(body).has_value();
+            ++(expected ? met : missed);
+            const double volume = whole.common_volume(body);
+            std::size_t at = 0;
+            for (const std::uint32_t of : {1U, 2U, 7U, 64U}) {
+                bool is_met = false;
+                double sum = 0.0;
+                for (std::uint32_t k = 0; k < of; ++k, ++at) {
+                    const auto point = tiles[at].contact(body);
+                    is_met |= point.has_value();
+                    if (point) {
+                        EXPECT_TRUE(tiles[at].contact(larger));
+                    }
+                    sum += tiles[at].common_volume(body);
+                }
+                EXPECT_EQ(is_met, expected) << of;
+                EXPECT_NEAR(sum, volume, 1e-9) << of;
+            }
+            const double removed = whole.subtract(cuts[i]);
+            at = 0;
+            for (const std::uint32_t of : {1U, 2U, 7U, 64U}) {
+                double sum = 0.0;
+                for (std::uint32_t k = 0; k < of; ++k)
+                    sum += tiles[at++].subtract(cuts[i]);
+                EXPECT_NEAR(sum, removed, 1e-9) << of;
+            }
+        }
+    }
+    EXPECT_GT(met, 20);
+    EXPECT_GT(missed, 5);
+}
+
+// All of it is within the body, and none of the body's surface within it.
+TEST(Tiles, AreMetByWhatContainsThem) {
+    const Cell all = mm_box(-9, -9, -9, 9, 9, 9);
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        TreeCda tile(kStock, kLattice, parameters_for(TileNumber{i, 64}));
+        EXPECT_TRUE(tile.contact(cube({-2.9, -2.9, -2.9}, 5.8))) << i;
+        EXPECT_TRUE(tile.contact(all)) << i;
+        tile.subtract(all);
+        EXPECT_FALSE(tile.contact(all)) << i;
+    }
+}
+
 }  // namespace
 }  // namespace ncsim::cda

@@ -15,6 +15,7 @@ if(TARGET ncsim)
       bad_input_test.cpp
       baseline_test.cpp
       check_test.cpp
+      check_tiles_test.cpp
       diff_test.cpp
       doubts_test.cpp
       draft_test.cpp

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Any bytes, with a digest that fits, are the file of a tile: reading it must end, and what is no
-// tile must be refused. What is one has a volume, and a closed surface or none.
+// tile must be refused. What is one has a volume, and a closed surface or none. What it has seen
+// comes back as it was written.
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tiles.h"
 #include "ncsim/report/tile_file.h"
+#include "ncsim/verify/evidence.h"
 
 #include "support/scene.h"
 
@@ -36,8 +38,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         // What was read is written as it was understood.
         const report::TileFile again =
             report::tile_file_from(report::bytes_of(file, no_digest), "again", no_digest);
-        if (again.head != file.head || again.met != file.met || again.tile != file.tile)
+        if (again.head != file.head || again.met != file.met || again.tile != file.tile ||
+            again.evidence != file.evidence)
             std::abort();
+        try {
+            const verify::Evidence seen = verify::evidence_from(file.evidence);
+            if (verify::evidence_from(verify::bytes_of(seen)) != seen) std::abort();
+            if (verify::together({seen, {}}).size() > seen.size()) std::abort();
+        } catch (const std::invalid_argument&) {
+            // Nobody saw that.
+        }
         tiles.push_back(std::move(file.tile));
     } catch (const std::runtime_error&) {
         return 0;

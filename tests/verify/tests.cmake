@@ -5,6 +5,7 @@ ncsim_add_test(verify
     contact_test.cpp
     cycle_time_test.cpp
     design_test.cpp
+    evidence_test.cpp
     machine_test.cpp
     passes_test.cpp
     process_test.cpp

@@ -415,6 +415,10 @@ bool TreeCda::is_waited_for_near(Vec3 point) const {
 double TreeCda::subtract(const Cell& cell) {
     settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
+    if (parameters_.tile) {
+        WorkpieceModel::subtract_unmeasured(cell);
+        return result.volume * lattice_.cubic_unit_mm3();
+    }
     // Whether they have anything in common is decided by pieces of surface, exactly; the sum is
     // rounded, and may come out as less than nothing.
     if (result.outlines.pieces().empty()) return 0.0;
@@ -454,7 +458,8 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
     const EvaluationInput input{stock_planes_, &window, *cells_, centre, only_first};
     IncomingCell near;
     near.enclose(cell.bounds, lattice_.unit_mm);
-    for (const Block& block : blocks_) {
+    for (const std::uint32_t number : own_) {
+        const Block& block = blocks_[number];
         if (!block.tree->meets(near)) continue;
         Evaluation here = evaluate(*block.tree, input);
         sum.volume += here.volume;
@@ -468,6 +473,7 @@ double TreeCda::common_volume(const Cell& cell) const {
     const Asked asked(asking_.mutex);
     settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
+    if (parameters_.tile) return result.volume * lattice_.cubic_unit_mm3();
     return result.outlines.pieces().empty()
                ? 0.0
                : std::max(0.0, result.volume * lattice_.cubic_unit_mm3());
@@ -497,7 +503,8 @@ bool TreeCda::takes_all_of(const Cell& cell) const {
     }
     const Box near = this->near(cell.bounds);
     std::vector<const IncomingCell*> waiting;
-    for (const Block& block : blocks_) {
+    for (const std::uint32_t number : own_) {
+        const Block& block = blocks_[number];
         if (!block.tree->meets(asked)) continue;
         waiting.clear();
         for (const auto& taken : block.waiting) {
@@ -511,10 +518,42 @@ bool TreeCda::takes_all_of(const Cell& cell) const {
 
 std::optional<Vec3> TreeCda::contact_as_it_is(const Cell& cell) const {
     const Evaluation result = evaluate_window(cell, true);
-    if (result.outlines.pieces().empty()) return std::nullopt;
+    if (result.outlines.pieces().empty())
+        return parameters_.tile ? in_block_within(cell) : std::nullopt;
     const Outlines::Piece& piece = result.outlines.pieces().front();
     const auto at = [&](std::uint32_t p) { return result.outlines.points()[p].fixed.approx(); };
     return lattice_.to_mm(0.5 * (at(piece.tail) + at(piece.head)));
+}
+
+// Of a tile: where a block is within both, of which no surface can tell there. All of its inside
+// is, or nothing: a few points tell, which no wall without thickness has all.
+std::optional<Vec3> TreeCda::in_block_within(const Cell& cell) const {
+    constexpr std::array<Vec3, 4> kCorners{
+        {{0.31, 0.43, 0.37}, {0.67, 0.59, 0.41}, {0.47, 0.71, 0.53}, {0.61, 0.33, 0.69}}};
+    IncomingCell near;
+    near.enclose(cell.bounds, lattice_.unit_mm);
+    for (const std::uint32_t number : own_) {
+        if (!blocks_[number].tree->meets(near)) continue;
+        const HalfBox box = blocks_[number].tree->box();
+        const auto corner = [&](const Vec3& share) {
+            Vec3 at;
+            for (int i = 0; i < 3; ++i) {
+                const auto axis = static_cast<std::size_t>(i);
+                at[i] = 0.5 * (static_cast<double>(box.min[axis]) +
+                               share[i] * static_cast<double>(box.extent(axis)));
+            }
+            return lattice_.to_mm(at);
+        };
+        const auto is_in_both = [&](const Vec3& share) {
+            const QueryPoint query(corner(share), lattice_);
+            return std::ranges::all_of(
+                       cell.planes,
+                       [&](const Plane& h) { return query.side_of(h) != Side::Above; }) &&
+                   contains_as_it_is(query);
+        };
+        if (std::ranges::all_of(kCorners, is_in_both)) return corner(kCorners[0]);
+    }
+    return std::nullopt;
 }
 
 double TreeCda::volume() const {
@@ -620,20 +659,24 @@ void TreeCda::render(FacetCanvas& canvas) const {
 }
 
 bool TreeCda::contains(Vec3 point) const {
-    const QueryPoint query(point, lattice_);
+    const Asked asked(asking_.mutex);
+    settle_all();
+    return contains_as_it_is(QueryPoint(point, lattice_));
+}
+
+bool TreeCda::contains_as_it_is(const QueryPoint& query) const {
     if (std::any_of(stock_planes_.begin(), stock_planes_.end(),
                     [&](const Plane& h) { return query.side_of(h) == Side::Above; })) {
         return false;
     }
-    const Asked asked(asking_.mutex);
-    settle_all();
     BlockTree::LeafCells cells;
-    const auto block = std::find_if(blocks_.begin(), blocks_.end(),
-                                    [&](const Block& b) { return b.tree->find(query.at, cells); });
-    if (block == blocks_.end()) return false;
+    const auto own = std::ranges::find_if(
+        own_, [&](std::uint32_t i) { return blocks_[i].tree->find(query.at, cells); });
+    if (own == own_.end()) return false;
+    const Block& block = blocks_[*own];
     return std::ranges::none_of(cells.entries(), [&](const BlockTree::Entry& cell) {
         return std::ranges::all_of(cell.planes, [&](std::uint32_t h) {
-            return query.side_of(block->tree->plane(cell.cell, h, *cells_)) == Side::Below;
+            return query.side_of(block.tree->plane(cell.cell, h, *cells_)) == Side::Below;
         });
     });
 }

@@ -19,7 +19,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr int kTileFormat = 2;
+constexpr int kTileFormat = 3;
 constexpr std::uint32_t kMost = 1'000'000;
 
 [[noreturn]] void refuse_tile(const std::string& file, const std::string& why) {
@@ -62,7 +62,8 @@ std::string line_of(const TileHead& head) {
                 {"tile", head.tile},
                 {"of", head.of},
                 {"words", words},
-                {"files", files}}
+                {"files", files},
+                {"all-files", head.knows_all_files}}
         .dump();
 }
 
@@ -76,6 +77,7 @@ TileHead head_from(const Json& json) {
     }
     head.tile = whole_number<std::uint32_t>(json.at("tile"));
     head.of = whole_number<std::uint32_t>(json.at("of"));
+    head.knows_all_files = json.at("all-files").get<bool>();
     return head;
 }
 
@@ -89,7 +91,7 @@ std::string bytes_of(const TileFile& file, Digest digest_of) {
     std::string bytes = line_of(file.head) + '\n';
     for (const auto& [motion, hulls] : file.met)
         bytes += fmt::format("{} {}\n", motion, hulls);
-    bytes += '\n' + file.tile;
+    bytes += '\n' + file.evidence + '\n' + file.tile;
     bytes += '\n' + digest_of(bytes) + '\n';
     return bytes;
 }
@@ -106,9 +108,9 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
             refuse_tile(name, fmt::format("it was written by ncsim {}", one_line(version)));
         file.head = head_from(json);
     } catch (const Json::exception&) {
-        refuse_tile(name, "it is no result of ncsim run --tile");
+        refuse_tile(name, "it is no result of --tile");
     } catch (const std::invalid_argument&) {
-        refuse_tile(name, "it is no result of ncsim run --tile");
+        refuse_tile(name, "it is no result of --tile");
     }
     constexpr std::size_t kDigest = 64;
     constexpr std::size_t kEnd = kDigest + 2;
@@ -134,7 +136,14 @@ TileFile tile_file_from(std::string bytes, const std::string& name, Digest diges
         at = static_cast<std::size_t>(hulls.ptr - bytes.data()) + 1;
         file.met.push_back(met);
     }
-    bytes.erase(0, std::min(at + 1, bytes.size()));
+    // Up to the next empty line.
+    const std::size_t begin = std::min(at + 1, bytes.size());
+    at = begin;
+    while (at < bytes.size() && bytes[at] != '\n')
+        at = std::min(bytes.find('\n', at), bytes.size() - 1) + 1;
+    if (at >= bytes.size()) refuse_tile(name, "what was seen cannot be read");
+    file.evidence = bytes.substr(begin, at - begin);
+    bytes.erase(0, at + 1);
     file.tile = std::move(bytes);
     return file;
 }

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace ncsim::simulation {
@@ -259,61 +260,98 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
     return std::make_shared<const verify::MachineBodies>(std::move(told));
 }
 
-void check(Plan plan, const Questions& questions, report::Checked& checked) {
-    require_verifying(plan);
-    checked.path = plan.job.program.name;
-    std::vector<std::string> not_used = take_machine(plan, questions.machine);
-    Survey survey = simulation::survey(plan);
-    if (survey.only_rapid) cut_nothing(survey);
-    checked.moves = survey.moves;
-    verify::Setup setup = setup_for(plan, survey, questions);
-    for (std::string& lost : place_fixtures(setup.machine, plan, survey))
-        not_used.push_back(std::move(lost));
-    if (questions.tools_are_meant) {
-        for (std::string& unused : unused_tools(plan, survey))
-            not_used.push_back(std::move(unused));
-    }
-    checked.simulated = survey.is_ready() && needs_simulation(setup);
-    if (setup.not_simulated) checked.not_simulated = *setup.not_simulated;
+namespace {
 
-    const cda::Box stock = survey.is_ready() ? survey.stock->box : cda::Box{};
-    const cda::Lattice lattice =
-        survey.is_ready() ? toolpath::stock_lattice(*survey.stock) : cda::Lattice{};
+// What is asked of whom.
+struct Prepared {
+    Plan plan;
+    Survey survey;
+    verify::Setup setup;
+    std::vector<std::string> not_used;  // of what was told
+
+    bool is_simulated() const { return survey.is_ready() && needs_simulation(setup); }
+    cda::Box stock() const { return survey.is_ready() ? survey.stock->box : cda::Box{}; }
+    cda::Lattice lattice() const {
+        return survey.is_ready() ? toolpath::stock_lattice(*survey.stock) : cda::Lattice{};
+    }
+    Verification verification() const {
+        Verification verification;
+        verification.side = toolpath::Side::Circumscribed;
+        verification.rapid = setup.rapid;
+        verification.watch = verify::watch_of(setup);
+        return verification;
+    }
+};
+
+Prepared prepared(Plan told, const Questions& questions) {
+    require_verifying(told);
+    Prepared all{std::move(told), {}, {}, {}};
+    Plan& plan = all.plan;
+    all.not_used = take_machine(plan, questions.machine);
+    all.survey = simulation::survey(plan);
+    if (all.survey.only_rapid) cut_nothing(all.survey);
+    all.setup = setup_for(plan, all.survey, questions);
+    for (std::string& lost : place_fixtures(all.setup.machine, plan, all.survey))
+        all.not_used.push_back(std::move(lost));
+    if (questions.tools_are_meant) {
+        for (std::string& unused : unused_tools(plan, all.survey))
+            all.not_used.push_back(std::move(unused));
+    }
+    return all;
+}
+
+void observe_frames(Plan& plan, verify::Verifier& verifier) {
+    plan.job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
+                                                     const gcode::ProgramFrame& frame) {
+        verifier.set_frame(frame);
+    };
+}
+
+}  // namespace
+
+void check(Plan told_plan, const Questions& questions, report::Checked& checked) {
+    checked.path = told_plan.job.program.name;
+    Prepared all = prepared(std::move(told_plan), questions);
+    Plan& plan = all.plan;
+    const Survey& survey = all.survey;
+    const verify::Setup& told = all.setup;
+    checked.moves = survey.moves;
+    checked.simulated = all.is_simulated();
+    if (told.not_simulated) checked.not_simulated = *told.not_simulated;
     if (survey.is_ready()) {
         checked.stock =
-            report::describe(*survey.stock) + (setup.stock_assumption.empty() ? "" : ", assumed");
+            report::describe(*survey.stock) + (told.stock_assumption.empty() ? "" : ", assumed");
     }
-    const toolpath::RapidPath rapid = setup.rapid;
-    const toolpath::Watch watch = verify::watch_of(setup);
-    const verify::Setup told = setup;
+    verify::Share share;
+    if (questions.tiles) {
+        if (checked.simulated != (questions.tiles->cut != nullptr))
+            throw std::runtime_error("the tiles do not agree on whether there is a part");
+        plan.tiles = questions.tiles->cut;
+        share.evidence = questions.tiles->evidence;
+    }
+    verify::Setup setup = told;
     Refiner refiner(plan, survey, told);
     setup.second_look = [&refiner](const verify::OpenContact& contact) {
         return refiner.decide(contact);
     };
-    verify::Verifier verifier(std::move(setup), stock, lattice);
+    verify::Verifier verifier(std::move(setup), all.stock(), all.lattice(), std::move(share));
     verifier.add(survey.diagnostics);
     if (!questions.machine.bodies.empty() && !told.machine.work_zero) {
         verifier.add_doubt(
             "told-not-used",
             "meshes of links: where the work zero (G54) lies in the machine is not told");
     }
-    for (std::string& what : not_used)
+    for (std::string& what : all.not_used)
         verifier.add_doubt("told-not-used", std::move(what));
     for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
         if (survey.untold[axis])
             verifier.add_doubt("start-unknown",
                                fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
     }
-    plan.job.interpreter.observe_frame = [&verifier](const gcode::Motion&,
-                                                     const gcode::ProgramFrame& frame) {
-        verifier.set_frame(frame);
-    };
+    observe_frames(plan, verifier);
     if (checked.simulated) {
-        Verification verification;
-        verification.side = toolpath::Side::Circumscribed;
+        Verification verification = all.verification();
         verification.verifier = &verifier;
-        verification.rapid = rapid;
-        verification.watch = watch;
         verification.keep_cuts = questions.design != nullptr;
         const Simulation simulation = simulate(plan, survey, verification, {});
         if (questions.cut_free) {
@@ -361,6 +399,25 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
     if (questions.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
     checked.word = verdict_word(outcome);
     checked.outcome = outcome;
+}
+
+SeenTile check_tile(Plan told_plan, const Questions& questions) {
+    Prepared all = prepared(std::move(told_plan), questions);
+    SeenTile seen;
+    if (!all.is_simulated()) return seen;
+    verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {all.plan.tile, nullptr});
+    observe_frames(all.plan, verifier);
+    Verification verification = all.verification();
+    verification.verifier = &verifier;
+    const Simulation simulation = simulate(all.plan, all.survey, verification, {});
+    // As often as it is asked for where there are no tiles.
+    (void)simulation.part->volume();
+    seen.met = simulation.met;
+    seen.evidence = verifier.take_evidence();
+    std::ostringstream bytes;
+    simulation.part->write_tile(bytes);
+    seen.tile = std::move(bytes).str();
+    return seen;
 }
 
 report::Checked check(Plan plan, const Questions& questions) {

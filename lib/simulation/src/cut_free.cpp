@@ -30,7 +30,8 @@ struct Moment {
 class History {
 public:
     History(const Plan& plan, const Survey& survey, const Verification& verification)
-        : plan_(&plan), survey_(&survey), verification_(verification) {
+        : plan_(plan), survey_(&survey), verification_(verification) {
+        plan_.tiles = nullptr;  // what is cut here is cut now
         verification_.verifier = nullptr;
     }
 
@@ -39,7 +40,7 @@ public:
         if (!moment) {
             Verification limited = verification_;
             limited.most_cuts = cuts;
-            const Simulation s = simulate(*plan_, *survey_, limited, {});
+            const Simulation s = simulate(plan_, *survey_, limited, {});
             moment = std::make_unique<Moment>(
                 Moment{Solids(s.part->boundary()), s.last_cut, s.last_motion});
         }
@@ -47,7 +48,7 @@ public:
     }
 
 private:
-    const Plan* plan_;
+    Plan plan_;
     const Survey* survey_;
     Verification verification_;
     std::map<std::uint32_t, std::unique_ptr<Moment>> known_;
@@ -103,7 +104,7 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
                                       const Verification& verification,
                                       const Simulation& simulation) {
     std::vector<verify::Finding> findings;
-    const cda::Boundary boundary = simulation.part->boundary();
+    const cda::Boundary boundary = surface_of(simulation);
     if (boundary.shells < 2) return findings;
     const Solids solids(boundary);
     if (solids.all().size() < 2) return findings;

@@ -66,6 +66,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
     };
     Plan plan = *plan_;
     plan.job.interpreter.observe_frame = nullptr;
+    plan.tiles = nullptr;  // what is cut here is cut now
     plan.tool_tolerance = finer(plan.tool_tolerance);
     plan.tolerance = finer(plan.tolerance);
     Survey survey = *survey_;

@@ -93,6 +93,7 @@ public:
           budget_(plan.budget),
           tolerance_mm_(plan.tolerance),
           machine_(plan.placed),
+          place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume) {
         if (result.part->takes_sweeps()) walk_.leave_round();
         for (const auto& [number, used] : survey.tools) {
@@ -209,8 +210,9 @@ private:
             ++result_.hulls;
             if (keeps_cells_) result_.carved.push_back(cell);
             if (measured_) {
-                // A difference of sums: rounding may leave less than nothing.
-                removed += std::max(0.0, result_.part->subtract(cell));
+                // A difference of sums: rounding may leave less than nothing; so may one of tiles.
+                const double volume = result_.part->subtract(cell);
+                removed += tile_ ? volume : std::max(0.0, volume);
             } else if (verifier_) {
                 result_.part->subtract_unmeasured(cell);
             }
@@ -231,7 +233,7 @@ private:
             return cda::Origin{static_cast<std::uint32_t>(result_.provenance.entries.size())};
         }
         const bool is_turn = motions_ % tile_->of == tile_->tile;
-        walk_.want_nothing_but(is_turn ? std::nullopt : result_.part->wanted());
+        walk_.want_nothing_but(is_turn ? std::nullopt : place_of_tile_);
         return cda::Origin{static_cast<std::uint32_t>(motions_)};
     }
 
@@ -293,6 +295,7 @@ private:
     std::shared_ptr<const toolpath::Kinematics> machine_;
     std::uint32_t line_ = 0;  // of the motion at hand
     int tool_ = 0;
+    std::optional<cda::Box> place_of_tile_;
     double volume_;
     bool is_near_stock_ = false;  // was the tool, since it was changed
     bool has_covered_ = false;    // the motion at hand: more than its own steps took
@@ -311,6 +314,12 @@ void name_motions(cda::Boundary& boundary, const Simulation& simulation) {
         if (found == origins.end() || found->first != motion) refuse_tiles();
         face.origin = cda::Origin{static_cast<std::uint32_t>(found->second)};
     }
+}
+
+cda::Boundary surface_of(const Simulation& simulation) {
+    cda::Boundary boundary = simulation.part->boundary();
+    if (!simulation.origins.empty()) name_motions(boundary, simulation);
+    return boundary;
 }
 
 Simulation simulate(const Plan& plan, const Survey& survey, const Verification& verification,

@@ -95,7 +95,8 @@ std::unique_ptr<const RigidBody> beside(const RigidBody& body, double radius_mm)
 
 }  // namespace
 
-MachineScene::MachineScene(const Setup& setup, const Box& stock) : setup_(&setup), stock_(stock) {
+MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& share)
+    : setup_(&setup), stock_(stock), share_(share) {
     const bool asked = setup.selection.includes("machine-collision") ||
                        setup.selection.includes("machine-near-miss");
     if (!setup.bodies || !setup.bodies->has_meshes() || !setup.kinematics ||
@@ -244,19 +245,42 @@ Vec3 MachineScene::in_W(const Pair& pair, const Encounter& encounter) const {
     return inverse(X_MP) * p_M - zero_;
 }
 
-void MachineScene::note(const Pair& pair, const Encounter& encounter, bool touches,
-                        std::vector<MachineContact>& contacts) const {
+// Is the pair, one without the part, asked here?
+bool MachineScene::is_asked(std::size_t pair) const {
+    if (share_.evidence) return false;
+    return !share_.tile || pair % share_.tile->of == share_.tile->tile;
+}
+
+void MachineScene::tell(const Pair& pair, const Encounter& encounter, bool touches,
+                        std::vector<MachineContact>& contacts) {
+    Observation seen;
+    seen.subject = Subject::Link;
+    seen.index = static_cast<std::uint32_t>(&pair - pairs_.data());
+    seen.touches = touches;
+    seen.certain = encounter.closeness == Closeness::Certain;
+    seen.assumed = encounter.assumed;
+    seen.value = encounter.amount_mm;
+    seen.values = encounter.values;
+    if (seen.certain) seen.point = in_W(pair, encounter);
+    note(seen, contacts);
+    if (share_.tile) seen_.push_back(std::move(seen));
+}
+
+void MachineScene::note(const Observation& seen, std::vector<MachineContact>& contacts) const {
+    if (seen.index >= pairs_.size() || !seen.value || !seen.values)
+        throw std::runtime_error("the tiles do not agree on the links of the machine");
+    const Pair& pair = pairs_[seen.index];
+    const bool touches = seen.touches;
     MachineContact contact;
     contact.first = members_[pair.observer].what;
     contact.second = members_[pair.body].what;
     contact.touches = touches;
-    const bool is_certain = encounter.closeness == Closeness::Certain;
-    contact.certainty = is_certain ? Certainty::Certain : Certainty::Within;
-    contact.amount_mm = encounter.amount_mm;
+    contact.certainty = seen.certain ? Certainty::Certain : Certainty::Within;
+    contact.amount_mm = *seen.value;
     contact.clearance_mm = pair.clearance_mm;
-    contact.assumed = encounter.assumed;
-    contact.values = encounter.values;
-    if (is_certain) contact.point = in_W(pair, encounter);
+    contact.assumed = seen.assumed;
+    contact.values = *seen.values;
+    contact.point = seen.point;
     for (std::size_t i = 0; i < setup_->bodies->told().links.size(); ++i) {
         const std::string& why = setup_->bodies->taken_as_hull(i);
         const std::string& name = setup_->bodies->told().links[i].name;
@@ -344,7 +368,7 @@ void MachineScene::ask(Pair& pair, const Leg& leg, const RigidBody* tool, const 
     }
     const bool touches = met.closeness != Closeness::Clear;
     if (!touches && near.closeness == Closeness::Clear) return;
-    note(pair, touches ? met : near, touches, contacts);
+    tell(pair, touches ? met : near, touches, contacts);
     ++pair.not_clear;
     pair.met_before = touches;
     pair.measured += met.closeness == Closeness::Certain ? 1 : 0;
@@ -354,6 +378,7 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
                          const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts) {
     legs_.clear();
     open_.clear();
+    seen_.clear();
     misses_length_ = false;
     if (pairs_.empty() || !gcode::start_of(motion) || !toolpath::has_known_end(motion)) return;
     toolpath::Legs legs;
@@ -386,11 +411,12 @@ void MachineScene::begin(const gcode::Motion& motion, const ToolLength& length,
             continue;
         }
         if (!members_[pair.observer].is_part) {
+            if (!is_asked(i)) continue;
             for (const Leg& leg : legs_)
                 ask(pair, leg, tool, length, contacts);
             continue;
         }
-        if (!part) continue;
+        if (!part || share_.evidence) continue;
         const RigidBody& body = *members_[pair.body].body;
         const bool is_on_tool = members_[pair.body].moved_by == tool_moved_by;
         for (std::size_t k = 0; k < legs_.size(); ++k) {
@@ -453,7 +479,7 @@ void MachineScene::end(const cda::WorkpieceModel* part, std::vector<MachineConta
             met.closeness = Closeness::Open;
             met.values = leg.to.value_or(Values{});
         }
-        note(pair, met, touches, contacts);
+        tell(pair, met, touches, contacts);
         ++pair.not_clear;
         pair.met_before = met.closeness == Closeness::Certain;
         pair.measured += met.closeness == Closeness::Certain ? 1 : 0;

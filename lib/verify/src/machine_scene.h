@@ -6,6 +6,7 @@
 
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/joint_path.h"
+#include "ncsim/verify/evidence.h"
 #include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
@@ -33,7 +34,9 @@ struct ToolLength {
 class MachineScene {
 public:
     /// `setup` must outlive it. `stock` in W, mm; empty: nothing is cut.
-    MachineScene(const Setup& setup, const cda::Box& stock);
+    /// Of a tile, pairs without the part are asked by one of them each; where all tiles were seen,
+    /// none is.
+    MachineScene(const Setup& setup, const cda::Box& stock, const Share& share = {});
 
     /// Is there nothing to ask?
     bool is_empty() const { return pairs_.empty(); }
@@ -43,6 +46,10 @@ public:
                const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
     /// And about the part as it is after it, where that was open.
     void end(const cda::WorkpieceModel* part, std::vector<MachineContact>& contacts);
+    /// Adds what tiles saw. Throws std::runtime_error if there is no such pair.
+    void note(const Observation& seen, std::vector<MachineContact>& contacts) const;
+    /// What was seen in this motion, of a tile.
+    const Evidence& seen() const { return seen_; }
     /// What was not asked in this motion, because nobody tells how long its tool is.
     bool misses_length() const { return misses_length_; }
 
@@ -94,12 +101,14 @@ private:
     bool needs_length(const Pair& pair) const;
     void ask(Pair& pair, const Leg& leg, const RigidBody* tool, const ToolLength& length,
              std::vector<MachineContact>& contacts);
-    void note(const Pair& pair, const Encounter& encounter, bool touches,
-              std::vector<MachineContact>& contacts) const;
+    void tell(const Pair& pair, const Encounter& encounter, bool touches,
+              std::vector<MachineContact>& contacts);
+    bool is_asked(std::size_t pair) const;
     cda::Vec3 in_W(const Pair& pair, const Encounter& encounter) const;
 
     const Setup* setup_;
     cda::Box stock_;
+    Share share_;
     cda::Vec3 zero_;
     cda::Lattice lattice_;
     std::vector<Member> members_;
@@ -115,6 +124,7 @@ private:
     std::vector<Leg> legs_;
     double length_mm_ = 0.0;
     std::vector<Open> open_;  // pairs with the part
+    Evidence seen_;           // of a tile
 };
 
 }  // namespace ncsim::verify

@@ -8,8 +8,10 @@
 #include "rule_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 namespace ncsim::verify {
@@ -45,37 +47,147 @@ std::optional<Vec3> Measuring::contact(const Cell& cell, double rounding,
     return part.contact(rounding > 0.0 ? shrunk(cell, rounding, lattice_) : cell);
 }
 
-// In the books.
-void Measuring::book(const Step& step, double volume) {
-    move_.removed_mm3 += volume;
+// Is the body nowhere near the tile?
+bool Measuring::is_away(const Body& body, const Step& step, double raise) const {
+    return place_ && !place_->overlaps(body.bounds(step, raise));
+}
+
+Observation Measuring::seen_now(Subject subject, std::size_t index) const {
+    Observation seen;
+    seen.motion = move_.number;
+    seen.step = step_;
+    seen.subject = subject;
+    seen.index = static_cast<std::uint32_t>(index);
+    return seen;
+}
+
+void Measuring::tell(Observation seen) {
+    note(seen);
+    if (kept_) kept_->push_back(std::move(seen));
+}
+
+namespace {
+
+[[noreturn]] void refuse_evidence() {
+    throw std::runtime_error("the tiles do not agree on what was asked");
+}
+
+}  // namespace
+
+void Measuring::note(const Observation& seen) {
+    switch (seen.subject) {
+        case Subject::FeedCut:
+            if (!seen.touches || (move_.meets_material && !move_.volume_known)) return;
+            meets_now_ = true;
+            move_.meets_material = true;
+            move_.contact.add(seen.box);
+            if (!move_.contact_point) move_.contact_point = seen.point;
+            if (!volumes_) book(seen.value);
+            return;
+        case Subject::RapidCut:
+            move_.contact.add(seen.box);
+            book(seen.value);
+            if (!seen.touches) return;
+            if (seen.certain) move_.certainty = Certainty::Certain;
+            if (!seen.places.empty()) {
+                std::vector<Box>& open = open_[std::nullopt];
+                open.insert(open.end(), seen.places.begin(), seen.places.end());
+            }
+            move_.meets_material = true;
+            if (!move_.contact_point) move_.contact_point = seen.point;
+            return;
+        case Subject::Removed: {
+            const double volume = seen.value.value_or(0.0);
+            move_.meets_material |= seen.touches || (seen.certain && volume > 0.0);
+            if (volume <= 0.0) return;
+            move_.removed_mm3 += volume;
+            move_.contact.add(seen.box);
+            return;
+        }
+        case Subject::Body: {
+            if (!now_) refuse_evidence();
+            const auto watched = std::ranges::find(now_->bodies, seen.index, &Watched::Part::piece);
+            if (watched == now_->bodies.end()) refuse_evidence();
+            watched->raise_mm = std::max(watched->raise_mm, seen.value.value_or(0.0));
+            auto old = std::ranges::find(move_.bodies, seen.index, &BodyContact::piece);
+            if (old == move_.bodies.end()) {
+                move_.bodies.push_back({seen.index, Certainty::Within, 0.0, {}, {}});
+                old = move_.bodies.end() - 1;
+            }
+            if (!seen.places.empty()) {
+                std::vector<Box>& open = open_[seen.index];
+                open.insert(open.end(), seen.places.begin(), seen.places.end());
+            }
+            old->raise_mm = watched->raise_mm;
+            old->box.add(seen.box);
+            if (!old->point) old->point = seen.point;
+            if (seen.certain) old->certainty = Certainty::Certain;
+            return;
+        }
+        case Subject::TooHigh:
+            move_.too_deep_mm = std::max(move_.too_deep_mm, seen.value.value_or(0.0));
+            return;
+        case Subject::UntoldFlutes: {
+            if (!now_) refuse_evidence();
+            const double known = now_->uncertain_mm;
+            now_->uncertain_mm = std::max(known, seen.value.value_or(0.0));
+            if (known == 0.0 && now_->uncertain_mm > 0.0)
+                now_->uncertain_place = Place{move_.motion->file, move_.motion->span};
+            return;
+        }
+        case Subject::Core:
+        case Subject::Fixture:
+        case Subject::Link: break;
+    }
+    refuse_evidence();
+}
+
+void Measuring::take_off(const Step& step, double volume, bool is_exact) {
+    Observation seen = seen_now(Subject::Removed);
+    // Of cells that are not exact slivers may be left where they were before.
+    seen.touches = !is_exact && meets_now_;
+    seen.certain = is_exact;
+    seen.value = volume;
+    if (!seen.touches && volume == 0.0) return;
     for (const Cell& cell : step.cells)
-        move_.contact.add(intersection(cell.bounds, stock_));
+        seen.box.add(intersection(cell.bounds, stock_));
+    tell(std::move(seen));
 }
 
 void Measuring::meet_at_feed(const Step& step, const cda::WorkpieceModel& part) {
     if (move_.meets_material && !move_.volume_known) return;
     const double rounding = rounding_now(step);
-    if (!volumes_ && find_material(step, part)) {
-        meets_now_ = true;
-    } else {
-        for (const Cell& cell : step.cells) {
-            const std::optional<Vec3> point = contact(cell, rounding, part);
-            if (!point) continue;
-            meets_now_ = true;
-            if (!move_.contact_point) move_.contact_point = point;
-        }
+    Observation seen = seen_now(Subject::FeedCut);
+    if (!volumes_) seen.point = find_material(step, part, seen.rank);
+    for (const Cell& cell : step.cells) {
+        if (seen.point) break;
+        seen.point = contact(cell, rounding, part);
+        ++seen.rank;
     }
-    if (!meets_now_) return;
-    move_.meets_material = true;
+    // In another tile there may be more than rounding.
+    seen.touches = seen.point.has_value();
+    const auto has_sliver = [&] {
+        return kept_ && !volumes_ && wants_volume() &&
+               std::ranges::any_of(
+                   step.cells, [&](const Cell& cell) { return part.contact(cell).has_value(); });
+    };
+    if (!seen.touches && !has_sliver()) return;
     for (const Cell& cell : step.cells)
-        move_.contact.add(intersection(cell.bounds, stock_));
-    if (!volumes_) measure(step, part);
+        seen.box.add(intersection(cell.bounds, stock_));
+    if (!volumes_ && wants_volume()) seen.value = common_volume(step, part);
+    tell(std::move(seen));
 }
 
 // Of a faulty motion, as long as volumes of faults are told.
-void Measuring::measure(const Step& step, const cda::WorkpieceModel& part) {
+bool Measuring::wants_volume() const {
+    return move_.volume_known && (volumes_ || measured_ < kMostMeasured);
+}
+
+void Measuring::book(const std::optional<double>& volume) {
     if (!volumes_ && move_.volume_known) move_.volume_known = measured_++ < kMostMeasured;
-    if (move_.volume_known) move_.removed_mm3 += common_volume(step, part);
+    if (!move_.volume_known) return;
+    if (!volume) refuse_evidence();
+    move_.removed_mm3 += *volume;
 }
 
 // Of all cells of the step together, which may overlap.
@@ -97,44 +209,49 @@ void Measuring::meet_rapidly(const Step& step, const cda::WorkpieceModel& part) 
     // a box.
     const bool is_known =
         move_.certainty == Certainty::Certain && move_.contact_point && !move_.volume_known;
-    bool touches = false;
-    std::optional<Vec3> point;
+    Observation seen = seen_now(Subject::RapidCut);
     for (const Cell& cell : step.cells) {
         const Box box = intersection(cell.bounds, stock_);
         const Box& known = move_.contact;
         if (is_known && known.contains(box.min) && known.contains(box.max)) continue;
+        if (!seen.point) ++seen.rank;
         if (!part.contact(cell)) continue;
-        touches = true;
-        move_.contact.add(box);
+        seen.box.add(box);
         // Less than rounding: it is where the cutter was before.
-        if (!point) point = contact(cell, rounding, part);
+        if (!seen.point) seen.point = contact(cell, rounding, part);
     }
-    if (!touches) return;
-    measure(step, part);
-    if (!point) return;
-    ask_certainty(step, part, point);
-    if (setup_.second_look && move_.certainty == Certainty::Within) {
-        for (const Cell& cell : step.cells)
-            find_places(cell, part, stock_, open_[std::nullopt]);
+    if (seen.box.is_empty()) return;
+    if (wants_volume()) seen.value = common_volume(step, part);
+    seen.touches = seen.point.has_value();
+    if (seen.touches && move_.certainty != Certainty::Certain) {
+        if (const auto inside = certain_point(step, part)) {
+            seen.certain = true;
+            seen.point = inside;
+        } else if (keeps_places()) {
+            for (const Cell& cell : step.cells)
+                find_places(cell, part, stock_, seen.places);
+        }
     }
-    move_.meets_material = true;
-    if (!move_.contact_point) move_.contact_point = point;
+    tell(std::move(seen));
 }
 
 // Looks for material around points inside the tool, those in front first: most feed moves cut,
 // and the corners of a tetrahedron of a unit's size, well within the tool, that are all in the
 // part tell so. (One point would not do: the part of an aggregate contains the walls without
 // thickness between two cuts that touch. They are flat, the corners are not.) Where none is
-// found, contact() of the whole sweep has to tell.
-bool Measuring::find_material(const Step& step, const cda::WorkpieceModel& part) {
-    if (step.X_WA.rows != step.X_WB.rows) return false;
+// found, contact() of the whole sweep has to tell. Counts those that were looked at.
+std::optional<Vec3> Measuring::find_material(const Step& step, const cda::WorkpieceModel& part,
+                                             std::uint32_t& rank) {
+    if (step.X_WA.rows != step.X_WB.rows) return std::nullopt;
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
     for (const double t : {1.0, 0.5, 0.25, 0.75}) {
         toolpath::Pose pose = step.X_WA;
         pose.translation = pose.translation + t * way;
         for (const Vec3& p_T : now_->probes_T) {
+            ++rank;
             const Vec3 p_W = pose * p_T;
             if (dot(p_W - pose.translation, way) < 0.0 || !stock_.contains(p_W)) continue;
+            if (place_ && !place_->contains(p_W)) continue;
             const double u = lattice_.unit_mm;
             const Vec3 corners[] = {p_W, p_W + Vec3{1.3 * u, 0.4 * u, 0.7 * u},
                                     p_W + Vec3{-0.6 * u, 1.1 * u, -0.9 * u},
@@ -142,11 +259,10 @@ bool Measuring::find_material(const Step& step, const cda::WorkpieceModel& part)
             if (!std::ranges::all_of(corners, [&](Vec3 p) { return part.contains(p); })) {
                 continue;
             }
-            if (!move_.contact_point) move_.contact_point = p_W;
-            return true;
+            return p_W;
         }
     }
-    return false;
+    return std::nullopt;
 }
 
 // What the accuracy of the tools leaves open, finer ones may decide.
@@ -172,48 +288,50 @@ std::optional<Certainty> Measuring::second_look(std::string_view rule,
                                                 std::optional<std::size_t> piece) {
     const auto places = open_.find(piece);
     if (places == open_.end()) return Certainty::Within;
-    return setup_.second_look(
-        {move_.number, rule, move_.motion->tool, piece, std::move(places->second)});
+    // In an order that says nothing about who found them.
+    std::vector<Box>& boxes = places->second;
+    const auto corners = [](const Box& b) {
+        return std::array{b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z};
+    };
+    std::ranges::sort(boxes, {}, corners);
+    boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
+    return setup_.second_look({move_.number, rule, move_.motion->tool, piece, std::move(boxes)});
 }
 
-// Moves `point` into the inscribed tool, if that meets something.
-void Measuring::ask_certainty(const Step& step, const cda::WorkpieceModel& part,
-                              std::optional<Vec3>& point) {
-    if (move_.certainty == Certainty::Certain) return;
+// In the inscribed tool, if that meets something.
+std::optional<Vec3> Measuring::certain_point(const Step& step, const cda::WorkpieceModel& part) {
+    std::optional<Vec3> point;
     cells_.clear();
     now_->inscribed->trace(step.X_WA, step.X_WB, {}, cells_, toolpath::liberties_of(step.turning));
     const double less = gained_by(*now_->inscribed, step) + rounding_now(step);
     for (const Cell& cell : cells_) {
-        const auto inside = contact(cell, less, part);
-        if (!inside) continue;
-        move_.certainty = Certainty::Certain;
-        point = inside;
+        if (const auto inside = contact(cell, less, part)) point = inside;
     }
+    return point;
 }
 
 void Measuring::meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
     for (Watched::Part& watched : now_->bodies) {
+        if (is_away(watched.body, step, 0.0)) continue;
         const Meeting meeting = watched.body.meet(step, 0.0, part, stock_);
         if (!meeting.is_there) continue;
+        Observation seen = seen_now(Subject::Body, watched.piece);
+        seen.point = meeting.point;
+        seen.box = meeting.box;
+        seen.certain = meeting.certainty == Certainty::Certain;
         const double limit = norm(stock_.size()) + toolpath::height_of(tool_now());
+        seen.value = watched.raise_mm;
         if (watched.body.meet(step, watched.raise_mm, part, stock_).is_there) {
-            watched.raise_mm =
+            seen.value =
                 needed_raise(watched.body, step, watched.raise_mm, limit, kRaiseStep, part, stock_);
         }
-        auto old = std::ranges::find(move_.bodies, watched.piece, &BodyContact::piece);
-        if (old == move_.bodies.end()) {
-            move_.bodies.push_back({watched.piece, Certainty::Within, 0.0, {}, {}});
-            old = move_.bodies.end() - 1;
-        }
-        if (setup_.second_look && meeting.certainty == Certainty::Within &&
-            old->certainty == Certainty::Within) {
+        const auto old = std::ranges::find(move_.bodies, watched.piece, &BodyContact::piece);
+        const bool was_certain = old != move_.bodies.end() && old->certainty == Certainty::Certain;
+        if (keeps_places() && !seen.certain && !was_certain) {
             for (const Cell& cell : watched.body.cells(step, 0.0, toolpath::Side::Circumscribed))
-                find_places(cell, part, stock_, open_[watched.piece]);
+                find_places(cell, part, stock_, seen.places);
         }
-        old->raise_mm = watched.raise_mm;
-        old->box.add(meeting.box);
-        if (!old->point) old->point = meeting.point;
-        if (meeting.certainty == Certainty::Certain) old->certainty = Certainty::Certain;
+        tell(std::move(seen));
     }
 }
 
@@ -221,7 +339,8 @@ void Measuring::meet_bodies(const Step& step, const cda::WorkpieceModel& part) {
 // How far down may it go before? Down a ramp, as steeply as it may, no button is left; its
 // double is left where the ramp turns back, and twice that is let pass. What goes down more
 // steeply may only do so for as much as the ramp falls under it.
-void Measuring::meet_core(const Step& step, const cda::WorkpieceModel& part) {
+void Measuring::follow_core(const Step& step,
+                            const std::function<double(double fall, double allowed)>& on_material) {
     Watched& w = *now_;
     const ToolFacts& facts = *facts_of(setup_, move_.motion->tool);
     const double radius = *facts.blind_diameter / 2;
@@ -241,7 +360,7 @@ void Measuring::meet_core(const Step& step, const cda::WorkpieceModel& part) {
         const double allowed = (steepness > slope ? 1.0 : 4.0) * slope * radius;
         double fall = -dot(way, axis);
         if (is_aside) fall = std::min(fall, steepness * radius);
-        fall = fall_on_material(step, part, fall, allowed);
+        fall = on_material(fall, allowed);
         w.fallen_mm += fall;
         if (fall > 0.0 && w.fallen_mm > allowed) {
             move_.plunged_mm = std::max(move_.plunged_mm, w.fallen_mm);
@@ -253,6 +372,29 @@ void Measuring::meet_core(const Step& step, const cda::WorkpieceModel& part) {
     w.fallen_mm = 0.0;
 }
 
+// A tile does not know what was beneath it elsewhere, so neither how far it has come down: it tells
+// how far this step has material under it.
+void Measuring::meet_core(const Step& step, const cda::WorkpieceModel& part) {
+    if (!kept_) {
+        follow_core(step, [&](double fall, double allowed) {
+            return fall_on_material(step, part, fall, allowed);
+        });
+        return;
+    }
+    if (steepness_of(step) <= 0.0 || is_away(*now_->core, step, 0.0)) return;
+    const double fall = -dot(step.X_WB.translation - step.X_WA.translation, axis_of(step.X_WA));
+    Observation seen = seen_now(Subject::Core);
+    seen.value = fall_on_material(step, part, fall, -1.0);
+    if (*seen.value > 0.0) kept_->push_back(std::move(seen));
+}
+
+void Measuring::meet_core(const Step& step, const Observation* seen) {
+    follow_core(step, [&](double fall, double allowed) {
+        if (!seen) return 0.0;
+        return now_->fallen_mm + fall <= allowed ? fall : std::min(fall, seen->value.value_or(0.0));
+    });
+}
+
 // How much of `fall` has material under the core; to the hundredth where it matters.
 double Measuring::fall_on_material(const Step& step, const cda::WorkpieceModel& part, double fall,
                                    double allowed) {
@@ -260,7 +402,7 @@ double Measuring::fall_on_material(const Step& step, const cda::WorkpieceModel& 
     if (!now_->core->meets_certainly(step, 0.0, part, stock_)) return 0.0;
     if (now_->fallen_mm + fall <= allowed) return fall;
     if (now_->core->meet(step, fall, part, stock_).is_there) return fall;
-    return needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_);
+    return std::min(fall, needed_raise(*now_->core, step, 0.0, fall, kRaiseStep, part, stock_));
 }
 
 // How much higher than at `known` what cuts above some height would have to sit not to cut,
@@ -270,7 +412,7 @@ double Measuring::needed_above(Above& above, const Step& step, const cda::Workpi
     if (now_->passes.cover(step, above.from_mm + known - now_->straight_from_mm)) return known;
     const auto meets = [&](const cda::WorkpieceModel& rest) {
         return std::ranges::any_of(above.bodies, [&](Body& body) {
-            return body.meets_certainly(step, known, rest, stock_);
+            return !is_away(body, step, known) && body.meets_certainly(step, known, rest, stock_);
         });
     };
     if (!meets(part)) return known;
@@ -289,7 +431,9 @@ double Measuring::needed_above(Above& above, const Step& step, const cda::Workpi
 }
 
 void Measuring::meet_too_high(const Step& step, const cda::WorkpieceModel& part) {
-    move_.too_deep_mm = needed_above(now_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
+    Observation seen = seen_now(Subject::TooHigh);
+    seen.value = needed_above(now_->too_high, step, part, move_.too_deep_mm, kRaiseStep);
+    if (*seen.value > move_.too_deep_mm) tell(std::move(seen));
 }
 
 // Flutes that nobody told: only what was not needed before is new. How much it is is told
@@ -299,9 +443,9 @@ void Measuring::meet_uncertain(const Step& step, const cda::WorkpieceModel& part
     const double known = now_->uncertain_mm;
     const double raise_step = std::max(
         kRaiseStep, kPart * facts_of(setup_, move_.motion->tool)->certain_flutes.value_or(0.0));
-    now_->uncertain_mm = needed_above(now_->uncertain, step, part, known, raise_step);
-    if (known == 0.0 && now_->uncertain_mm > 0.0)
-        now_->uncertain_place = Place{move_.motion->file, move_.motion->span};
+    Observation seen = seen_now(Subject::UntoldFlutes);
+    seen.value = needed_above(now_->uncertain, step, part, known, raise_step);
+    if (*seen.value > known) tell(std::move(seen));
 }
 
 }  // namespace ncsim::verify

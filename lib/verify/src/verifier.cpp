@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 namespace ncsim::verify {
 
@@ -88,13 +90,14 @@ toolpath::Watch watch_of(const Setup& setup) {
 
 class Verifier::Impl {
 public:
-    Impl(Setup setup, const Box& stock, const cda::Lattice& lattice)
+    Impl(Setup setup, const Box& stock, const cda::Lattice& lattice, Share share)
         : setup_(std::move(setup)),
           stock_(stock),
           lattice_(lattice),
+          share_(std::move(share)),
           log_(setup_),
           scene_(setup_),
-          machine_(setup_, stock_),
+          machine_(setup_, stock_, share_),
           clock_(setup_.machine),
           volumes_(needs_volumes(setup_)),
           books_(setup_.ledger && !volumes_),
@@ -138,9 +141,14 @@ public:
         move_.after_probe = probed_;
         probed_ |= motion.kind == MoveKind::Probe;
         if (!move_.is_move) return;
-        measure_path(motion, *from, *to);
-        move_.passes_above = passes_above(motion, *from, *to);
-        look_at_length(motion, *from, *to);
+        if (!share_.tile) {
+            measure_path(motion, *from, *to);
+            move_.passes_above = passes_above(motion, *from, *to);
+            look_at_length(motion, *from, *to);
+        } else if (part && !place_) {
+            place_ = part->wanted().value_or(stock_);
+            measuring_.keep(evidence_, *place_);
+        }
         const auto watched = watched_.find(motion.tool);
         now_ = watched == watched_.end() ? nullptr : &watched->second;
         measuring_.begin(now_);
@@ -150,9 +158,11 @@ public:
         const bool is_fault =
             motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
         move_.volume_known = move_.asked && (volumes_ || is_fault);
-        doubt_what_is_guessed();
+        if (!share_.tile) doubt_what_is_guessed();
         if (machine_.is_empty()) return;
         machine_.begin(motion, tool_length(motion), part, move_.machine);
+        keep_links(0);
+        if (share_.tile) return;
         if (machine_.misses_length()) doubt_length(motion);
         if (is_turned(motion) && !setup_.axes_guess.empty())
             log_.doubt("kinematics-guess",
@@ -160,6 +170,11 @@ public:
     }
 
     void look(const Step& step, const cda::WorkpieceModel& part) {
+        measuring_.begin_step();
+        if (share_.evidence) {
+            note_step(&step);
+            return;
+        }
         if (ascends(step)) measuring_.meet_bodies(step, part);
         if (now_->core) {
             if (move_.motion->kind == MoveKind::Feed) {
@@ -177,7 +192,6 @@ public:
             goes_on && now_->straight_from_mm <= now_->uncertain.from_mm && falls_straight(step);
         if (!now_->uncertain.bodies.empty() && !only_up && !only_down && !is_found_rapid())
             measuring_.meet_uncertain(step, part);
-        measuring_.begin_step();
         if (books_) ledger_book_.note_cells(step, measuring_.rounding_now(step));
         if (!move_.asked || step.cells.empty()) return;
         if (move_.motion->kind == MoveKind::Rapid) {
@@ -189,35 +203,49 @@ public:
     }
 
     void look_back(const Step& step, const cda::WorkpieceModel& part, double removed) {
+        const double tolerance = setup_.path_tolerance_mm;
+        if (tolerance > 0.0 && step.bounds.missed_mm > 1.001 * tolerance)
+            move_.path_error_mm = std::max(move_.path_error_mm, step.bounds.missed_mm);
+        if (share_.evidence) return;
         cut_at_ = CutAt{move_.motion->tool, step.X_WB};
         const bool drills = now_->widens && falls_straight(step);
         if ((asks_above() || drills) && stands_out(step)) now_->passes.add(step);
         if (volumes_ && move_.motion->kind != MoveKind::Rapid) {
             // Cells that are exact meet material if they remove some; of the others slivers may be
             // left where they were before.
-            const bool meets =
-                measuring_.rounding_now(step) > 0.0 ? measuring_.meets_now() : removed > 0.0;
-            move_.meets_material |= meets;
-            if (removed > 0.0) measuring_.book(step, removed);
+            const bool is_exact = measuring_.rounding_now(step) <= 0.0;
+            measuring_.take_off(step, removed, is_exact);
         }
         if (!ascends(step)) measuring_.meet_bodies(step, part);
-        if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
-        const double tolerance = setup_.path_tolerance_mm;
-        if (tolerance > 0.0 && step.bounds.missed_mm > 1.001 * tolerance)
-            move_.path_error_mm = std::max(move_.path_error_mm, step.bounds.missed_mm);
+        meet_fixtures(step);
     }
 
     // At rest: what it meets it meets, wherever it came from.
     void arrive(const Step& step, const cda::WorkpieceModel& part) {
         move_.arrives = true;
+        measuring_.begin_step();
+        if (share_.evidence) {
+            note_step(nullptr);
+            return;
+        }
         if (move_.motion->kind == MoveKind::Rapid && asked("rapid-in-material"))
             measuring_.meet_rapidly(step, part);
         measuring_.meet_bodies(step, part);
-        if (!scene_.is_empty()) scene_.meet(move_.motion->tool, step, move_.fixtures);
+        meet_fixtures(step);
     }
 
     void end(const cda::WorkpieceModel* part) {
-        if (!machine_.is_empty() && move_.is_move) machine_.end(part, move_.machine);
+        if (!machine_.is_empty() && move_.is_move && !share_.evidence) {
+            const std::size_t before = machine_.seen().size();
+            machine_.end(part, move_.machine);
+            keep_links(Observation::kAtEnd, before);
+        }
+        if (share_.evidence) note_end();
+        if (share_.tile) {
+            keep_fixtures();
+            count_idle_cuts();
+            return;
+        }
         if (setup_.second_look) measuring_.look_closer();
         for (const auto judge : judges_)
             judge(setup_, move_, log_);
@@ -235,6 +263,8 @@ public:
         clock_.take(move_, ledger_book_.row());
         if (!books_) ledger_.removed_mm3 += move_.removed_mm3;
     }
+
+    Evidence take_evidence() { return std::move(evidence_); }
 
     bool measures_all() const { return volumes_; }
     bool needs_account() const { return books_; }
@@ -268,6 +298,7 @@ public:
 
     Verdict finish(const gcode::Interpretation& interpretation, const cda::WorkpieceModel* part,
                    double stock_mm3) {
+        if (share_.evidence && next_seen_ != share_.evidence->size()) refuse_evidence();
         Verdict verdict;
         verdict.files = interpretation.files;
         for (const gcode::Diagnostic& d : diagnostics_)
@@ -299,6 +330,93 @@ public:
     }
 
 private:
+    [[noreturn]] static void refuse_evidence() {
+        throw std::runtime_error("the tiles do not agree on the motions of the program");
+    }
+
+    // Of the tiles, by turns.
+    bool is_my_turn() const {
+        return !share_.tile || move_.number % share_.tile->of == share_.tile->tile;
+    }
+
+    void meet_fixtures(const Step& step) {
+        if (!scene_.is_empty() && is_my_turn())
+            scene_.meet(move_.motion->tool, step, move_.fixtures);
+    }
+
+    // Of a tile: what links met since, as seen at that step.
+    void keep_links(std::uint64_t step, std::size_t first = 0) {
+        const Evidence& seen = machine_.seen();
+        for (std::size_t i = first; i < seen.size(); ++i) {
+            Observation& kept = evidence_.emplace_back(seen[i]);
+            kept.motion = move_.number;
+            kept.step = step;
+        }
+    }
+
+    void keep_fixtures() {
+        for (const FixtureContact& contact : move_.fixtures) {
+            Observation& seen = evidence_.emplace_back();
+            seen.motion = move_.number;
+            seen.step = Observation::kAtEnd;
+            seen.subject = Subject::Fixture;
+            seen.index = static_cast<std::uint32_t>(contact.fixture);
+            seen.other = static_cast<std::uint32_t>(contact.piece);
+            seen.touches = contact.touches;
+            seen.certain = contact.certainty == Certainty::Certain;
+            seen.box = contact.box;
+        }
+    }
+
+    // What tiles saw in this motion up to the step at hand. Whether it was asked is what a tile
+    // cannot know: it may have asked for more.
+    const Observation* next_seen(std::uint64_t step) {
+        const Evidence& all = *share_.evidence;
+        if (next_seen_ == all.size()) return nullptr;
+        const Observation& next = all[next_seen_];
+        if (next.motion < move_.number) refuse_evidence();
+        if (next.motion != move_.number || next.step > step) return nullptr;
+        ++next_seen_;
+        return &next;
+    }
+
+    // `step`: null where the tool is at rest.
+    void note_step(const Step* step) {
+        const Observation* core = nullptr;
+        while (const Observation* seen = next_seen(measuring_.step())) {
+            const bool is_cut =
+                seen->subject == Subject::FeedCut || seen->subject == Subject::RapidCut;
+            if (seen->subject == Subject::Link) {
+                machine_.note(*seen, move_.machine);
+            } else if (seen->subject == Subject::Core) {
+                core = seen;
+            } else if (!is_cut || move_.asked || !step) {
+                measuring_.note(*seen);
+            }
+        }
+        if (!step || !now_->core) return;
+        if (move_.motion->kind != MoveKind::Feed) {
+            now_->aside_since.reset();
+        } else {
+            measuring_.meet_core(*step, core);
+        }
+    }
+
+    void note_end() {
+        while (const Observation* seen = next_seen(Observation::kAtEnd)) {
+            if (seen->subject == Subject::Link) {
+                machine_.note(*seen, move_.machine);
+            } else if (seen->subject == Subject::Fixture &&
+                       seen->index < setup_.machine.fixtures.size()) {
+                const auto certainty = seen->certain ? Certainty::Certain : Certainty::Within;
+                move_.fixtures.push_back(
+                    {seen->index, seen->other, seen->touches, certainty, seen->box});
+            } else {
+                refuse_evidence();
+            }
+        }
+    }
+
     // As the control counts it, and as the tool is.
     ToolLength tool_length(const gcode::Motion& motion) const {
         const bool is_active = frame_.length_register != gcode::kNoLength;
@@ -580,6 +698,10 @@ private:
     Setup setup_;
     Box stock_;
     cda::Lattice lattice_;
+    Share share_;
+    std::optional<Box> place_;   // of the tile
+    Evidence evidence_;          // of a tile
+    std::size_t next_seen_ = 0;  // of all tiles
     FindingLog log_;
     FixtureScene scene_;
     MachineScene machine_;
@@ -626,8 +748,8 @@ private:
     gcode::Diagnostics diagnostics_;
 };
 
-Verifier::Verifier(Setup setup, const Box& stock, const cda::Lattice& lattice)
-    : impl_(std::make_unique<Impl>(std::move(setup), stock, lattice)) {}
+Verifier::Verifier(Setup setup, const Box& stock, const cda::Lattice& lattice, Share share)
+    : impl_(std::make_unique<Impl>(std::move(setup), stock, lattice, std::move(share))) {}
 Verifier::~Verifier() = default;
 
 void Verifier::set_frame(const gcode::ProgramFrame& frame) {
@@ -671,6 +793,10 @@ void Verifier::add(Finding finding) {
 
 void Verifier::add_doubt(std::string_view reason, std::string message, const Place& place) {
     impl_->add_doubt(reason, std::move(message), place);
+}
+
+Evidence Verifier::take_evidence() {
+    return impl_->take_evidence();
 }
 
 Verdict Verifier::finish(const gcode::Interpretation& interpretation,

@@ -21,6 +21,7 @@
 namespace ncsim::cda {
 
 class BlockTree;
+struct QueryPoint;
 class CellTable;
 struct Evaluation;
 
@@ -132,6 +133,8 @@ private:
     bool is_waited_for_near(Vec3 point) const;
     bool takes_all_of(const Cell& cell) const;
     std::optional<Vec3> contact_as_it_is(const Cell& cell) const;
+    std::optional<Vec3> in_block_within(const Cell& cell) const;
+    bool contains_as_it_is(const QueryPoint& query) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
 
     TreeParameters parameters_;

@@ -89,7 +89,8 @@ public:
     virtual std::unique_ptr<WorkpieceModel> create(const Cell& stock,
                                                    const Lattice& lattice) const = 0;
     /// Takes `cell` away and returns how much of the part that was, in mm³; exactly 0 if the part
-    /// lost nothing. Flat cells, and cells that only touch the part, change nothing.
+    /// lost nothing. Flat cells, and cells that only touch the part, change nothing. Of a tile:
+    /// what it adds to the volume, less than nothing maybe; of all tiles together it is that.
     virtual double subtract(const Cell& cell) = 0;
     /// The same for callers that do not ask how much it was; many at a time are taken away faster.
     virtual void subtract_unmeasured(std::span<const Cell> cells) {
@@ -131,7 +132,8 @@ public:
     virtual std::optional<Vec3> contact(const Cell&) const {
         throw CannotAnswer(name(), "where a body meets the part");
     }
-    /// Volume (mm³) that the cell has in common with the part; exactly 0 if they touch at most.
+    /// Volume (mm³) that the cell has in common with the part; exactly 0 if they touch at most. Of
+    /// a tile: as of subtract().
     virtual double common_volume(const Cell&) const {
         throw CannotAnswer(name(), "what a body has in common with the part");
     }

@@ -17,9 +17,12 @@
 namespace ncsim::report {
 
 struct TileHead {
-    std::vector<std::string> words;  ///< Of `ncsim run`, without where results go.
+    std::vector<std::string> words;  ///< Of `ncsim run` or `check`, without where results go.
     FileDigests files;               ///< What was read.
     std::uint32_t tile = 0, of = 1;
+    /// A whole folder was looked through, say: that the files are the same does not tell that what
+    /// is read would be.
+    bool knows_all_files = true;
     bool operator==(const TileHead&) const = default;
 };
 
@@ -27,8 +30,9 @@ struct TileFile {
     TileHead head;
     /// Motions, from 1, and how many of their hulls met the stock: of those that this tile counts.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> met;
-    std::string tile;    ///< As WorkpieceModel::write_tile wrote it.
-    std::string digest;  ///< Of all before it, of a file that was read.
+    std::string evidence;  ///< Of `check`: lines of verify::bytes_of(); none of them is empty.
+    std::string tile;      ///< As WorkpieceModel::write_tile wrote it; of `check`, maybe nothing.
+    std::string digest;    ///< Of all before it, of a file that was read.
 };
 
 /// "tile-0003-of-0064.nctile"

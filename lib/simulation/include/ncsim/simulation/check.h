@@ -8,12 +8,21 @@
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/verify/evidence.h"
 #include "ncsim/verify/machine_bodies.h"
 #include "ncsim/verify/selection.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace ncsim::simulation {
+
+/// What all tiles of a part were seen to meet, and the part, if it was cut.
+struct SeenTiles {
+    std::shared_ptr<const CutTiles> cut;  ///< Null: nothing had to be simulated.
+    std::shared_ptr<const verify::Evidence> evidence;
+};
 
 /// What is asked, and what the program is verified against beside its job.
 struct Questions {
@@ -32,6 +41,16 @@ struct Questions {
     bool warnings_as_errors = false;
     /// Tools in the options of the job are this program's: one that it does not move is a doubt.
     bool tools_are_meant = true;
+    /// Tiles of the part, which were asked before, by check_tile(); null: the part is cut now.
+    /// Neither `ledger` nor `look` then.
+    std::shared_ptr<const SeenTiles> tiles;
+};
+
+/// A tile of a part that was asked what it meets. Nothing in it: the program is not simulated.
+struct SeenTile {
+    std::vector<MetStock> met;
+    std::string tile;  ///< As WorkpieceModel::write_tile() writes it.
+    verify::Evidence evidence;
 };
 
 /// The links of a machine, ready to be asked; null if it has none.
@@ -42,5 +61,7 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
 report::Checked check(Plan plan, const Questions& questions = {});
 /// The same into `checked`, which keeps what was known by then if it throws.
 void check(Plan plan, const Questions& questions, report::Checked& checked);
+/// Asks plan.tile of the part, and judges nothing. Throws as check() does.
+SeenTile check_tile(Plan plan, const Questions& questions);
 
 }  // namespace ncsim::simulation

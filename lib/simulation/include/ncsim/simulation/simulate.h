@@ -60,6 +60,8 @@ struct Simulation : report::PartFacts {
 /// Gives faces that tiles cut the origins that they would have without. Throws std::runtime_error
 /// if the motion of one did not meet the stock.
 void name_motions(cda::Boundary& boundary, const Simulation& simulation);
+/// The surface of the part, with the origins of `simulation.provenance`, tiles or not.
+cda::Boundary surface_of(const Simulation& simulation);
 
 /// How far it got: moves done.
 using ProgressSink = std::function<void(std::uint64_t)>;

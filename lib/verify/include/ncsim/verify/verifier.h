@@ -16,6 +16,7 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/toolpath/walk.h"
+#include "ncsim/verify/evidence.h"
 #include "ncsim/verify/setup.h"
 #include "ncsim/verify/verdict.h"
 
@@ -31,7 +32,7 @@ toolpath::Watch watch_of(const Setup& setup);
 class Verifier {
 public:
     /// `stock` (mm, W) and `lattice` are those of the part; an empty box if nothing is simulated.
-    Verifier(Setup setup, const cda::Box& stock, const cda::Lattice& lattice);
+    Verifier(Setup setup, const cda::Box& stock, const cda::Lattice& lattice, Share share = {});
     ~Verifier();
     Verifier(const Verifier&) = delete;
     Verifier& operator=(const Verifier&) = delete;
@@ -65,6 +66,9 @@ public:
     /// before the first cut.
     Verdict finish(const gcode::Interpretation& interpretation, const cda::WorkpieceModel* part,
                    double stock_mm3);
+
+    /// Of a tile: what was seen so far. It is asked for that instead of finish().
+    Evidence take_evidence();
 
 private:
     class Impl;
