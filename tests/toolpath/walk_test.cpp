@@ -5,6 +5,8 @@
 
 #include "ncsim/cda/tree.h"
 
+#include "support/random.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -167,6 +169,31 @@ TEST(Walk, CoversAStraightWayInPieces) {
                 EXPECT_LT(w.covering[0].rank, cell.rank);
         }
     }
+}
+
+// Whatever the slope: what is told is in the steps to the last bit, and not told where their walls
+// are rounded.
+TEST(Walk, CoversStraightWaysExactlyOrNot) {
+    test::Random random(5);
+    int told = 0, kept_back = 0;
+    for (int i = 0; i < 60; ++i) {
+        SCOPED_TRACE(i);
+        // Decimals as programs have them: of a tenth to a thousandth of a millimetre.
+        const std::int64_t unit = random.between(0, 2) == 0 ? 10
+                                  : random.between(0, 1)    ? 100
+                                                            : 1000;
+        const auto step = [&] {
+            return static_cast<double>(random.between(-1000, 1000) / unit * unit) / 1000.0;
+        };
+        const double x = step(), y = step(), z = i % 2 == 0 ? 0.0 : 0.2 * step();
+        if (x == 0.0 && y == 0.0) continue;
+        const std::size_t count =
+            walked(straight(4, x, y, z), i % 3 == 0 ? ball_end_mill(8, 40) : kFlat).covering.size();
+        EXPECT_TRUE(i % 2 != 0 || i % 3 == 0 || count == 3U) << count;  // level, upright walls
+        (count > 0 ? told : kept_back) += 1;
+    }
+    EXPECT_GT(told, 20);
+    EXPECT_GT(kept_back, 2);
 }
 
 TEST(Walk, CoversNoWayThatIsNotStraight) {

@@ -96,6 +96,15 @@ bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
            product(u.x, v.x) + product(u.y, v.y) + product(u.z, v.z) > 0;
 }
 
+// Are the walls of a hull that went so far exact? Their normals may be rounded; then the hulls of
+// its steps differ from it by that.
+bool goes_exactly_along(const cda::Cell& hull, const cda::LatticePoint& way) {
+    const auto first = hull.planes.begin() + static_cast<std::ptrdiff_t>(hull.normals->size());
+    return std::all_of(first, hull.planes.end(), [&](const cda::Plane& wall) {
+        return wall.nx * way.x + wall.ny * way.y + wall.nz * way.z == 0;
+    });
+}
+
 }  // namespace
 
 std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
@@ -252,7 +261,9 @@ void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, con
         const std::int64_t rank = std::int64_t{cell.rank} - run_.steps;
         cell.rank = static_cast<std::int32_t>(std::max<std::int64_t>(rank, kFirstRank + 1));
     }
-    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+    std::erase_if(covering_, [&](const cda::Cell& c) {
+        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, to - run_.start);
+    });
 }
 
 // Is the motion an arc about a middle that the tool may have within it all the way? Then it goes on
