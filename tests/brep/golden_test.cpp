@@ -26,8 +26,8 @@ using test::Made;
 constexpr double kPi = std::numbers::pi;
 constexpr double kBlock = 80.0 * 60.0 * 20.0;
 
-// Planes, cylinders, cones, spheres, tori, extrusions, domes, coils.
-using Kinds = std::array<int, 8>;
+// Planes, cylinders, cones, spheres, tori, extrusions, domes, coils, spirals.
+using Kinds = std::array<int, 9>;
 
 struct Golden {
     std::string name;
@@ -200,6 +200,34 @@ TEST(Recognise, KnowsTheFloorsOfHelices) {
             EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
             const Mass mass = mass_of(made.solid.part);
             EXPECT_NEAR(mass.volume, left, 1e-8 * left);
+        }
+    }
+}
+
+// Half around, nearer to the centre by 0.05: what the disc passes is as wide everywhere, along the
+// whole way.
+TEST(Recognise, KnowsArcsWhoseEndsDifferInRadius) {
+    for (const std::string turn : {"G2", "G3"}) {
+        const Golden golden{"spiral",
+                            "T1 M6\nG0 X60 Y30 Z1\nG1 Z-4\n" + turn + " X20.05 Y30 I-20\nG0 Z5\n",
+                            {},
+                            0.0};
+        const double lead = 0.05 / kPi;
+        double length = 0.0;
+        constexpr int kSteps = 1000;
+        for (int i = 0; i < kSteps; ++i) {
+            const double reach = 20.0 - 0.05 * (i + 0.5) / kSteps;
+            length += kPi / kSteps * std::sqrt(reach * reach + lead * lead);
+        }
+        const double left = kBlock - 4.0 * (10.0 * length + 25.0 * kPi);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(turn + " " + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 2, 0, 0, 0, 0, 0, 0, 2}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+            EXPECT_NEAR(mass_of(made.solid.part).volume, left, 1e-8 * left);
         }
     }
 }

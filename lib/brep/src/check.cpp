@@ -88,6 +88,10 @@ public:
             const double y = ahead_ * dot(place.out, cross(c->axis, place.way));
             return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
         }
+        if (const auto* s = std::get_if<Spiral>(form_)) {
+            const SpiralPlace place = place_on(*s, at);
+            return {(s->reach + s->offset) * place.turn, place.height};
+        }
         const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
@@ -105,6 +109,7 @@ public:
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
+               std::holds_alternative<Spiral>(*form_) ||
                (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
     }
 
