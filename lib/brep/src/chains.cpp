@@ -82,6 +82,7 @@ void Chains::trace() {
             degree[v] = kTip;
         if (degree[v] == 2) continue;
         const std::uint32_t number = vertex_at(v);
+        vertices_[number].edge = h;
         vertices_[number].groups.push_back(groups_.group_at(h));
         vertices_[number].groups.push_back(groups_.group_beyond(h));
     }
@@ -285,8 +286,11 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
 }
 
 void Chains::solve() {
-    for (Vertex& v : vertices_) {
-        v.has_failed = !solve_vertex(v);
+    for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
+         ++i) {
+        const bool has_failed = !solve_vertex(vertices_[i]) && !split(i);
+        Vertex& v = vertices_[i];
+        v.has_failed = has_failed;
         if (v.has_failed) failures_.push_back({v.groups, true});
     }
     if (!failures_.empty()) return;
@@ -295,8 +299,110 @@ void Chains::solve() {
     for (int pass = 0; pass < kMostPasses; ++pass) {
         if (!flip_reversed()) break;
     }
+    for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
+        bend(c);
     for (Chain& chain : chains_)
         solve_chain(chain);
+}
+
+// Where a boundary goes on from its corner, of the surfaces beside it; unit.
+Vec3 Chains::direction_of(std::uint32_t h) const {
+    constexpr double kSteep = 1e-3;
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from), way = mesh_.point(mesh_.to(h)) - p;
+    const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
+                             outward(groups_.surface_of(groups_.group_beyond(h)), p));
+    if (norm(along) < kSteep) return cda::normalized(way);
+    return cda::normalized(dot(along, way) < 0.0 ? -along : along);
+}
+
+// Where more than three faces have a corner in common that their surfaces have not, two boundaries
+// go on from one corner and the others from another one, and between both is an edge. Which ones is
+// told by the faces beside that edge: their loops turn as much as they did in the one corner.
+bool Chains::split(std::uint32_t number) {
+    const Vertex before = vertices_[number];
+    if (before.edge == kNone) return false;
+    std::vector<std::uint32_t> out;  // clockwise
+    std::uint32_t h = before.edge;
+    do {
+        if (groups_.is_boundary(h)) out.push_back(h);
+        h = mesh_.edges()[mesh_.edges()[h].twin].next;
+    } while (h != before.edge);
+    constexpr std::size_t kFewest = 4, kMost = 6;
+    const std::size_t count = out.size();
+    const bool has_facets =
+        std::ranges::any_of(before.groups, [&](std::uint32_t g) { return groups_.is_facet(g); });
+    if (count < kFewest || count > kMost || before.groups.size() != count || has_facets)
+        return false;
+    const auto at = [&](std::size_t i) { return out[i % count]; };
+    struct Choice {
+        double length;
+        std::size_t first;
+        Vertex near, far;
+    };
+    std::optional<Choice> best;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t a = at(i), b = at(i + 1), c = at(i + 2), d = at(i + count - 1);
+        const std::uint32_t middle = groups_.group_beyond(a);
+        const std::uint32_t left = groups_.group_beyond(b), right = groups_.group_at(a);
+        Choice choice{0.0, i, before, before};
+        choice.near.at = choice.far.at = mesh_.point(mesh_.edges()[before.edge].from);
+        choice.near.groups = {left, middle, right};
+        std::sort(choice.near.groups.begin(), choice.near.groups.end());
+        std::erase(choice.far.groups, middle);
+        if (!solve_vertex(choice.near) || !solve_vertex(choice.far)) continue;
+        const Vec3 way = choice.far.at - choice.near.at;
+        choice.length = norm(way);
+        if (choice.length <= kPoint || (best && best->length <= choice.length)) continue;
+        const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
+            constexpr double kRounding = 1.0;  // degrees
+            const Vec3 n = outward(groups_.surface_of(g), before.at);
+            const auto turn = [&](Vec3 u, Vec3 v) {
+                return trig::angle_of(dot(u, v), dot(n, cross(u, v)));
+            };
+            return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < kRounding;
+        };
+        if (goes_on(left, -direction_of(b), way, direction_of(c)) &&
+            goes_on(right, -direction_of(d), -way, direction_of(a)))
+            best = choice;
+    }
+    if (!best) return false;
+    const auto other = static_cast<std::uint32_t>(vertices_.size());
+    for (std::size_t i = best->first + 2; i < best->first + count; ++i) {
+        Chain& chain = chains_[chain_of_[at(i)]];
+        (chain.edges.front() == at(i) ? chain.from : chain.to) = other;
+    }
+    make(number, other, groups_.group_beyond(at(best->first + 1)),
+         groups_.group_at(at(best->first)));
+    vertices_[number] = std::move(best->near);
+    vertices_.push_back(std::move(best->far));
+    return true;
+}
+
+void Chains::make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right) {
+    Chain made;
+    made.left = left;
+    made.right = right;
+    made.from = from;
+    made.to = to;
+    made.is_flipped = made.is_made = true;
+    chains_.push_back(std::move(made));
+}
+
+// Where the edge of two ramps has a corner that is nearer to its end than facets are wide.
+void Chains::bend(std::uint32_t number) {
+    const Chain& chain = chains_[number];
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_made || from.has_failed || to.has_failed) return;
+    const auto corner =
+        corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right), from.at, to.at);
+    if (!corner) return;
+    Vertex between{*corner, {chain.left, chain.right}};
+    std::sort(between.groups.begin(), between.groups.end());
+    const auto added = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.push_back(std::move(between));
+    make(added, chain.to, chain.left, chain.right);
+    chains_.back().after = number;
+    chains_[number].to = added;
 }
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
@@ -442,6 +548,14 @@ void Chains::solve_chain(Chain& chain) {
             circle ? centre + circle->radius * x : centre + ellipse->major_radius * ellipse->major;
         from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
     }
+    // Near the corner of a bend facets do not tell which way: the shorter one.
+    const bool is_at_bend = from.groups.size() == 2 || to.groups.size() == 2;
+    if (!is_loop && is_at_bend && std::abs(rough) < 90.0 &&
+        Track(*curve, from.at, to.at).sweep_degrees() > 270.0) {
+        axis = -axis;
+        chain.curve = std::move(*curve);
+        return;
+    }
     if (!is_loop) {
         const Track track(*curve, from.at, to.at);
         // Of the two circles in which a plane meets a ring, each end may be on one.
@@ -466,8 +580,12 @@ void Chains::solve_chain(Chain& chain) {
 // Out of the loops that had it, into those that it is between now.
 void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const {
     const Chain& chain = chains_[number];
-    for (const std::uint32_t g :
-         {groups_.group_at(chain.edges.front()), groups_.group_beyond(chain.edges.front())}) {
+    std::vector<std::uint32_t> before;
+    if (!chain.is_made) {
+        const std::uint32_t h = chain.edges.front();
+        before = {groups_.group_at(h), groups_.group_beyond(h)};
+    }
+    for (const std::uint32_t g : before) {
         for (Loop& loop : all[g])
             std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
         std::erase_if(all[g], [](const Loop& loop) { return loop.empty(); });
@@ -481,6 +599,13 @@ void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& a
     };
     for (const auto& [g, is_forward] :
          {std::pair(chain.left, true), std::pair(chain.right, false)}) {
+        if (chain.after != kNone) {
+            for (Loop& loop : all[g]) {
+                const auto at = std::ranges::find(loop, chain.after, &EdgeUse::edge);
+                if (at != loop.end()) loop.insert(is_forward ? at + 1 : at, {number, is_forward});
+            }
+            continue;
+        }
         const std::uint32_t begin = is_forward ? chain.from : chain.to;
         const std::uint32_t end = is_forward ? chain.to : chain.from;
         for (Loop& loop : all[g]) {
@@ -507,7 +632,7 @@ std::vector<std::vector<Loop>> Chains::loops() const {
     std::vector<std::vector<Loop>> all(groups_.size());
     std::vector<bool> seen(2 * chains_.size(), false);
     for (std::uint32_t i = 0; i < 2 * chains_.size(); ++i) {
-        if (seen[i]) continue;
+        if (seen[i] || chains_[i / 2].is_made) continue;
         ChainUse use{i / 2, i % 2 == 0};
         const std::uint32_t g = groups_.group_at(first_of(use));
         Loop loop;
@@ -520,8 +645,11 @@ std::vector<std::vector<Loop>> Chains::loops() const {
         }
         if (!loop.empty()) all[g].push_back(std::move(loop));
     }
-    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-        if (chains_[c].is_flipped) put_flipped(c, all);
+    for (const bool goes_on : {true, false}) {
+        for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+            if (chains_[c].is_flipped && (chains_[c].after != kNone) == goes_on)
+                put_flipped(c, all);
+        }
     }
     return all;
 }

@@ -23,6 +23,8 @@ struct Chain {
     bool has_vanished = false;
     bool has_failed = false;  ///< Itself, or one of its ends.
     bool is_flipped = false;  ///< No longer between the groups beside its half-edges.
+    bool is_made = false;     ///< Flipped, and has no half-edges: both its ends were one corner.
+    std::uint32_t after = kNone;  ///< Made: the chain that it goes on from.
     Curve curve;
 };
 
@@ -32,6 +34,7 @@ struct Vertex {
     double miss = 0.0;
     bool is_touch = false;  ///< Of surfaces that touch.
     bool has_failed = false;
+    std::uint32_t edge = kNone;  ///< A half-edge between two groups that starts there.
 };
 
 /// In errors of theirs: how far edges of facets may be off the faces beside them.
@@ -60,6 +63,10 @@ private:
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& around) const;
     bool solve_vertex(Vertex& v) const;
+    bool split(std::uint32_t number);
+    void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
+    void bend(std::uint32_t number);
+    Vec3 direction_of(std::uint32_t h) const;
     bool flip_reversed();
     bool flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at);
     Vec3 way_of(const Chain& chain) const;

@@ -569,6 +569,19 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p) {
     return norm(p - one) < norm(p - two) ? one : two;
 }
 
+std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+    const auto planes = bends(a, b);
+    if (!planes) return std::nullopt;
+    const auto& [level, other] = *planes;
+    const auto is_on = [](const Plane& plane, Vec3 at) {
+        return std::abs(distance(plane, at)) < kTouchMm;
+    };
+    if (is_on(level, p) == is_on(level, q) || is_on(other, p) == is_on(other, q) ||
+        is_on(level, p) == is_on(other, p))
+        return std::nullopt;
+    return corner_of_bend(a, b, is_on(level, p) ? p : q);
+}
+
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
     for (const Form* form : forms) {
         const auto* dome = std::get_if<Dome>(form);
