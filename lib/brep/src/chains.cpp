@@ -362,10 +362,11 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
     constexpr std::size_t kFewest = 4, kMost = 7;
     constexpr double kShortest = 1e-5;  // mm; less than readers can tell
     const std::size_t count = spokes.size();
-    const bool has_facets =
-        std::ranges::any_of(before.groups, [&](std::uint32_t g) { return groups_.is_facet(g); });
-    if (count < kFewest || count > kMost || before.groups.size() != count || has_facets)
-        return false;
+    // Near the tip of a cone, corners are elsewhere too easily.
+    const bool may_not = std::ranges::any_of(before.groups, [&](std::uint32_t g) {
+        return groups_.is_facet(g) || std::holds_alternative<Cone>(groups_.form_of(g));
+    });
+    if (count < kFewest || count > kMost || before.groups.size() != count || may_not) return false;
     const auto at = [&](std::size_t i) -> const Spoke& { return spokes[i % count]; };
     struct Choice {
         double length;
@@ -659,7 +660,7 @@ void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& a
             }
             continue;
         }
-        if (!put({g, {number, is_forward}}, all[g], true))
+        if (!put({g, {number, is_forward}}, all[g], true) && chain.is_made)
             left.push_back({g, {number, is_forward}});
     }
 }

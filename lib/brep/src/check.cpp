@@ -106,6 +106,8 @@ public:
         return out(p, t.minor * (1.0 + (degrees - cut_) * kRadiansPerDegree));
     }
 
+    bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
+
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
@@ -287,13 +289,17 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
             const bool are_neighbours = have_common_end(s, t);
             if (both_straight && interfere(s, t, clear)) return {{s.edge, t.edge}};
             if (both_straight) continue;
-            // Chords of curves that touch in their common end may lie on each other.
+            // Chords of curves that touch in their common end may lie on each other. Of cones
+            // readers find them crossed.
             const Again beside{clear, 0.0, kBeside};
-            const bool do_meet = are_neighbours ? (interfere(s, t, clear) &&
-                                                   (std::min(length(s), length(t)) < kBeside ||
-                                                    neighbours_meet_again(map, s, t, beside))) ||
-                                                      neighbours_meet_again(map, s, t, kCrossing)
-                                                : curves_interfere(map, s, t, clear, kDepth);
+            const auto is_near = [&] {
+                return interfere(s, t, clear) &&
+                       (map.is_cone() || std::min(length(s), length(t)) < kBeside ||
+                        neighbours_meet_again(map, s, t, beside));
+            };
+            const bool do_meet = are_neighbours
+                                     ? is_near() || neighbours_meet_again(map, s, t, kCrossing)
+                                     : curves_interfere(map, s, t, clear, kDepth);
             if (do_meet) return {{s.edge, t.edge}};
         }
     }

@@ -124,10 +124,11 @@ private:
             auto& found = known_.look_at(part, face, groups_[g].facets.front());
             // Facets may be as thin as they are. Beside them readers make edges as wide as they are
             // off.
-            const double width = std::max(kNoWidth, error_beside(g));
+            const double width = std::max(is_sickle(face) ? kTouchMm : kNoWidth, error_beside(g));
             has_gone[g] = groups_[g].is_analytic &&
                           2.0 * std::abs(found.measure.area) < width * found.measure.length;
             if (has_gone[g]) vanish(g);
+            if (is_open(part, face)) vanish(g);
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
             known.push_back(&found);
@@ -198,7 +199,7 @@ private:
             const Chain& chain = chains_.all()[use.edge];
             return !chain.has_failed && std::holds_alternative<Line>(chain.curve);
         };
-        for (std::size_t i = 0; i < loop.size() && loop.size() > 2; ++i) {
+        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) {
             const std::size_t next = (i + 1) % loop.size();
             const EdgeUse there = loop[i], back = loop[next];
             if (there.edge == back.edge || !is_straight(there) || !is_straight(back)) continue;
@@ -322,6 +323,27 @@ private:
     bool is_too_large(std::uint32_t g, double area) const {
         const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
         return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
+    }
+
+    static bool is_open(const Part& part, const Face& face) {
+        const auto begin_of = [&](const EdgeUse& use) {
+            return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
+        };
+        const auto end_of = [&](const EdgeUse& use) {
+            return use.is_forward ? part.edges[use.edge].to : part.edges[use.edge].from;
+        };
+        return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                if (end_of(loop[i]) != begin_of(loop[(i + 1) % loop.size()])) return true;
+            }
+            return false;
+        });
+    }
+
+    // Between two edges with the same ends. As narrow as what programs round, they are lost where
+    // readers draw both as lines.
+    static bool is_sickle(const Face& face) {
+        return face.loops.size() == 1 && face.loops.front().size() == 2;
     }
 
     // A group without a width on the true surfaces.
