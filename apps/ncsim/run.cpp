@@ -100,7 +100,8 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         }
     });
     outputs.write(o.stl, [&](std::ostream& out) {
-        exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads));
+        exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads),
+                            outcome.plan.threads);
     });
     outputs.write(o.ply,
                   [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });

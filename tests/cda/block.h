@@ -40,7 +40,7 @@ public:
         for (std::size_t i = 0; i < cell.planes.size(); ++i)
             here.loose.push_back(static_cast<std::uint16_t>(i));
         here.enclose(cell.bounds, test::kLattice.unit_mm);
-        table_.add(cell.origin, nullptr);
+        table_.add(cell.origin, cell.rank, nullptr);
         return here;
     }
 

@@ -97,7 +97,7 @@ TEST(BlockTree, BooksEachUnitToTheFirstThatTakesIt) {
             here.planes = cells[i].planes;
             here.loose = {0, 1, 2, 3, 4, 5};
             here.enclose(cells[i].bounds, test::kLattice.unit_mm);
-            table.add(Origin{i + 1}, nullptr);
+            table.add(Origin{i + 1}, Cell::kFirstRank, nullptr);
             if (block.tree().meets(here)) pointers.push_back(&here);
         }
         std::vector<Taken> taken;

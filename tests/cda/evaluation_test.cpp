@@ -79,5 +79,20 @@ TEST(Evaluation, GivesAFaceToTheFirstOfTwo) {
         EXPECT_NE(piece.origin, Origin{7});
 }
 
+// Two passes along one wall: it is that of the deeper one, from top to bottom, although the other
+// came first; the leaf need not know that one.
+TEST(Evaluation, GivesAWallToTheLowerRank) {
+    Block block(kSize);
+    std::vector<Cell> passes{UnitBox{{2, 2, 8}, {8, 8, 13}}.cell(Origin{3}),
+                             UnitBox{{2, 2, 4}, {8, 8, 13}}.cell(Origin{7})};
+    passes[0].rank = 8;
+    passes[1].rank = 4;
+    block.cut(passes);
+    const Evaluation once = evaluated(block);
+    EXPECT_FALSE(once.outlines.pieces().empty());
+    for (const auto& piece : once.outlines.pieces())
+        EXPECT_NE(piece.origin, Origin{3});
+}
+
 }  // namespace
 }  // namespace ncsim::cda

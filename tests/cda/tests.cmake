@@ -32,6 +32,7 @@ ncsim_add_test(cda
     tree_test.cpp
     triangulate_test.cpp
     wide_test.cpp
+    whole_turn_test.cpp
     workpiece_test.cpp)
 target_include_directories(ncsim_cda_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/cda/src)
 

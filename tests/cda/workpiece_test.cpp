@@ -30,7 +30,7 @@ Model part_of(const Cell& stock, const std::vector<Cell>& cuts) {
     std::uint32_t number = 0;
     for (Cell cut : cuts) {
         cut.origin = Origin{++number};
-        part.subtract(cut);
+        part.subtract(test::ranked(cut));
     }
     return part;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -117,6 +118,50 @@ TEST(Tiles, OfToolsThatTurnAreOneRun) {
         EXPECT_EQ(folder.read("merged.json"), folder.read("one.json"));
         std::filesystem::remove_all(folder.path() / "tiles");
     }
+}
+
+// Whole turns are known where only a part of them is: bores by helices in lines of half a turn, on
+// the walls between tiles and beside them.
+TEST(Tiles, OfBoresByHelicesAreOneRun) {
+    const Folder folder;
+    std::string bores =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+        "G21 G90 T1 M6 S8000 M3\nF1000.\n";
+    for (int i = 0; i < 9; ++i) {
+        const int x = 12 * (i % 3) - 12, y = 11 * (i / 3) - 11;
+        bores += fmt::format("G0 X{} Y{} Z1.\n", x + 2, y);
+        for (int turn = 0; turn < 8; ++turn) {
+            const bool is_back = turn % 2 != 0;
+            bores += fmt::format("G3 X{} Y{} Z{} I{} J0.\n", is_back ? x + 2 : x - 2, y,
+                                 std::max(-6, -turn), is_back ? 2 : -2);
+        }
+        bores += "G0 Z5.\n";
+    }
+    // Half of a turn outside.
+    bores += "G0 X-23. Y3. Z1.\nG1 Z-4.\nG3 Y7. J2.\nG3 Y3. J-2.\nG0 Z5.\n";
+    folder.write("bores.nc", bores + "M30\n");
+    for (const int n : {2, 7, 64})
+        expect_one_run(folder, {"bores.nc"}, n);
+}
+
+// Straight ways in short moves, along and across the walls between tiles, level and up.
+TEST(Tiles, OfStraightWaysInPiecesAreOneRun) {
+    const Folder folder;
+    std::string ways =
+        "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+        "G21 G90 T1 M6 S8000 M3\nF1000.\n";
+    for (int row = 0; row < 12; ++row) {
+        const bool is_across = row % 2 != 0;
+        ways += fmt::format("G0 X{} Y{} Z2.\nG1 Z{}.\n", is_across ? 3 * row - 18 : -24,
+                            is_across ? -24 : 3 * row - 18, -1 - row % 4);
+        for (int i = 0; i < 48; ++i)
+            ways += fmt::format("{}{}{}\n", is_across ? "Y" : "X", i - 23,
+                                row % 3 == 0 ? fmt::format(" Z{}", -1 - row % 4 + 0.0625 * i) : "");
+        ways += "G0 Z9.\n";
+    }
+    folder.write("ways.nc", ways + "M30\n");
+    for (const int n : {2, 7, 64})
+        expect_one_run(folder, {"ways.nc"}, n);
 }
 
 TEST(Tiles, KnowWhatWasAsked) {

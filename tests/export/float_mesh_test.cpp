@@ -99,6 +99,41 @@ TEST(FloatMesh, NothingHappensToAMeshThatFloatsCanTell) {
     }
 }
 
+// Enough for several tasks of each step: cubes of which every second one touches the next in a
+// corner, every fifth has a needle and every seventh is too small for floats.
+TEST(FloatMesh, DoesNotDependOnTheNumberOfThreads) {
+    TriangleMesh mesh;
+    for (int i = 0; i < 3000; ++i) {
+        TriangleMesh next = placed(cube(), i % 7 == 3 ? 1e-9 : 1.0,
+                                   {200 + 3.0 * (i % 50), 3.0 * (i / 50), i % 2 == 0 ? 5.0 : 4.0});
+        if (i % 5 == 1) {
+            next.vertices.push_back(next.vertices[5] - Vec3{1e-8, 0, 0});
+            next.triangles[2] = {4, 8, 6};
+            next.triangles.push_back({8, 5, 6});
+            next.triangles[5] = {0, 8, 4};
+            next.triangles.push_back({0, 5, 8});
+            next.face.insert(next.face.end(), {1, 2});
+        }
+        const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+        const std::size_t triangles = mesh.triangles.size();
+        mesh = united(std::move(mesh), next);
+        if (i % 2 == 0 || i % 7 == 3 || i % 7 == 4) continue;
+        // Its first corner is one of the cube before.
+        for (std::size_t t = triangles; t < mesh.triangles.size(); ++t)
+            std::ranges::replace(mesh.triangles[t], count, count - 1);
+    }
+    const auto bytes = [&](std::size_t threads) {
+        std::ostringstream out;
+        write_stl(out, mesh, threads);
+        return out.str();
+    };
+    const std::string one = bytes(1);
+    EXPECT_GT(one.size(), 30000U * 50U);
+    EXPECT_TRUE(ncsim::test::soundness(ncsim::test::read_stl(one)).is_sound());
+    for (const std::size_t threads : {2U, 5U})
+        EXPECT_TRUE(bytes(threads) == one) << threads;
+}
+
 TEST(FloatMesh, CoordinatesAreSeenFromTheOrigin) {
     const FloatMesh rounded = round_to_floats(placed(cube(), 1.0, {1e6, 0, 0}), {1e6, 0, 2});
     EXPECT_EQ(rounded.points[1], (FloatPoint{1, 0, -2}));

@@ -18,8 +18,8 @@ inline std::vector<cda::Cell> random_cuts(std::uint64_t seed, int count, std::in
     Random random(seed);
     std::vector<cda::Cell> cuts;
     for (int i = 0; i < count; ++i) {
-        cuts.push_back(random_hull(random, random_point(random, 300000), reach, 14,
-                                   cda::Origin{static_cast<std::uint32_t>(i + 1)}));
+        cuts.push_back(ranked(random_hull(random, random_point(random, 300000), reach, 14,
+                                          cda::Origin{static_cast<std::uint32_t>(i + 1)})));
     }
     return cuts;
 }

@@ -50,4 +50,10 @@ inline cda::Cell mm_box(std::int64_t x0, std::int64_t y0, std::int64_t z0, std::
     return cda::box_cell({x0 * k, y0 * k, z0 * k}, {x1 * k, y1 * k, z1 * k}, kLattice, origin);
 }
 
+/// Any ranks make the same part; these are three, of which none follows the order of the motions.
+inline cda::Cell ranked(cda::Cell cell) {
+    cell.rank = static_cast<std::int32_t>(static_cast<std::uint32_t>(cell.origin) * 5 % 7 % 3);
+    return cell;
+}
+
 }  // namespace ncsim::test

@@ -69,7 +69,7 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
         taken[origin].volume = cubes.volume();
         cubes.remove(b);
         taken[origin].volume -= cubes.volume();
-        cells.push_back(mm_box(b[0], b[1], b[2], b[3], b[4], b[5], origin));
+        cells.push_back(ranked(mm_box(b[0], b[1], b[2], b[3], b[4], b[5], origin)));
     }
     cda::TreeCda part(mm_box(0, 0, 0, n, n, n), kLattice, {leaf, 1});
     if (at_once) {
@@ -88,7 +88,8 @@ inline void check_boxes(const std::vector<std::array<int, 6>>& boxes, std::uint3
 }
 
 /// Oblique hulls in a cube of 6 mm: against the flat aggregate, face for face.
-inline void check_hulls(const std::vector<cda::Cell>& cells, std::uint32_t leaf) {
+inline void check_hulls(std::vector<cda::Cell> cells, std::uint32_t leaf) {
+    std::ranges::transform(cells, cells.begin(), ranked);
     const cda::Cell stock = mm_box(-3, -3, -3, 3, 3, 3);
     cda::TreeCda part(stock, kLattice, {leaf, 1});
     part.keep_account();

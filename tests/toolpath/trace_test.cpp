@@ -51,6 +51,22 @@ TEST(Trace, OfAToolAtRestIsTheTool) {
     EXPECT_EQ(polytope(cells[0]).facets().size(), static_cast<std::size_t>(cutter.sides()) + 2);
 }
 
+// Of a tool that turned with its table, too: its axis tells what is deep.
+TEST(Trace, TheDeeperTheLowerTheRank) {
+    Cutter cutter(flat_end_mill(10, 20), kLattice, {});
+    const auto rank = [&cutter](double z0, double z1, double a) {
+        return trace(cutter, pose(0, 0, z0, a), pose(5, 0, z1, a)).at(0).rank;
+    };
+    EXPECT_EQ(rank(-3, -3, 0), -300000);
+    EXPECT_EQ(rank(-3, -4, 0), rank(-4, -4, 0));
+    for (const double a : {0.0, 30.0, 90.0, 180.0}) {
+        SCOPED_TRACE(a);
+        EXPECT_LT(rank(-4, -4, a), rank(-3, -3, a));
+        EXPECT_LT(rank(-4, -4, a), rank(5, -3, a));
+    }
+    EXPECT_GT(rank(-1e9, -1e9, 0), cda::Cell::kFirstRank);
+}
+
 TEST(Trace, AlongXHasWallsAtExactlyTheRadius) {
     Cutter cutter(flat_end_mill(10, 20), kLattice, {});
     const auto cells = trace(cutter, pose(0, 0, -3), pose(40, 0, -3));

@@ -11,7 +11,8 @@ namespace ncsim::cda {
 
 namespace {}  // namespace
 
-void CellTable::add(Origin origin, const std::shared_ptr<const FacetNormals>& normals) {
+void CellTable::add(Origin origin, std::int32_t rank,
+                    const std::shared_ptr<const FacetNormals>& normals) {
     std::uint32_t family = kNoFamily;
     if (normals) {
         const auto [known, is_new] =
@@ -20,7 +21,7 @@ void CellTable::add(Origin origin, const std::shared_ptr<const FacetNormals>& no
         family = known->second;
     }
     make_room(cells_);
-    cells_.push_back({origin, family});
+    cells_.push_back({origin, family, rank});
 }
 
 std::size_t CellTable::memory() const {

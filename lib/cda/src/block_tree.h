@@ -19,8 +19,8 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace ncsim::cda {
@@ -30,16 +30,17 @@ class CellTable {
 public:
     static constexpr std::uint32_t kNoFamily = ~std::uint32_t{0};
 
-    void add(Origin origin, const std::shared_ptr<const FacetNormals>& normals);
+    void add(Origin origin, std::int32_t rank, const std::shared_ptr<const FacetNormals>& normals);
     std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
     Origin origin(std::uint32_t cell) const { return cells_[cell].origin; }
     /// Index for normals(), or kNoFamily.
     std::uint32_t family(std::uint32_t cell) const { return cells_[cell].family; }
     const FacetNormals& normals(std::uint32_t family) const { return *families_[family]; }
     std::size_t families() const { return families_.size(); }
-    /// The total order of cells: by the motion that made them, then by number.
+    /// The total order of cells: by rank, then by the motion that made them, then by number.
     bool comes_before(std::uint32_t a, std::uint32_t b) const {
-        return std::pair{cells_[a].origin, a} < std::pair{cells_[b].origin, b};
+        return std::tuple{cells_[a].rank, cells_[a].origin, a} <
+               std::tuple{cells_[b].rank, cells_[b].origin, b};
     }
     /// Bytes held.
     std::size_t memory() const;
@@ -48,6 +49,7 @@ private:
     struct Entry {
         Origin origin;
         std::uint32_t family;
+        std::int32_t rank;
     };
     std::vector<Entry> cells_;
     std::vector<std::shared_ptr<const FacetNormals>> families_;

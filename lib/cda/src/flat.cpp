@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint32_t kNoFacet = ~std::uint32_t{0};
 
-CdaCell make_cell(CellKind kind, Origin origin, ConvexPolytope body) {
-    CdaCell cell{kind, origin, std::move(body), {}};
+CdaCell make_cell(CellKind kind, const Cell& from, ConvexPolytope body) {
+    CdaCell cell{kind, from.origin, from.rank, std::move(body), {}};
     cell.bindings.resize(cell.body.facets().size());
     return cell;
 }
@@ -45,7 +45,7 @@ FlatCda::FlatCda(const Cell& stock, const Lattice& lattice, Clock clock)
     auto body = ConvexPolytope::of(stock, lattice);
     if (!body) throw std::invalid_argument("the stock has no volume");
     centre_ = body->bounds().centre();
-    positive_ = make_cell(CellKind::Positive, stock.origin, std::move(*body));
+    positive_ = make_cell(CellKind::Positive, stock, std::move(*body));
     positive_remainders_.resize(positive_.body.facets().size());
     for (std::uint32_t i = 0; i < positive_.body.facets().size(); ++i) {
         add_remainder({CellKind::Positive, 0, i});
@@ -144,7 +144,10 @@ void FlatCda::bind(const FacetRef& hole, const FacetRef& facet, const ConvexPoly
 }
 
 bool FlatCda::comes_before(std::uint32_t a, std::uint32_t b) const {
-    return std::pair{negative_[a].origin, a} < std::pair{negative_[b].origin, b};
+    const auto key = [this](std::uint32_t cell) {
+        return std::tuple{negative_[cell].rank, negative_[cell].origin, cell};
+    };
+    return key(a) < key(b);
 }
 
 // The facet rule of docs/cda.md: a facet of a zero cell is a hole in the facet of that negative
@@ -204,7 +207,7 @@ double FlatCda::subtract(const Cell& cell) {
     if (!body) return 0.0;
 
     const auto number = static_cast<std::uint32_t>(negative_.size());
-    negative_.push_back(make_cell(CellKind::Negative, cell.origin, std::move(*body)));
+    negative_.push_back(make_cell(CellKind::Negative, cell, std::move(*body)));
     const auto& facets = negative_.back().body.facets();
     negative_remainders_.emplace_back(facets.size());
     planes_of_negative_.emplace_back();
@@ -230,7 +233,7 @@ double FlatCda::subtract(const Cell& cell) {
         if (!a.bounds().overlaps(b.bounds())) continue;
         if (auto common = intersect(a, b, totals_.zero, clock_)) {
             const auto zero = static_cast<std::uint32_t>(zero_.size());
-            zero_.push_back(make_cell(CellKind::Zero, cell.origin, std::move(*common)));
+            zero_.push_back(make_cell(CellKind::Zero, cell, std::move(*common)));
             bind_zero_cell(zero, other, number);
             ++totals_.new_zero_cells;
         } else if (add_contact(other, number)) {

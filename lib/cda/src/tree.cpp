@@ -11,6 +11,7 @@
 #include "query_point.h"
 #include "stitch.h"
 #include "tile_bytes.h"
+#include "within.h"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +156,7 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       own_(other.own_),
       walls_(other.walls_),
       blocks_(other.blocks_),
+      places_(other.places_),
       waiting_(other.waiting_),
       account_(other.account_),
       counts_(other.counts_),
@@ -188,8 +190,15 @@ void TreeCda::split_into_blocks() {
         }
         boxes = std::move(halves);
     }
-    for (const HalfBox& box : boxes)
+    for (const HalfBox& box : boxes) {
         blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
+        Place place{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            place.min[i] = static_cast<double>(box.min[i]);
+            place.max[i] = static_cast<double>(box.max[i]);
+        }
+        places_.push_back(place);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const HalfBox& box : boxes) {
             if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
@@ -223,9 +232,11 @@ void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     }
 }
 
-void TreeCda::subtract_step(std::span<const Cell> cells) {
+void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> covering) {
     for (const Cell& cell : cells)
         take_in(cell);
+    for (const Cell& cell : covering)
+        take_in(cell, true);
     if (++waiting_ >= parameters_.batch) settle_all();
 }
 
@@ -243,8 +254,24 @@ std::optional<Box> TreeCda::wanted() const {
     return place.is_empty() ? place : near(place);
 }
 
+// Of the latest cells that wait for a block, those that show nowhere beside this one, which is
+// before them in rank, need not go down the tree. Where it is told what each origin took, only its
+// own.
+void TreeCda::forget_within(Block& block, const Cell& covering) const {
+    constexpr std::size_t kLatest = 256;
+    auto& waiting = block.waiting;
+    const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
+    const auto is_within = [&](const auto& w) {
+        if (account_ && w->cell.origin != covering.origin) return false;
+        return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
+    };
+    waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),
+                                 waiting.end(), is_within),
+                  waiting.end());
+}
+
 // Hands a cell to the blocks that it may meet. False: it does not meet the stock.
-bool TreeCda::take_in(const Cell& cell) {
+bool TreeCda::take_in(const Cell& cell, bool covers) {
     assert(stands_once(cell.planes));
     // What is not below here does not cut the stock.
     constexpr double kBeyond = std::numeric_limits<double>::infinity();
@@ -264,16 +291,25 @@ bool TreeCda::take_in(const Cell& cell) {
     }
     here.enclose(cell.bounds, lattice_.unit_mm);
     here.number = cells_->size();
-    cells_->add(cell.origin, facets > 0 ? cell.normals : nullptr);
+    cells_->add(cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr);
     ++counts_.cells;
     counts_.planes += here.loose.size();
     for (const double d : here.facets)
         counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
+    const auto is_there = [](const Place& place, const IncomingCell& c) {
+        bool is_so = true;
+        for (std::size_t i = 0; i < 3; ++i)
+            is_so &= (c.min[i] <= place.max[i]) & (c.max[i] >= place.min[i]);
+        return is_so;
+    };
     for (const std::uint32_t number : own_) {
+        if (!is_there(places_[number], here)) continue;
         Block& block = blocks_[number];
-        if (block.tree->meets(here)) block.waiting.push_back(taken);
+        if (!block.tree->meets(here)) continue;
+        if (covers) forget_within(block, cell);
+        block.waiting.push_back(taken);
     }
     return true;
 }

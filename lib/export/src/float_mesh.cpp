@@ -22,11 +22,13 @@
 #include "float_mesh.h"
 
 #include "ncsim/cda/mix.h"
+#include "ncsim/cda/parallel.h"
 #include "ncsim/cda/predicates.h"
 
 #include "slivers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -78,10 +80,19 @@ public:
                                                      triangles[t][(i + 2) % 3], 3 * t + i, false};
             }
         }
-        for (Vertex v = 0; v < vertices; ++v) {
-            std::sort(begin_of(v), begin_of(v + 1),
-                      [](const Corner& a, const Corner& b) { return a.from < b.from; });
-        }
+    }
+
+    /// Vertices with more than one fan, ascending; nothing if there is no turning around some.
+    std::optional<std::vector<Vertex>> with_several(std::size_t threads) {
+        std::atomic<bool> is_closed = true;
+        const auto vertices = static_cast<Vertex>(first_.size() - 1);
+        std::vector<Vertex> several = cda::those_that(threads, vertices, [&](Vertex v) {
+            int count = 0;
+            if (!visit(v, [&](const auto&) { ++count; })) is_closed = false;
+            return count > 1;
+        });
+        if (!is_closed) return std::nullopt;
+        return several;
     }
 
     /// Calls `fan` with the corners (three times the triangle, plus which of its corners it is) of
@@ -91,23 +102,27 @@ public:
     bool visit(Vertex v, const Action& fan) {
         const auto begin = begin_of(v);
         const auto end = begin_of(v + 1);
+        std::sort(begin, end, [](const Corner& a, const Corner& b) { return a.from < b.from; });
+        for (auto corner = begin; corner != end; ++corner)
+            corner->is_done = false;
+        thread_local std::vector<std::uint32_t> turn;
         for (auto start = begin; start != end; ++start) {
             if (start->to == v || start->from == v || start->from == start->to) return false;
             if (start + 1 != end && start->from == (start + 1)->from) return false;
         }
         for (auto start = begin; start != end; ++start) {
             if (start->is_done) continue;
-            turn_.clear();
+            turn.clear();
             for (auto at = start; !at->is_done;) {
                 at->is_done = true;
-                turn_.push_back(at->number);
+                turn.push_back(at->number);
                 const Vertex next = at->to;
                 at = std::lower_bound(begin, end, next,
                                       [](const Corner& c, Vertex w) { return c.from < w; });
                 if (at == end || at->from != next) return false;
                 if (at->is_done && at != start) return false;
             }
-            fan(turn_);
+            fan(turn);
         }
         return true;
     }
@@ -123,33 +138,29 @@ private:
     }
     std::vector<std::size_t> first_;  // for each vertex, where in `corners_` its own begin
     std::vector<Corner> corners_;
-    std::vector<std::uint32_t> turn_;
 };
 
 // Step 1. Appends to `vertex` what the new ones were.
-void part_fans(std::vector<Triangle>& triangles, std::vector<std::uint32_t>& vertex) {
-    const auto count = static_cast<Vertex>(vertex.size());
-    Fans fans(triangles, count);
-    for (Vertex v = 0; v < count; ++v) {
+void part_fans(std::vector<Triangle>& triangles, std::vector<std::uint32_t>& vertex,
+               std::size_t threads) {
+    Fans fans(triangles, vertex.size());
+    const auto several = fans.with_several(threads);
+    if (!several) throw std::invalid_argument("the mesh is not closed");
+    for (const Vertex v : *several) {
         bool is_first = true;
-        const bool is_closed = fans.visit(v, [&](const std::vector<std::uint32_t>& corners) {
-            if (!std::exchange(is_first, false)) {
-                for (const std::uint32_t c : corners)
-                    triangles[c / 3][c % 3] = static_cast<Vertex>(vertex.size());
-                vertex.push_back(v);
-            }
+        fans.visit(v, [&](const std::vector<std::uint32_t>& corners) {
+            if (std::exchange(is_first, false)) return;
+            for (const std::uint32_t c : corners)
+                triangles[c / 3][c % 3] = static_cast<Vertex>(vertex.size());
+            vertex.push_back(v);
         });
-        if (!is_closed) throw std::invalid_argument("the mesh is not closed");
     }
 }
 
-bool is_manifold(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    Fans fans(triangles, vertices);
-    for (Vertex v = 0; v < vertices; ++v) {
-        int count = 0;
-        if (!fans.visit(v, [&](const auto&) { ++count; }) || count > 1) return false;
-    }
-    return true;
+bool is_manifold(const std::vector<Triangle>& triangles, std::size_t vertices,
+                 std::size_t threads) {
+    const auto several = Fans(triangles, vertices).with_several(threads);
+    return several && several->empty();
 }
 
 // The grid of a mesh: how far one step is, and whole numbers for coordinates.
@@ -252,24 +263,29 @@ private:
 class Places {
 public:
     Places(const std::vector<Vec3>& exact, const std::vector<Triangle>& triangles,
-           const Steps& steps, std::vector<FloatPoint>& points)
+           const Steps& steps, std::vector<FloatPoint>& points, std::size_t threads)
         : exact_(exact),
           triangles_(triangles),
           steps_(steps),
           points_(points),
+          threads_(threads),
           taken_(points.size()) {}
 
     /// False: there was nothing to do.
     bool run() {
         // The first corner in a place stays, and so do the first two of a flat triangle.
         std::vector<bool> is_used(points_.size(), false);
-        std::vector<Vertex> suspects;
         for (const Triangle& t : triangles_) {
             for (const Vertex v : t)
                 is_used[v] = true;
-            const auto& [a, b, c] = t;
-            if (steps_.are_collinear(points_[a], points_[b], points_[c]))
-                suspects.push_back(std::max({a, b, c}));
+        }
+        std::vector<Vertex> suspects;
+        for (const std::uint32_t t : cda::those_that(
+                 threads_, static_cast<std::uint32_t>(triangles_.size()), [&](std::uint32_t i) {
+                     const auto& [a, b, c] = triangles_[i];
+                     return steps_.are_collinear(points_[a], points_[b], points_[c]);
+                 })) {
+            suspects.push_back(std::ranges::max(triangles_[t]));
         }
         for (Vertex v = 0; v < points_.size(); ++v) {
             if (is_used[v] && taken_.take(points_[v], v) != v) suspects.push_back(v);
@@ -355,6 +371,7 @@ private:
     const std::vector<Triangle>& triangles_;
     const Steps& steps_;
     std::vector<FloatPoint>& points_;
+    std::size_t threads_;
     PlaceTable taken_;                // by the first one there
     std::vector<std::size_t> first_;  // for each vertex, where in `opposite_` its own begin
     std::vector<Edge> opposite_;      // edges of the triangles around it
@@ -394,22 +411,28 @@ void sort_by_face(cda::TriangleMesh& mesh) {
 
 // Steps 2 and 3; nothing if the result is not what was promised.
 std::optional<FloatMesh> rounded(const std::vector<Vec3>& exact, const Steps& steps,
-                                 cda::TriangleMesh mesh, bool contracts) {
+                                 cda::TriangleMesh mesh, bool contracts, std::size_t threads) {
     FloatMesh result;
-    mesh.vertices.clear();
-    for (const Vec3& p : exact) {
-        const FloatPoint q = steps.round(p);
-        result.points.push_back(q);
-        mesh.vertices.push_back(
-            {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2])});
-    }
-    const bool are_other_triangles = contracts && remove_slivers(mesh, kLow * steps.step());
+    result.points.resize(exact.size());
+    mesh.vertices.resize(exact.size());
+    const cda::Runs runs(exact.size(), std::size_t{1} << 14);
+    cda::in_parallel(threads, runs.tasks(), [&](std::size_t task) {
+        for (std::size_t i = runs.begin(task); i < runs.end(task); ++i) {
+            const FloatPoint q = steps.round(exact[i]);
+            result.points[i] = q;
+            mesh.vertices[i] = {static_cast<double>(q[0]), static_cast<double>(q[1]),
+                                static_cast<double>(q[2])};
+        }
+    });
+    const bool are_other_triangles =
+        contracts && remove_slivers(mesh, kLow * steps.step(), threads);
     sort_by_face(mesh);
     result.triangles = std::move(mesh.triangles);
     result.face = std::move(mesh.face);
-    const bool are_other_places = Places(exact, result.triangles, steps, result.points).run();
+    const bool are_other_places =
+        Places(exact, result.triangles, steps, result.points, threads).run();
     // What nobody touched is as it was found to be: a manifold (step 1), right (step 3).
-    if (are_other_triangles && !is_manifold(result.triangles, result.points.size()))
+    if (are_other_triangles && !is_manifold(result.triangles, result.points.size(), threads))
         return std::nullopt;
     if (are_other_places && !are_places_right(result, steps)) return std::nullopt;
     return result;
@@ -428,13 +451,13 @@ FloatPoint to_floats(Vec3 p) {
     return point;
 }
 
-FloatMesh round_to_floats(const cda::TriangleMesh& mesh, Vec3 origin) {
+FloatMesh round_to_floats(const cda::TriangleMesh& mesh, Vec3 origin, std::size_t threads) {
     cda::TriangleMesh parted;
     parted.triangles = mesh.triangles;
     parted.face = mesh.face;
     std::vector<std::uint32_t> vertex(mesh.vertices.size());
     std::iota(vertex.begin(), vertex.end(), 0U);
-    part_fans(parted.triangles, vertex);
+    part_fans(parted.triangles, vertex, threads);
 
     std::vector<Vec3> exact;
     exact.reserve(vertex.size());
@@ -445,8 +468,8 @@ FloatMesh round_to_floats(const cda::TriangleMesh& mesh, Vec3 origin) {
             largest = std::max(largest, std::abs(exact.back()[axis]));
     }
     const Steps steps(largest);
-    std::optional<FloatMesh> result = rounded(exact, steps, parted, true);
-    if (!result) result = rounded(exact, steps, parted, false);
+    std::optional<FloatMesh> result = rounded(exact, steps, parted, true, threads);
+    if (!result) result = rounded(exact, steps, parted, false, threads);
     if (!result) throw std::logic_error("a surface that floats do not keep closed");
     result->vertex = std::move(vertex);
     return *std::move(result);

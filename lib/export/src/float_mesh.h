@@ -6,6 +6,7 @@
 #include "ncsim/cda/mesh.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -41,7 +42,8 @@ FloatPoint to_floats(cda::Vec3 p);
 /// edges, edges become points.
 ///
 /// Requires a closed mesh; throws std::invalid_argument if it is not (std::logic_error: a bug).
-/// Deterministic. Expected O(n log n).
-FloatMesh round_to_floats(const cda::TriangleMesh& mesh, cda::Vec3 origin = {});
+/// The same for any number of threads, 0: as many as the machine has. Expected O(n log n).
+FloatMesh round_to_floats(const cda::TriangleMesh& mesh, cda::Vec3 origin = {},
+                          std::size_t threads = 1);
 
 }  // namespace ncsim::exporter

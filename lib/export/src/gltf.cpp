@@ -287,7 +287,7 @@ void write_mesh(std::ostream& out, const cda::Boundary& boundary, const FloatMes
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
                 std::size_t threads) {
     const cda::Vec3 centre = whole_centre(boundary);
-    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre);
+    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre, threads);
     write_mesh(out, boundary, mesh, provenance, centre);
 }
 

@@ -8,6 +8,8 @@
 // from Triangle Meshes, 2001).
 #include "slivers.h"
 
+#include "ncsim/cda/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -329,12 +331,11 @@ private:
 
 }  // namespace
 
-bool remove_slivers(cda::TriangleMesh& mesh, double least_mm) {
+bool remove_slivers(cda::TriangleMesh& mesh, double least_mm, std::size_t threads) {
     if (!(least_mm > 0.0)) return false;
-    std::vector<std::uint32_t> low;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (is_low(mesh, mesh.triangles[t], least_mm)) low.push_back(t);
-    }
+    std::vector<std::uint32_t> low =
+        cda::those_that(threads, static_cast<std::uint32_t>(mesh.triangles.size()),
+                        [&](std::uint32_t t) { return is_low(mesh, mesh.triangles[t], least_mm); });
     return !low.empty() && Slivers(mesh, least_mm, std::move(low)).run();
 }
 

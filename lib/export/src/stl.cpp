@@ -4,6 +4,8 @@
 // meaning; little-endian.
 #include "ncsim/export/stl.h"
 
+#include "ncsim/cda/parallel.h"
+
 #include "float_mesh.h"
 #include "text.h"
 
@@ -54,29 +56,34 @@ FloatPoint normal_of(const Corners& corners) {
 
 }  // namespace
 
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh) {
-    const FloatMesh rounded = round_to_floats(mesh);
+void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads) {
+    const FloatMesh rounded = round_to_floats(mesh, {}, threads);
     if (rounded.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
         throw std::runtime_error("too many triangles for an STL file");
     }
-    std::string bytes(kHeader);
-    bytes.resize(kHeaderSize, '\0');
-    std::array<char, kRecordSize> record{};
-    put(record.data(), static_cast<std::uint32_t>(rounded.triangles.size()));
-    bytes.append(record.data(), sizeof(std::uint32_t));
-    record.fill(0);
-    for (const auto& [a, b, c] : rounded.triangles) {
-        const Corners corners{rounded.points[a], rounded.points[b], rounded.points[c]};
-        char* at = put(record.data(), normal_of(corners));
-        for (const FloatPoint& corner : corners)
-            at = put(at, corner);
-        bytes.append(record.data(), record.size());
-        if (bytes.size() >= kFlushSize) {
+    std::string head(kHeader);
+    head.resize(kHeaderSize + sizeof(std::uint32_t), '\0');
+    put(head.data() + kHeaderSize, static_cast<std::uint32_t>(rounded.triangles.size()));
+    out.write(head.data(), static_cast<std::streamsize>(head.size()));
+    const cda::Runs runs(rounded.triangles.size(), kFlushSize / kRecordSize);
+    cda::make_in_parallel(
+        threads, runs.tasks(),
+        [&](std::size_t task) {
+            std::string bytes((runs.end(task) - runs.begin(task)) * kRecordSize, '\0');
+            char* at = bytes.data();
+            for (std::size_t t = runs.begin(task); t < runs.end(task); ++t) {
+                const auto& [a, b, c] = rounded.triangles[t];
+                const Corners corners{rounded.points[a], rounded.points[b], rounded.points[c]};
+                char* next = put(at, normal_of(corners));
+                for (const FloatPoint& corner : corners)
+                    next = put(next, corner);
+                at += kRecordSize;
+            }
+            return bytes;
+        },
+        [&out](std::size_t, const std::string& bytes) {
             out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-            bytes.clear();
-        }
-    }
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        });
     if (!out) throw std::runtime_error("cannot write STL: the stream failed");
 }
 

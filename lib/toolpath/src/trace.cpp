@@ -40,6 +40,14 @@ std::int64_t straight_from(const std::vector<LatticePoint>& points) {
     return ring_at(next) == ring_at(top) ? next : top;
 }
 
+// How far a tool reaches along its axis whose tip is at `tip`: the less, the deeper.
+std::int32_t depth(const Vec3& axis, const LatticePoint& tip, double low) {
+    constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+    const Vec3 at{static_cast<double>(tip.x), static_cast<double>(tip.y),
+                  static_cast<double>(tip.z)};
+    return static_cast<std::int32_t>(std::clamp(std::floor(dot(axis, at) + low), -kMost, kMost));
+}
+
 }  // namespace
 
 Liberties liberties_of(const Turning& turning, double slack_mm) {
@@ -101,11 +109,11 @@ std::vector<LatticePoint> Cutter::turned(const Rotation& rows, std::size_t piece
     return points;
 }
 
-const Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
-    for (const Oriented& known : cache_) {
+Cutter::Oriented& Cutter::oriented(const Rotation& rows) {
+    for (Oriented& known : cache_) {
         if (known.rows == rows) return known;
     }
-    Oriented made{rows, {}};
+    Oriented made{rows, {}, {}};
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         made.sweeps.push_back(
             cda::TranslationSweep::of(turned(rows, i, {-kAll, kAll}), lattice_, rounding_));
@@ -119,9 +127,16 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                    std::vector<cda::Cell>& cells, const Liberties& liberties) {
     const LatticePoint from = lattice_.round(X_WA.translation);
     const LatticePoint to = lattice_.round(X_WB.translation);
+    const auto rank_of = [&](std::size_t piece) {
+        const double low = extent_.pieces[piece].low_mm / lattice_.unit_mm;
+        return std::min(depth(axis_of(X_WA), from, low), depth(axis_of(X_WB), to, low));
+    };
     if (X_WA.rows == X_WB.rows) {
-        for (const auto& sweep : oriented(X_WA.rows).sweeps) {
-            if (sweep) cells.push_back((*sweep)(from, to, origin));
+        const auto& sweeps = oriented(X_WA.rows).sweeps;
+        for (std::size_t i = 0; i < sweeps.size(); ++i) {
+            if (!sweeps[i]) continue;
+            cells.push_back((*sweeps[i])(from, to, origin));
+            cells.back().rank = rank_of(i);
         }
         return;
     }
@@ -139,8 +154,38 @@ void Cutter::trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                             ? cda::convex_hull(points, lattice_, origin, rounding_)
                             : cda::convex_hull_within(points, lattice_, origin,
                                                       liberties.slack_mm / lattice_.unit_mm);
-            if (cell) cells.push_back(std::move(*cell));
+            if (!cell) continue;
+            cells.push_back(std::move(*cell));
+            cells.back().rank = rank_of(i);
         }
+    }
+}
+
+void Cutter::cover(std::span<const LatticePoint> turn, const Pose& X_WA, cda::Origin origin,
+                   std::vector<cda::Cell>& cells) {
+    Oriented& oriented = this->oriented(X_WA.rows);
+    const auto is_all_straight = [](const PieceExtent& e) { return e.straight_mm <= e.low_mm; };
+    if (oriented.straight.empty()) {
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const PieceExtent& extent = extent_.pieces[i];
+            const bool is_needed = !is_all_straight(extent) && extent.straight_mm < extent.high_mm;
+            oriented.straight.push_back(
+                is_needed
+                    ? cda::TranslationSweep::of(turned(X_WA.rows, i, {extent.straight_mm, kAll}),
+                                                lattice_, rounding_)
+                    : std::nullopt);
+        }
+    }
+    const LatticePoint& highest = *std::ranges::max_element(turn, {}, &LatticePoint::z);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const PieceExtent& extent = extent_.pieces[i];
+        const auto& body = (is_all_straight(extent) ? oriented.sweeps : oriented.straight)[i];
+        if (!body) continue;
+        auto cell = body->around(turn, origin);
+        if (!cell) continue;
+        const double low = std::max(extent.low_mm, extent.straight_mm) / lattice_.unit_mm;
+        cell->rank = depth(axis_of(X_WA), highest, low) - 1;
+        cells.push_back(std::move(*cell));
     }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/walk.h"
 
+#include "ncsim/cda/int128.h"
 #include "ncsim/toolpath/machine.h"
+
+#include "path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +84,16 @@ std::vector<cda::RoundSweep> round_of(const Tool& tool) {
         all.push_back(*sweep);
     }
     return all;
+}
+
+// Is b on the way from a to c? Exactly.
+bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
+                const cda::LatticePoint& c) {
+    const cda::LatticePoint u = b - a, v = c - b;
+    const auto product = [](std::int64_t p, std::int64_t q) { return cda::Int128{p} * q; };
+    return product(u.x, v.y) == product(u.y, v.x) && product(u.y, v.z) == product(u.z, v.y) &&
+           product(u.z, v.x) == product(u.x, v.z) &&
+           product(u.x, v.x) + product(u.y, v.y) + product(u.z, v.z) > 0;
 }
 
 }  // namespace
@@ -199,7 +212,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = Poses(told_.get(), motion).at(*end);
     trace(found->second, X_WT, X_WT, origin, {});
-    step({X_WT, X_WT, cells_, sweeps_, is_near_, {}, {}});
+    step({X_WT, X_WT, cells_, {}, sweeps_, is_near_, {}, {}});
 }
 
 // Does all it does in this motion stay out of what is wanted?
@@ -214,6 +227,73 @@ bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses
     return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
 }
 
+// Does a straight move go on as the one before did, on the lattice? Then covering_ is both in one,
+// and all before them, as far as the tool is wide: nobody can tell more exactly where it cut.
+void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
+                 cda::Origin origin) {
+    constexpr std::int32_t kFirstRank = cda::Cell::kFirstRank;
+    covering_.clear();
+    if (leaves_round_ || motion.kind != gcode::MoveKind::Feed) {
+        run_.steps = 0;
+        return;
+    }
+    const cda::LatticePoint from = lattice_.round(X_WA.translation);
+    const cda::LatticePoint to = lattice_.round(X_WB.translation);
+    const double way = norm(lattice_.to_mm(to - run_.start));
+    const bool goes_on = run_.steps > 0 && run_.tool == motion.tool && run_.end == from &&
+                         way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
+    if (!goes_on) run_ = {from, to, 0, motion.tool};
+    run_.end = to;
+    if (++run_.steps == 1 || !is_near_) return;
+    const Pose start{X_WA.rows, lattice_.to_mm(run_.start)};
+    if (wanted_ && !wanted_->overlaps(tool.bounds(start, X_WB))) return;
+    tool.cutter.trace(start, X_WB, origin, covering_);
+    for (cda::Cell& cell : covering_) {
+        const std::int64_t rank = std::int64_t{cell.rank} - run_.steps;
+        cell.rank = static_cast<std::int32_t>(std::max<std::int64_t>(rank, kFirstRank + 1));
+    }
+    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+}
+
+// Is the motion an arc about a middle that the tool may have within it all the way? Then it goes on
+// with the one before, if that was about the same.
+bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
+    // Centres that are programmed one by one differ in their last digits.
+    constexpr double kSame = 0.01;
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
+    const Polar p = is_level ? polar(*arc) : Polar{};
+    if (!is_level || leaves_round_ || p.start_radius >= cutter.radius_mm()) {
+        round_.way.clear();
+        return false;
+    }
+    const bool goes_on = round_.tool == motion.tool && std::abs(p.sweep_degrees) < 359.0 &&
+                         std::abs(p.centre_1 - round_.centre_1) < kSame &&
+                         std::abs(p.centre_2 - round_.centre_2) < kSame;
+    if (!goes_on) round_ = {{}, {}, p.centre_1, p.centre_2, motion.tool};
+    return true;
+}
+
+// A step of an arc; where it ends a whole turn, covering_ is what that took in any case.
+void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
+    constexpr std::size_t kMost = 1000;  // steps of a turn
+    covering_.clear();
+    const cda::LatticePoint from = lattice_.round(X_WA.translation);
+    const cda::LatticePoint to = lattice_.round(X_WB.translation);
+    std::vector<cda::LatticePoint>& way = round_.way;
+    if (way.empty() || way.back() != from || way.size() > kMost || X_WA.rows != X_WB.rows ||
+        X_WA.rows != round_.rows) {
+        way = {from};
+        round_.rows = X_WA.rows;
+    }
+    way.push_back(to);
+    if (X_WA.rows != X_WB.rows || to.x != way[0].x || to.y != way[0].y) return;
+    cutter.cover(way, X_WB, origin, covering_);
+    way = {to};
+    // Wherever they are wanted or not: that there is one may end a step that is not near.
+    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+}
+
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
                         const std::function<void(const Step&)>& step) {
     const auto found = tools_.find(motion.tool);
@@ -223,22 +303,26 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
         if (X_WA == X_WB) return {};
+        round_.way.clear();
         trace(tool, X_WA, X_WB, origin, {});
+        go_on(tool, motion, X_WA, X_WB, origin);
         Turning turning;
         turning.moved_mm = norm(X_WB.translation - X_WA.translation);
-        step({X_WA, X_WB, cells_, sweeps_, is_near_, {}, turning});
+        step({X_WA, X_WB, cells_, covering_, sweeps_, is_near_, {}, turning});
         return {};
     }
     const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
-    if (passes_by_ && !has_legs && start_of(motion)) {
+    Cutter& cutter = tool.cutter;
+    covering_.clear();
+    const bool goes_round = go_round(cutter, motion);
+    if (passes_by_ && !has_legs && !goes_round && start_of(motion)) {
         const Poses poses(told_.get(), motion);
         const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
         if (passes_by(tool, motion, poses, X_WA, X_WB)) {
-            step({X_WA, X_WB, {}, {}, false, {}, {}});
+            step({X_WA, X_WB, {}, {}, {}, false, {}, {}});
             return {};
         }
     }
-    const Cutter& cutter = tool.cutter;
     const ToolExtent& followed = tool.followed;
     // The bounds are those of round tools, whose hulls are so near to the ones that are made.
     const cda::Box place =
@@ -261,7 +345,9 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             // A tool that does not move cuts nothing it has not cut on its way here.
             if (X_WA == X_WB) continue;
             trace(tool, X_WA, X_WB, origin, liberties);
-            step({X_WA, X_WB, cells_, sweeps_, is_near_, samples.bounds, samples.turning});
+            if (goes_round) close_round(cutter, X_WA, X_WB, origin);
+            step({X_WA, X_WB, cells_, covering_, sweeps_, is_near_, samples.bounds,
+                  samples.turning});
         }
     };
 

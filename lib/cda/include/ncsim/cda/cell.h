@@ -8,6 +8,8 @@
 #include "ncsim/cda/vec.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -27,6 +29,11 @@ struct Cell {
     std::vector<Plane> planes;
     Box bounds;
     Origin origin = kStockOrigin;
+    /// Where cells have facets in one plane, the wall is that of the cell with the lower rank; of
+    /// those with the same, that of the earlier origin, then of the cell that came first. Any ranks
+    /// give the same part; if what reaches farther has the lower one, the fewest cells are kept.
+    std::int32_t rank = kFirstRank;
+    static constexpr std::int32_t kFirstRank = std::numeric_limits<std::int32_t>::min();
     /// Of the first planes, in their order; null if they are nobody else's. Who changes planes
     /// resets it.
     std::shared_ptr<const FacetNormals> normals;

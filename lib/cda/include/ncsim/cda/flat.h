@@ -48,6 +48,7 @@ struct FacetBinding {
 struct CdaCell {
     CellKind kind = CellKind::Positive;
     Origin origin = kStockOrigin;
+    std::int32_t rank = Cell::kFirstRank;  ///< As in Cell.
     ConvexPolytope body;
     std::vector<FacetBinding> bindings;  ///< One for each facet of the body.
 };

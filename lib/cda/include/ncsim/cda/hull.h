@@ -54,6 +54,14 @@ public:
     /// result.
     Cell operator()(LatticePoint from, LatticePoint to, Origin origin) const;
 
+    /// What an upright body takes away for certain on a closed way round about a middle that it
+    /// always has within it: there is no core, so these are the corners' convex hull, from the
+    /// highest place of its lower end to the lowest of its upper one. All of it is in the hulls of
+    /// the steps. `turn`: corners of the way, its first one last again, at any height. Nothing if
+    /// the way is not convex, or there may be a core, or the body has facets that are neither
+    /// upright nor level. Exact. O(corners of the body · corners of the way).
+    std::optional<Cell> around(std::span<const LatticePoint> turn, Origin origin) const;
+
 private:
     struct Edge {
         std::uint32_t left, right;  ///< Facets on both sides.

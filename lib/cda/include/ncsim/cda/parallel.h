@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -56,5 +57,27 @@ public:
 private:
     std::size_t count_, size_;
 };
+
+/// The numbers below `count` that are so, ascending. `is_so(i)` is asked by all threads.
+template <class Predicate>
+std::vector<std::uint32_t> those_that(std::size_t threads, std::uint32_t count,
+                                      const Predicate& is_so) {
+    const Runs runs(count, std::size_t{1} << 14);
+    std::vector<std::uint32_t> all;
+    make_in_parallel(
+        threads, runs.tasks(),
+        [&](std::size_t task) {
+            std::vector<std::uint32_t> some;
+            for (std::size_t i = runs.begin(task); i < runs.end(task); ++i) {
+                if (is_so(static_cast<std::uint32_t>(i)))
+                    some.push_back(static_cast<std::uint32_t>(i));
+            }
+            return some;
+        },
+        [&](std::size_t, const std::vector<std::uint32_t>& some) {
+            all.insert(all.end(), some.begin(), some.end());
+        });
+    return all;
+}
 
 }  // namespace ncsim::cda

@@ -77,7 +77,7 @@ public:
     using WorkpieceModel::subtract_unmeasured;
     /// The same without. Many cells at a time are shared between threads.
     void subtract_unmeasured(std::span<const Cell> cells) override;
-    void subtract_step(std::span<const Cell> cells) override;
+    void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {}) override;
     std::optional<Box> wanted() const override;
     /// Lets no cell wait any longer.
     void settle() const;
@@ -117,8 +117,13 @@ private:
 
     TreeCda(const TreeCda& other, const Asked&);
 
+    // Where a block was at first, half units: who is not there need not look at the block itself.
+    struct Place {
+        std::array<double, 3> min, max;
+    };
     void split_into_blocks();
-    bool take_in(const Cell& cell);
+    bool take_in(const Cell& cell, bool covers = false);
+    void forget_within(Block& block, const Cell& covering) const;
     void settle_all() const;
     void settle(Block& block) const;
     Box near(const Box& bounds) const;
@@ -142,6 +147,7 @@ private:
     // What asking changes.
     mutable Asking asking_;
     mutable std::vector<Block> blocks_;
+    std::vector<Place> places_;               // of these
     mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
     mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;

@@ -141,7 +141,12 @@ public:
     /// Takes away the cells of one step of a tool near the stock: those that are wanted, and maybe
     /// others. When what waits is taken in depends on the number of steps then, not on their cells:
     /// who gets fewer of them makes of his share the same, to the last bit.
-    virtual void subtract_step(std::span<const Cell> cells) { subtract_unmeasured(cells); }
+    /// `covering`: lie within what was taken away with these; who takes them in may forget the
+    /// others.
+    virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {}) {
+        subtract_unmeasured(cells);
+        subtract_unmeasured(covering);
+    }
     /// Near which place (mm) cells are wanted; nothing: near all of the part.
     virtual std::optional<Box> wanted() const { return std::nullopt; }
     /// What this tile of a part knows, for Tiles.

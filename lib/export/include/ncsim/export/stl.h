@@ -5,6 +5,7 @@
 
 #include "ncsim/cda/mesh.h"
 
+#include <cstddef>
 #include <iosfwd>
 
 namespace ncsim::exporter {
@@ -18,9 +19,10 @@ namespace ncsim::exporter {
 /// 100 mm), most often one; docs/accuracy.md has the bound.
 ///
 /// Requires a closed mesh: each directed edge once, its reverse once. A mesh without triangles
-/// gives a valid file. Equal input gives equal bytes. Throws std::invalid_argument if the mesh is
+/// gives a valid file. Equal input gives equal bytes, for any number of threads (0: as many as the
+/// machine has). Throws std::invalid_argument if the mesh is
 /// not closed, std::runtime_error if it has more triangles than the format can count (2^32 - 1) or
 /// coordinates beyond 2^100, or the stream fails.
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh);
+void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads = 1);
 
 }  // namespace ncsim::exporter

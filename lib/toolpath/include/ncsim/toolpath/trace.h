@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace ncsim::toolpath {
@@ -42,13 +43,24 @@ public:
     /// Appends to `cells` the convex hull of each piece, or each of its slabs, at X_WA and at X_WB.
     /// Poses that differ in their translation only make exact hulls; turned ones are rounded to the
     /// lattice corner by corner (half a unit an axis). Errs on the side of the tool's accuracy. A
-    /// tool at rest leaves its own shape. Poses beyond cda::kMaxPose units are clamped to it.
+    /// tool at rest leaves its own shape. The deeper along the tool's axis, the lower the rank:
+    /// where a wall was cut in several depths, the deepest pass has all of it. Poses beyond
+    /// cda::kMaxPose units are clamped to it.
     void trace(const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
                std::vector<cda::Cell>& cells, const Liberties& liberties = {});
+
+    /// Appends what the cylindrical part of each piece takes away on a whole turn that leaves no
+    /// core, as cda::TranslationSweep::around() has it, if it is known to be something: all of it
+    /// is in the cells that trace() makes of the steps. Before these in rank.
+    void cover(std::span<const cda::LatticePoint> turn, const Pose& X_WA, cda::Origin origin,
+               std::vector<cda::Cell>& cells);
 
     /// Encloses everything `trace` makes of these poses, but for the slack; in mm. Cheap: to ask
     /// before tracing.
     cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties = {}) const;
+
+    /// Nothing reaches farther from the axis, mm.
+    double radius_mm() const { return radius_ * lattice_.unit_mm; }
 
     using Rotation = std::array<cda::Vec3, 3>;
     /// How far the tool reaches from its tip along each axis.
@@ -72,9 +84,11 @@ private:
     struct Oriented {
         Rotation rows;
         std::vector<std::optional<cda::TranslationSweep>> sweeps;  // one per piece
+        // Of what is a cylinder of each, where that is not all; once they are asked for.
+        std::vector<std::optional<cda::TranslationSweep>> straight;
     };
 
-    const Oriented& oriented(const Rotation& rows);
+    Oriented& oriented(const Rotation& rows);
     // Corners of what is left of a piece between two heights; infinite ones cut nothing off.
     std::vector<cda::LatticePoint> turned(const Rotation& rows, std::size_t piece,
                                           const Slab& kept) const;
