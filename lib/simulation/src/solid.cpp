@@ -71,10 +71,10 @@ namespace {
 // Of many facets a finer cut takes long, and helps where the rest is known; of few it is worth it
 // for any.
 bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simulation) {
-    constexpr std::size_t kLittle = 10'000, kMany = 20'000, kMost = 60'000, kFew = 100;
+    constexpr std::size_t kMany = 20'000, kMost = 60'000, kFew = 100;
     const std::size_t facets = simulation.boundary->faces.size();
     return facets <= (solid.shells_kept == 0 ? kMost : kMany) &&
-           solid.facets_given_up > (facets <= kLittle ? 0 : solid.part.faces.size() / kFew);
+           solid.facets_given_up > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
 }
 
 }  // namespace
