@@ -202,7 +202,7 @@ TEST(Recognise, KnowsRampsThatMeetAskew) {
     const Golden golden{
         "ridge", "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n", {}, 0.0};
     const double left = volume(make(golden, 0.002).solid.part);
-    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+    for (const double tolerance : {0.05, 0.02, 0.01}) {
         SCOPED_TRACE(tolerance);
         const Made made = make(golden, tolerance);
         EXPECT_EQ(kinds_of(made.solid.part), (Kinds{12, 1, 0, 0, 0, 3}));
