@@ -26,8 +26,8 @@ using test::Made;
 constexpr double kPi = std::numbers::pi;
 constexpr double kBlock = 80.0 * 60.0 * 20.0;
 
-// Planes, cylinders, cones, spheres, tori, extrusions, domes, coils.
-using Kinds = std::array<int, 8>;
+// Planes, cylinders, cones, spheres, tori, extrusions, domes, coils, spirals.
+using Kinds = std::array<int, 9>;
 
 struct Golden {
     std::string name;
@@ -97,6 +97,18 @@ std::vector<Golden> goldens() {
          "T5 M6\nG0 X-10 Y-3 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
          {7, 0, 0, 0, 0},
          kBlock - 40.0},
+        // Two rings whose walls touch in one line: none of the three strips between is there.
+        {"touching_rings",
+         "T1 M6\nG0 X52 Y30 Z1\nG1 Z-3\nG2 X52 Y30 I-12\nG0 Z5\nG0 X47 Y25\nG1 Z-6\nG2 X47 Y25 "
+         "I-7\nG0 Z5\n",
+         {9, 3, 0, 0, 0},
+         kBlock - 1275.0 * kPi},
+        // Of the wall of 0.4 um between both rings facets leave a fin here and there, which goes.
+        {"ring_beside_ring",
+         "T1 M6\nG0 X50 Y30 Z1\nG1 Z-4\nG2 X50 Y30 I-10\nG0 Z5\nG0 X60.0004 Y30\nG1 Z-4\nG2 "
+         "X60.0004 Y30 I-20.0004\nG0 Z5\n",
+         {8, 2, 0, 0, 0},
+         kBlock - 4.0 * kPi * (25.0004 * 25.0004 - 25.0)},
         // Of each wall two parts touch in a point, and are one face where no lattice has the slope.
         {"crossing_points",
          "T2 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X60\nG0 Z5\nG0 X40 Y10\nG1 Z-1\nG1 Y50\nG0 Z5\n",
@@ -184,6 +196,22 @@ TEST_P(GoldenPart, HasTheFacesOfItsDrawingAtAnyTolerance) {
 INSTANTIATE_TEST_SUITE_P(Recognise, GoldenPart, testing::ValuesIn(goldens()),
                          [](const auto& tested) { return tested.param.name; });
 
+// Two ramps that meet on a ridge, askew: where their floors meet the edge has a corner, nearer to
+// its end than facets are wide, and of the four faces in one corner of the polyhedron no four meet.
+TEST(Recognise, KnowsRampsThatMeetAskew) {
+    const Golden golden{
+        "ridge", "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n", {}, 0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    for (const double tolerance : {0.05, 0.02, 0.01}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{12, 1, 0, 0, 0, 3}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
+    }
+}
+
 // Once around, 4 deep in 30 pi: along the helix the walls and the floor are splines. The disc, 5 in
 // radius, is as deep as where it passed last, which is behind.
 TEST(Recognise, KnowsTheFloorsOfHelices) {
@@ -200,6 +228,34 @@ TEST(Recognise, KnowsTheFloorsOfHelices) {
             EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
             const Mass mass = mass_of(made.solid.part);
             EXPECT_NEAR(mass.volume, left, 1e-8 * left);
+        }
+    }
+}
+
+// Half around, nearer to the centre by 0.05: what the disc passes is as wide everywhere, along the
+// whole way.
+TEST(Recognise, KnowsArcsWhoseEndsDifferInRadius) {
+    for (const std::string turn : {"G2", "G3"}) {
+        const Golden golden{"spiral",
+                            "T1 M6\nG0 X60 Y30 Z1\nG1 Z-4\n" + turn + " X20.05 Y30 I-20\nG0 Z5\n",
+                            {},
+                            0.0};
+        const double lead = 0.05 / kPi;
+        double length = 0.0;
+        constexpr int kSteps = 1000;
+        for (int i = 0; i < kSteps; ++i) {
+            const double reach = 20.0 - 0.05 * (i + 0.5) / kSteps;
+            length += kPi / kSteps * std::sqrt(reach * reach + lead * lead);
+        }
+        const double left = kBlock - 4.0 * (10.0 * length + 25.0 * kPi);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(turn + " " + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 2, 0, 0, 0, 0, 0, 0, 2}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+            EXPECT_NEAR(mass_of(made.solid.part).volume, left, 1e-8 * left);
         }
     }
 }

@@ -195,6 +195,48 @@ TEST(Coil, HasItsPlacesNormalsAndDistances) {
     }
 }
 
+Spiral random_spiral(Draw& draw) {
+    Spiral spiral;
+    spiral.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
+    spiral.axis = draw.direction();
+    const double turn = draw.from(0.0, 6.2);
+    const Vec3 x = across(spiral.axis);
+    spiral.ahead = std::cos(turn) * x + std::sin(turn) * cross(spiral.axis, x);
+    spiral.reach = draw.from(2.0, 9.0);
+    spiral.lead = draw.from(-0.1, 0.1) * spiral.reach;
+    spiral.offset = draw.from(-0.5, 1.0) * spiral.reach;
+    return spiral;
+}
+
+// The distance is that from the way less the offset; the way is followed by hand.
+TEST(Spiral, HasItsPlacesNormalsAndDistances) {
+    Draw draw;
+    for (int i = 0; i < 2000; ++i) {
+        const Spiral s = random_spiral(draw);
+        const double turn = draw.from(-3.0, 3.0), height = draw.from(-5.0, 5.0);
+        const double off = draw.from(-0.2, 0.2);
+        const auto way = [&](double t) {
+            return s.centre + (s.reach + s.lead * t) *
+                                  (std::cos(t) * s.ahead + std::sin(t) * cross(s.axis, s.ahead));
+        };
+        constexpr double kStep = 1e-6;
+        const Vec3 along = normalized(way(turn + kStep) - way(turn - kStep));
+        const Vec3 out = cross(along, s.axis);
+        const Vec3 p = way(turn) + (s.offset + off) * out + height * s.axis;
+        EXPECT_NEAR(distance(s, p), off, 1e-8);
+        EXPECT_NEAR(norm(gradient(s, p) - out), 0.0, 1e-7);
+        const SpiralPlace place = place_on(s, p);
+        EXPECT_NEAR(place.turn, turn, 1e-7);
+        EXPECT_NEAR(place.height, height, 1e-9);
+        const auto wall = [&](double t) {
+            const SpiralPlace at = place_at(s, t);
+            return at.way + s.offset * at.out;
+        };
+        const Vec3 step = wall(turn + kStep) - wall(turn - kStep);
+        EXPECT_NEAR(cda::dot(step, place.along) / (2.0 * kStep), place.speed, 1e-6);
+    }
+}
+
 TEST(Coil, IsTheSameFromAnyTurnOn) {
     const Coil coil{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 6.0, 5.0, -0.5};
     Coil other = coil;

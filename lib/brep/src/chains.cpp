@@ -82,6 +82,7 @@ void Chains::trace() {
             degree[v] = kTip;
         if (degree[v] == 2) continue;
         const std::uint32_t number = vertex_at(v);
+        vertices_[number].edge = h;
         vertices_[number].groups.push_back(groups_.group_at(h));
         vertices_[number].groups.push_back(groups_.group_beyond(h));
     }
@@ -160,6 +161,7 @@ std::uint32_t Chains::vertex_at(std::uint32_t v) {
     if (number == kNone) {
         number = static_cast<std::uint32_t>(vertices_.size());
         vertices_.push_back({mesh_.point(v), {}, 0.0});
+        vertices_.back().start = mesh_.point(v);
     }
     return number;
 }
@@ -172,6 +174,29 @@ double Chains::reach(const std::vector<std::uint32_t>& around) const {
         error = std::max(error, groups_.error_of(g));
     }
     return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
+}
+
+// The corner of the edge of two ramps among the faces around it: with no other face, or with a
+// level one, in which the circle of the bend lies, so that all three meet in all of it.
+std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
+    for (std::size_t i = 0; i < v.groups.size(); ++i) {
+        for (std::size_t j = i + 1; j < v.groups.size(); ++j) {
+            const auto corner =
+                corner_of_bend(groups_.form_of(v.groups[i]), groups_.form_of(v.groups[j]), v.at);
+            if (!corner || norm(*corner - v.at) >= reach(v.groups)) continue;
+            if (v.groups.size() == 2) return corner;
+            const bool is_level = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
+                const Form& form = groups_.form_of(g);
+                return std::holds_alternative<Plane>(form) &&
+                       std::abs(distance(form, *corner)) < kFlat &&
+                       std::abs(distance(form, v.at)) < kFlat && !groups_.is_facet(g);
+            });
+            if (is_level && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
+                                     *corner) <= kTouchMm)
+                return corner;
+        }
+    }
+    return std::nullopt;
 }
 
 bool Chains::solve_vertex(Vertex& v) const {
@@ -189,13 +214,10 @@ bool Chains::solve_vertex(Vertex& v) const {
     std::vector<const Form*> forms;
     for (const std::uint32_t n : numbers)
         forms.push_back(&mesh_.surface(n).form);
-    if (forms.size() == 2) {
-        const auto corner = corner_of_bend(*forms[0], *forms[1], v.at);
-        if (corner && norm(*corner - v.at) < reach(v.groups)) {
-            v.at = *corner;
-            v.miss = farthest(numbers, v.at);
-            return v.miss <= kTouchMm;
-        }
+    if (const auto corner = bend_at(v); corner && forms.size() <= 3) {
+        v.at = *corner;
+        v.miss = farthest(numbers, v.at);
+        return true;
     }
     const std::size_t count = forms.size();
     std::vector<Form> touching;
@@ -285,8 +307,13 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
 }
 
 void Chains::solve() {
-    for (Vertex& v : vertices_) {
-        v.has_failed = !solve_vertex(v);
+    for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
+         ++i) {
+        bool has_failed = !solve_vertex(vertices_[i]);
+        if ((has_failed || is_bend_elsewhere(vertices_[i])) && split(i, spokes_at(vertices_[i])))
+            has_failed = false;
+        Vertex& v = vertices_[i];
+        v.has_failed = has_failed;
         if (v.has_failed) failures_.push_back({v.groups, true});
     }
     if (!failures_.empty()) return;
@@ -295,8 +322,145 @@ void Chains::solve() {
     for (int pass = 0; pass < kMostPasses; ++pass) {
         if (!flip_reversed()) break;
     }
+    for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
+        bend(c);
     for (Chain& chain : chains_)
         solve_chain(chain);
+}
+
+// Where a boundary goes on from its corner, of the surfaces beside it; unit.
+Vec3 Chains::direction_of(std::uint32_t h) const {
+    constexpr double kSteep = 1e-3;
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from), way = mesh_.point(mesh_.to(h)) - p;
+    const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
+                             outward(groups_.surface_of(groups_.group_beyond(h)), p));
+    if (norm(along) < kSteep) return cda::normalized(way);
+    return cda::normalized(dot(along, way) < 0.0 ? -along : along);
+}
+
+// The boundaries that meet in a vertex, clockwise, as they go out from it.
+std::vector<Chains::Spoke> Chains::spokes_at(const Vertex& v) const {
+    std::vector<Spoke> spokes;
+    if (v.edge == kNone) return spokes;
+    std::uint32_t h = v.edge;
+    do {
+        if (groups_.is_boundary(h)) {
+            const std::uint32_t chain = chain_of_[h];
+            spokes.push_back({chain, chains_[chain].edges.front() == h, groups_.group_at(h),
+                              groups_.group_beyond(h), direction_of(h)});
+        }
+        h = mesh_.edges()[mesh_.edges()[h].twin].next;
+    } while (h != v.edge);
+    return spokes;
+}
+
+// Where more than three faces have a corner in common that their surfaces have not, two boundaries
+// go on from one corner and the others from another one, and between both is an edge. Which ones is
+// told by the faces beside that edge: their loops turn as much as they did in the one corner.
+bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
+    const Vertex before = vertices_[number];
+    constexpr std::size_t kFewest = 4, kMost = 7;
+    constexpr double kShortest = 1e-5;  // mm; less than readers can tell
+    const std::size_t count = spokes.size();
+    // Near the tip of a cone, corners are elsewhere too easily.
+    const bool may_not = std::ranges::any_of(before.groups, [&](std::uint32_t g) {
+        return groups_.is_facet(g) || std::holds_alternative<Cone>(groups_.form_of(g));
+    });
+    if (count < kFewest || count > kMost || before.groups.size() != count || may_not) return false;
+    const auto at = [&](std::size_t i) -> const Spoke& { return spokes[i % count]; };
+    struct Choice {
+        double length;
+        std::size_t first;
+        Vertex near, far;
+    };
+    const std::optional<Vec3> bend = bend_at(before);
+    std::optional<Choice> best;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Spoke &a = at(i), &b = at(i + 1), &c = at(i + 2), &d = at(i + count - 1);
+        Choice choice{0.0, i, before, before};
+        choice.near.at = choice.far.at = before.start;
+        choice.near.groups = {b.right, a.right, a.left};
+        std::sort(choice.near.groups.begin(), choice.near.groups.end());
+        std::erase(choice.far.groups, a.right);
+        if (!solve_vertex(choice.near) || !solve_vertex(choice.far)) continue;
+        const Vec3 way = choice.far.at - choice.near.at;
+        choice.length = norm(way);
+        if (choice.length <= kShortest || (best && best->length <= choice.length)) continue;
+        // The one or the other is the corner of a bend, or is going to have it.
+        const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kPoint; };
+        if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
+            continue;
+        const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
+            constexpr double kRounding = 1.0;  // degrees
+            const Vec3 n = outward(groups_.surface_of(g), before.at);
+            const auto turn = [&](Vec3 u, Vec3 v) {
+                return trig::angle_of(dot(u, v), dot(n, cross(u, v)));
+            };
+            return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < kRounding;
+        };
+        if (goes_on(b.right, -b.direction, way, c.direction) &&
+            goes_on(a.left, -d.direction, -way, a.direction))
+            best = choice;
+    }
+    if (!best) return false;
+    const auto other = static_cast<std::uint32_t>(vertices_.size());
+    std::vector<Spoke> rest;
+    for (std::size_t i = best->first + 2; i < best->first + count; ++i) {
+        Chain& chain = chains_[at(i).chain];
+        (at(i).is_start ? chain.from : chain.to) = other;
+        rest.push_back(at(i));
+    }
+    const std::uint32_t left = at(best->first + 1).right, right = at(best->first).left;
+    // From the other corner it is on the other side.
+    rest.push_back({static_cast<std::uint32_t>(chains_.size()), false, right, left,
+                    cda::normalized(best->near.at - best->far.at)});
+    make(number, other, left, right);
+    vertices_[number] = std::move(best->near);
+    vertices_.push_back(std::move(best->far));
+    if (is_bend_elsewhere(vertices_[other])) split(other, rest);
+    return true;
+}
+
+// Nearer than a facet is wide.
+bool Chains::is_bend_elsewhere(const Vertex& v) const {
+    const auto corner = bend_at(v);
+    const double off = corner ? norm(*corner - v.at) : 0.0;
+    return off > kPoint && off < 0.25 * reach(v.groups);
+}
+
+void Chains::make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right) {
+    Chain made;
+    made.left = left;
+    made.right = right;
+    made.from = from;
+    made.to = to;
+    made.is_flipped = made.is_made = true;
+    chains_.push_back(std::move(made));
+}
+
+// Where the edge of two ramps has a corner that is nearer to its end than facets are wide.
+void Chains::bend(std::uint32_t number) {
+    const Chain& chain = chains_[number];
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_made || from.has_failed || to.has_failed) return;
+    const auto corner =
+        corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right), from.at, to.at);
+    if (!corner) return;
+    Vertex between{*corner, {chain.left, chain.right}};
+    std::sort(between.groups.begin(), between.groups.end());
+    const auto added = static_cast<std::uint32_t>(vertices_.size());
+    // The piece of the circle is the short one.
+    const bool is_at_start = norm(*corner - from.at) < norm(*corner - to.at);
+    if (is_at_start) {
+        make(chain.from, added, chain.left, chain.right);
+        chains_[number].from = added;
+    } else {
+        make(added, chain.to, chain.left, chain.right);
+        chains_[number].to = added;
+    }
+    vertices_.push_back(std::move(between));
+    chains_.back().beside = number;
+    chains_.back().is_before = is_at_start;
 }
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
@@ -442,6 +606,14 @@ void Chains::solve_chain(Chain& chain) {
             circle ? centre + circle->radius * x : centre + ellipse->major_radius * ellipse->major;
         from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
     }
+    // Near the corner of a bend facets do not tell which way: the shorter one.
+    const bool is_at_bend = from.groups.size() == 2 || to.groups.size() == 2;
+    if (!is_loop && is_at_bend && std::abs(rough) < 90.0 &&
+        Track(*curve, from.at, to.at).sweep_degrees() > 270.0) {
+        axis = -axis;
+        chain.curve = std::move(*curve);
+        return;
+    }
     if (!is_loop) {
         const Track track(*curve, from.at, to.at);
         // Of the two circles in which a plane meets a ring, each end may be on one.
@@ -464,35 +636,55 @@ void Chains::solve_chain(Chain& chain) {
 }
 
 // Out of the loops that had it, into those that it is between now.
-void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const {
+void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
+                         std::vector<Left>& left) const {
     const Chain& chain = chains_[number];
-    for (const std::uint32_t g :
-         {groups_.group_at(chain.edges.front()), groups_.group_beyond(chain.edges.front())}) {
+    std::vector<std::uint32_t> before;
+    if (!chain.is_made) {
+        const std::uint32_t h = chain.edges.front();
+        before = {groups_.group_at(h), groups_.group_beyond(h)};
+    }
+    for (const std::uint32_t g : before) {
         for (Loop& loop : all[g])
             std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
         std::erase_if(all[g], [](const Loop& loop) { return loop.empty(); });
     }
     if (chain.has_vanished) return;
+    for (const auto& [g, is_forward] :
+         {std::pair(chain.left, true), std::pair(chain.right, false)}) {
+        if (chain.beside != kNone) {
+            for (Loop& loop : all[g]) {
+                const auto at = std::ranges::find(loop, chain.beside, &EdgeUse::edge);
+                if (at == loop.end()) continue;
+                loop.insert(is_forward != chain.is_before ? at + 1 : at, {number, is_forward});
+            }
+            continue;
+        }
+        if (!put({g, {number, is_forward}}, all[g], true) && chain.is_made)
+            left.push_back({g, {number, is_forward}});
+    }
+}
+
+// Into a gap: that has both its ends, or one of them, and then others follow.
+bool Chains::put(const Left& one, std::vector<Loop>& loops, bool has_both) const {
     const auto begin_of = [&](const EdgeUse& use) {
         return use.is_forward ? chains_[use.edge].from : chains_[use.edge].to;
     };
     const auto end_of = [&](const EdgeUse& use) {
         return use.is_forward ? chains_[use.edge].to : chains_[use.edge].from;
     };
-    for (const auto& [g, is_forward] :
-         {std::pair(chain.left, true), std::pair(chain.right, false)}) {
-        const std::uint32_t begin = is_forward ? chain.from : chain.to;
-        const std::uint32_t end = is_forward ? chain.to : chain.from;
-        for (Loop& loop : all[g]) {
-            for (std::size_t i = 0; i < loop.size(); ++i) {
-                const std::size_t next = (i + 1) % loop.size();
-                if (end_of(loop[i]) != begin || begin_of(loop[next]) != end) continue;
-                loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                            {number, is_forward});
-                break;
-            }
+    for (Loop& loop : loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const EdgeUse &before = loop[i], &next = loop[(i + 1) % loop.size()];
+            const bool begins = end_of(before) == begin_of(one.use);
+            const bool ends = end_of(one.use) == begin_of(next);
+            const bool is_gap = end_of(before) != begin_of(next);
+            if (has_both ? !begins || !ends : !is_gap || !(begins || ends)) continue;
+            loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, one.use);
+            return true;
         }
     }
+    return false;
 }
 
 std::vector<std::vector<Loop>> Chains::loops() const {
@@ -507,7 +699,7 @@ std::vector<std::vector<Loop>> Chains::loops() const {
     std::vector<std::vector<Loop>> all(groups_.size());
     std::vector<bool> seen(2 * chains_.size(), false);
     for (std::uint32_t i = 0; i < 2 * chains_.size(); ++i) {
-        if (seen[i]) continue;
+        if (seen[i] || chains_[i / 2].is_made) continue;
         ChainUse use{i / 2, i % 2 == 0};
         const std::uint32_t g = groups_.group_at(first_of(use));
         Loop loop;
@@ -520,8 +712,16 @@ std::vector<std::vector<Loop>> Chains::loops() const {
         }
         if (!loop.empty()) all[g].push_back(std::move(loop));
     }
-    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
-        if (chains_[c].is_flipped) put_flipped(c, all);
+    std::vector<Left> left;
+    for (const bool goes_on : {true, false}) {
+        for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+            if (chains_[c].is_flipped && (chains_[c].beside != kNone) == goes_on)
+                put_flipped(c, all, left);
+        }
+    }
+    // One after the other.
+    while (std::erase_if(left, [&](const Left& one) { return put(one, all[one.group], false); }) >
+           0) {
     }
     return all;
 }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ncsim::brep {
@@ -23,6 +24,10 @@ struct Chain {
     bool has_vanished = false;
     bool has_failed = false;  ///< Itself, or one of its ends.
     bool is_flipped = false;  ///< No longer between the groups beside its half-edges.
+    bool is_made = false;     ///< Flipped, and has no half-edges: both its ends were one corner.
+    /// Made: the chain before which it goes, or that it goes on from.
+    std::uint32_t beside = kNone;
+    bool is_before = false;
     Curve curve;
 };
 
@@ -32,6 +37,8 @@ struct Vertex {
     double miss = 0.0;
     bool is_touch = false;  ///< Of surfaces that touch.
     bool has_failed = false;
+    std::uint32_t edge = kNone;  ///< A half-edge between two groups that starts there.
+    Vec3 start{};                ///< Where it is in the polyhedron.
 };
 
 /// In errors of theirs: how far edges of facets may be off the faces beside them.
@@ -60,10 +67,31 @@ private:
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& around) const;
     bool solve_vertex(Vertex& v) const;
+    std::optional<Vec3> bend_at(const Vertex& v) const;
+    /// A chain as it goes out from a vertex.
+    struct Spoke {
+        std::uint32_t chain;
+        bool is_start;
+        std::uint32_t left, right;  ///< Groups.
+        Vec3 direction;             ///< Unit.
+    };
+    std::vector<Spoke> spokes_at(const Vertex& v) const;
+    bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
+    bool is_bend_elsewhere(const Vertex& v) const;
+    void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
+    void bend(std::uint32_t number);
+    Vec3 direction_of(std::uint32_t h) const;
     bool flip_reversed();
     bool flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at);
     Vec3 way_of(const Chain& chain) const;
-    void put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const;
+    /// A use that has no place yet.
+    struct Left {
+        std::uint32_t group;
+        EdgeUse use;
+    };
+    void put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
+                     std::vector<Left>& left) const;
+    bool put(const Left& one, std::vector<Loop>& loops, bool has_both) const;
     bool solve_beside_facets(Vertex& v) const;
     double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
     std::vector<Vec3> points_of(const Chain& chain) const;

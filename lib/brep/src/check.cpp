@@ -88,6 +88,10 @@ public:
             const double y = ahead_ * dot(place.out, cross(c->axis, place.way));
             return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
         }
+        if (const auto* s = std::get_if<Spiral>(form_)) {
+            const SpiralPlace place = place_on(*s, at);
+            return {(s->reach + s->offset) * place.turn, place.height};
+        }
         const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
@@ -102,9 +106,12 @@ public:
         return out(p, t.minor * (1.0 + (degrees - cut_) * kRadiansPerDegree));
     }
 
+    bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
+
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
+               std::holds_alternative<Spiral>(*form_) ||
                (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
     }
 
@@ -216,26 +223,32 @@ bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int de
            curves_interfere(map, second, t, clear, depth - 1, least_sine);
 }
 
-// Do pieces of curves that go out from a common point cross again, by an angle of which readers
-// take notice? Others touch in their corner but for rounding.
-bool cross_beyond(const Map& map, const Segment& s, const Segment& t) {
-    constexpr double kNowhere = 1e-3, kTouching = 1e-9;  // mm
-    constexpr double kSteep = 0.06;
+// When pieces of curves that go out from a common point are told to meet again.
+struct Again {
+    double nearer;      // mm: than this to each other,
+    double least_sine;  // of the angle there, and
+    double nowhere;     // mm: farther than this from the common point.
+};
+// By an angle of which readers take notice. Others touch in their corner but for rounding.
+constexpr Again kCrossing{1e-9, 0.06, 1e-3};
+
+bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again& again) {
     constexpr int kDepth = 30;
     const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
-    const double near = kNowhere * kNowhere;
+    const double near = again.nowhere * again.nowhere;
     const bool is_acute = sx * tx + sy * ty > 0.0;
     if (!is_acute || sx * sx + sy * sy < near || tx * tx + ty * ty < near) return false;
     const auto [s_near, s_far] = halves_of(map, s);
     const auto [t_near, t_far] = halves_of(map, t);
-    return curves_interfere(map, s_far, t_far, kTouching, kDepth, kSteep) ||
-           curves_interfere(map, s_near, t_far, kTouching, kDepth, kSteep) ||
-           curves_interfere(map, s_far, t_near, kTouching, kDepth, kSteep) ||
-           cross_beyond(map, s_near, t_near);
+    const auto meet = [&](const Segment& one, const Segment& other) {
+        return curves_interfere(map, one, other, again.nearer, kDepth, again.least_sine);
+    };
+    return meet(s_far, t_far) || meet(s_near, t_far) || meet(s_far, t_near) ||
+           meet_beyond(map, s_near, t_near, again);
 }
 
 // Turned round, so that they start in the point that they have in common.
-bool neighbours_cross_again(const Map& map, Segment s, Segment t) {
+bool neighbours_meet_again(const Map& map, Segment s, Segment t, const Again& again) {
     if (s.to == t.from && t.to == s.from) return false;
     const auto turn_round = [](Segment& piece) {
         std::swap(piece.a, piece.b);
@@ -243,7 +256,7 @@ bool neighbours_cross_again(const Map& map, Segment s, Segment t) {
     };
     if (s.to == t.from || s.to == t.to) turn_round(s);
     if (t.to == s.from || t.to == s.to) turn_round(t);
-    return cross_beyond(map, s, t);
+    return meet_beyond(map, s, t, again);
 }
 
 bool have_common_end(const Segment& s, const Segment& t) {
@@ -255,11 +268,14 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
                                                           std::vector<Segment> segments,
                                                           double clear) {
     // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
-    constexpr double kMostOff = 0.1;
+    constexpr double kMostOff = 0.1, kBeside = 0.05;
     constexpr int kDepth = 40;
-    for (Segment& s : segments) {
+    const auto length = [](const Segment& s) {
         const double x = s.b.x - s.a.x, y = s.b.y - s.a.y;
-        if (!s.is_straight) s.off = kMostOff * std::sqrt(x * x + y * y);
+        return std::sqrt(x * x + y * y);
+    };
+    for (Segment& s : segments) {
+        if (!s.is_straight) s.off = kMostOff * length(s);
     }
     std::sort(segments.begin(), segments.end(),
               [](const Segment& s, const Segment& t) { return s.low() < t.low(); });
@@ -271,11 +287,20 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
             if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
             const bool both_straight = s.is_straight && t.is_straight;
             const bool are_neighbours = have_common_end(s, t);
-            if (both_straight || are_neighbours ? interfere(s, t, clear)
-                                                : curves_interfere(map, s, t, clear, kDepth))
-                return {{s.edge, t.edge}};
-            if (!both_straight && are_neighbours && neighbours_cross_again(map, s, t))
-                return {{s.edge, t.edge}};
+            if (both_straight && interfere(s, t, clear)) return {{s.edge, t.edge}};
+            if (both_straight) continue;
+            // Chords of curves that touch in their common end may lie on each other. Of cones
+            // readers find them crossed.
+            const Again beside{clear, 0.0, kBeside};
+            const auto is_near = [&] {
+                return interfere(s, t, clear) &&
+                       (map.is_cone() || std::min(length(s), length(t)) < kBeside ||
+                        neighbours_meet_again(map, s, t, beside));
+            };
+            const bool do_meet = are_neighbours
+                                     ? is_near() || neighbours_meet_again(map, s, t, kCrossing)
+                                     : curves_interfere(map, s, t, clear, kDepth);
+            if (do_meet) return {{s.edge, t.edge}};
         }
     }
     return std::nullopt;

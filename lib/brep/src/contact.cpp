@@ -42,6 +42,19 @@ std::optional<Form> plane_at(Vec3 origin, Vec3 normal) {
     return Plane{origin, normalized(normal)};
 }
 
+// The place of the wall whose direction outwards is `out`.
+SpiralPlace looking(const Spiral& spiral, Vec3 out) {
+    const Vec3 side = cross(spiral.axis, spiral.ahead);
+    SpiralPlace place = place_at(spiral, 0.0);
+    constexpr int kSteps = 8;
+    double turn = trig::angle_of(dot(out, spiral.ahead), dot(out, side)) * trig::kRadiansPerDegree;
+    for (int step = 0; step < kSteps; ++step) {
+        place = place_at(spiral, turn);
+        turn += dot(out, place.along);
+    }
+    return place;
+}
+
 struct Touch {
     using Answer = std::optional<Form>;
 
@@ -88,6 +101,24 @@ struct Touch {
             !near(norm(away(a.origin, a.axis, end)), 0.0))
             return {};
         return plane_at(end, b.axis);
+    }
+    // Where the tool stood, on the way.
+    Answer operator()(const Cylinder& a, const Spiral& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, std::abs(b.offset))) return {};
+        const SpiralPlace place = place_on(b, a.origin);
+        if (!near(norm(away(place.way, b.axis, a.origin)), 0.0)) return {};
+        return plane_at(place.way, place.along);
+    }
+    // A wall goes on from its end.
+    Answer operator()(const Plane& a, const Spiral& b) const {
+        if (!is_across(a.normal, b.axis)) return {};
+        for (const double sign : {-1.0, 1.0}) {
+            const SpiralPlace place = looking(b, sign * a.normal);
+            const Vec3 at = place.way + b.offset * place.out;
+            if (is_parallel(place.out, a.normal) && near(distance(a, at), 0.0))
+                return plane_at(at, place.along);
+        }
+        return {};
     }
     // The walls on both sides of the way.
     Answer operator()(const Cylinder& a, const Coil& b) const {
@@ -418,6 +449,21 @@ bool is_nearer(const Plane& one, const Plane& other, Vec3 p) {
     return std::abs(distance(one, p)) < std::abs(distance(other, p));
 }
 
+// Along `axis`?
+bool is_upright(const Form& form, Vec3 axis) {
+    if (const auto* plane = std::get_if<Plane>(&form)) return is_across(plane->normal, axis);
+    if (const auto* cylinder = std::get_if<Cylinder>(&form))
+        return is_parallel(cylinder->axis, axis);
+    const auto* spiral = std::get_if<Spiral>(&form);
+    return spiral && is_parallel(spiral->axis, axis);
+}
+
+// Of a spiral and another form: upright lines, or none that has a name.
+std::optional<Curve> meet(const Spiral& spiral, const Form& other) {
+    if (is_upright(other, spiral.axis)) return Line{};
+    return std::nullopt;
+}
+
 bool is_ruled(const Form& form) {
     return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
            std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
@@ -523,6 +569,19 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p) {
     return norm(p - one) < norm(p - two) ? one : two;
 }
 
+std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q) {
+    const auto planes = bends(a, b);
+    if (!planes) return std::nullopt;
+    const auto& [level, other] = *planes;
+    const auto is_on = [](const Plane& plane, Vec3 at) {
+        return std::abs(distance(plane, at)) < kTouchMm;
+    };
+    if (is_on(level, p) == is_on(level, q) || is_on(other, p) == is_on(other, q) ||
+        is_on(level, p) == is_on(other, p))
+        return std::nullopt;
+    return corner_of_bend(a, b, is_on(level, p) ? p : q);
+}
+
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
     for (const Form* form : forms) {
         const auto* dome = std::get_if<Dome>(form);
@@ -583,6 +642,8 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
     if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
     if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
+    if (const auto* spiral = std::get_if<Spiral>(&a)) return meet(*spiral, b);
+    if (const auto* spiral = std::get_if<Spiral>(&b)) return meet(*spiral, a);
     if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);
     if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q);
     const bool is_first_plane = std::holds_alternative<Plane>(a);

@@ -29,6 +29,10 @@ std::optional<Form> mitre_of(const Form& a, const Form& b, Vec3 p);
 /// the other.
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p);
 
+/// The same where the one of `p` and `q` lies on the circle and the other on the ellipse: the one
+/// nearer to that on the circle.
+std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q);
+
 /// Where a level plane and a wall both touch a dome among `forms`, and none of the three tells how
 /// far along the wall they do: the plane across it.
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);

@@ -119,6 +119,8 @@ Frame frame_for(const Part& part, const Face& face) {
     }
     if (const auto* f = std::get_if<Coil>(&face.surface.form))
         return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return {f->centre, f->axis, f->ahead};
     const auto& plane = std::get<Plane>(face.surface.form);
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -23,6 +24,24 @@ constexpr double kMostTurnOfNarrow = 1.0;
 constexpr double kAcrossLune = 6.0;
 // Farther out than what a ball leaves at a bend may be what is there in its place, mm.
 constexpr double kLune = 5e-3;
+
+// Of what is between two planes, or two cylinders about nearly one axis, that look away from each
+// other: how thick it is at most. Negative where there is nothing.
+std::optional<double> thickness_between(const Surface& a, const Surface& b) {
+    constexpr double kParallel = 1e-5;  // rad
+    if (const auto* one = std::get_if<Plane>(&a.form), *two = std::get_if<Plane>(&b.form);
+        one && two) {
+        if (cda::norm(one->normal + two->normal) > kParallel) return std::nullopt;
+        return -distance(a.form, two->origin);
+    }
+    const auto *one = std::get_if<Cylinder>(&a.form), *two = std::get_if<Cylinder>(&b.form);
+    if (!one || !two || a.is_hollow == b.is_hollow ||
+        cda::norm(cda::cross(one->axis, two->axis)) > kParallel)
+        return std::nullopt;
+    const Vec3 apart = two->origin - one->origin;
+    const double off = cda::norm(apart - cda::dot(apart, one->axis) * one->axis);
+    return (a.is_hollow ? two->radius - one->radius : one->radius - two->radius) + off;
+}
 
 }  // namespace
 
@@ -95,6 +114,7 @@ bool Groups::unify() {
     }
     any = join_lunes() || any;
     any = join_ledges() || any;
+    any = join_fins() || any;
     if (any) return true;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const Group& group = groups_[g];
@@ -163,6 +183,50 @@ bool Groups::join_ledges() {
         }
     }
     return any;
+}
+
+// Two walls in one place that look away from each other have nothing between them: there facets
+// left a fin, of ways that pass twice but for rounding. What they stand on goes on instead.
+bool Groups::join_fins() {
+    bool any = false;
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        for (const auto& [n, shared] : neighbours(g)) {
+            if (n < g || !join_fin(g, n)) continue;
+            any = true;
+            break;
+        }
+    }
+    return any;
+}
+
+bool Groups::join_fin(std::uint32_t g, std::uint32_t n) {
+    const auto thickness = thickness_between(surface_of(g), surface_of(n));
+    const auto is_changed = [&](std::uint32_t i) {
+        const Facet& first = mesh_[groups_[i].facets.front()];
+        return first.is_final || first.label != groups_[i].surface;
+    };
+    const double error = std::max(error_of(g), error_of(n));
+    if (!groups_[g].is_analytic || !groups_[n].is_analytic || !thickness || *thickness > kTouchMm ||
+        *thickness < -error)
+        return false;
+    // With what closes it above.
+    std::set<std::uint32_t> fin{g, n}, beside;
+    for (const std::uint32_t side : {g, n}) {
+        for (const auto& [m, shared] : neighbours(side)) {
+            if (2.0 * groups_[m].area < error * perimeter(m)) fin.insert(m);
+        }
+    }
+    for (const std::uint32_t i : fin) {
+        if (is_changed(i)) return false;
+        for (const auto& [m, shared] : neighbours(i)) {
+            if (!fin.contains(m)) beside.insert(m);
+        }
+    }
+    if (beside.size() != 1 || is_changed(*beside.begin()) || is_facet(*beside.begin()))
+        return false;
+    for (const std::uint32_t i : fin)
+        relabel(i, groups_[*beside.begin()].surface);
+    return true;
 }
 
 bool Groups::give_up_rings() {

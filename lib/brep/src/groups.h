@@ -39,8 +39,8 @@ public:
     void gather();
     /// Neighbours whose surfaces differ by what programs round are one; so are what a ball leaves
     /// where its way bends so little that nobody can tell, and a neighbour; ledges on a wall, and
-    /// the wall; and a facet that stands for nothing and a neighbour within its error. True: labels
-    /// have changed.
+    /// the wall; fins between two walls, and what they stand on; and a facet that stands for
+    /// nothing and a neighbour within its error. True: labels have changed.
     bool unify();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
     /// lose the face; and what is off a coil by little is somewhere else on it beside a wall. Rings
@@ -80,6 +80,8 @@ private:
     void meet();
     bool join_lunes();
     bool join_ledges();
+    bool join_fins();
+    bool join_fin(std::uint32_t g, std::uint32_t n);
     void relabel(std::uint32_t g, std::uint32_t surface);
     void give_up(std::uint32_t g, bool for_good);
     bool absorb(std::uint32_t g, double errors, double most_turn);

@@ -261,6 +261,30 @@ private:
     Vec3 w_;
 };
 
+// Over the angle of the way, between edges; over the height, from that of the centre.
+class OnSpiral {
+public:
+    OnSpiral(const Spiral& spiral, Vec3 apex) : spiral_(spiral), w_(spiral.centre - apex) {}
+
+    // As on a dome.
+    using Sum = OnDome::Sum;
+    Sum below(const SpiralPlace& place) const {
+        const Vec3 start = w_ + (place.way - spiral_.centre) + spiral_.offset * place.out;
+        const double area = place.speed * place.height;
+        const double volume = area * dot(start, place.out);
+        return {area, volume, volume * (start + (0.5 * place.height) * spiral_.axis)};
+    }
+
+    // The angle that a step on the surface makes.
+    static double turn(const SpiralPlace& place, Vec3 step) {
+        return dot(step, place.along) / place.speed;
+    }
+
+private:
+    Spiral spiral_;
+    Vec3 w_;
+};
+
 template <typename Form, typename On, typename Take>
 void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
                const Take& take) {
@@ -413,6 +437,8 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         return quarter(moment_of_moved(part, face, *f, OnDome(*f, apex)));
     if (const auto* f = std::get_if<Coil>(&face.surface.form))
         return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -486,6 +512,8 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
         return measure_moved(part, face, *f, OnDome(*f, apex));
     if (const auto* f = std::get_if<Coil>(&face.surface.form))
         return measure_moved(part, face, *f, OnCoil(*f, apex));
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return measure_moved(part, face, *f, OnSpiral(*f, apex));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

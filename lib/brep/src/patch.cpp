@@ -39,7 +39,7 @@ Spline spline_of_arc(Vec3 centre, Vec3 x, Vec3 y, double begin, double end, doub
 
 // How far a face goes around a circle, and along its way; degrees.
 struct Reach {
-    double first = 360.0, last = -360.0, low = 1e9, high = -1e9;
+    double first = 1e9, last = -1e9, low = 1e9, high = -1e9;
     void take(double around, double along) {
         first = std::min(first, around);
         last = std::max(last, around);
@@ -51,6 +51,8 @@ struct Reach {
 constexpr double kBeyond = 4.0;  // degrees
 // So wide are pieces, degrees: within 2e-10 of the radius, and within 1.2e-8.
 constexpr double kPieceOfDome = 7.5, kPieceOfCoil = 15.0;
+// Of spirals, within 2e-9 of the radius.
+constexpr double kPieceOfSpiral = 3.0;
 
 Patch patch_of_dome(const Part& part, const Face& face, const Dome& dome) {
     const Vec3 x = face.frame.x, y = cross(dome.axis, x);
@@ -127,11 +129,47 @@ Patch patch_of_coil(const Part& part, const Face& face, const Coil& coil) {
     return patch;
 }
 
+// In pieces as of an arc, since it is nearly one, as fast as the wall goes there. A line upwards,
+// as a cubic.
+Patch patch_of_spiral(const Part& part, const Face& face, const Spiral& spiral) {
+    Reach reach;
+    for (const auto& points : points_along(part, face)) {
+        for (const Vec3& p : points) {
+            const SpiralPlace place = place_on(spiral, p);
+            reach.take(place.height, place.turn / trig::kRadiansPerDegree);
+        }
+    }
+    const double low = reach.low - kBeyond, high = reach.high + kBeyond;
+    const int pieces = std::max(1, static_cast<int>((high - low) / kPieceOfSpiral) + 1);
+    const double width = (high - low) / pieces;
+    const double handle = 4.0 / 3.0 * trig::tangent(0.25 * width);
+    Spline wall;
+    for (int i = 0; i <= pieces; ++i) {
+        const SpiralPlace place = place_at(spiral, (low + i * width) * trig::kRadiansPerDegree);
+        const Vec3 at = place.way + spiral.offset * place.out;
+        const Vec3 on = (handle * place.speed) * place.along;
+        wall.points.push_back(i == 0 ? at : at - on);
+        wall.points.push_back(i == pieces ? at : at + on);
+        wall.knots.push_back(i);
+    }
+    const double beyond = 0.05 * (reach.last - reach.first);
+    const double from = reach.first - beyond, to = reach.last + beyond;
+    Patch patch{{}, wall.knots, {0.0, 1.0}};
+    for (const Vec3& p : wall.points) {
+        auto& row = patch.net.emplace_back();
+        for (int i = 0; i <= 3; ++i)
+            row.push_back(p + (from + i * (to - from) / 3.0) * spiral.axis);
+    }
+    return patch;
+}
+
 }  // namespace
 
 Patch patch_of(const Part& part, const Face& face) {
     if (const auto* coil = std::get_if<Coil>(&face.surface.form))
         return patch_of_coil(part, face, *coil);
+    if (const auto* spiral = std::get_if<Spiral>(&face.surface.form))
+        return patch_of_spiral(part, face, *spiral);
     return patch_of_dome(part, face, std::get<Dome>(face.surface.form));
 }
 

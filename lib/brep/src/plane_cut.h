@@ -60,6 +60,7 @@ private:
     void cut(const Extrusion& f);
     void cut(const Dome& f);
     void cut(const Coil& f);
+    static void cut(const Spiral&) {}  // nothing is known of it
     void cut(const Helicoid&) {}
     void add(const CutBranch& branch);
 

@@ -42,6 +42,8 @@ using cda::dot;
 // So often with corners, with edges and with faces.
 constexpr int kPatientRounds = 8, kLastPatience = 16, kMostRounds = 100;
 constexpr double kNoWidth = 1e-3;  // mm
+// Ends of slits that are nearer than that are one, mm.
+constexpr double kSlit = 1e-7;
 
 class ShellRecogniser {
 public:
@@ -92,11 +94,12 @@ private:
         for (const Chain& chain : chains_.all()) {
             if (chain.has_vanished) same.unite(chain.from, chain.to);
         }
+        auto all = chains_.loops();
+        close_slits(all, same);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
         for (const Chain& chain : chains_.all())
             part.edges.push_back({same.find(chain.from), same.find(chain.to), chain.curve});
-        auto all = chains_.loops();
         const auto is_sound = [&](std::uint32_t g) {
             return std::ranges::none_of(all[g], [&](const Loop& loop) {
                 return std::ranges::any_of(
@@ -121,10 +124,11 @@ private:
             auto& found = known_.look_at(part, face, groups_[g].facets.front());
             // Facets may be as thin as they are. Beside them readers make edges as wide as they are
             // off.
-            const double width = std::max(kNoWidth, error_beside(g));
+            const double width = std::max(is_sickle(face) ? kTouchMm : kNoWidth, error_beside(g));
             has_gone[g] = groups_[g].is_analytic &&
                           2.0 * std::abs(found.measure.area) < width * found.measure.length;
             if (has_gone[g]) vanish(g);
+            if (is_open(part, face)) vanish(g);
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
             known.push_back(&found);
@@ -164,6 +168,92 @@ private:
             failures_.push_back({std::move(around)});
         }
         return part;
+    }
+
+    // Where a strip of a face has no width, its loop goes along a line and back: two walls that
+    // touch the same third one in one line. What is beside the line on both sides meets in it.
+    void close_slits(std::vector<std::vector<Loop>>& all, cda::DisjointSets& same) const {
+        std::vector<std::array<std::uint32_t, 2>> beside;  // of each chain: left and right of it
+        for (const Chain& chain : chains_.all())
+            beside.push_back({chain.left, chain.right});
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            if (groups_.is_facet(g)) continue;
+            for (Loop& loop : all[g]) {
+                while (close_slit(g, loop, all, beside, same)) {
+                }
+            }
+        }
+        for (std::vector<Loop>& loops : all)
+            std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
+    }
+
+    bool close_slit(std::uint32_t g, Loop& loop, std::vector<std::vector<Loop>>& all,
+                    std::vector<std::array<std::uint32_t, 2>>& beside,
+                    cda::DisjointSets& same) const {
+        const auto ends_of = [&](const EdgeUse& use) {
+            const Chain& chain = chains_.all()[use.edge];
+            return use.is_forward ? std::pair(chain.from, chain.to)
+                                  : std::pair(chain.to, chain.from);
+        };
+        const auto is_straight = [&](const EdgeUse& use) {
+            const Chain& chain = chains_.all()[use.edge];
+            return !chain.has_failed && std::holds_alternative<Line>(chain.curve);
+        };
+        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) {
+            const std::size_t next = (i + 1) % loop.size();
+            const EdgeUse there = loop[i], back = loop[next];
+            if (there.edge == back.edge || !is_straight(there) || !is_straight(back)) continue;
+            const auto [start, far] = ends_of(there);
+            const auto [far_too, end] = ends_of(back);
+            if (same.find(far) != same.find(far_too) ||
+                cda::norm(chains_.vertices()[start].at - chains_.vertices()[end].at) > kSlit)
+                continue;
+            const std::uint32_t one = beside[there.edge][there.is_forward ? 1 : 0];
+            const std::uint32_t two = beside[back.edge][back.is_forward ? 1 : 0];
+            if (one == g || two == g || groups_.is_facet(one) || groups_.is_facet(two)) continue;
+            same.unite(start, end);
+            if (one == two) {
+                take_out(all[one], there.edge, back.edge);
+            } else {
+                beside[there.edge][there.is_forward ? 0 : 1] = two;
+                for (Loop& other : all[two]) {
+                    for (EdgeUse& use : other) {
+                        if (use.edge == back.edge) use = there;
+                    }
+                }
+            }
+            Loop left;
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                if (k != i && k != next) left.push_back(loop[k]);
+            }
+            loop = std::move(left);
+            return true;
+        }
+        return false;
+    }
+
+    // Of the loops of a face two edges that have become one, with the face on both sides.
+    static void take_out(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
+        const auto with = [&](std::uint32_t edge) {
+            return std::ranges::find_if(loops, [&](const Loop& loop) {
+                return std::ranges::find(loop, edge, &EdgeUse::edge) != loop.end();
+            });
+        };
+        const auto first = with(one), second = with(two);
+        if (first == loops.end() || second == loops.end()) return;
+        std::ranges::rotate(*first, std::ranges::find(*first, one, &EdgeUse::edge));
+        const auto at = std::ranges::find(*second, two, &EdgeUse::edge);
+        if (first == second) {
+            const Loop rest(at + 1, first->end());
+            first->erase(at, first->end());
+            first->erase(first->begin());
+            loops.push_back(rest);
+            return;
+        }
+        std::ranges::rotate(*second, at);
+        first->erase(first->begin());
+        first->insert(first->end(), second->begin() + 1, second->end());
+        second->clear();
     }
 
     // Of it and the facets beside it; zero if there are none.
@@ -233,6 +323,27 @@ private:
     bool is_too_large(std::uint32_t g, double area) const {
         const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
         return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
+    }
+
+    static bool is_open(const Part& part, const Face& face) {
+        const auto begin_of = [&](const EdgeUse& use) {
+            return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
+        };
+        const auto end_of = [&](const EdgeUse& use) {
+            return use.is_forward ? part.edges[use.edge].to : part.edges[use.edge].from;
+        };
+        return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                if (end_of(loop[i]) != begin_of(loop[(i + 1) % loop.size()])) return true;
+            }
+            return false;
+        });
+    }
+
+    // Between two edges with the same ends. As narrow as what programs round, they are lost where
+    // readers draw both as lines.
+    static bool is_sickle(const Face& face) {
+        return face.loops.size() == 1 && face.loops.front().size() == 2;
     }
 
     // A group without a width on the true surfaces.

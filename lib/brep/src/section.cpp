@@ -247,7 +247,7 @@ private:
             return std::abs(plane_.height(f->centre)) < f->major + f->minor;
         if (const auto* f = std::get_if<Dome>(&form))
             return std::abs(plane_.height(f->centre)) < f->reach + f->radius;
-        if (std::holds_alternative<Coil>(form)) return true;
+        if (std::holds_alternative<Coil>(form) || std::holds_alternative<Spiral>(form)) return true;
         return false;
     }
 

@@ -142,6 +142,10 @@ struct Distance {
         const Vec3 off = p - place.centre - f.radius * place.out;
         return dot(off, normal_at(f, place)) < 0.0 ? -norm(off) : norm(off);
     }
+    double operator()(const Spiral& f) const {
+        const SpiralPlace place = place_on(f, p);
+        return dot(p - place.way, place.out) - f.offset;
+    }
     double operator()(const Helicoid& f) const {
         const BesideHelix at(f, p);
         return at.off / norm(at.slope);
@@ -169,6 +173,7 @@ struct Gradient {
     }
     Vec3 operator()(const Dome& f) const { return normal_at(f, place_on(f, p)); }
     Vec3 operator()(const Coil& f) const { return normal_at(f, place_on(f, p)); }
+    Vec3 operator()(const Spiral& f) const { return place_on(f, p).out; }
     Vec3 operator()(const Helicoid& f) const { return normalized(BesideHelix(f, p).slope); }
 };
 
@@ -221,6 +226,12 @@ struct Same {
                std::abs(a.lead - b.lead) <= tolerance / kReach &&
                near(place_at_height(a, start).centre, start);
     }
+    bool operator()(const Spiral& a, const Spiral& b) const {
+        return near(a.reach, b.reach) && near(a.offset, b.offset) && !turned(a.axis, b.axis) &&
+               !turned(a.ahead, b.ahead) && dot(a.axis, b.axis) > 0.0 &&
+               dot(a.ahead, b.ahead) > 0.0 && std::abs(a.lead - b.lead) <= tolerance / kReach &&
+               polar(a.centre, a.axis, b.centre).radius <= tolerance;
+    }
     template <typename A, typename B>
     bool operator()(const A&, const B&) const {
         return false;
@@ -253,6 +264,7 @@ double radius_of(const Form& form) {
     if (const auto* f = std::get_if<Extrusion>(&form)) return f->radius / dot(f->axis, f->along);
     if (const auto* f = std::get_if<Dome>(&form)) return f->reach + f->radius;
     if (const auto* f = std::get_if<Coil>(&form)) return f->reach + f->radius;
+    if (const auto* f = std::get_if<Spiral>(&form)) return f->reach + f->offset;
     return 0.0;
 }
 

@@ -48,6 +48,9 @@ struct Key {
     double operator()(const Coil& f) const {
         return place(f.centre, f.axis) + 0.7 * f.radius + 0.3 * f.reach + along(f.axis) + f.lead;
     }
+    double operator()(const Spiral& f) const {
+        return place(f.centre, f.axis) + 0.7 * f.reach + 0.3 * f.offset + along(f.axis) + f.lead;
+    }
     double operator()(const Helicoid& f) const { return place(f.centre, f.axis) + f.lead; }
 };
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace ncsim::brep {
@@ -153,6 +154,23 @@ public:
         }
     }
 
+    // The same where both ends of the arc are not as far from the centre.
+    void spiral(const Element& e, const Spiral& way, Vec3 axis, bool is_level) {
+        if (e.fillet > 0.0) return;
+        if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, way.centre + e.height * axis, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            Spiral wall = way;
+            wall.offset = e.radius;
+            add(wall);
+            wall.offset = -e.radius;
+            // Nearer to the centre it has a cusp.
+            constexpr double kLeastBend = 0.05;
+            const double least = way.reach - std::numbers::pi * std::abs(way.lead);
+            if (least > (1.0 + kLeastBend) * e.radius) add(wall, false);
+        }
+    }
+
     // The same on a helix.
     void rim_around(const Element& e, Vec3 start, Vec3 axis, Vec3 ahead, double reach,
                     double lead) {
@@ -244,6 +262,8 @@ struct Way {
     double fitted_radius = 0.0;
     Vec3 ahead;         // unit, from the centre to the start
     double rise = 0.0;  // mm for each radian counter-clockwise
+    // Where the ends are not as far from the centre, instead of a circle.
+    std::optional<Spiral> spiral;
 };
 
 std::optional<Way> way_of(const gcode::Arc& arc) {
@@ -262,7 +282,6 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
         const double x = p[first] - way.centre[first], y = p[second] - way.centre[second];
         return std::sqrt(x * x + y * y);
     };
-    if (std::abs(radius(from) - radius(to)) > kMostSpiral) return std::nullopt;
     way.radius = 0.5 * (radius(from) + radius(to));
     way.fitted = way.centre;
     Vec3 chord = to - from;
@@ -290,6 +309,16 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     if (!is_left && swept >= -kNoAngle) swept -= kTurn;
     swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
     way.rise = (to[third] - from[third]) / (swept * trig::kRadiansPerDegree);
+    const double growth = radius(to) - radius(from);
+    if (std::abs(growth) <= kMostSpiral) return way;
+    // Of more, what lies beside one end may lie beside the other one.
+    constexpr double kMostSwept = 350.0, kMostGrowth = 0.2;
+    const double lead = growth / (swept * trig::kRadiansPerDegree);
+    if (std::abs(swept) > kMostSwept || std::abs(lead) > kMostGrowth * way.radius)
+        return std::nullopt;
+    const auto middle = trig::sin_cos(0.5 * swept);
+    const Vec3 ahead = middle.cos * way.ahead + middle.sin * cross(way.about, way.ahead);
+    way.spiral = Spiral{way.centre, way.about, normalized(ahead), way.radius, lead, 0.0};
     return way;
 }
 
@@ -314,7 +343,10 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
             const Element& e = elements[i];
             const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
             sweeps.set_at_rest(false);
-            if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
+            if (way && way->spiral) {
+                if (std::abs(dot(way->about, axis)) > 1.0 - kEqual)
+                    sweeps.spiral(e, *way->spiral, axis, way->is_level);
+            } else if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
                 sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
                 if (is_corner && !way->is_level)
                     sweeps.rim_around(e, way->centre, axis, way->ahead, way->radius, way->rise);

@@ -489,6 +489,7 @@ private:
     // In files splines.
     Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
     Entity surface_of(const brep::Coil&, const brep::Face& face) { return patch(face); }
+    Entity surface_of(const brep::Spiral&, const brep::Face& face) { return patch(face); }
     Entity surface_of(const brep::Helicoid&, const brep::Face&) {
         throw std::logic_error("faces do not lie on helicoids");
     }

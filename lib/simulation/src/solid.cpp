@@ -68,10 +68,13 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
 
 namespace {
 
+// Of many facets a finer cut takes long, and helps where the rest is known; of few it is worth it
+// for any.
 bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simulation) {
-    constexpr std::size_t kMostFacets = 20'000, kFew = 100;
-    return simulation.boundary->faces.size() <= kMostFacets &&
-           solid.facets_given_up * kFew > solid.part.faces.size();
+    constexpr std::size_t kMany = 20'000, kMost = 60'000, kFew = 100;
+    const std::size_t facets = simulation.boundary->faces.size();
+    return facets <= (solid.shells_kept == 0 ? kMost : kMany) &&
+           solid.facets_given_up > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
 }
 
 }  // namespace

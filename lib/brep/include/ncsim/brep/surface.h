@@ -69,6 +69,18 @@ struct Coil {
     bool operator==(const Coil&) const = default;
 };
 
+/// The wall beside a way whose distance from an axis changes evenly with the angle about it, as
+/// arcs go whose ends differ in radius: upright, at `offset` from the way, outwards if that is
+/// positive. The way is at centre + (reach + lead t) (cos t ahead + sin t side), t in radians from
+/// -pi to pi, side = axis x ahead.
+struct Spiral {
+    Vec3 centre, axis;  ///< Any point of the axis; unit.
+    Vec3 ahead;         ///< Unit, at right angles to the axis: to the middle of the way.
+    double reach = 0.0, lead = 0.0;  ///< mm; mm for each radian.
+    double offset = 0.0;
+    bool operator==(const Spiral&) const = default;
+};
+
 /// All lines across the axis that meet a helix about it. Faces do not lie on it: it crosses a coil
 /// and the walls beside it where they touch.
 struct Helicoid {
@@ -77,7 +89,8 @@ struct Helicoid {
     bool operator==(const Helicoid&) const = default;
 };
 
-using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Helicoid>;
+using Form =
+    std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Spiral, Helicoid>;
 
 /// A form, and on which side of it the material is.
 struct Surface {
@@ -99,8 +112,8 @@ Vec3 outward(const Surface& surface, Vec3 p);
 bool is_same(const Surface& a, const Surface& b, double tolerance_mm);
 
 /// What forms are called, by their index; of those that faces may lie on.
-inline constexpr std::array<std::string_view, 8> kForms{"plane", "cylinder",  "cone", "sphere",
-                                                        "torus", "extrusion", "dome", "coil"};
+inline constexpr std::array<std::string_view, 9> kForms{
+    "plane", "cylinder", "cone", "sphere", "torus", "extrusion", "dome", "coil", "spiral"};
 /// The largest radius of curvature; 0 for planes, and for cones, which have any.
 double radius_of(const Form& form);
 
@@ -134,6 +147,19 @@ struct CoilPlace {
 CoilPlace place_on(const Coil& coil, Vec3 p);
 /// Where the circle is when it is as high as `p`.
 CoilPlace place_at_height(const Coil& coil, Vec3 p);
+
+/// A point of a spiral.
+struct SpiralPlace {
+    double turn = 0.0;    ///< t, radians.
+    Vec3 way;             ///< Where the way is, at the height of the centre.
+    Vec3 along, out;      ///< Unit: the direction of the way, to greater t; across it, outwards.
+    double speed = 0.0;   ///< Of the wall, mm for each radian.
+    double height = 0.0;  ///< Above the centre, mm.
+};
+/// That of the point of `spiral` nearest to `p`, as far as it can be found from the angle of `p`.
+SpiralPlace place_on(const Spiral& spiral, Vec3 p);
+/// Where t is `turn`, at the height of the centre.
+SpiralPlace place_at(const Spiral& spiral, double turn);
 
 /// Between the axis and the side.
 double half_angle_rad(const Cone& cone);

@@ -36,8 +36,10 @@ struct Source {
 /// | ball | cylinder | sphere | ring, in any plane |
 /// | corner | extrusion, if it is not level | | coil, if it is a helix; dome, in upright planes |
 ///
-/// Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more than 4 µm, and
-/// rings that are thicker than wide, have no surface here. Of tools that turn, only those at rest.
+/// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals beside
+/// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more
+/// than a fifth of it for each radian, and rings that are thicker than wide, have no surface here.
+/// Of tools that turn, only those at rest.
 std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool);
 
 /// Six planes, or a cylinder and two of them; nothing of stock from a file, whose facets are what

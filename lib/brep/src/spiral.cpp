@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/surface.h"
+#include "ncsim/trig/angles.h"
+
+#include <cmath>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using trig::kRadiansPerDegree;
+
+namespace {
+
+// How fast a point goes at `offset` from the way, mm for each radian: the direction of the way
+// turns by the angle, and by how it comes out of the circle.
+double pace_at(const Spiral& spiral, double turn, double offset) {
+    const double reach = spiral.reach + spiral.lead * turn;
+    const double square = reach * reach + spiral.lead * spiral.lead;
+    return std::sqrt(square) + offset * (1.0 + spiral.lead * spiral.lead / square);
+}
+
+}  // namespace
+
+SpiralPlace place_at(const Spiral& spiral, double turn) {
+    const auto t = trig::sin_cos(turn / kRadiansPerDegree);
+    const Vec3 side = cross(spiral.axis, spiral.ahead);
+    const Vec3 up = t.cos * spiral.ahead + t.sin * side,
+               around = t.cos * side - t.sin * spiral.ahead;
+    const double reach = spiral.reach + spiral.lead * turn;
+    const double pace = std::sqrt(reach * reach + spiral.lead * spiral.lead);
+    SpiralPlace place;
+    place.turn = turn;
+    place.way = spiral.centre + reach * up;
+    place.along = (1.0 / pace) * (spiral.lead * up + reach * around);
+    place.out = (1.0 / pace) * (reach * up - spiral.lead * around);
+    place.speed = pace_at(spiral, turn, spiral.offset);
+    return place;
+}
+
+SpiralPlace place_on(const Spiral& spiral, Vec3 p) {
+    const Vec3 v = p - spiral.centre;
+    const double height = dot(v, spiral.axis);
+    const Vec3 level = spiral.centre + (v - height * spiral.axis);
+    const double x = dot(v, spiral.ahead), y = dot(v, cross(spiral.axis, spiral.ahead));
+    SpiralPlace place = place_at(spiral, trig::angle_of(x, y) * kRadiansPerDegree);
+    // Newton's method for where the point lies across the way; how fast that changes is as on the
+    // offset way through the point.
+    constexpr int kMostSteps = 40;
+    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-14, kLeastPace = 1e-9;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const Vec3 off = level - place.way;
+        const double pace = pace_at(spiral, place.turn, dot(off, place.out));
+        if (!(pace > kLeastPace)) break;
+        double turn = dot(off, place.along) / pace;
+        if (std::abs(turn) > kFarthestTurn) turn = turn < 0.0 ? -kFarthestTurn : kFarthestTurn;
+        place = place_at(spiral, place.turn + turn);
+        if (std::abs(turn) < kNoTurn) break;
+    }
+    place.height = height;
+    return place;
+}
+
+}  // namespace ncsim::brep
