@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// compare_volumes DIR [--largest BYTES] [--seconds N] [--only TEXT] [--quiet]: is the volume that
-// rays tell (--model dexel) as near to that of the exact model as they say? Of every program of a
-// folder, each in a process of its own with N seconds of processor time (60) and 4 GB; a table at
-// the end. What programs do not tell is guessed, as in a draft. Exit code 1 if a volume is farther
-// off than is told, or a program makes either model fail.
+// compare_volumes PATH [--largest BYTES] [--seconds N] [--only TEXT] [--quiet] [--job FILE]
+// [--machine FILE]: is the volume that rays tell (--model dexel) as near to that of the exact model
+// as they say? Of a program, or of every program of a folder, each in a process of its own with N
+// seconds of processor time (60) and 4 GB; a table at the end. What programs do not tell is
+// guessed, as in a draft. Exit code 1 if a volume is farther off than is told, or a program makes
+// either model fail.
 #include "ncsim/cda/boundary.h"
 #include "ncsim/setup/input.h"
 #include "ncsim/setup/job.h"
+#include "ncsim/setup/machine_formats.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/take_machine.h"
 
 #include "entries.h"
 
@@ -30,6 +33,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -61,12 +65,26 @@ double longest_side(const cda::Box& box) {
     return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
 }
 
-Comparison compare(const std::string& path) {
+// Of what tools left.
+double cut_area(cda::Boundary boundary) {
+    std::erase_if(boundary.faces,
+                  [](const cda::BoundaryFace& face) { return face.origin == cda::kStockOrigin; });
+    return cda::area(boundary);
+}
+
+struct Told {
+    std::string job, machine;  ///< Files; empty: none.
+};
+
+Comparison compare(const std::string& path, const Told& files) {
     setup::InputSet inputs;
     setup::JobOptions options;
     options.program = path;
+    options.job = files.job;
     simulation::Plan plan;
     plan.job = setup::read_job(options, inputs);
+    if (!files.machine.empty())
+        simulation::take_machine(plan, setup::read_machine(files.machine, inputs));
     plan.threads = 1;
     plan.draft = true;
     plan.keep_boundary = true;
@@ -83,7 +101,7 @@ Comparison compare(const std::string& path) {
     double tool_error = 0.0;
     for (const auto& [number, facts] : exact.cutters)
         tool_error = std::max(tool_error, facts.error_mm);
-    result.polygons = tool_error * cda::area(*exact.boundary);
+    result.polygons = tool_error * cut_area(*exact.boundary);
     plan.model = "dexel";
     plan.keep_boundary = false;
     simulation::choose_rays(plan, survey);
@@ -107,7 +125,7 @@ void limit(int what, rlim_t most) {
 }
 
 // In a process of its own.
-Comparison compare_apart(const std::string& path, unsigned seconds) {
+Comparison compare_apart(const std::string& path, const Told& files, unsigned seconds) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     std::fflush(stdout);
@@ -120,7 +138,7 @@ Comparison compare_apart(const std::string& path, unsigned seconds) {
         limit(RLIMIT_CORE, 0);
         Comparison result;
         try {
-            result = compare(path);
+            result = compare(path, files);
         } catch (const std::exception& e) {
             result.say(e.what());
         }
@@ -147,7 +165,8 @@ Comparison compare_apart(const std::string& path, unsigned seconds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::filesystem::path directory;
+    std::filesystem::path path;
+    Told files;
     std::uintmax_t largest = ~std::uintmax_t{0};
     unsigned seconds = 60;
     std::string only;
@@ -162,17 +181,21 @@ int main(int argc, char** argv) {
             only = argv[++i];
         } else if (std::strcmp(argv[i], "--quiet") == 0) {
             quiet = true;
-        } else if (directory.empty() && argv[i][0] != '-') {
-            directory = argv[i];
+        } else if (std::strcmp(argv[i], "--job") == 0 && has_value) {
+            files.job = argv[++i];
+        } else if (std::strcmp(argv[i], "--machine") == 0 && has_value) {
+            files.machine = argv[++i];
+        } else if (path.empty() && argv[i][0] != '-') {
+            path = argv[i];
         } else {
-            directory.clear();
+            path.clear();
             break;
         }
     }
-    if (directory.empty() || seconds == 0) {
+    if (path.empty() || seconds == 0) {
         std::fprintf(stderr,
-                     "usage: compare_volumes DIR [--largest BYTES] [--seconds N] "
-                     "[--only TEXT] [--quiet]\n");
+                     "usage: compare_volumes PATH [--largest BYTES] [--seconds N] "
+                     "[--only TEXT] [--quiet] [--job FILE] [--machine FILE]\n");
         return 2;
     }
     try {
@@ -182,13 +205,13 @@ int main(int argc, char** argv) {
         std::array<int, kShares.size()> shares{};
         bool is_clean = true;
         int programs = 0;
-        for (const corpus::Entry& entry : corpus::entries_of(directory)) {
+        for (const corpus::Entry& entry : corpus::entries_of(path)) {
             if (entry.name.find(only) == std::string::npos) continue;
             std::error_code error;
             const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
             if (error || size > largest) continue;
             ++programs;
-            const Comparison c = compare_apart(entry.path.string(), seconds);
+            const Comparison c = compare_apart(entry.path.string(), files, seconds);
             ++table[entry.kind][static_cast<std::size_t>(c.verdict)];
             is_clean &= c.verdict != Verdict::Beyond && c.verdict != Verdict::Failed;
             if (c.verdict == Verdict::Within) {

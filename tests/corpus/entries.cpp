@@ -32,6 +32,12 @@ std::string read_file(const fs::path& path) {
 
 std::vector<Entry> entries_of(const fs::path& directory) {
     std::vector<Entry> entries;
+    if (fs::is_regular_file(directory)) {
+        Entry e;
+        e.path = directory;
+        e.name = directory.filename().string();
+        return {std::move(e)};
+    }
     if (std::ifstream index(directory / "INDEX.tsv"); index) {
         std::string line;
         std::getline(index, line);

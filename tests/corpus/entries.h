@@ -17,7 +17,7 @@ struct Entry {
     std::filesystem::path reference;  ///< What it made of it; empty if nothing.
 };
 
-/// By name where there is no index, else as it has them.
+/// By name where there is no index, else as it has them. A program is the only one of itself.
 std::vector<Entry> entries_of(const std::filesystem::path& directory);
 
 /// Empty if it cannot be read.
