@@ -36,7 +36,7 @@ using namespace ncsim;
 using bench::SpaceSweep;
 using cda::ConvexPolytope;
 
-constexpr std::size_t kMostHulls = 2000, kMostPairs = 5000, kMostForCgal = 500;
+constexpr std::size_t kMostHulls = 2000, kMostPairs = 3000, kMostForCgal = 200;
 
 struct Pair {
     ConvexPolytope a, b;
