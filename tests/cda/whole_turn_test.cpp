@@ -177,6 +177,31 @@ TEST(LiesWithin, IsSoAndFindsTheStepsOfTurns) {
     EXPECT_EQ(missed, 0);
 }
 
+// Of bodies that go straight on, the steps are within the whole.
+TEST(LiesWithin, FindsPartsOfAStraightWay) {
+    const Box place = ConvexPolytope::of(kStock, kLattice)->bounds();
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        SCOPED_TRACE(i);
+        std::vector<LatticePoint> points;
+        for (int k = 0; k < 12; ++k)
+            points.push_back(test::random_point(random, 100000));
+        const auto body = TranslationSweep::of(points, kLattice);
+        ASSERT_TRUE(body);
+        const LatticePoint a = test::random_point(random, 100000);
+        const LatticePoint u = test::random_point(random, 30000);
+        const auto on = [&](std::int64_t times) {
+            return a + LatticePoint{times * u.x, times * u.y, times * u.z};
+        };
+        const auto k = random.between(1, 3), m = random.between(4, 6);
+        const Cell all = (*body)(a, on(m), Origin{2});
+        EXPECT_TRUE(lies_within((*body)(a, on(k), Origin{1}), all, place));
+        EXPECT_TRUE(lies_within((*body)(on(k), on(m), Origin{1}), all, place));
+        EXPECT_TRUE(lies_within(all, all, place));
+        EXPECT_FALSE(lies_within(all, (*body)(a, on(k), Origin{1}), place));
+    }
+}
+
 // However many wait, and whoever asks between them: the part is the same.
 TEST(WholeTurn, CoversWhatWaits) {
     const TranslationSweep body = prism(100000, 16, 900000);

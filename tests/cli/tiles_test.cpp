@@ -137,9 +137,31 @@ TEST(Tiles, OfBoresByHelicesAreOneRun) {
         }
         bores += "G0 Z5.\n";
     }
+    // Half of a turn outside.
+    bores += "G0 X-23. Y3. Z1.\nG1 Z-4.\nG3 Y7. J2.\nG3 Y3. J-2.\nG0 Z5.\n";
     folder.write("bores.nc", bores + "M30\n");
     for (const int n : {2, 7, 64})
         expect_one_run(folder, {"bores.nc"}, n);
+}
+
+// Straight ways in short moves, along and across the walls between tiles, level and up.
+TEST(Tiles, OfStraightWaysInPiecesAreOneRun) {
+    const Folder folder;
+    std::string ways =
+        "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+        "G21 G90 T1 M6 S8000 M3\nF1000.\n";
+    for (int row = 0; row < 12; ++row) {
+        const bool is_across = row % 2 != 0;
+        ways += fmt::format("G0 X{} Y{} Z2.\nG1 Z{}.\n", is_across ? 3 * row - 18 : -24,
+                            is_across ? -24 : 3 * row - 18, -1 - row % 4);
+        for (int i = 0; i < 48; ++i)
+            ways += fmt::format("{}{}{}\n", is_across ? "Y" : "X", i - 23,
+                                row % 3 == 0 ? fmt::format(" Z{}", -1 - row % 4 + 0.0625 * i) : "");
+        ways += "G0 Z9.\n";
+    }
+    folder.write("ways.nc", ways + "M30\n");
+    for (const int n : {2, 7, 64})
+        expect_one_run(folder, {"ways.nc"}, n);
 }
 
 TEST(Tiles, KnowWhatWasAsked) {

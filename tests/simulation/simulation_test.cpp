@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -99,6 +100,54 @@ TEST(Simulation, ABoreIsOfTheCircleAtItsEnd) {
     ASSERT_EQ(flat.boundary->faces.size(), part.boundary->faces.size());
     for (std::size_t i = 0; i < flat.boundary->faces.size(); ++i)
         EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
+}
+
+// A slot in fifty short moves: floor and walls have a line that was no farther away than the tool
+// is wide, and there are a few faces of them, not fifty times as many.
+TEST(Simulation, AStraightWayInPiecesIsOfALineNearBy) {
+    std::string text = "G21 G90 T1 M6 S8000 M3 F300\nG0 X-5. Y20. Z5.\nG1 Z-5.\n";
+    for (int x = -4; x <= 45; ++x)
+        text += "G1 X" + std::to_string(x) + ".\n";  // line 6 is to X-4
+    const auto milled = [&](std::string model) {
+        Plan plan = plan_of(kTool + kStock + text + "G0 Z5.\nM30\n");
+        plan.model = std::move(model);
+        plan.keep_boundary = true;
+        return simulate(plan);
+    };
+    const Simulation part = milled("cda");
+    EXPECT_DOUBLE_EQ(part.part_volume, 16000.0 - 6 * 40 * 5);
+    EXPECT_LT(part.boundary->faces.size(), 60U);
+    for (const cda::BoundaryFace& face : part.boundary->faces) {
+        const auto line = static_cast<double>(part.provenance.of(face.origin).nc_line);
+        for (const std::uint32_t corner : face.loops[0]) {
+            if (line == 0.0) continue;
+            EXPECT_LE(std::abs(part.boundary->vertices[corner].x - (line - 10.0)), 6.0 + 3.0);
+        }
+    }
+    const Simulation flat = milled("cda-flat");
+    EXPECT_TRUE(flat.boundary->vertices == part.boundary->vertices);
+    ASSERT_EQ(flat.boundary->faces.size(), part.boundary->faces.size());
+    for (std::size_t i = 0; i < flat.boundary->faces.size(); ++i)
+        EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
+}
+
+// A turn beside the stock, of which the second half does not come near: what follows has a number
+// of its own.
+TEST(Simulation, ATurnThatEndsOutsideIsOfItsOwnLine) {
+    Plan plan = plan_of(kTool + kStock +
+                        "G21 G90 T1 M6 S8000 M3 F300\nG0 X-3.5 Y18. Z5.\nG1 Z-4.\nG3 Y22. J2.\n"
+                        "G3 Y18. J-2.\nG0 Z5.\nX30. Y30.\nG1 Z-1.\nG0 Z5.\nM30\n");
+    plan.keep_boundary = true;
+    const Simulation part = simulate(plan);
+    int beside = 0;
+    for (const cda::BoundaryFace& face : part.boundary->faces) {
+        const auto line = part.provenance.of(face.origin).nc_line;
+        if (line == 0) continue;
+        const cda::Vec3 corner = part.boundary->vertices[face.loops[0][0]];
+        EXPECT_EQ(line, corner.x < 20 ? 7U : 10U);
+        beside += corner.x < 20 ? 1 : 0;
+    }
+    EXPECT_GT(beside, 2);
 }
 
 TEST(Simulation, SaysWhyItCannotBe) {

@@ -144,5 +144,46 @@ TEST(Walk, CoversNothingElse) {
     EXPECT_FALSE(covers({arc(at(4, 0, -5), turned)}));
 }
 
+std::vector<gcode::Motion> straight(int count, double x, double y, double z) {
+    std::vector<gcode::Motion> motions;
+    for (int i = 0; i < count; ++i)
+        motions.push_back(line(at(-9 + i * x, i * y, -5 + i * z),
+                               at(-9 + (i + 1) * x, (i + 1) * y, -5 + (i + 1) * z)));
+    return motions;
+}
+
+// A straight way in pieces is one cell, as far as the tool is wide: which of the lines was there
+// first, nobody can tell of a place more exactly.
+TEST(Walk, CoversAStraightWayInPieces) {
+    for (const Tool& tool : {kFlat, ball_end_mill(10, 40)}) {
+        for (const double slope : {0.0, 0.25}) {
+            const Walked w = walked(straight(9, 1, 0.5, slope), tool);
+            // Eight of them are 9 mm, nine 10.1 or more.
+            EXPECT_GE(w.covering.size(), 7U);
+            EXPECT_LE(w.covering.size(), 8U);
+            for (std::size_t i = 1; i < w.covering.size(); ++i)
+                EXPECT_LT(w.covering[i].rank, w.covering[i - 1].rank);
+            for (const cda::Cell& cell : w.cells)
+                EXPECT_LT(w.covering[0].rank, cell.rank);
+        }
+    }
+}
+
+TEST(Walk, CoversNoWayThatIsNotStraight) {
+    const auto covers = [](const std::vector<gcode::Motion>& motions) {
+        return !walked(motions, kFlat).covering.empty();
+    };
+    EXPECT_TRUE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(1, 0, -5), at(3, 0, -5))}));
+    EXPECT_FALSE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(1, 0, -5), at(2, 1e-5, -5))}));
+    EXPECT_FALSE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(1, 0, -5), at(0, 0, -5))}));
+    EXPECT_FALSE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(2, 0, -5), at(3, 0, -5))}));
+    EXPECT_FALSE(covers({line(at(0, 0, -5), at(1, 0, -5)), line(at(1, 0, -5), at(1, 0, -6))}));
+    EXPECT_FALSE(covers({line(at(0, 0, -5), at(9, 0, -5)), line(at(9, 0, -5), at(10.1, 0, -5))}));
+    std::vector<gcode::Motion> rapid = straight(3, 1, 0, 0);
+    rapid[1].kind = gcode::MoveKind::Rapid;
+    EXPECT_FALSE(covers(rapid));
+    EXPECT_FALSE(covers(straight(5, 1, 0, 50)));  // leaves the stock at once
+}
+
 }  // namespace
 }  // namespace ncsim::toolpath

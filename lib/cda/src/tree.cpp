@@ -156,6 +156,7 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       own_(other.own_),
       walls_(other.walls_),
       blocks_(other.blocks_),
+      places_(other.places_),
       waiting_(other.waiting_),
       account_(other.account_),
       counts_(other.counts_),
@@ -189,8 +190,15 @@ void TreeCda::split_into_blocks() {
         }
         boxes = std::move(halves);
     }
-    for (const HalfBox& box : boxes)
+    for (const HalfBox& box : boxes) {
         blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
+        Place place{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            place.min[i] = static_cast<double>(box.min[i]);
+            place.max[i] = static_cast<double>(box.max[i]);
+        }
+        places_.push_back(place);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const HalfBox& box : boxes) {
             if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
@@ -247,12 +255,14 @@ std::optional<Box> TreeCda::wanted() const {
 }
 
 // Of the latest cells that wait for a block, those that show nowhere beside this one, which is
-// before them in rank, need not go down the tree.
+// before them in rank, need not go down the tree. Where it is told what each origin took, only its
+// own.
 void TreeCda::forget_within(Block& block, const Cell& covering) const {
     constexpr std::size_t kLatest = 256;
     auto& waiting = block.waiting;
     const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
     const auto is_within = [&](const auto& w) {
+        if (account_ && w->cell.origin != covering.origin) return false;
         return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
     };
     waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),
@@ -288,11 +298,17 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
         counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
+    const auto is_there = [](const Place& place, const IncomingCell& c) {
+        bool is_so = true;
+        for (std::size_t i = 0; i < 3; ++i)
+            is_so &= (c.min[i] <= place.max[i]) & (c.max[i] >= place.min[i]);
+        return is_so;
+    };
     for (const std::uint32_t number : own_) {
+        if (!is_there(places_[number], here)) continue;
         Block& block = blocks_[number];
         if (!block.tree->meets(here)) continue;
-        // What each took has to be told of those that are within it, too.
-        if (covers && !account_) forget_within(block, cell);
+        if (covers) forget_within(block, cell);
         block.waiting.push_back(taken);
     }
     return true;

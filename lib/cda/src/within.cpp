@@ -48,7 +48,11 @@ bool lies_within(const Cell& inner, const Cell& outer, const Box& place) {
     const auto is_below = [&](std::size_t i) {
         const Plane& p = outer.planes[i];
         if (i < shared) return inner.planes[i].d <= p.d;
-        return is_upright(p) && is_implied(inner, p);
+        if (is_upright(p)) return is_implied(inner, p);
+        return std::any_of(inner.planes.begin() + static_cast<std::ptrdiff_t>(shared),
+                           inner.planes.end(), [&](const Plane& q) {
+                               return q.nx == p.nx && q.ny == p.ny && q.nz == p.nz && q.d <= p.d;
+                           });
     };
     for (std::size_t i = 0; i < outer.planes.size(); ++i) {
         if (!is_below(i) && classify_box(place, outer.planes[i]) != Side::Below) return false;

@@ -120,6 +120,7 @@ public:
         if (motion.tool != tool_) change_tool(motion.tool);
         const std::uint64_t hulls_before = result_.hulls;
         const cda::Origin origin = begin_cut();
+        has_covered_ = false;
         verify::Verifier* const verifier =
             !only_motion_ || *only_motion_ == motions_ ? verifier_ : nullptr;
         if (verifier) verifier->begin(motion, result_.part.get());
@@ -214,6 +215,7 @@ private:
                 result_.part->subtract_unmeasured(cell);
             }
         }
+        has_covered_ |= !step.covering.empty();
         if (!verifier_ && step.is_near)
             result_.part->subtract_step(step.cells, step.covering);
         else if (!step.covering.empty())
@@ -243,9 +245,10 @@ private:
             return true;
         }
         const std::uint64_t hulls = result_.hulls - hulls_before;
-        if (tile_ && hulls > 0 && motions_ % tile_->of == tile_->tile)
+        const bool has_met = hulls > 0 || has_covered_;
+        if (tile_ && has_met && motions_ % tile_->of == tile_->tile)
             result_.met.push_back({motions_, hulls});
-        return !tile_ && hulls > 0;
+        return !tile_ && has_met;
     }
 
     // What a tool removed is the difference of volumes.
@@ -292,6 +295,7 @@ private:
     int tool_ = 0;
     double volume_;
     bool is_near_stock_ = false;  // was the tool, since it was changed
+    bool has_covered_ = false;    // the motion at hand: more than its own steps took
     std::size_t next_met_ = 0;    // of tiles_
 };
 

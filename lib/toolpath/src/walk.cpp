@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/toolpath/walk.h"
 
+#include "ncsim/cda/int128.h"
 #include "ncsim/toolpath/machine.h"
 
 #include "path.h"
@@ -83,6 +84,16 @@ std::vector<cda::RoundSweep> round_of(const Tool& tool) {
         all.push_back(*sweep);
     }
     return all;
+}
+
+// Is b on the way from a to c? Exactly.
+bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
+                const cda::LatticePoint& c) {
+    const cda::LatticePoint u = b - a, v = c - b;
+    const auto product = [](std::int64_t p, std::int64_t q) { return cda::Int128{p} * q; };
+    return product(u.x, v.y) == product(u.y, v.x) && product(u.y, v.z) == product(u.z, v.y) &&
+           product(u.z, v.x) == product(u.x, v.z) &&
+           product(u.x, v.x) + product(u.y, v.y) + product(u.z, v.z) > 0;
 }
 
 }  // namespace
@@ -216,6 +227,34 @@ bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses
     return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
 }
 
+// Does a straight move go on as the one before did, on the lattice? Then covering_ is both in one,
+// and all before them, as far as the tool is wide: nobody can tell more exactly where it cut.
+void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
+                 cda::Origin origin) {
+    constexpr std::int32_t kFirstRank = cda::Cell::kFirstRank;
+    covering_.clear();
+    if (leaves_round_ || motion.kind != gcode::MoveKind::Feed) {
+        run_.steps = 0;
+        return;
+    }
+    const cda::LatticePoint from = lattice_.round(X_WA.translation);
+    const cda::LatticePoint to = lattice_.round(X_WB.translation);
+    const double way = norm(lattice_.to_mm(to - run_.start));
+    const bool goes_on = run_.steps > 0 && run_.tool == motion.tool && run_.end == from &&
+                         way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
+    if (!goes_on) run_ = {from, to, 0, motion.tool};
+    run_.end = to;
+    if (++run_.steps == 1 || !is_near_) return;
+    const Pose start{X_WA.rows, lattice_.to_mm(run_.start)};
+    if (wanted_ && !wanted_->overlaps(tool.bounds(start, X_WB))) return;
+    tool.cutter.trace(start, X_WB, origin, covering_);
+    for (cda::Cell& cell : covering_) {
+        const std::int64_t rank = std::int64_t{cell.rank} - run_.steps;
+        cell.rank = static_cast<std::int32_t>(std::max<std::int64_t>(rank, kFirstRank + 1));
+    }
+    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+}
+
 // Is the motion an arc about a middle that the tool may have within it all the way? Then it goes on
 // with the one before, if that was about the same.
 bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
@@ -251,9 +290,8 @@ void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::
     if (X_WA.rows != X_WB.rows || to.x != way[0].x || to.y != way[0].y) return;
     cutter.cover(way, X_WB, origin, covering_);
     way = {to};
-    std::erase_if(covering_, [&](const cda::Cell& c) {
-        return !stock_.overlaps(c.bounds) || (wanted_ && !wanted_->overlaps(c.bounds));
-    });
+    // Wherever they are wanted or not: that there is one may end a step that is not near.
+    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
 }
 
 SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
@@ -267,9 +305,10 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         if (X_WA == X_WB) return {};
         round_.way.clear();
         trace(tool, X_WA, X_WB, origin, {});
+        go_on(tool, motion, X_WA, X_WB, origin);
         Turning turning;
         turning.moved_mm = norm(X_WB.translation - X_WA.translation);
-        step({X_WA, X_WB, cells_, {}, sweeps_, is_near_, {}, turning});
+        step({X_WA, X_WB, cells_, covering_, sweeps_, is_near_, {}, turning});
         return {};
     }
     const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;

@@ -117,6 +117,10 @@ private:
 
     TreeCda(const TreeCda& other, const Asked&);
 
+    // Where a block was at first, half units: who is not there need not look at the block itself.
+    struct Place {
+        std::array<double, 3> min, max;
+    };
     void split_into_blocks();
     bool take_in(const Cell& cell, bool covers = false);
     void forget_within(Block& block, const Cell& covering) const;
@@ -143,6 +147,7 @@ private:
     // What asking changes.
     mutable Asking asking_;
     mutable std::vector<Block> blocks_;
+    std::vector<Place> places_;               // of these
     mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
     mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;

@@ -43,7 +43,9 @@ struct Step {
     /// Of the cutting pieces; only those that may meet the stock, where they are wanted. Often
     /// none.
     std::span<const cda::Cell> cells;
-    /// Where a step ends a whole turn that leaves no core: what all of these took away in any case.
+    /// What this step took away together with those before it, in fewer cells, where it ends a whole
+    /// turn that leaves no core, or goes straight on as they did, no farther than the tool is wide.
+    /// Some of that may not be wanted.
     std::span<const cda::Cell> covering;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
@@ -114,6 +116,14 @@ private:
         double centre_1 = 0.0, centre_2 = 0.0;  // mm, in the plane of the arc
         int tool = 0;
     };
+    // Straight moves in a row, one as the other.
+    struct Run {
+        cda::LatticePoint start, end;
+        std::int32_t steps = 0;
+        int tool = 0;
+    };
+    void go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
+               cda::Origin origin);
     bool go_round(const Cutter& cutter, const gcode::Motion& motion);
     void close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
     bool passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
@@ -138,6 +148,7 @@ private:
     std::vector<cda::Cell> cells_;     // of one step, kept for its memory
     std::vector<cda::Cell> covering_;  // likewise
     Round round_;
+    Run run_;
     std::vector<cda::RoundSweep> sweeps_;  // likewise
     bool is_near_ = false;                 // the stock, in that step
 };
