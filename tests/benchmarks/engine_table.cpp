@@ -11,10 +11,10 @@
 #include "ncsim/toolpath/trace.h"
 
 #include "filter_counts.h"
+#include "measure.h"
 #include "programs.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -30,15 +30,7 @@ namespace {
 
 using namespace ncsim;
 
-// Of all threads.
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
+using bench::cpu_seconds;
 
 std::uint64_t for_each_hull(const gcode::SourceFile& program, const cda::Lattice& lattice,
                             const toolpath::Tool& tool,

@@ -13,13 +13,12 @@
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/toolpath/walk.h"
 
+#include "measure.h"
 #include "nef/nef_part.h"
 #include "programs.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -39,14 +38,7 @@ namespace {
 
 using namespace ncsim;
 
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
+using bench::cpu_seconds;
 
 struct Row {
     std::string title, model;
@@ -223,24 +215,6 @@ void print_row(const Program& program, const Row& row, double exact_volume) {
     std::fflush(stdout);
 }
 
-// In a process of its own.
-void row_apart(const Program& program, const std::string& title,
-               const std::function<void()>& print) {
-    const pid_t child = ::fork();
-    if (child < 0) throw std::runtime_error("no process");
-    if (child == 0) {
-        try {
-            print();
-        } catch (const std::exception& e) {
-            fmt::print("| {} | {} | {} |\n", program.name, title, e.what());
-            std::fflush(stdout);
-        }
-        ::_exit(0);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -278,18 +252,21 @@ int main(int argc, char** argv) {
             simulation::Plan plan = plan_for(program, exact);
             plan.keep_boundary = false;
             const double volume = simulation::simulate(plan).part_volume;
+            const auto apart = [&](const std::string& title,
+                                   const std::function<void()>& print_it) {
+                bench::apart(program.name + " | " + title, 0, print_it);
+            };
             const auto print = [&](const Row& row) {
-                row_apart(program, row.title, [&] { print_row(program, row, volume); });
+                apart(row.title, [&] { print_row(program, row, volume); });
             };
             print(exact);
             const std::size_t length = program.text.text.size();
             if (length <= kMostForFlat) print({"cda-flat", "cda-flat", 0.0, RayDirections::Chosen});
-            if (length <= kMostForNef)
-                row_apart(program, "nef", [&] { print_nef_row(program, volume); });
+            if (length <= kMostForNef) apart("nef", [&] { print_nef_row(program, volume); });
             for (const Row& row : rows)
                 print(row);
             constexpr double kCoarse = 0.4;
-            row_apart(program, "meshers", [&] { print_mesher_rows(program, kCoarse, volume); });
+            apart("meshers", [&] { print_mesher_rows(program, kCoarse, volume); });
         }
     } catch (const std::exception& e) {
         std::fprintf(stderr, "model_table: %s\n", e.what());

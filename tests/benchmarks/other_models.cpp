@@ -4,18 +4,12 @@
 // same hulls: a tree of BSP cells, voxels (OpenVDB), Boolean operations of a CAD kernel
 // (OpenCASCADE); the last two where their libraries are found. Rows as those of model_table.
 #include "ncsim/cda/cell.h"
-#include "ncsim/cda/tree.h"
-#include "ncsim/gcode/interpreter.h"
-#include "ncsim/setup/job.h"
-#include "ncsim/simulation/simulate.h"
-#include "ncsim/toolpath/walk.h"
 
-#include "programs.h"
+#include "hulls.h"
+#include "measure.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #ifdef NCSIM_HAS_OPENVDB
 #include <openvdb/openvdb.h>
@@ -47,10 +41,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -62,14 +53,7 @@ namespace {
 using namespace ncsim;
 using cda::Vec3;
 
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
+using bench::cpu_seconds;
 
 // n·x <= d, n of unit length, mm.
 struct Halfspace {
@@ -83,23 +67,7 @@ struct Work {
     cda::Box stock;
     std::vector<Body> bodies;
     std::vector<cda::Box> bounds;
-    std::vector<cda::Cell> cells;
-    cda::Lattice lattice;
     double exact_volume = 0.0;
-
-    // Of the first `most` alone.
-    void keep(std::size_t most) {
-        if (most < bodies.size()) {
-            bodies.resize(most);
-            bounds.resize(most);
-            cells.resize(most);
-        }
-        cda::TreeCda part(
-            cda::box_cell(lattice.round(stock.min), lattice.round(stock.max), lattice), lattice,
-            {24, 1});
-        part.subtract_unmeasured(cells);
-        exact_volume = part.volume();
-    }
 };
 
 Body body_of(const cda::Cell& cell, const cda::Lattice& lattice) {
@@ -109,33 +77,14 @@ Body body_of(const cda::Cell& cell, const cda::Lattice& lattice) {
     return body;
 }
 
-Work work_of(const std::string& name) {
-    std::ifstream file(name, std::ios::binary);
-    gcode::SourceFile text{name, file ? std::string(std::istreambuf_iterator<char>(file), {})
-                                      : bench::program_named(name)};
-    simulation::Plan plan;
-    plan.job = setup::job_of(std::move(text));
-    const simulation::Survey survey = simulation::survey(plan);
-    Work work;
-    work.name = std::filesystem::path(name).stem().string();
-    work.stock = survey.stock->box;
-    const cda::Lattice lattice = cda::Lattice::for_stock(work.stock);
-    toolpath::ToolAccuracy accuracy;
-    accuracy.tolerance_mm = plan.tool_tolerance;
-    toolpath::Walk walk(lattice, work.stock, accuracy, {});
-    for (const auto& [number, used] : survey.tools)
-        walk.add_tool(number, used.tool);
-    gcode::interpret(plan.job.program, plan.job.interpreter, [&](const gcode::Motion& motion) {
-        walk.take(motion, cda::Origin{1}, [&](const toolpath::Step& step) {
-            for (const cda::Cell& cell : step.cells) {
-                work.bodies.push_back(body_of(cell, lattice));
-                work.bounds.push_back(cell.bounds);
-                work.cells.push_back(cell);
-            }
-        });
-    });
-    work.lattice = lattice;
-    work.keep(work.bodies.size());
+// Of its first hulls, `most` of them.
+Work work_of(bench::Hulls hulls, std::size_t most) {
+    if (hulls.cells.size() > most) hulls.cells.resize(most);
+    Work work{hulls.name, hulls.stock, {}, {}, hulls.exact_volume()};
+    for (const cda::Cell& cell : hulls.cells) {
+        work.bodies.push_back(body_of(cell, hulls.lattice));
+        work.bounds.push_back(cell.bounds);
+    }
     return work;
 }
 
@@ -414,8 +363,7 @@ double volume_of(const TopoDS_Shape& shape) {
     return std::abs(properties.Mass());
 }
 
-void cad_kernel(Work work, std::size_t most) {
-    work.keep(most);
+void cad_kernel(const Work& work) {
     TopoDS_Shape part = solid_of(box_body(work.stock));
     const double start = cpu_seconds();
     std::size_t failed = 0;
@@ -435,29 +383,6 @@ void cad_kernel(Work work, std::size_t most) {
 }
 #endif
 
-// Each in a process of its own, no longer than some minutes.
-void apart(const Work& work, const std::string& title, const std::function<void()>& measure) {
-    constexpr unsigned kSeconds = 300;
-    std::fflush(stdout);
-    const pid_t child = ::fork();
-    if (child < 0) throw std::runtime_error("no process");
-    if (child == 0) {
-        ::alarm(kSeconds);
-        try {
-            measure();
-        } catch (const std::exception& e) {
-            fmt::print("| {} | {} | {} |\n", work.name, title, e.what());
-        }
-        std::fflush(stdout);
-        ::_exit(0);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    if (WIFSIGNALED(status))
-        fmt::print("| {} | {} | ended by signal {} (14: after {} s) |\n", work.name, title,
-                   WTERMSIG(status), kSeconds);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -472,15 +397,20 @@ int main(int argc, char** argv) {
             "|\n"
             "|---|---|---|---|---|---|---|---|---|\n");
         for (const std::string& name : names) {
-            const Work work = work_of(name);
-            apart(work, "BSP tree", [&] { bsp(work); });
+            const bench::Hulls hulls = bench::hulls_of(name);
+            const Work work = work_of(hulls, hulls.cells.size());
+            const auto apart = [&](const char* title, const std::function<void()>& measure) {
+                constexpr unsigned kSeconds = 300;
+                bench::apart(work.name + " | " + title, kSeconds, measure);
+            };
+            apart("BSP tree", [&] { bsp(work); });
 #ifdef NCSIM_HAS_OPENVDB
             for (const double size : {0.5, 0.2})
-                apart(work, "voxels", [&] { voxels(work, size); });
+                apart("voxels", [&] { voxels(work, size); });
 #endif
 #ifdef NCSIM_HAS_OCCT
             constexpr std::size_t kMostCuts = 50;
-            apart(work, "CAD kernel", [&] { cad_kernel(work, kMostCuts); });
+            apart("CAD kernel", [&] { cad_kernel(work_of(hulls, kMostCuts)); });
 #endif
         }
     } catch (const std::exception& e) {

@@ -10,6 +10,7 @@
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/gcode/subprogram_file.h"
 
+#include "entries.h"
 #include "reference.h"
 
 #include <algorithm>
@@ -17,85 +18,16 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 namespace fs = std::filesystem;
 using namespace ncsim;
+using corpus::Entry;
+using corpus::read_file;
 
 namespace {
 
 constexpr double kMostSeconds = 10.0;
-
-std::string read_file(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-struct Entry {
-    fs::path path;
-    std::string name;
-    std::string kind = "?";
-    std::string status = "none";
-    fs::path reference;
-};
-
-std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> out;
-    std::stringstream in(line);
-    std::string field;
-    while (std::getline(in, field, '\t'))
-        out.push_back(field);
-    return out;
-}
-
-std::vector<Entry> entries_of(const fs::path& directory) {
-    std::vector<Entry> entries;
-    if (std::ifstream index(directory / "INDEX.tsv"); index) {
-        std::string line;
-        std::getline(index, line);
-        const std::vector<std::string> head = split(line);
-        const auto column = [&](const char* name) {
-            return static_cast<std::size_t>(std::ranges::find(head, name) - head.begin());
-        };
-        while (std::getline(index, line)) {
-            std::vector<std::string> fields = split(line);
-            fields.resize(std::max(fields.size(), head.size()));
-            Entry e;
-            e.name = fields[column("program")];
-            e.path = directory / "programs" / e.name;
-            e.kind = fields[column("kind")];
-            e.status = fields[column("reference_status")];
-            if (const std::string& r = fields[column("reference")]; !r.empty())
-                e.reference = directory / r;
-            entries.push_back(std::move(e));
-        }
-        return entries;
-    }
-    for (const auto& file : fs::recursive_directory_iterator(directory)) {
-        if (!file.is_regular_file() || file.path().extension() == ".gz") continue;
-        static constexpr const char* kExtensions[] = {".nc",    ".ngc", ".tap", ".cnc",
-                                                      ".gcode", ".gc",  ".mpf", ".h",
-                                                      ".eia",   ".txt", ".ncc", ".min"};
-        std::string extension = file.path().extension().string();
-        std::ranges::transform(extension, extension.begin(), [](char c) {
-            return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-        });
-        if (std::ranges::find(kExtensions, extension) == std::end(kExtensions)) continue;
-        Entry e;
-        e.path = file.path();
-        e.name = fs::relative(file.path(), directory).string();
-        const fs::path reference = file.path().string() + ".canon.gz";
-        if (fs::exists(reference)) {
-            e.reference = reference;
-            e.status = "ok";
-        }
-        entries.push_back(std::move(e));
-    }
-    std::ranges::sort(entries, {}, &Entry::name);
-    return entries;
-}
 
 /// O-files beside the program, below it, or beside one of its parent folders, under the names that
 /// controls look for.
@@ -141,7 +73,7 @@ int main(int argc, char** argv) {
     }
     std::map<std::string, Tally> table;
     bool clean = true;
-    for (const Entry& entry : entries_of(directory)) {
+    for (const Entry& entry : corpus::entries_of(directory)) {
         if (only && entry.name.find(only) == std::string::npos) continue;
         const gcode::SourceFile file{entry.name, read_file(entry.path)};
         gcode::InterpreterOptions options;

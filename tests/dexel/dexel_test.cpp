@@ -48,6 +48,18 @@ TEST(Dexel, ABlockIsItself) {
     }
 }
 
+// A facing cut that is shallower than the rays are apart: those along X and Y may not see it, and
+// the mean of all directions then lacks two thirds of it.
+TEST(Dexel, TellsByHowMuchAShallowCutIsMissed) {
+    for (const double depth : {0.02, 0.05, 0.1}) {
+        const auto part = block(0.5);
+        part->subtract_unmeasured(cda::box_cell(kLattice.round({-1, -1, 6 - depth}),
+                                                kLattice.round({5, 11, 7}), kLattice,
+                                                cda::Origin{1}));
+        EXPECT_LE(std::abs(part->volume() - (600.0 - 50.0 * depth)), part->volume_error());
+    }
+}
+
 TEST(Dexel, ASlotHasItsWallsAndItsEdges) {
     const auto part = block(0.3);
     part->subtract_unmeasured(mm_box(-1, 3, 4, 11, 6, 7, cda::Origin{7}));

@@ -8,14 +8,10 @@
 //   rays COUNT        random parts with walls of 0.3 to 3 pitches: closed, the same for 1, 2 and 8
 //                     threads and in any order of the cuts, the volume as near as is told
 //   points COUNT      of random parts, farther than a pitch from the surface: in or out
-//   folder FOLDER…    programs (.nc): the volume by rays against the exact one
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"
 #include "ncsim/dexel/dexel.h"
-#include "ncsim/setup/job.h"
-#include "ncsim/simulation/draft.h"
-#include "ncsim/simulation/simulate.h"
 
 #include "nef/agreement.h"
 #include "support/random.h"
@@ -26,10 +22,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -232,51 +225,6 @@ void look_at_points(long count) {
     std::printf("points: %ld\n", asked);
 }
 
-// --- programs ---
-
-void compare_volumes(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    simulation::Plan plan;
-    plan.job =
-        setup::job_of({path.string(), std::string(std::istreambuf_iterator<char>(file), {})});
-    plan.threads = 1;
-    plan.keep_boundary = true;
-    plan.tool_tolerance = 0.01;
-    const simulation::Survey survey = simulation::survey(plan);
-    if (!survey.is_ready()) {
-        std::printf("%s: not simulated\n", path.filename().c_str());
-        return;
-    }
-    const simulation::Simulation exact = simulation::simulate(plan, survey, {}, {});
-    double tool_error = 0.0;
-    for (const auto& [number, facts] : exact.cutters)
-        tool_error = std::max(tool_error, facts.error_mm);
-    // Its tools are polygons: all of the surface may be off by that.
-    const double room = tool_error * cda::area(*exact.boundary);
-    plan.model = "dexel";
-    plan.keep_boundary = false;
-    simulation::choose_rays(plan, survey);
-    simulation::choose_resolution(plan, survey);
-    const simulation::Simulation rays = simulation::simulate(plan, survey, {}, {});
-    const double off = rays.part_volume - exact.part_volume;
-    std::printf("%s: %.1f mm3, by rays %+.2f, told %.2f, polygons %.2f at most\n",
-                path.filename().c_str(), exact.part_volume, off, rays.part_volume_error, room);
-    std::fflush(stdout);
-    require(std::abs(off) <= rays.part_volume_error + room,
-            path.string() + ": the volume is farther off than is told");
-}
-
-void compare_folder(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> programs;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".nc")
-            programs.push_back(entry.path());
-    }
-    std::ranges::sort(programs);
-    for (const auto& path : programs)
-        compare_volumes(path);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -289,11 +237,8 @@ int main(int argc, char** argv) {
             for_each_number("parts", count, look_at_rays);
         } else if (what == "points" && count > 0) {
             look_at_points(count);
-        } else if (what == "folder" && argc > 2) {
-            for (int i = 2; i < argc; ++i)
-                compare_folder(argv[i]);
         } else {
-            std::fprintf(stderr, "usage: nightly_models nef|rays|points COUNT | folder FOLDER…\n");
+            std::fprintf(stderr, "usage: nightly_models nef|rays|points COUNT\n");
             return 2;
         }
     } catch (const std::exception& e) {

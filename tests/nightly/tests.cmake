@@ -12,8 +12,6 @@ target_compile_definitions(nightly_models PRIVATE NCSIM_SOURCE_DIR="${PROJECT_SO
 target_link_libraries(nightly_models PRIVATE ncsim_nef ncsim_build_flags)
 add_test(NAME nightly.LooksAtThreeHundredPartsOfRays COMMAND nightly_models rays 300)
 add_test(NAME nightly.LooksAtPointsOfPartsOfRays COMMAND nightly_models points 100000)
-add_test(NAME nightly.ComparesTheVolumesOfTheSamplesByRays
-  COMMAND nightly_models folder ${PROJECT_SOURCE_DIR}/samples)
 
 # The oracle for programs, which knows nothing of ncsim.
 set(oracle

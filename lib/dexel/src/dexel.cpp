@@ -90,16 +90,21 @@ public:
         return rays_.value();
     }
     bool has_only_z() const { return parameters_.directions == Directions::OnlyZ; }
-    // mm³, of the mean of all directions.
+    // By how much the mean of all directions may be off, mm³: whichever direction sees the part
+    // as it is. What is shallower than the rays along the others are apart, those may not see at
+    // all.
     double doubtful_volume() const {
-        double sum = 0.0;
-        double directions = 0.0;
+        const std::vector<double> seen = volumes();
+        const double mean = mean_volume();
+        double most = 0.0;
+        std::size_t i = 0;
         for (const Rays& along : rays()) {
             if (along.rows() == 0) continue;
-            sum += dexel::doubtful_volume(along, *grid_);
-            ++directions;
+            const double of_walls =
+                dexel::doubtful_volume(along, *grid_) * lattice_.cubic_unit_mm3();
+            most = std::max(most, std::abs(seen[i++] - mean) + of_walls);
         }
-        return sum * lattice_.cubic_unit_mm3() / directions;
+        return most;
     }
     // mm², of a ray along the axis.
     double area_of_ray(std::size_t axis) const {
@@ -115,6 +120,11 @@ public:
             volumes.push_back(along.length() * lattice_.unit_mm * area_of_ray(along.axis()));
         }
         return volumes;
+    }
+
+    double mean_volume() const {
+        const std::vector<double> seen = volumes();
+        return std::accumulate(seen.begin(), seen.end(), 0.0) / static_cast<double>(seen.size());
     }
 
     Contour contour() const {
@@ -246,9 +256,7 @@ std::unique_ptr<cda::WorkpieceModel> Dexel::clone() const {
 }
 
 double Dexel::volume() const {
-    const std::vector<double> volumes = impl_->volumes();
-    return std::accumulate(volumes.begin(), volumes.end(), 0.0) /
-           static_cast<double>(volumes.size());
+    return impl_->mean_volume();
 }
 
 cda::Boundary Dexel::boundary() const {

@@ -69,8 +69,9 @@ public:
     std::unique_ptr<cda::WorkpieceModel> clone() const override;
     /// The mean of what the rays of each direction have.
     double volume() const override;
-    /// As far as the rays can tell: half the resolution times the walls that they are parallel to.
-    /// What is thinner than the resolution, and lies between all rays, is not in it.
+    /// As far as the rays can tell, whichever direction is right: half the resolution times the
+    /// walls that its rays are parallel to, and how far its volume is from the mean of all. What is
+    /// thinner than the resolution, and lies between all rays, is not in it.
     double volume_error() const override;
     std::optional<cda::Aliasing> aliasing() const override;
     /// Triangles; each names the motion that left the end of a ray on one of its sides.

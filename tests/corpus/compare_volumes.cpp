@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// compare_volumes PATH [--largest BYTES] [--seconds N] [--only TEXT] [--quiet] [--job FILE]
+// [--machine FILE]: is the volume that rays tell (--model dexel) as near to that of the exact model
+// as they say? Of a program, or of every program of a folder, each in a process of its own with N
+// seconds of processor time (60) and 4 GB; a table at the end. What programs do not tell is
+// guessed, as in a draft. Exit code 1 if a volume is farther off than is told, or a program makes
+// either model fail.
+#include "ncsim/cda/boundary.h"
+#include "ncsim/setup/input.h"
+#include "ncsim/setup/job.h"
+#include "ncsim/setup/machine_formats.h"
+#include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/take_machine.h"
+
+#include "entries.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace ncsim;
+
+enum class Verdict : std::uint8_t { Within, Beyond, NothingCut, NotSimulated, Failed, TooSlow };
+constexpr std::array kVerdicts{"within",        "BEYOND", "nothing cut",
+                               "not simulated", "FAILED", "too slow"};
+
+struct Comparison {
+    Verdict verdict = Verdict::Failed;
+    double exact = 0.0, off = 0.0;  ///< mm³; by how much rays have more.
+    /// What rays tell; and what round tools may leave that those of the exact model, which are
+    /// polygons, do not.
+    double told = 0.0, polygons = 0.0;
+    std::array<char, 200> why{};
+
+    void say(const std::string& text) {
+        const std::size_t length = std::min(text.size(), why.size() - 1);
+        std::copy_n(text.begin(), length, why.begin());
+        why[length] = '\0';
+        std::ranges::replace(why, '\n', ' ');
+    }
+    /// The share of what is allowed.
+    double share() const { return std::abs(off) / std::max(told + polygons, 1e-300); }
+};
+
+double longest_side(const cda::Box& box) {
+    return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+}
+
+// Of what tools left.
+double cut_area(cda::Boundary boundary) {
+    std::erase_if(boundary.faces,
+                  [](const cda::BoundaryFace& face) { return face.origin == cda::kStockOrigin; });
+    return cda::area(boundary);
+}
+
+struct Told {
+    std::string job, machine;  ///< Files; empty: none.
+};
+
+Comparison compare(const std::string& path, const Told& files) {
+    setup::InputSet inputs;
+    setup::JobOptions options;
+    options.program = path;
+    options.job = files.job;
+    simulation::Plan plan;
+    plan.job = setup::read_job(options, inputs);
+    if (!files.machine.empty())
+        simulation::take_machine(plan, setup::read_machine(files.machine, inputs));
+    plan.threads = 1;
+    plan.draft = true;
+    plan.keep_boundary = true;
+    const simulation::Survey survey = simulation::survey(plan);
+    Comparison result;
+    if (!survey.is_ready()) {
+        result.verdict = Verdict::NotSimulated;
+        result.say(simulation::reason_against(survey));
+        return result;
+    }
+    // Polygons so fine that they do not hide what rays miss.
+    plan.tool_tolerance = std::max(0.01, longest_side(survey.stock->box) / 20'000.0);
+    const simulation::Simulation exact = simulation::simulate(plan, survey, {}, {});
+    double tool_error = 0.0;
+    for (const auto& [number, facts] : exact.cutters)
+        tool_error = std::max(tool_error, facts.error_mm);
+    result.polygons = tool_error * cut_area(*exact.boundary);
+    plan.model = "dexel";
+    plan.keep_boundary = false;
+    simulation::choose_rays(plan, survey);
+    simulation::choose_resolution(plan, survey);
+    const simulation::Simulation rays = simulation::simulate(plan, survey, {}, {});
+    result.exact = exact.part_volume;
+    result.off = rays.part_volume - exact.part_volume;
+    result.told = rays.part_volume_error;
+    // A millionth of a millionth is what sums of doubles may be off by.
+    const double rounding = 1e-12 * exact.stock_volume;
+    result.verdict = !(std::abs(result.off) <= result.told + result.polygons + rounding)
+                         ? Verdict::Beyond
+                     : exact.part_volume == exact.stock_volume ? Verdict::NothingCut
+                                                               : Verdict::Within;
+    return result;
+}
+
+void limit(int what, rlim_t most) {
+    const rlimit limits{most, most};
+    ::setrlimit(what, &limits);
+}
+
+// In a process of its own.
+Comparison compare_apart(const std::string& path, const Told& files, unsigned seconds) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    std::fflush(stdout);
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child == 0) {
+        ::close(ends[0]);
+        limit(RLIMIT_CPU, seconds);
+        limit(RLIMIT_AS, rlim_t{4'000'000'000});
+        limit(RLIMIT_CORE, 0);
+        Comparison result;
+        try {
+            result = compare(path, files);
+        } catch (const std::exception& e) {
+            result.say(e.what());
+        }
+        const auto written = ::write(ends[1], &result, sizeof result);
+        ::_exit(written == static_cast<ssize_t>(sizeof result) ? 0 : 1);
+    }
+    ::close(ends[1]);
+    Comparison result;
+    const bool is_there =
+        ::read(ends[0], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
+    ::close(ends[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (!is_there) {
+        result = {};
+        const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+        // The limit of processor time is the hard one, too: either signal.
+        if (signal == SIGXCPU || signal == SIGKILL) result.verdict = Verdict::TooSlow;
+        result.say("signal " + std::to_string(signal));
+    }
+    return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::filesystem::path path;
+    Told files;
+    std::uintmax_t largest = ~std::uintmax_t{0};
+    unsigned seconds = 60;
+    std::string only;
+    bool quiet = false;
+    for (int i = 1; i < argc; ++i) {
+        const bool has_value = i + 1 < argc;
+        if (std::strcmp(argv[i], "--largest") == 0 && has_value) {
+            largest = std::strtoull(argv[++i], nullptr, 10);
+        } else if (std::strcmp(argv[i], "--seconds") == 0 && has_value) {
+            seconds = static_cast<unsigned>(std::strtoul(argv[++i], nullptr, 10));
+        } else if (std::strcmp(argv[i], "--only") == 0 && has_value) {
+            only = argv[++i];
+        } else if (std::strcmp(argv[i], "--quiet") == 0) {
+            quiet = true;
+        } else if (std::strcmp(argv[i], "--job") == 0 && has_value) {
+            files.job = argv[++i];
+        } else if (std::strcmp(argv[i], "--machine") == 0 && has_value) {
+            files.machine = argv[++i];
+        } else if (path.empty() && argv[i][0] != '-') {
+            path = argv[i];
+        } else {
+            path.clear();
+            break;
+        }
+    }
+    if (path.empty() || seconds == 0) {
+        std::fprintf(stderr,
+                     "usage: compare_volumes PATH [--largest BYTES] [--seconds N] "
+                     "[--only TEXT] [--quiet] [--job FILE] [--machine FILE]\n");
+        return 2;
+    }
+    try {
+        std::map<std::string, std::array<int, kVerdicts.size()>> table;
+        // Of what is allowed, how much was needed: up to a tenth, a quarter, a half, all of it.
+        constexpr std::array kShares{0.1, 0.25, 0.5, 1.0};
+        std::array<int, kShares.size()> shares{};
+        bool is_clean = true;
+        int programs = 0;
+        for (const corpus::Entry& entry : corpus::entries_of(path)) {
+            if (entry.name.find(only) == std::string::npos) continue;
+            std::error_code error;
+            const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
+            if (error || size > largest) continue;
+            ++programs;
+            const Comparison c = compare_apart(entry.path.string(), files, seconds);
+            ++table[entry.kind][static_cast<std::size_t>(c.verdict)];
+            is_clean &= c.verdict != Verdict::Beyond && c.verdict != Verdict::Failed;
+            if (c.verdict == Verdict::Within) {
+                const auto* place = std::ranges::lower_bound(kShares, c.share());
+                ++shares[static_cast<std::size_t>(std::min(place, kShares.end() - 1) -
+                                                  kShares.begin())];
+            }
+            const bool is_wrong = c.verdict == Verdict::Beyond || c.verdict == Verdict::Failed;
+            if (quiet && !is_wrong) continue;
+            std::printf("%-13s %s", kVerdicts[static_cast<std::size_t>(c.verdict)],
+                        entry.name.c_str());
+            if (c.why[0] != '\0') {
+                std::printf(": %s\n", c.why.data());
+            } else {
+                std::printf(": %.1f mm3, by rays %+.4g, told %.4g, polygons %.4g at most\n",
+                            c.exact, c.off, c.told, c.polygons);
+            }
+            std::fflush(stdout);
+        }
+        std::printf("\n%-14s", "kind");
+        for (const char* name : kVerdicts)
+            std::printf("%15s", name);
+        for (const auto& [kind, counts] : table) {
+            std::printf("\n%-14s", kind.c_str());
+            for (const int count : counts)
+                std::printf("%15d", count);
+        }
+        std::printf("\n%d programs; of what is allowed, those within needed", programs);
+        for (std::size_t i = 0; i < shares.size(); ++i)
+            std::printf("%s at most %g of it: %d", i == 0 ? "" : ",", kShares[i], shares[i]);
+        std::printf("\n");
+        // Nothing was compared: nothing was found.
+        if (programs == 0) is_clean = false;
+        return is_clean ? 0 : 1;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "compare_volumes: %s\n", e.what());
+        return 2;
+    }
+}
