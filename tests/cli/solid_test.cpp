@@ -59,9 +59,10 @@ TEST(Run, CutsThePartOpenInLinesAndArcs) {
 
 TEST(Run, ASectionOfFacetsSaysSo) {
     Folder folder;
-    std::string ramp = kSlot;
-    ramp.replace(ramp.find("G1 X30."), 7, "G2 X10. I20. Z-4.");
-    ramp.replace(ramp.find("G0 X-30."), 8, "G0 X-15.");
+    std::string ramp = kSlot;  // a ball on a helix
+    ramp.replace(ramp.find("CR=0."), 5, "CR=5.");
+    ramp.replace(ramp.find("G1 X30."), 7, "G2 X10. I10. Z-4.");
+    ramp.replace(ramp.find("G0 X-30."), 8, "G0 X-10.");
     folder.write("ramp.nc", ramp);
     const Ran ran = folder.run({"run", "ramp.nc", "--section", "y=5", "--dxf", "-"});
     EXPECT_TRUE(contains(ran.err, "of facets of round tools")) << ran.err;
