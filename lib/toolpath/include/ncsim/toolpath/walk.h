@@ -43,9 +43,9 @@ struct Step {
     /// Of the cutting pieces; only those that may meet the stock, where they are wanted. Often
     /// none.
     std::span<const cda::Cell> cells;
-    /// What this step took away together with those before it, in fewer cells, where it ends a whole
-    /// turn that leaves no core, or goes straight on as they did, no farther than the tool is wide.
-    /// Some of that may not be wanted.
+    /// What this step took away together with those before it, in fewer cells, where it ends a
+    /// whole turn that leaves no core, or goes straight on as they did, no farther than the tool is
+    /// wide. Some of that may not be wanted.
     std::span<const cda::Cell> covering;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
