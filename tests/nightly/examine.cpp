@@ -266,8 +266,19 @@ private:
             for (std::size_t m = 0; m < program_.moves.size(); ++m) {
                 if (program_.moves[m].line != entry.nc_line) continue;
                 if (program_.moves[m].tool + 1 != entry.tool) continue;
-                const double allowed = judge_.allowance(m).beyond() + stated_.unit;
-                touches |= judge_.distance(m, p).lower <= allowed;
+                const auto is_there = [&](std::size_t move, double beside) {
+                    const double allowed = judge_.allowance(move).beyond() + stated_.unit;
+                    return judge_.distance(move, p).lower <= allowed + beside;
+                };
+                touches |= is_there(m, 0.0);
+                // Or, of a straight way in pieces or a whole turn, one of those before it on that
+                // way; then it was no farther away than the tool is wide.
+                const double width = 2.0 * program_.tools[program_.moves[m].tool].radius();
+                for (std::size_t k = m; !touches && k-- > 0;) {
+                    if (program_.moves[k].tool != program_.moves[m].tool || !is_there(m, width))
+                        break;
+                    touches = is_there(k, 0.0);
+                }
             }
             require(touches, "the surface at " + text_of(p) + " says it was cut by line " +
                                  std::to_string(entry.nc_line) + ", which was not there");
