@@ -233,6 +233,25 @@ TEST(Check, ComparesThePartWithItsDesign) {
     }
 }
 
+// A straight way in short moves, between whose ends the design has a bridge: the lines are those
+// that went through it, although a plain run tells of several of them together.
+TEST(Check, NamesTheLinesOfAStraightWayThatCutIntoTheDesign) {
+    Folder folder;
+    const std::string head =
+        "(T1 D=4. - flat end mill)\n(STOCK/BLOCK,80.,40.,10.,40.,20.,10.) (FROM/0,0,100)\n"
+        "G21 G90 G17 T1 M6 S1000 M3 F500\nG0 X-50. Y0. Z5.\nG0 Z-2.\n";
+    folder.write("right.nc", head + "G1 X0.\nG0 Z5.\nG0 X50.\nG0 Z-2.\nG1 X12.\nG0 Z5.\nM30\n");
+    std::string through = head;
+    for (int x = -49; x <= 50; ++x)
+        through += "G1 X" + std::to_string(x) + ".\n";  // line 55 is to X0
+    folder.write("through.nc", through + "G0 Z5.\nM30\n");
+    ASSERT_EQ(folder.run({"run", "right.nc", "-q", "--stl", "design.stl"}).exit_code, 0);
+    const Ran ran = folder.run({"check", "through.nc", "--design", "design.stl"});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out, "cut into the design, around here by lines 55-66: depth 2 mm"))
+        << ran.out;
+}
+
 TEST(Check, TellsWhatIsLeftBeyondTheDesign) {
     Folder folder;
     folder.write("slot.nc", kSlot);
@@ -376,6 +395,12 @@ TEST(Check, FindsTheBlockThatCutsAPieceFree) {
                  "ring.nc:10:1: warning: a piece of the part is cut free: left of it at the "
                  "end 500 mm3 [part-cut-free]"))
         << ran.out;
+    // Walls that a deeper pass takes over: it is the one before that frees the piece.
+    std::string again = ring;
+    again.insert(again.find("G0 Z5.\nM30"), "G1 Z-5.5\nG1 X7.\nG1 Y7.\nG1 X-7.\nG1 Y-7.\n");
+    folder.write("again.nc", again);
+    EXPECT_TRUE(contains(folder.run({"check", "again.nc", "--cut-free"}).out,
+                         "again.nc:10:1: warning: a piece of the part is cut free"));
     // With a skin of 0.1 mm left it is not.
     std::string skin = ring;
     skin.replace(skin.find("Z-5.\n"), 4, "Z-4.9");

@@ -279,6 +279,7 @@ struct Prepared {
         verification.side = toolpath::Side::Circumscribed;
         verification.rapid = setup.rapid;
         verification.watch = verify::watch_of(setup);
+        verification.keep_cuts = verification.own_lines = setup.design;
         return verification;
     }
 };
@@ -352,7 +353,6 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
     if (checked.simulated) {
         Verification verification = all.verification();
         verification.verifier = &verifier;
-        verification.keep_cuts = questions.design != nullptr;
         const Simulation simulation = simulate(plan, survey, verification, {});
         if (questions.cut_free) {
             for (verify::Finding& f : cut_free(plan, survey, verification, simulation))

@@ -96,6 +96,7 @@ public:
           place_of_tile_(tile_ ? result.part->wanted() : std::nullopt),
           volume_(result.stock_volume) {
         if (result.part->takes_sweeps()) walk_.leave_round();
+        if (verification.own_lines) walk_.tell_steps_alone();
         for (const auto& [number, used] : survey.tools) {
             const toolpath::Cutter& cutter = walk_.add_tool(number, used.tool);
             result.cutters[number] = {cutter.sides(), cutter.error_mm()};

@@ -242,7 +242,7 @@ void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, con
                  cda::Origin origin) {
     constexpr std::int32_t kFirstRank = cda::Cell::kFirstRank;
     covering_.clear();
-    if (leaves_round_ || motion.kind != gcode::MoveKind::Feed) {
+    if (!covers_ || leaves_round_ || motion.kind != gcode::MoveKind::Feed) {
         run_.steps = 0;
         return;
     }
@@ -274,7 +274,7 @@ bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
     const Polar p = is_level ? polar(*arc) : Polar{};
-    if (!is_level || leaves_round_ || p.start_radius >= cutter.radius_mm()) {
+    if (!covers_ || !is_level || leaves_round_ || p.start_radius >= cutter.radius_mm()) {
         round_.way.clear();
         return false;
     }

@@ -85,6 +85,8 @@ struct Verification {
     /// Stop cutting after so many motions that meet the block: those of the origins 1 to this.
     std::optional<std::uint32_t> most_cuts;
     bool keep_cuts = false;
+    /// Each face is of a motion that left all of it: nothing is told of steps together.
+    bool own_lines = false;
     /// Verify this motion alone, and stop after it; from 1, in the order of execution.
     std::optional<std::uint64_t> only_motion;
     /// More steps of the tools, wherever they are, throw StepLimit.

@@ -72,6 +72,8 @@ public:
     /// From now on tools whose cutting pieces are cda::RoundSweep's are swept as they are, whatever
     /// the accuracy, where they stand upright and go straight ahead.
     void leave_round() { leaves_round_ = true; }
+    /// From now on no step has `covering`.
+    void tell_steps_alone() { covers_ = false; }
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
     /// From now on no more cells are made than those near `place` (mm, W); nothing: all.
@@ -145,6 +147,7 @@ private:
     Cutter::Rotation upright_ = pose_at({}).rows;
     std::map<int, Known> tools_;
     bool leaves_round_ = false;
+    bool covers_ = true;
     std::vector<cda::Cell> cells_;     // of one step, kept for its memory
     std::vector<cda::Cell> covering_;  // likewise
     Round round_;
