@@ -102,13 +102,19 @@ TEST(Extrusion, IsTheSameWhereverItsCircleIs) {
     EXPECT_FALSE(is_same({e, true}, {moved, true}, 1e-3));
 }
 
+// Its middle, axis, and where it begins around that.
+template <class Surface>
+void put_anywhere(Surface& surface, Draw& draw) {
+    surface.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
+    surface.axis = draw.direction();
+    const double turn = draw.from(0.0, 6.2);
+    const Vec3 x = across(surface.axis);
+    surface.ahead = std::cos(turn) * x + std::sin(turn) * cross(surface.axis, x);
+}
+
 Dome random_dome(Draw& draw) {
     Dome dome;
-    dome.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
-    dome.axis = draw.direction();
-    const double turn = draw.from(0.0, 6.2);
-    const Vec3 x = across(dome.axis);
-    dome.ahead = std::cos(turn) * x + std::sin(turn) * cross(dome.axis, x);
+    put_anywhere(dome, draw);
     dome.reach = draw.from(0.2, 9.0);
     dome.radius = draw.from(0.5, 9.0);
     return dome;
@@ -154,11 +160,7 @@ TEST(Dome, IsTheSameOnOneSideOnly) {
 
 Coil random_coil(Draw& draw) {
     Coil coil;
-    coil.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
-    coil.axis = draw.direction();
-    const double turn = draw.from(0.0, 6.2);
-    const Vec3 x = across(coil.axis);
-    coil.ahead = std::cos(turn) * x + std::sin(turn) * cross(coil.axis, x);
+    put_anywhere(coil, draw);
     coil.reach = draw.from(0.2, 9.0);
     coil.radius = draw.from(0.5, 9.0);
     coil.lead = draw.from(0.1, 1.0) * (draw.from(-1, 1) < 0.0 ? -1.0 : 1.0);
@@ -197,11 +199,7 @@ TEST(Coil, HasItsPlacesNormalsAndDistances) {
 
 Spiral random_spiral(Draw& draw) {
     Spiral spiral;
-    spiral.centre = {draw.from(-9, 9), draw.from(-9, 9), draw.from(-9, 9)};
-    spiral.axis = draw.direction();
-    const double turn = draw.from(0.0, 6.2);
-    const Vec3 x = across(spiral.axis);
-    spiral.ahead = std::cos(turn) * x + std::sin(turn) * cross(spiral.axis, x);
+    put_anywhere(spiral, draw);
     spiral.reach = draw.from(2.0, 9.0);
     spiral.lead = draw.from(-0.1, 0.1) * spiral.reach;
     spiral.offset = draw.from(-0.5, 1.0) * spiral.reach;
