@@ -301,6 +301,59 @@ TEST(TreeCda, AnswersAsIfNoCellHadToWait) {
 
 // Asking makes what waits be taken in, in whichever thread is first; copies share what they were.
 // The sanitizer of threads sees more of this than the numbers do.
+// Other threads take in what waited; questions, copies, moves and the end come in between.
+TEST(TreeCda, IsTheSameWhereCellsComeWhileOthersGoDown) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const auto cuts = random_cuts(seed, 300, 90000);
+        const auto questions = random_cuts(seed + 1000, 300, 90000);
+        TreeCda busy(kStock, kLattice, {.threads = 4, .batch = 20});
+        TreeCda one(kStock, kLattice, {.threads = 1, .batch = 20});
+        TreeCda eager(kStock, kLattice, {.threads = 1, .batch = 1});
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+            for (TreeCda* part : {&busy, &one, &eager})
+                part->subtract_step(std::span(&cuts[i], 1));
+            switch (random.between(0, 60)) {
+                case 0:
+                    EXPECT_EQ(busy.contact(questions[i]).has_value(),
+                              eager.contact(questions[i]).has_value());
+                    break;
+                case 1: {
+                    TreeCda moved = std::move(busy);
+                    busy = std::move(moved);
+                    break;
+                }
+                case 2: {
+                    const TreeCda copy = busy;
+                    busy = copy;
+                    break;
+                }
+                default: break;
+            }
+        }
+        TreeCda given_up = busy;
+        for (const Cell& cut : random_cuts(seed + 2000, 20, 90000))
+            given_up.subtract_step(std::span(&cut, 1));
+        EXPECT_NEAR(busy.volume(), one.volume(), 1e-9);
+        expect_same(busy.boundary(), eager.boundary());
+        expect_same(one.boundary(), eager.boundary());
+    }
+}
+
+// To the last bit: blocks go down when they would with one thread, by the number of steps.
+TEST(TreeCda, GoesDownWhereNobodyComesWhateverTheThreads) {
+    TreeCda one(kStock, kLattice, {.threads = 1});
+    TreeCda three(kStock, kLattice, {.threads = 3});
+    const auto passes = random_cuts(7, 200, 30000);
+    for (std::size_t i = 0; i < 12000; ++i) {
+        for (TreeCda* part : {&one, &three})
+            part->subtract_step(std::span(&passes[i / 60], 1));
+    }
+    EXPECT_EQ(one.volume(), three.volume());
+    EXPECT_EQ(one.counts().nodes, three.counts().nodes);
+}
+
 TEST(TreeCda, AnswersManyThreadsAtATime) {
     const auto cuts = random_cuts(5, 300, 50000);
     TreeCda part(kStock, kLattice, {.leaf = 20, .threads = 2});

@@ -110,6 +110,7 @@ public:
 
     /// Where material may be.
     HalfBox box() const { return nodes_[0].box(); }
+    bool is_empty() const { return nodes_[0].kind == Kind::Empty; }
 
     /// Takes cells away. Expected O(surface of the cells in the block that is left in the end):
     /// what one of them covers is not looked at for the others. A leaf whose cells are cut by more
@@ -118,7 +119,7 @@ public:
                 std::uint32_t leaf);
     /// False: the cell is nowhere near, by its box.
     bool meets(const IncomingCell& cell) const {
-        return nodes_[0].kind != Kind::Empty && cell.meets(BoxFrame(box()));
+        return !is_empty() && cell.meets(BoxFrame(box()));
     }
 
     /// How much cells would take away, in the order given, if they were inserted now: `taken` for

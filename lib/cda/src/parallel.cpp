@@ -7,15 +7,15 @@
 
 namespace ncsim::cda {
 
-void in_parallel(std::size_t threads, std::size_t tasks,
-                 const std::function<void(std::size_t)>& work) {
-    if (tasks == 0) return;
-    const std::size_t wanted = threads > 0 ? threads : std::thread::hardware_concurrency();
-    const std::size_t count = std::clamp<std::size_t>(wanted, 1, tasks);
+struct Background::Shared {
+    std::size_t tasks;
+    std::function<void(std::size_t)> work;
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
     std::mutex failure_mutex;
-    const auto worker = [&] {
+    std::vector<std::jthread> others;
+
+    void take_tasks() {
         try {
             for (std::size_t i = next++; i < tasks; i = next++)
                 work(i);
@@ -24,13 +24,35 @@ void in_parallel(std::size_t threads, std::size_t tasks,
             failure = std::current_exception();
             next = tasks;
         }
-    };
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < count; ++i)
-        others.emplace_back(worker);
-    worker();
-    others.clear();  // joins
-    if (failure) std::rethrow_exception(failure);
+    }
+};
+
+std::size_t thread_count(std::size_t threads) {
+    return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+Background::Background(std::size_t others, std::size_t tasks, std::function<void(std::size_t)> work)
+    : shared_(new Shared{tasks, std::move(work), {}, {}, {}, {}}) {
+    for (std::size_t i = 0; i < std::min(others, tasks); ++i)
+        shared_->others.emplace_back([shared = shared_.get()] { shared->take_tasks(); });
+}
+
+Background::~Background() {
+    shared_->next = shared_->tasks;
+    shared_->others.clear();  // joins
+}
+
+void Background::finish() {
+    shared_->take_tasks();
+    shared_->others.clear();
+    if (shared_->failure) std::rethrow_exception(shared_->failure);
+}
+
+void in_parallel(std::size_t threads, std::size_t tasks,
+                 const std::function<void(std::size_t)>& work) {
+    if (tasks == 0) return;
+    const std::size_t all = std::min(thread_count(threads), tasks);
+    Background(all - 1, tasks, [&work](std::size_t i) { work(i); }).finish();
 }
 
 }  // namespace ncsim::cda

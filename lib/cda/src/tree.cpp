@@ -107,7 +107,9 @@ struct TreeCda::WaitingCell {
 // A part of the tree and its share of the volume.
 struct TreeCda::Block {
     std::shared_ptr<BlockTree> tree;
-    std::vector<std::shared_ptr<const WaitingCell>> waiting;  // in the order they came
+    std::vector<std::shared_ptr<const WaitingCell>> waiting;     // in the order they came
+    std::vector<std::shared_ptr<const WaitingCell>> going_down;  // likewise, those before them
+    std::uint64_t last_step = 0;                                 // when somebody came
     mutable std::optional<double> volume;  // cubic units; of what is there now, once asked for
     mutable std::shared_ptr<const Outlines> outlines;  // likewise, of a tile
     std::vector<std::pair<Origin, Taking>> taken;      // what is not in the books yet; cubic units
@@ -122,6 +124,22 @@ struct TreeCda::Block {
         outlines.reset();
         return *tree;
     }
+    // None waits any longer.
+    void send_down() {
+        going_down.insert(going_down.end(), waiting.begin(), waiting.end());
+        waiting.clear();
+    }
+    // Takes in those that go down; into the books, if there are any.
+    void settle(const AccountInput& input, bool keeps_account);
+};
+
+// Who asks waits for others that do, and for what goes down the tree meanwhile.
+class TreeCda::Asked {
+public:
+    explicit Asked(const TreeCda& part) : lock_(part.asking_.mutex) { part.finish_settling(); }
+
+private:
+    std::lock_guard<std::mutex> lock_;
 };
 
 TreeCda::TreeCda(TreeParameters parameters)
@@ -142,8 +160,10 @@ TreeCda::TreeCda(const Cell& stock, const Lattice& lattice, TreeParameters param
     split_into_blocks();
 }
 
-TreeCda::~TreeCda() = default;
-TreeCda::TreeCda(const TreeCda& other) : TreeCda(other, Asked(other.asking_.mutex)) {}
+TreeCda::~TreeCda() {
+    settling_.reset();
+}
+TreeCda::TreeCda(const TreeCda& other) : TreeCda(other, Asked(other)) {}
 TreeCda::TreeCda(const TreeCda& other, const Asked&)
     : parameters_(other.parameters_),
       lattice_(other.lattice_),
@@ -158,6 +178,7 @@ TreeCda::TreeCda(const TreeCda& other, const Asked&)
       blocks_(other.blocks_),
       places_(other.places_),
       waiting_(other.waiting_),
+      steps_(other.steps_),
       account_(other.account_),
       counts_(other.counts_),
       volumes_asked_(other.volumes_asked_) {}
@@ -191,14 +212,11 @@ void TreeCda::split_into_blocks() {
         boxes = std::move(halves);
     }
     for (const HalfBox& box : boxes) {
-        blocks_.push_back({std::make_shared<BlockTree>(box), {}, std::nullopt, nullptr, {}});
-        Place place{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            place.min[i] = static_cast<double>(box.min[i]);
-            place.max[i] = static_cast<double>(box.max[i]);
-        }
-        places_.push_back(place);
+        blocks_.push_back({std::make_shared<BlockTree>(box), {}, {}, 0, std::nullopt, nullptr, {}});
+        places_.emplace_back();
     }
+    for (std::size_t i = 0; i < blocks_.size(); ++i)
+        tell_place(i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const HalfBox& box : boxes) {
             if (box.min[axis] != root.min[axis]) walls_[axis].push_back(box.min[axis]);
@@ -227,8 +245,7 @@ std::unique_ptr<WorkpieceModel> TreeCda::clone() const {
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     for (const Cell& cell : cells) {
-        if (take_in(cell)) ++waiting_;
-        if (waiting_ >= parameters_.batch) settle_all();
+        if (take_in(cell)) settle_some();
     }
 }
 
@@ -237,7 +254,18 @@ void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> c
         take_in(cell);
     for (const Cell& cell : covering)
         take_in(cell, true);
-    if (++waiting_ >= parameters_.batch) settle_all();
+    settle_some();
+}
+
+// Every so often, those go down that wait where nobody has come for a while: a block that the tool
+// has left takes in all at once, while other threads would wait; all do if they are many.
+void TreeCda::settle_some() {
+    constexpr std::uint64_t kTurn = 512, kWhile = 4096;
+    const bool are_many = ++waiting_ >= parameters_.batch;
+    if (!are_many && ++steps_ % kTurn != 0) return;
+    begin_settling(
+        [&](const Block& block) { return are_many || steps_ - block.last_step >= kWhile; });
+    if (are_many) waiting_ = 0;
 }
 
 std::optional<Box> TreeCda::wanted() const {
@@ -290,8 +318,8 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
         }
     }
     here.enclose(cell.bounds, lattice_.unit_mm);
-    here.number = cells_->size();
-    cells_->add(cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr);
+    here.number = cells_->size() + static_cast<std::uint32_t>(listed_.size());
+    listed_.push_back({cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr});
     ++counts_.cells;
     counts_.planes += here.loose.size();
     for (const double d : here.facets)
@@ -307,54 +335,95 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     for (const std::uint32_t number : own_) {
         if (!is_there(places_[number], here)) continue;
         Block& block = blocks_[number];
-        if (!block.tree->meets(here)) continue;
         if (covers) forget_within(block, cell);
         block.waiting.push_back(taken);
+        block.last_step = steps_;
     }
     return true;
 }
 
-void TreeCda::settle(Block& block) const {
+void TreeCda::Block::settle(const AccountInput& input, bool keeps_account) {
     std::vector<const IncomingCell*> cells;
-    cells.reserve(block.waiting.size());
-    for (const auto& cell : block.waiting)
+    cells.reserve(going_down.size());
+    for (const auto& cell : going_down)
         cells.push_back(&cell->incoming);
-    if (account_) {
-        std::vector<Taken> taken;
-        block.tree->account(cells, {stock_planes_, *cells_, centre_, parameters_.leaf}, taken);
-        for (const Taken& turn : taken) {
+    if (keeps_account) {
+        std::vector<Taken> turns;
+        tree->account(cells, input, turns);
+        for (const Taken& turn : turns) {
             Taking taking{turn.volume, {}};
             for (const std::uint32_t number : turn.cells) {
                 const auto cell = std::ranges::lower_bound(
-                    block.waiting, number, {}, [](const auto& w) { return w->incoming.number; });
+                    going_down, number, {}, [](const auto& w) { return w->incoming.number; });
                 taking.bounds.add((*cell)->cell.bounds);
             }
-            block.taken.emplace_back(turn.origin, taking);
+            taken.emplace_back(turn.origin, taking);
         }
     }
-    block.own().insert(cells, *cells_, parameters_.leaf);
-    block.waiting.clear();
+    own().insert(cells, input.cells, input.leaf);
+    going_down.clear();
 }
 
 void TreeCda::settle() const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
 }
 
-void TreeCda::settle_all() const {
+void TreeCda::tell_place(std::size_t number) const {
+    const BlockTree& tree = *blocks_[number].tree;
+    const HalfBox box = tree.box();
+    for (std::size_t i = 0; i < 3; ++i) {
+        constexpr double kNowhere = std::numeric_limits<double>::infinity();
+        places_[number].min[i] = tree.is_empty() ? kNowhere : static_cast<double>(box.min[i]);
+        places_[number].max[i] = tree.is_empty() ? -kNowhere : static_cast<double>(box.max[i]);
+    }
+}
+
+// What waits goes down where `goes`, by other threads if there are any.
+void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) const {
     std::vector<Block*> changing;
+    std::size_t cells = 0;
     for (Block& block : blocks_) {
-        if (!block.waiting.empty()) changing.push_back(&block);
+        if (block.waiting.empty() || !goes(block)) continue;
+        cells += block.waiting.size();
+        changing.push_back(&block);
     }
-    if (waiting_ < kCellsWorthThreads) {
-        for (Block* block : changing)
-            settle(*block);
-    } else if (!changing.empty()) {
-        in_parallel(parameters_.threads, changing.size(),
-                    [&](std::size_t i) { settle(*changing[i]); });
+    if (changing.empty()) return;
+    finish_settling();
+    for (Block* block : changing)
+        block->send_down();
+    changing_ = std::move(changing);
+    // The one with most to do first, so that nobody waits for it in the end.
+    std::ranges::stable_sort(changing_, std::ranges::greater{},
+                             [](const Block* block) { return block->going_down.size(); });
+    const std::size_t threads = cells < kCellsWorthThreads ? 1 : thread_count(parameters_.threads);
+    // By value: the part may be moved meanwhile; what these point to is not.
+    const AccountInput input{stock_planes_, *cells_, centre_, parameters_.leaf};
+    settling_ = std::make_unique<Background>(
+        threads - 1, changing_.size(),
+        [input, changing = changing_.data(), keeps_account = account_.has_value()](std::size_t i) {
+            changing[i]->settle(input, keeps_account);
+        });
+}
+
+// From then on nobody else reads the blocks and the table of cells.
+void TreeCda::finish_settling() const {
+    if (const auto settling = std::move(settling_)) {
+        const auto changed = std::exchange(changing_, {});
+        settling->finish();
+        for (const Block* block : changed)
+            tell_place(static_cast<std::size_t>(block - blocks_.data()));
+        close_books();
     }
+    for (const Listed& cell : listed_)
+        cells_->add(cell.origin, cell.rank, cell.normals);
+    listed_.clear();
+}
+
+void TreeCda::settle_all() const {
+    begin_settling([](const Block&) { return true; });
+    finish_settling();
     waiting_ = 0;
-    close_books();
 }
 
 // In the order of the blocks, whichever thread was first.
@@ -379,11 +448,16 @@ Box TreeCda::near(const Box& bounds) const {
 
 // Lets no cell wait that might change what is asked here.
 void TreeCda::settle_near(const Box& bounds) const {
+    finish_settling();
     const Box near = this->near(bounds);
-    for (Block& block : blocks_) {
-        if (std::ranges::any_of(block.waiting,
-                                [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
-            settle(block);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        Block& block = blocks_[i];
+        if (std::ranges::none_of(block.waiting,
+                                 [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
+            continue;
+        block.send_down();
+        block.settle({stock_planes_, *cells_, centre_, parameters_.leaf}, account_.has_value());
+        tell_place(i);
     }
     close_books();
 }
@@ -432,7 +506,7 @@ void TreeCda::keep_account() {
 }
 
 Account TreeCda::account() const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
     Account result;
     if (!account_) return result;
@@ -470,7 +544,7 @@ Evaluation TreeCda::evaluate_window(const Cell& cell, bool only_first) const {
 }
 
 double TreeCda::common_volume(const Cell& cell) const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_near(cell.bounds);
     const Evaluation result = evaluate_window(cell, false);
     if (parameters_.tile) return result.volume * lattice_.cubic_unit_mm3();
@@ -480,7 +554,7 @@ double TreeCda::common_volume(const Cell& cell) const {
 }
 
 std::optional<Vec3> TreeCda::contact(const Cell& cell) const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     // What waits can only take away: where there is nothing without it, there is nothing.
     const std::optional<Vec3> found = contact_as_it_is(cell);
     if (!found || !is_waited_for_near(*found)) return found;
@@ -557,7 +631,7 @@ std::optional<Vec3> TreeCda::in_block_within(const Cell& cell) const {
 }
 
 double TreeCda::volume() const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     in_parallel(parameters_.threads, own_.size(), [&](std::size_t i) {
@@ -581,7 +655,7 @@ double TreeCda::volume() const {
 
 Boundary TreeCda::boundary() const {
     if (parameters_.tile) throw CannotAnswer(name(), "the surface of a tile");
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
     const EvaluationInput input{stock_planes_, nullptr, *cells_, centre_, false};
     counts_.leaves = counts_.facets_tested = counts_.facets_alive = counts_.pieces = 0;
@@ -605,7 +679,7 @@ Boundary TreeCda::boundary() const {
 // walls.
 void TreeCda::write_tile(std::ostream& out) const {
     if (!parameters_.tile) throw CannotAnswer(name(), "a tile where there are none");
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
     for (const std::size_t n :
          {std::size_t{parameters_.tile->tile}, std::size_t{parameters_.tile->of}, blocks_.size(),
@@ -633,7 +707,7 @@ void TreeCda::write_tile(std::ostream& out) const {
 }
 
 TreeCounts TreeCda::counts() const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
     TreeCounts counts = counts_;
     counts.nodes = 0;
@@ -659,7 +733,7 @@ void TreeCda::render(FacetCanvas& canvas) const {
 }
 
 bool TreeCda::contains(Vec3 point) const {
-    const Asked asked(asking_.mutex);
+    const Asked asked(*this);
     settle_all();
     return contains_as_it_is(QueryPoint(point, lattice_));
 }

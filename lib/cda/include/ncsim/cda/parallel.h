@@ -7,12 +7,35 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace ncsim::cda {
+
+/// As many as the machine has, where 0 are asked for; at least one.
+std::size_t thread_count(std::size_t threads);
+
+/// Tasks that other threads see to while the caller goes on.
+class Background {
+public:
+    /// Calls work(i) for each i below `tasks`, each once, in any order, by so many `others`.
+    Background(std::size_t others, std::size_t tasks, std::function<void(std::size_t)> work);
+    /// No more tasks are begun; returns when those that were are done.
+    ~Background();
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    /// The caller takes its part of what is left, until all is done; once. Throws what a task
+    /// threw, after which none was begun.
+    void finish();
+
+private:
+    struct Shared;
+    std::unique_ptr<Shared> shared_;
+};
 
 /// Calls work(i) for each i below `tasks`, each once, in any order; 0 threads: as many as the
 /// machine has. What one of them throws is thrown when all threads are done, and no more tasks are
@@ -57,6 +80,25 @@ public:
 private:
     std::size_t count_, size_;
 };
+
+/// std::sort() by all threads. No two items are alike, so there is one order only.
+template <class Item, class Less>
+void sort_in_parallel(std::size_t threads, std::vector<Item>& items, const Less& less) {
+    constexpr std::size_t kLeast = std::size_t{1} << 12;  // worth a thread
+    const std::size_t parts =
+        std::clamp<std::size_t>(items.size() / kLeast, 1, thread_count(threads));
+    const auto at = [&](std::size_t part) {
+        return items.begin() + static_cast<std::ptrdiff_t>(items.size() * part / parts);
+    };
+    in_parallel(threads, parts, [&](std::size_t i) { std::sort(at(i), at(i + 1), less); });
+    for (std::size_t width = 1; width < parts; width *= 2) {
+        in_parallel(threads, (parts + width - 1) / (2 * width), [&](std::size_t i) {
+            const std::size_t first = 2 * width * i;
+            std::inplace_merge(at(first), at(first + width), at(std::min(first + 2 * width, parts)),
+                               less);
+        });
+    }
+}
 
 /// The numbers below `count` that are so, ascending. `is_so(i)` is asked by all threads.
 template <class Predicate>

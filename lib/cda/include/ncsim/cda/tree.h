@@ -20,6 +20,7 @@
 
 namespace ncsim::cda {
 
+class Background;
 class BlockTree;
 struct QueryPoint;
 class CellTable;
@@ -40,9 +41,9 @@ struct TreeCounts {
 
 /// How the tree works; none of it changes a part.
 struct TreeParameters {
-    std::uint32_t leaf = 80;     ///< Planes in a leaf before it is split.
-    std::uint32_t threads = 0;   ///< 0: as many as the machine has.
-    std::uint32_t batch = 8192;  ///< Cells that may wait, or steps.
+    std::uint32_t leaf = 80;      ///< Planes in a leaf before it is split.
+    std::uint32_t threads = 0;    ///< 0: as many as the machine has.
+    std::uint32_t batch = 32768;  ///< Cells that may wait, or steps.
     /// So often the stock is halved, into blocks that know nothing of each other: more blocks than
     /// threads or tiles, so that none waits for long; not so many that most of their surface is
     /// seams. kMostHalvings at most. Sums of volumes may differ in their last bits.
@@ -53,9 +54,9 @@ struct TreeParameters {
 };
 
 /// Cells that were taken away may wait until somebody asks about the part where they are: many at a
-/// time are cheaper, and what one of them covers is not looked at for the others. So asking changes
-/// the tree, though not the part; who asks waits for others that do. A part that nobody cuts may be
-/// asked, and copied, by many threads.
+/// time are cheaper, and what one of them covers is not looked at for the others. Other threads
+/// take in what waited while more comes. So asking changes the tree, though not the part; who asks
+/// waits for others that do. A part that nobody cuts may be asked, and copied, by many threads.
 class TreeCda final : public WorkpieceModel {
 public:
     static constexpr std::string_view kName = kTiledModel;
@@ -114,19 +115,28 @@ private:
         Asking(const Asking&) noexcept {}
         Asking& operator=(const Asking&) noexcept { return *this; }
     };
-    using Asked = std::lock_guard<std::mutex>;
+    class Asked;
 
     TreeCda(const TreeCda& other, const Asked&);
 
-    // Where a block was at first, half units: who is not there need not look at the block itself.
+    // Where a block may have material, half units; known without a look at its tree.
     struct Place {
         std::array<double, 3> min, max;
+    };
+    // A cell's line in the table of cells, before it has one.
+    struct Listed {
+        Origin origin;
+        std::int32_t rank;
+        std::shared_ptr<const FacetNormals> normals;
     };
     void split_into_blocks();
     bool take_in(const Cell& cell, bool covers = false);
     void forget_within(Block& block, const Cell& covering) const;
+    void settle_some();
+    void begin_settling(const std::function<bool(const Block&)>& goes) const;
+    void finish_settling() const;
     void settle_all() const;
-    void settle(Block& block) const;
+    void tell_place(std::size_t number) const;
     Box near(const Box& bounds) const;
     void settle_near(const Box& bounds) const;
     void close_books() const;
@@ -137,6 +147,9 @@ private:
     bool contains_as_it_is(const QueryPoint& query) const;
     Evaluation evaluate_window(const Cell& cell, bool only_first) const;
 
+    // Blocks take in what waited, while more cells come; the first of all, so that this ends before
+    // what it works on is assigned.
+    mutable std::unique_ptr<Background> settling_;
     TreeParameters parameters_;
     Lattice lattice_;
     Cell stock_;
@@ -149,9 +162,12 @@ private:
     std::array<std::vector<std::int64_t>, 3> walls_;  // where blocks meet, half units, by axis
     // What asking changes.
     mutable Asking asking_;
+    mutable std::vector<Block*> changing_;  // by settling_
+    mutable std::vector<Listed> listed_;    // cells that came meanwhile
     mutable std::vector<Block> blocks_;
-    std::vector<Place> places_;               // of these
+    mutable std::vector<Place> places_;       // of these, when none was changing
     mutable std::size_t waiting_ = 0;         // cells since the last time that none waited
+    std::uint64_t steps_ = 0;                 // or cells, ever
     mutable std::optional<Account> account_;  // cubic units; where it is kept
     mutable TreeCounts counts_;
     mutable std::vector<std::vector<double>>
