@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "naming.h"
 
+#include "ncsim/cda/parallel.h"
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -87,7 +89,8 @@ void Naming::take(const Outlines& part, bool is_outside) {
         }
         const Owner owner{plane, is_outside ? kOutside : piece.origin};
         if (owner_keys_.empty() || owner != owner_keys_.back()) owner_keys_.push_back(owner);
-        named.push_back({p, tail, head, static_cast<std::uint32_t>(owner_keys_.size() - 1)});
+        const auto last = static_cast<std::uint32_t>(owner_keys_.size() - 1);
+        named.push_back({p, tail, head, last & kMostOwners, true});
     }
     line_numbers_.resize(line_keys_.size());
     lines_.number_all(line_keys_, [&](std::size_t i, std::uint32_t n) {
@@ -99,11 +102,11 @@ void Naming::take(const Outlines& part, bool is_outside) {
                               [&](std::size_t i, std::uint32_t n) { part_owners_[i] = n; });
     for (Named& n : named) {
         n.line = line_numbers_[n.line];
-        n.owner = part_owners_[n.owner];
+        n.owner = part_owners_[n.owner] & kMostOwners;
     }
 }
 
-Groups<Interval> Naming::finish() {
+Groups<Interval> Naming::finish(std::size_t threads) {
     if (owner_numbers_.size() > kMostOwners || lines() > kMostLines)
         throw std::length_error("the surface of the part has too many faces");
     lines_ = Interner<LineKey, HashLine, SameLine>({}, SameLine{&planes_.keys()});
@@ -118,14 +121,21 @@ Groups<Interval> Naming::finish() {
         values.emplace_back(plane_of(owner.plane), owner.origin);
     }
     owner_numbers_ = Interner<Owner, HashOwner>();
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
+    sort_in_parallel(threads, order,
+                     [&](std::uint32_t a, std::uint32_t b) { return values[a] < values[b]; });
     std::vector<std::uint32_t> rank(order.size());
     owners_.reserve(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         rank[order[i]] = i;
         owners_.push_back(values[order[i]]);
     }
+    in_parallel(threads, named_.size(), [&](std::size_t i) {
+        for (Named& n : named_[i]) {
+            n.forward = comes_before(n.line, n.tail, n.head);
+            if (!n.forward) std::swap(n.tail, n.head);
+            n.owner = rank[n.owner] & kMostOwners;
+        }
+    });
     Groups<Interval> intervals(lines());
     for (const std::vector<Named>& part : named_) {
         for (const Named& n : part)
@@ -133,11 +143,8 @@ Groups<Interval> Naming::finish() {
     }
     intervals.reserve();
     for (std::vector<Named>& part : named_) {
-        for (const Named& n : part) {
-            const bool forward = comes_before(n.line, n.tail, n.head);
-            intervals.add(n.line, {forward ? n.tail : n.head, forward ? n.head : n.tail,
-                                   rank[n.owner] & kMostOwners, forward});
-        }
+        for (const Named& n : part)
+            intervals.add(n.line, {n.tail, n.head, n.owner, n.forward});
         part = {};
     }
     return intervals;

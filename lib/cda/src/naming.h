@@ -56,7 +56,7 @@ public:
     void take_outside(const Outlines& part);
     /// After the last part: all pieces by line. Owners are numbered in an order that depends on the
     /// geometry only. Throws std::length_error if there are too many of them, or of lines.
-    Groups<Interval> finish();
+    Groups<Interval> finish(std::size_t threads);
 
     // All that follows is for after finish().
 
@@ -146,8 +146,11 @@ private:
             return mix(0, o.plane | std::uint64_t{static_cast<std::uint32_t>(o.origin)} << 32);
         }
     };
+    // A piece by numbers: those of its part at first.
     struct Named {
-        std::uint32_t line, tail, head, owner;
+        std::uint32_t line, tail, head;
+        std::uint32_t owner : 31;
+        std::uint32_t forward : 1;
     };
 
     Interner<Plane, HashPlane> planes_;

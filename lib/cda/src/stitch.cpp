@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -69,7 +70,7 @@ public:
     void take_outside(const Outlines& border) { names_.take_outside(border); }
 
     Outlines finish_border(const Walls& walls) {
-        Groups<Interval> pieces = names_.finish();
+        Groups<Interval> pieces = names_.finish(threads_);
         const auto wall_of = [&](std::uint32_t tail, std::uint32_t head) -> std::optional<Plane> {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const auto wall = names_.fixed(tail).wall(walls[axis], axis);
@@ -123,7 +124,7 @@ public:
     }
 
     Boundary finish() {
-        half_edges_ = pair_half_edges(names_, names_.finish(), threads_);
+        half_edges_ = pair_half_edges(names_, names_.finish(threads_), threads_);
         trace();
         names_.forget_directions();
         return write_faces();
@@ -152,11 +153,19 @@ private:
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
             if (!is_outside(h)) by_owner_.add(half_edges_[h].owner, h);
         }
+        done_.assign(half_edges_.size(), false);
+        std::atomic<std::size_t> loops = 0;
         const Runs runs(names_.owners().size(), kRun);
         in_parallel(threads_, runs.tasks(), [&](std::size_t task) {
-            for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner)
+            std::size_t here = 0;
+            for (std::size_t owner = runs.begin(task); owner < runs.end(task); ++owner) {
                 trace(owner);
+                here += count_loops(owner);
+            }
+            loops += here;
         });
+        loops_ = loops;
+        done_.assign(half_edges_.size(), false);
     }
     void trace(std::size_t owner) {
         const std::span<std::uint32_t> here = by_owner_.of(owner);
@@ -185,6 +194,17 @@ private:
                 if (hv < hb || (hv == hb && turn_sign(v, best, plane) < 0)) h.next = *it;
             }
         }
+    }
+
+    std::size_t count_loops(std::size_t owner) {
+        std::size_t loops = 0;
+        for (const std::uint32_t start : by_owner_.of(owner)) {
+            if (done_[start]) continue;
+            ++loops;
+            for (std::uint32_t h = start; h != kNone && !done_[h]; h = half_edges_[h].next)
+                done_[h] = true;
+        }
+        return loops;
     }
 
     Vec3 position_of(std::uint32_t h) const { return names_.point(half_edges_[h].tail); }
@@ -290,27 +310,13 @@ private:
         return is_twin;
     }
 
-    // As many as faces, or a few more: holes.
-    std::size_t count_loops() {
-        std::size_t loops = 0;
-        done_.assign(half_edges_.size(), false);
-        for (std::uint32_t start = 0; start < half_edges_.size(); ++start) {
-            if (done_[start] || is_outside(start)) continue;
-            ++loops;
-            for (std::uint32_t h = start; h != kNone && !done_[h]; h = half_edges_[h].next)
-                done_[h] = true;
-        }
-        done_.assign(half_edges_.size(), false);
-        return loops;
-    }
-
     // 8.
     Boundary write_faces() {
         DisjointSets corners = unite_corners();
         const std::vector<bool> is_twin = find_twins(corners);
 
         Boundary boundary;
-        boundary.faces.reserve(count_loops());
+        boundary.faces.reserve(loops_);
         boundary.vertices.reserve(corners.sets());
         std::vector<std::uint32_t> vertex(half_edges_.size(), kNone);
         std::unordered_map<std::uint32_t, std::uint32_t> middles;
@@ -384,6 +390,7 @@ private:
     Naming names_;
     Chunks<HalfEdge> half_edges_;
     Groups<std::uint32_t> by_owner_{0};
+    std::size_t loops_ = 0;           // as many as faces, or a few more: holes
     std::vector<std::uint8_t> done_;  // bytes, since threads write to neighbours
     const LoopPoints loop_points_{[this](std::uint32_t p) { return names_.point(p); },
                                   [this](std::uint32_t p) { return names_.exact(p); }};

@@ -23,6 +23,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -405,14 +406,9 @@ private:
 // gets a corner of its own in the middle, so that no edge stands twice; edges of faces stay.
 class RepeatedDiagonals {
 public:
-    explicit RepeatedDiagonals(TriangleMesh& mesh) : mesh_(mesh) {}
+    RepeatedDiagonals(TriangleMesh& mesh, std::size_t threads) : mesh_(mesh), threads_(threads) {}
 
     void split() {
-        struct Side {
-            Edge edge;  // the smaller vertex first
-            std::uint32_t face, triangle;
-            bool is_forward;
-        };
         // By the first vertex of the edge, then by the second, …
         std::vector<std::uint32_t> first(mesh_.vertices.size() + 1, 0);
         const auto for_each_side = [&](auto take) {
@@ -429,13 +425,40 @@ public:
         std::vector<Side> sides(3 * mesh_.triangles.size());
         std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
         for_each_side([&](const Side& side) { sides[next[side.edge.first]++] = side; });
-        for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-            std::sort(sides.begin() + first[v], sides.begin() + first[v + 1],
-                      [](const Side& a, const Side& b) {
-                          return std::tie(a.edge, a.face, a.triangle) <
-                                 std::tie(b.edge, b.face, b.triangle);
-                      });
+        const auto sides_of = [&](std::uint32_t v) {
+            return std::span(sides).subspan(first[v], first[v + 1] - first[v]);
+        };
+        const auto vertices = static_cast<std::uint32_t>(mesh_.vertices.size());
+        for (const std::uint32_t v : those_that(threads_, vertices, [&](std::uint32_t i) {
+                 std::ranges::sort(sides_of(i), [](const Side& a, const Side& b) {
+                     return std::tie(a.edge, a.face, a.triangle) <
+                            std::tie(b.edge, b.face, b.triangle);
+                 });
+                 return !stand_twice(sides_of(i));
+             })) {
+            split(sides_of(v));
         }
+    }
+
+private:
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+    struct Side {
+        Edge edge;  // the smaller vertex first
+        std::uint32_t face, triangle;
+        bool is_forward;
+    };
+
+    // Is each edge one of two triangles, as nearly all are?
+    static bool stand_twice(std::span<const Side> sides) {
+        for (std::size_t i = 0; i < sides.size(); i += 2) {
+            if (i + 1 == sides.size() || sides[i].edge != sides[i + 1].edge) return false;
+            if (i + 2 < sides.size() && sides[i].edge == sides[i + 2].edge) return false;
+        }
+        return true;
+    }
+
+    void split(std::span<const Side> sides) {
         for (auto begin = sides.begin(); begin != sides.end();) {
             const auto end = std::find_if(begin, sides.end(),
                                           [&](const Side& s) { return s.edge != begin->edge; });
@@ -456,9 +479,6 @@ public:
             }
         }
     }
-
-private:
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
     void split(Edge edge, std::uint32_t s, std::uint32_t t) {
         const auto middle = static_cast<std::uint32_t>(mesh_.vertices.size());
@@ -492,6 +512,7 @@ private:
     }
 
     TriangleMesh& mesh_;
+    std::size_t threads_;
     std::map<std::uint32_t, std::vector<std::uint32_t>> parts_;
 };
 
@@ -553,7 +574,7 @@ TriangleMesh triangulate(const Boundary& boundary, std::size_t threads) {
         threads, runs.tasks(),
         [&](std::size_t task) { return part_of(boundary, runs.begin(task), runs.end(task)); },
         [&](std::size_t, const Part& part) { append(boundary, part, mesh); });
-    RepeatedDiagonals(mesh).split();
+    RepeatedDiagonals(mesh, threads).split();
     return mesh;
 }
 
