@@ -512,6 +512,9 @@ std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoin
         index = static_cast<std::uint32_t>(sweep.vertices_.size());
         sweep.vertices_.push_back(points[corner]);
     }
+    const Extent reach = extent(sweep.vertices_);
+    sweep.low_ = reach.min;
+    sweep.high_ = reach.max;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> facet_at;  // directed edge
     for (std::size_t i = 0; i < hull->loops.size(); ++i) {
         const auto& loop = hull->loops[i];
@@ -553,14 +556,18 @@ Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin ori
     }
     cell.normals = normals_;
     if (t != LatticePoint{}) add_sides(cell, from, to);
-    const Extent e = extent(vertices_);
-    const auto low = [](std::int64_t a, std::int64_t b) { return std::min(a, b); };
-    const auto high = [](std::int64_t a, std::int64_t b) { return std::max(a, b); };
-    cell.bounds = {lattice_.to_mm(e.min + LatticePoint{low(from.x, to.x), low(from.y, to.y),
-                                                       low(from.z, to.z)}),
-                   lattice_.to_mm(e.max + LatticePoint{high(from.x, to.x), high(from.y, to.y),
-                                                       high(from.z, to.z)})};
+    cell.bounds = bounds(from, to);
     return cell;
+}
+
+Box TranslationSweep::bounds(LatticePoint from, LatticePoint to) const {
+    const auto least = [](LatticePoint a, LatticePoint b) {
+        return LatticePoint{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+    };
+    const auto most = [](LatticePoint a, LatticePoint b) {
+        return LatticePoint{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+    };
+    return {lattice_.to_mm(low_ + least(from, to)), lattice_.to_mm(high_ + most(from, to))};
 }
 
 // Edges of the silhouette seen along t: e × t points outwards where the left facet goes with the

@@ -132,7 +132,7 @@ public:
                 follow(motion, step);
                 is_near_stock_ |= step.is_near;
                 if (verifier) verifier->look(step, *result_.part);
-                const double removed = cut(step);
+                const double removed = cut(step, origin);
                 if (verifier) verifier->look_back(step, *result_.part, removed);
                 budget_.check(result_.provenance.program, line_);
             });
@@ -201,7 +201,7 @@ private:
     }
 
     // Takes the cells of the step away. How much that was, mm³, if it is measured.
-    double cut(const toolpath::Step& step) {
+    double cut(const toolpath::Step& step, cda::Origin origin) {
         double removed = 0.0;
         for (const cda::RoundSweep& sweep : step.sweeps) {
             ++result_.hulls;
@@ -218,7 +218,9 @@ private:
                 result_.part->subtract_unmeasured(cell);
             }
         }
-        has_covered_ |= !step.covering.empty();
+        // Or those before it did.
+        has_covered_ |= std::ranges::any_of(
+            step.covering, [&](const cda::Cell& cell) { return cell.origin == origin; });
         if (!verifier_ && step.is_near)
             result_.part->subtract_step(step.cells, step.covering);
         else if (!step.covering.empty())

@@ -231,6 +231,14 @@ cda::Box Cutter::bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& lib
     return box;
 }
 
+bool Cutter::meets(const cda::Box& place, const Pose& X_WA, const Pose& X_WB) {
+    const LatticePoint from = lattice_.round(X_WA.translation);
+    const LatticePoint to = lattice_.round(X_WB.translation);
+    return std::ranges::any_of(oriented(X_WA.rows).sweeps, [&](const auto& sweep) {
+        return sweep && place.overlaps(sweep->bounds(from, to));
+    });
+}
+
 bool has_known_start(const gcode::Motion& motion) {
     return motion.known_start.all();
 }

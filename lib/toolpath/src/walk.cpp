@@ -236,33 +236,42 @@ bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses
     return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
 }
 
-// Does a straight move go on as the one before did, on the lattice? Then covering_ is both in one,
-// and all before them, as far as the tool is wide: nobody can tell more exactly where it cut.
+// Does a straight move go on as the one before did, on the lattice, no farther than the tool is
+// wide: nobody can tell more exactly where it cut? Where it does not, covering_ is what those
+// before it took together.
 void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
                  cda::Origin origin) {
-    constexpr std::int32_t kFirstRank = cda::Cell::kFirstRank;
-    covering_.clear();
-    if (!covers_ || leaves_round_ || motion.kind != gcode::MoveKind::Feed) {
-        run_.steps = 0;
-        return;
-    }
+    if (!covers_ || leaves_round_ || motion.kind != gcode::MoveKind::Feed) return end_run();
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
     const cda::LatticePoint to = lattice_.round(X_WB.translation);
     const double way = norm(lattice_.to_mm(to - run_.start));
-    const bool goes_on = run_.steps > 0 && run_.tool == motion.tool && run_.end == from &&
+    const bool goes_on = run_.steps > 0 && run_.tool == &tool && run_.end == from &&
                          way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
-    if (!goes_on) run_ = {from, to, 0, motion.tool};
+    if (!goes_on) {
+        end_run();
+        run_ = {from, to, 0, &tool, origin};
+    }
     run_.end = to;
-    if (++run_.steps == 1 || !is_near_) return;
-    const Pose start{X_WA.rows, lattice_.to_mm(run_.start)};
-    if (wanted_ && !wanted_->overlaps(tool.bounds(start, X_WB))) return;
-    tool.cutter.trace(start, X_WB, origin, covering_);
+    ++run_.steps;
+    // What did not meet the stock has no number; whether it is wanted or not.
+    if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) run_.origin = origin;
+}
+
+void Walk::end_run() {
+    const Run run = std::exchange(run_, {});
+    if (run.steps < 2) return;
+    const Pose X_WA{upright_, lattice_.to_mm(run.start)};
+    const Pose X_WB{upright_, lattice_.to_mm(run.end)};
+    const cda::Box bounds = run.tool->bounds(X_WA, X_WB);
+    if (!stock_.overlaps(bounds) || (wanted_ && !wanted_->overlaps(bounds))) return;
+    run.tool->cutter.trace(X_WA, X_WB, run.origin, covering_);
     for (cda::Cell& cell : covering_) {
-        const std::int64_t rank = std::int64_t{cell.rank} - run_.steps;
-        cell.rank = static_cast<std::int32_t>(std::max<std::int64_t>(rank, kFirstRank + 1));
+        const std::int64_t rank = std::int64_t{cell.rank} - run.steps;
+        cell.rank =
+            static_cast<std::int32_t>(std::max<std::int64_t>(rank, cda::Cell::kFirstRank + 1));
     }
     std::erase_if(covering_, [&](const cda::Cell& c) {
-        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, to - run_.start);
+        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, run.end - run.start);
     });
 }
 
@@ -288,7 +297,6 @@ bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
 // A step of an arc; where it ends a whole turn, covering_ is what that took in any case.
 void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
     constexpr std::size_t kMost = 1000;  // steps of a turn
-    covering_.clear();
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
     const cda::LatticePoint to = lattice_.round(X_WB.translation);
     std::vector<cda::LatticePoint>& way = round_.way;
@@ -310,6 +318,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     const auto found = tools_.find(motion.tool);
     if (found == tools_.end() || !has_known_start(motion)) return {};
     Known& tool = found->second;
+    covering_.clear();
     if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
@@ -324,13 +333,13 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     }
     const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
     Cutter& cutter = tool.cutter;
-    covering_.clear();
+    end_run();
     const bool goes_round = go_round(cutter, motion);
     if (passes_by_ && !has_legs && !goes_round && start_of(motion)) {
         const Poses poses(told_.get(), motion);
         const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
         if (passes_by(tool, motion, poses, X_WA, X_WB)) {
-            step({X_WA, X_WB, {}, {}, {}, false, {}, {}});
+            step({X_WA, X_WB, {}, covering_, {}, false, {}, {}});
             return {};
         }
     }
@@ -359,6 +368,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             if (goes_round) close_round(cutter, X_WA, X_WB, origin);
             step({X_WA, X_WB, cells_, covering_, sweeps_, is_near_, samples.bounds,
                   samples.turning});
+            covering_.clear();
         }
     };
 

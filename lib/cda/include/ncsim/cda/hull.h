@@ -53,6 +53,8 @@ public:
     /// kNormalBits, exact. O(edges of the body · vertices of the body), no allocation but the
     /// result.
     Cell operator()(LatticePoint from, LatticePoint to, Origin origin) const;
+    /// Those of that hull, mm, without making it.
+    Box bounds(LatticePoint from, LatticePoint to) const;
 
     /// What an upright body takes away for certain on a closed way round about a middle that it
     /// always has within it: there is no core, so these are the corners' convex hull, from the
@@ -73,6 +75,7 @@ private:
     std::shared_ptr<const FacetNormals> normals_;  // of facets_
     std::vector<Edge> edges_;
     std::vector<LatticePoint> vertices_;
+    LatticePoint low_, high_;  // of these
     Lattice lattice_;
     Rounding rounding_ = Rounding::Outward;
 };

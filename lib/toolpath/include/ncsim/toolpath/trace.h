@@ -58,6 +58,9 @@ public:
     /// Encloses everything `trace` makes of these poses, but for the slack; in mm. Cheap: to ask
     /// before tracing.
     cda::Box bounds(const Pose& X_WA, const Pose& X_WB, const Liberties& liberties = {}) const;
+    /// Does one of the hulls that `trace` makes of these poses, which do not differ in how the tool
+    /// stands, have bounds that overlap `place` (mm)?
+    bool meets(const cda::Box& place, const Pose& X_WA, const Pose& X_WB);
 
     /// Nothing reaches farther from the axis, mm.
     double radius_mm() const { return radius_ * lattice_.unit_mm; }

@@ -44,8 +44,8 @@ struct Step {
     /// none.
     std::span<const cda::Cell> cells;
     /// What this step took away together with those before it, in fewer cells, where it ends a
-    /// whole turn that leaves no core, or goes straight on as they did, no farther than the tool is
-    /// wide. Some of that may not be wanted.
+    /// whole turn that leaves no core; and what those before it did that went straight on, no
+    /// farther than the tool is wide, where it does not. Some of that may not be wanted.
     std::span<const cda::Cell> covering;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
@@ -122,10 +122,12 @@ private:
     struct Run {
         cda::LatticePoint start, end;
         std::int32_t steps = 0;
-        int tool = 0;
+        Known* tool = nullptr;
+        cda::Origin origin = cda::kStockOrigin;  // the last that met the stock
     };
     void go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
                cda::Origin origin);
+    void end_run();
     bool go_round(const Cutter& cutter, const gcode::Motion& motion);
     void close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin);
     bool passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
