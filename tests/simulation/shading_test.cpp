@@ -213,14 +213,15 @@ TEST(Shading, EdgesStaySharp) {
 
 TEST(Shading, IsTheSameForAnyNumberOfThreads) {
     const std::string moves = std::string(kBore) + "G0 X10 Y10\nG1 Z12\nG3 X30 Y10 I10 J0\n";
-    const auto written = [&](unsigned threads) {
+    const auto written = [&](unsigned threads, bool is_shaded = true) {
         const Milled milled = mill(moves, 0.05, threads);
         std::ostringstream out;
         exporter::write_gltf(out, milled.boundary(), milled.simulation.provenance, threads,
-                             milled.shading);
+                             is_shaded ? milled.shading : Shading());
         return out.str();
     };
     EXPECT_EQ(written(1), written(3));
+    EXPECT_NE(written(1), written(1, false));
 }
 
 // The largest step of brightness from pixel to pixel over the wall of half a bore of 40 mm, which
