@@ -71,5 +71,22 @@ TEST(Shading, WallsOfASlotStayFlatAndItsEndsBeginAsTheyEnd) {
     }
 }
 
+// Curves are often short lines: where they bend by 10°, two flat walls are shaded as one surface.
+TEST(Shading, WallsOfShortLinesAreOneSurface) {
+    Folder folder;
+    folder.write("bend.nc",
+                 "(T1 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,0.)\n"
+                 "G21 G90 T1 M6 S5000 M3\nG0 X-10 Y30 Z25\nG1 Z10 F300\nX40\n"
+                 "X90 Y38.816\nG0 Z25\nM30\n");
+    const Ran ran = folder.run({"run", "bend.nc", "-q", "--gltf", "a.glb"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    int between = 0;
+    for (const auto& [x, y, z] : normals_of(folder.read("a.glb"))) {
+        // The sine of 5°, both walls being about as large.
+        if (std::abs(z) < 1e-6F && y < 0.0F && std::abs(std::abs(x) - 0.0872F) < 0.003F) ++between;
+    }
+    EXPECT_EQ(between, 4);
+}
+
 }  // namespace
 }  // namespace ncsim::cli_test

@@ -32,13 +32,16 @@ CornerNormals::CornerNormals(const cda::Boundary& boundary, const Provenance& pr
 
 cda::Vec3 CornerNormals::at(std::uint32_t face, std::uint32_t vertex, cda::Vec3 point) const {
     const cda::Vec3 own = boundary_.faces[face].normal;
-    if (shading_.known(face) != brep::Shading::Known::Nothing)
-        return shading_.normal(face, own, vertex, point);
+    using Known = brep::Shading::Known;
+    const Known known = shading_.known(face);
+    if (known == Known::Round) return shading_.normal(face, own, vertex, point);
     // Vertices inside a face, which triangulate() made, have no others.
     if (maker_[face] == 0 || vertex + 1 >= first_.size()) return own;
     cda::Vec3 sum;
     for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
         const std::uint32_t other = faces_[i];
+        // A wall is flat as far as what is round.
+        if (known == Known::Flat && shading_.known(other) == Known::Round) continue;
         const bool is_smooth = maker_[other] == maker_[face] &&
                                cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
         if (is_smooth) sum = sum + weighted_[other];

@@ -15,9 +15,10 @@
 
 namespace ncsim::exporter {
 
-/// Normals of face corners: those of the surface, where it is known which one it is. Elsewhere the
+/// Normals of face corners: those of the surface, where it is known to be round. Elsewhere the
 /// average of those of the faces around the vertex, weighted by area, that were cut by the same
-/// tool and meet the face at less than the crease angle; uncut stock is flat there.
+/// tool and meet the face at less than the crease angle: curves are often many short lines. What is
+/// known to be flat heeds nothing that is round; uncut stock is flat.
 class CornerNormals {
 public:
     /// All of them must outlive it.

@@ -17,9 +17,9 @@
 namespace ncsim::exporter {
 
 /// Writes `boundary` as binary glTF (.glb): one mesh with a primitive and a material for each tool.
-/// Faces of which `shading` knows the surface have its normals. Of the others stock is shaded flat;
-/// facets cut by the same tool that meet at less than 25° are shaded as one round surface, larger
-/// ones weighing more.
+/// Faces that `shading` knows to be round have the normals of their surface. Of the others stock is
+/// shaded flat; facets cut by the same tool that meet at less than 25° are shaded as one round
+/// surface, larger ones weighing more, but for flat ones beside round ones, which stay flat there.
 ///
 /// Positions are millimetres from the centre of the part, so that little is lost in floats; the
 /// node carries that centre and turns millimetres, z up, into glTF's metres, y up. Each vertex has
