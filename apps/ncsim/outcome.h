@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ncsim/brep/recognise.h"
+#include "ncsim/brep/shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/drawing.h"
 #include "ncsim/export/simplify.h"
@@ -29,6 +30,8 @@ struct Outcome {
     const simulation::Survey& survey;
     const simulation::Simulation* simulation = nullptr;
     const cda::Boundary* boundary = nullptr;
+    /// How `boundary` is shaded; null: as it is.
+    const brep::Shading* shading = nullptr;
     /// What meshes are made of, if it is not `boundary` itself.
     const exporter::Simplified* simplified = nullptr;
     /// What --step writes, if anybody asked for it.

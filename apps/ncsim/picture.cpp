@@ -174,7 +174,8 @@ exporter::Image view_of(const Outcome& outcome, exporter::View view) {
     // By its masks, as the thesis does it.
     if (simulation::find_model(outcome.plan.model)->shows_cells)
         return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
-    return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome));
+    return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
+                                     outcome.shading ? *outcome.shading : brep::Shading());
 }
 
 // Its text, if there is only one file that could have such a line.

@@ -19,6 +19,7 @@
 #include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 #include "ncsim/simulation/take_machine.h"
@@ -70,6 +71,12 @@ std::map<std::uint32_t, std::string> text_of_lines(const simulation::Plan& plan,
     return text;
 }
 
+brep::Shading shading_of_mesh(const Outcome& outcome) {
+    if (!outcome.simplified) return outcome.shading ? *outcome.shading : brep::Shading();
+    return simulation::shading_of(outcome.plan, outcome.survey, *outcome.simulation,
+                                  outcome.simplified->boundary, *outcome.options.simplify);
+}
+
 void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     const Options& o = outcome.options;
     const simulation::Simulation& s = *outcome.simulation;
@@ -86,10 +93,11 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     std::optional<exporter::MovingScene> moving;
     if (o.shows_machine && (!o.gltf.empty() || !o.vrml.empty())) moving = moving_machine(outcome);
     outputs.write(o.gltf, [&](std::ostream& out) {
+        const brep::Shading shading = shading_of_mesh(outcome);
         if (moving) {
-            exporter::write_gltf(out, *mesh, s.provenance, *moving);
+            exporter::write_gltf(out, *mesh, s.provenance, *moving, shading);
         } else {
-            exporter::write_gltf(out, *mesh, s.provenance, outcome.plan.threads);
+            exporter::write_gltf(out, *mesh, s.provenance, outcome.plan.threads, shading);
         }
     });
     outputs.write(o.vrml, [&](std::ostream& out) {
@@ -134,6 +142,11 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
 // Would a quick look do for what is asked for?
 bool is_long(const simulation::Survey& survey, const Options& o) {
     return survey.moves >= simulation::kLongProgram && !needs_exact_part(o);
+}
+
+// Does anything that is asked for shade the part?
+bool is_shaded(const Options& o) {
+    return !o.png.empty() || !o.gltf.empty();
 }
 
 double step_tolerance(const Options& o) {
@@ -212,17 +225,24 @@ int run(Options options) {
     std::optional<simulation::Simulation> simulation;
     std::optional<exporter::Simplified> simplified;
     std::optional<simulation::Solid> true_surfaces, facets;
+    std::optional<brep::Shading> shading;
     if (survey.is_ready()) {
         Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
         Animation animation(options, survey, outputs);
         const auto take_frame = [&](const simulation::Simulation& so_far) {
             Outcome now{options, plan, survey, &so_far};
             now.machine = outcome.machine;
-            if (so_far.boundary) now.boundary = &*so_far.boundary;
+            brep::Shading shading_now;
+            if (so_far.boundary) {
+                now.boundary = &*so_far.boundary;
+                shading_now = simulation::shading_of(plan, survey, so_far, *so_far.boundary);
+                now.shading = &shading_now;
+            }
             animation.take(now);
         };
         simulation::Verification nothing;
-        nothing.keep_cuts = !o.step.empty() || !o.sections.empty();
+        nothing.keep_cuts =
+            !o.step.empty() || !o.sections.empty() || is_shaded(o) || animation.every() != 0;
         simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
@@ -240,6 +260,10 @@ int run(Options options) {
         if (!o.mesh_folder.empty())
             write_mesh_folder(o.mesh_folder, plan, survey, *simulation, outputs);
         if (simulation->boundary) outcome.boundary = &*simulation->boundary;
+        if (outcome.boundary && is_shaded(o)) {
+            shading = simulation::shading_of(plan, survey, *simulation, *outcome.boundary);
+            outcome.shading = &*shading;
+        }
         if (o.simplify && outcome.boundary) {
             simplified = exporter::simplify(*outcome.boundary, *o.simplify);
             outcome.simplified = &*simplified;

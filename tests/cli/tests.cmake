@@ -39,6 +39,7 @@ if(TARGET ncsim)
       run_test.cpp
       samples_test.cpp
       set_ups_test.cpp
+      shading_test.cpp
       shards_test.cpp
       solid_test.cpp
       step_input_test.cpp

@@ -36,7 +36,7 @@ target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
 # The same pictures where OpenGL comes from EGL, whatever the library was built with.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
 set(renderer camera gl lettering offscreen_egl overlay palette png provenance render resolve
-  shared_library sheet visibility)
+  shared_library sheet surface visibility)
 list(TRANSFORM renderer REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/lib/export/src/\\1.cpp")
 add_executable(ncsim_egl_tests ${renderer}
   export/box_part.cpp export/golden_test.cpp export/polytope_part.cpp
@@ -45,7 +45,7 @@ target_compile_features(ncsim_egl_tests PRIVATE cxx_std_20)
 target_compile_definitions(ncsim_egl_tests PRIVATE NCSIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_include_directories(ncsim_egl_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
   ${PROJECT_SOURCE_DIR}/lib/export/include ${PROJECT_SOURCE_DIR}/lib/export/src)
-target_link_libraries(ncsim_egl_tests PRIVATE ncsim::cda ncsim::trig GTest::gtest_main PNG::PNG
+target_link_libraries(ncsim_egl_tests PRIVATE ncsim::brep ncsim::cda ncsim::trig GTest::gtest_main PNG::PNG
   ${CMAKE_DL_LIBS} ncsim_build_flags)
 add_test(NAME export.egl_draws_the_same COMMAND ncsim_egl_tests)
 

@@ -76,6 +76,107 @@ TEST(FusionMachine, TellsItsAxesAndLimits) {
     EXPECT_EQ(read_fusion(fusion_machine()).kinematics->guess, "");
 }
 
+// All that Fusion writes beside what is read: capabilities, coolant, tools, a post, and for each
+// axis where it rests, its number, resolution and rates.
+std::string whole_fusion_machine(const std::string& axes) {
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\n"
+           "<machine xmlns=\"http://www.hsmworks.com/xml/2009/machine\">\n"
+           "  <vendor>Own</vendor>\n  <model>five</model>\n"
+           "  <description>for a test</description>\n  <control></control>\n"
+           "  <machining additive=\"no\" inspection=\"no\" jet=\"no\" milling=\"yes\" "
+           "turning=\"no\"/>\n"
+           "  <dimensions depth=\"0mm\" height=\"0mm\" weight=\"0kg\" width=\"0mm\"/>\n"
+           "  <capacities depth=\"0mm\" height=\"0mm\" weight=\"0kg\" width=\"0mm\"/>\n"
+           "  <coolant options=\"FLOOD\"/>\n"
+           "  <tooling maximumToolDiameter=\"0mm\" maximumToolLength=\"0mm\" "
+           "maximumToolWeight=\"0kg\" numberOfTools=\"100\" toolChanger=\"yes\" "
+           "toolPreload=\"yes\"/>\n"
+           "  <machiningTime ratio=\"1\" toolChangeTime=\"4.2s\"/>\n"
+           "  <capabilities maximumBlockProcessingSpeed=\"0\" maximumFeedrate=\"0mm/min\" "
+           "workOffsets=\"100\"/>\n"
+           "  <post>\n    <postProcessor>system://x.cps</postProcessor>\n"
+           "    <postProperties>\n      <Parameters/>\n    </postProperties>\n  </post>\n" +
+           axes +
+           "  <spindle axis=\"0 0 1\" maximumSpeed=\"12000rpm\" minimumSpeed=\"50rpm\">\n"
+           "    <description></description>\n  </spindle>\n</machine>\n";
+}
+
+std::string whole_linear_axis(const std::string& letter, const std::string& link) {
+    return "  <axis actuator=\"linear\" coordinate=\"" + letter + "\" homePosition=\"0mm\" id=\"" +
+           letter + "\" link=\"" + link +
+           "\" maximumFeed=\"0mm/min\" name=\"\" offset=\"0mm 0mm 0mm\" "
+           "range=\"-400mm 400mm\" rapidFeed=\"30000mm/min\" resolution=\"0mm\"/>\n";
+}
+
+std::string whole_rotary_axis(const std::string& letter, const std::string& link,
+                              const std::string& axis, const std::string& offset,
+                              const std::string& range) {
+    return "  <axis actuator=\"rotational\" axis=\"" + axis + "\" coordinate=\"" + letter +
+           "\" cyclic=\"no\" homePosition=\"0deg\" id=\"" + letter + "\" link=\"" + link +
+           "\" maximumFeed=\"0rpm\" name=\"\" offset=\"" + offset +
+           "\" preference=\"no\" range=\"" + range +
+           "\" rapidFeed=\"0rpm\" reset=\"never\" resolution=\"0deg\" tcp=\"yes\"/>\n";
+}
+
+// Where the tip of a tool without length is on the part, and how it points.
+machine::Pose pose_at(const MachineFile& file, const machine::Values& joints) {
+    return file.kinematics->chain.placed({}, 0.0).pose(joints);
+}
+
+TEST(FusionMachine, ReadsATableOnATable) {
+    const MachineFile file = read_fusion(whole_fusion_machine(
+        whole_linear_axis("X", "table") + whole_linear_axis("Y", "table") +
+        whole_linear_axis("Z", "head") +
+        whole_rotary_axis("A", "table", "1 0 0", "0mm 0mm 50mm", "-120deg 30deg") +
+        whole_rotary_axis("C", "table", "0 0 1", "0mm 10mm 0mm", "0deg 0deg")));
+    std::string letters;
+    for (const machine::Joint& j : file.kinematics->chain.joints)
+        letters += j.letter;
+    EXPECT_EQ(letters, "CAYXZ");
+    EXPECT_EQ(file.kinematics->untold_pivots, "");
+    EXPECT_EQ(file.kinematics->travels.at('A').min, -120);
+    EXPECT_FALSE(file.kinematics->travels.contains('C'));  // without ends
+    EXPECT_EQ(file.machine.rapid[2], 30'000);
+    EXPECT_EQ(file.machine.min_rpm, 50);
+    EXPECT_EQ(file.machine.tool_change_seconds, 4.2);
+    EXPECT_NE(file.kinematics->guess, "");
+    // On paper: the table turns by 90 degrees about Y0 Z50, the right hand; what was at Z50 + 1
+    // goes to Y-1, so the tool at Y-1 Z50 is on the part at Y0 Z51, and comes from its Y.
+    machine::Values joints{};
+    joints[1] = -1;
+    joints[2] = 50;
+    joints[3] = 90;
+    const machine::Pose X_WT = pose_at(file, joints);
+    EXPECT_NEAR(norm(X_WT.translation - cda::Vec3{0, 0, 51}), 0.0, 1e-9);
+    EXPECT_NEAR(X_WT.rows[1].z, 1.0, 1e-12);
+}
+
+TEST(FusionMachine, ReadsAHeadAndATable) {
+    const MachineFile file = read_fusion(whole_fusion_machine(
+        whole_linear_axis("X", "head") + whole_linear_axis("Y", "head") +
+        whole_linear_axis("Z", "head") +
+        whole_rotary_axis("C", "table", "0 0 1", "100mm 0mm 0mm", "-360deg 360deg") +
+        whole_rotary_axis("B", "head", "0 1 0", "0mm 0mm 200mm", "-30deg 110deg")));
+    std::string letters;
+    for (const machine::Joint& j : file.kinematics->chain.joints)
+        letters += j.letter;
+    EXPECT_EQ(letters, "CXYZB");
+    EXPECT_EQ(file.kinematics->untold_pivots, "");
+    EXPECT_EQ(file.kinematics->travels.at('B').max, 110);
+    EXPECT_NE(file.kinematics->guess, "");
+    // On paper: the head turns the nose, 200 below its axis, towards -X; the table turns that about
+    // X100 to the other side: to Y.
+    machine::Values joints{};
+    joints[4] = 90;
+    const machine::Pose tilted = pose_at(file, joints);
+    EXPECT_NEAR(norm(tilted.translation - cda::Vec3{-200, 0, 200}), 0.0, 1e-9);
+    EXPECT_NEAR(tilted.rows[0].z, 1.0, 1e-12);
+    joints[5] = 90;
+    const machine::Pose turned = pose_at(file, joints);
+    EXPECT_NEAR(norm(turned.translation - cda::Vec3{100, 300, 200}), 0.0, 1e-9);
+    EXPECT_NEAR(turned.rows[1].z, -1.0, 1e-12);
+}
+
 TEST(FusionMachine, RefusesWhatIsNoMachineWithItsLine) {
     const std::string bomb =
         "<!DOCTYPE m [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\">]>\n"

@@ -8,6 +8,7 @@
 #include "ncsim/brep/surface.h"
 #include "ncsim/brep/swept.h"
 
+#include "label.h"
 #include "none.h"
 #include "surface_set.h"
 
@@ -18,9 +19,6 @@
 #include <vector>
 
 namespace ncsim::brep {
-
-/// Where planes of a simplified boundary meet, mm.
-inline constexpr double kFlat = 1e-4;
 
 struct Facet {
     std::uint32_t face = 0;  ///< In the boundary.
@@ -76,13 +74,11 @@ public:
     Vec3 point(std::uint32_t v) const { return points_[v]; }
     double length(std::uint32_t h) const { return lengths_[h]; }
 
-    /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)? `score`: how
-    /// badly.
-    bool fits(const Facet& facet, const Surface& surface, double most, double most_turn,
-              double* score = nullptr) const;
+    /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)?
+    bool fits(const Facet& facet, const Surface& surface, double most, double most_turn) const;
 
 private:
-    double turn_from(const Facet& facet, const Surface& surface, double most) const;
+    FlatFace shape_of(const Facet& facet) const;
     Facet labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources);
     void link();
 

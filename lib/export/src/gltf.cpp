@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 //  1. Triangles are sorted by the rank of their tool: a primitive each.
-//  2. Within a primitive each face gets vertices of its own, since its line is its own; their
-//     normals are averaged over neighbours of the same tool that hardly turn away.
+//  2. Within a primitive each face gets vertices of its own, since its line is its own, and with
+//     them normals (corner_normals.h).
 //  3. The buffer is filled stream by stream (indices, positions, normals, lines, tools), an
 //     accessor for each stream of each primitive.
 #include "ncsim/export/gltf.h"
 
 #include "ncsim/cda/mesh.h"
 
-#include "crease.h"
+#include "corner_normals.h"
 #include "float_mesh.h"
 #include "gltf_model.h"
 #include "palette.h"
@@ -17,11 +17,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -42,76 +40,14 @@ struct Primitive {
     std::vector<float> tools;
 };
 
-// Normals of face corners: the average of those of the faces around the vertex, weighted by area,
-// that were cut by the same tool and meet the face at less than the crease angle.
-class SmoothNormals {
-public:
-    SmoothNormals(const cda::Boundary& boundary, const Provenance& provenance,
-                  const Palette& palette)
-        : boundary_(boundary), first_(boundary.vertices.size() + 1, 0) {
-        for (const cda::BoundaryFace& face : boundary.faces) {
-            maker_.push_back(palette.rank(provenance.of(face.origin)));
-            weighted_.push_back(area_vector(face));
-            for (const auto& loop : face.loops) {
-                for (const std::uint32_t vertex : loop)
-                    ++first_[vertex + 1];
-            }
-        }
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        faces_.resize(first_.back());
-        std::vector<std::uint32_t> next(first_);
-        for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
-            for (const auto& loop : boundary.faces[f].loops) {
-                for (const std::uint32_t vertex : loop)
-                    faces_[next[vertex]++] = f;
-            }
-        }
-    }
-
-    cda::Vec3 at(std::uint32_t face, std::uint32_t vertex) const {
-        const cda::Vec3 own = boundary_.faces[face].normal;
-        // Vertices inside a face, which triangulate() made, have no others.
-        if (maker_[face] == 0 || vertex + 1 >= first_.size()) return own;
-        cda::Vec3 sum;
-        for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
-            const std::uint32_t other = faces_[i];
-            const bool is_smooth = maker_[other] == maker_[face] &&
-                                   cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
-            if (is_smooth) sum = sum + weighted_[other];
-        }
-        const double length = cda::norm(sum);
-        // Slivers without an area have no say, not even about themselves.
-        return length > 0.0 ? (1.0 / length) * sum : own;
-    }
-
-private:
-    // The normal, as long as the face is large.
-    cda::Vec3 area_vector(const cda::BoundaryFace& face) const {
-        double twofold = 0.0;
-        for (const auto& loop : face.loops) {
-            const cda::Vec3 a = boundary_.vertices[loop[0]];
-            for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-                twofold += cda::dot(face.normal, cda::cross(boundary_.vertices[loop[i]] - a,
-                                                            boundary_.vertices[loop[i + 1]] - a));
-            }
-        }
-        return std::max(twofold, 0.0) * face.normal;
-    }
-
-    const cda::Boundary& boundary_;
-    std::vector<std::size_t> maker_;    // of each face, by rank; 0: the stock, which stays flat
-    std::vector<cda::Vec3> weighted_;   // of each face
-    std::vector<std::uint32_t> first_;  // for each vertex, where in `faces_` its faces begin
-    std::vector<std::uint32_t> faces_;
-};
-
 // Steps 1 and 2. Primitives without triangles are left out.
-std::vector<Primitive> primitives(const cda::Boundary& boundary, const FloatMesh& mesh,
-                                  const Provenance& provenance, const Palette& palette) {
+std::vector<Primitive> primitives(const PartMesh& part, const Provenance& provenance,
+                                  const Palette& palette) {
+    const auto& [boundary, mesh, centre, shading] = part;
     std::vector<Primitive> all(palette.makers().size());
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].maker = palette.makers()[i];
-    const SmoothNormals normals(boundary, provenance, palette);
+    const CornerNormals normals(boundary, provenance, palette, shading);
     constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
     std::uint32_t current_face = kNoFace;
     std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its copy for this face
@@ -125,9 +61,10 @@ std::vector<Primitive> primitives(const cda::Boundary& boundary, const FloatMesh
             const auto next = static_cast<std::uint32_t>(primitive.positions.size());
             const auto [found, is_new] = local.try_emplace(point, next);
             if (is_new) {
-                primitive.positions.push_back(mesh.points[point]);
-                primitive.normals.push_back(
-                    to_floats(normals.at(current_face, mesh.vertex[point])));
+                const FloatPoint& p = mesh.points[point];
+                primitive.positions.push_back(p);
+                primitive.normals.push_back(to_floats(normals.at(
+                    current_face, mesh.vertex[point], centre + cda::Vec3{p[0], p[1], p[2]})));
                 primitive.lines.push_back(static_cast<float>(entry.nc_line));
                 primitive.tools.push_back(static_cast<float>(entry.tool));
             }
@@ -252,10 +189,10 @@ tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& proven
     return model;
 }
 
-std::optional<int> add_part(tinygltf::Model& model, const cda::Boundary& boundary,
-                            const FloatMesh& mesh, const Provenance& provenance) {
+std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
+                            const Provenance& provenance) {
     const Palette palette(provenance);
-    const std::vector<Primitive> parts = primitives(boundary, mesh, provenance, palette);
+    const std::vector<Primitive> parts = primitives(part, provenance, palette);
     check_size(parts);
     if (parts.empty()) return std::nullopt;
     model.meshes.push_back(mesh_of(parts, palette, model));
@@ -272,11 +209,10 @@ void write_model(std::ostream& out, tinygltf::Model& model) {
 
 namespace {
 
-void write_mesh(std::ostream& out, const cda::Boundary& boundary, const FloatMesh& mesh,
-                const Provenance& provenance, cda::Vec3 centre) {
-    tinygltf::Model model = model_of(boundary, provenance);
-    if (add_part(model, boundary, mesh, provenance)) {
-        model.nodes.push_back(node_of(centre));
+void write_mesh(std::ostream& out, const PartMesh& part, const Provenance& provenance) {
+    tinygltf::Model model = model_of(part.boundary, provenance);
+    if (add_part(model, part, provenance)) {
+        model.nodes.push_back(node_of(part.centre));
         model.scenes.front().nodes = {0};
     }
     write_model(out, model);
@@ -285,16 +221,17 @@ void write_mesh(std::ostream& out, const cda::Boundary& boundary, const FloatMes
 }  // namespace
 
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                std::size_t threads) {
+                std::size_t threads, const brep::Shading& shading) {
     const cda::Vec3 centre = whole_centre(boundary);
     const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre, threads);
-    write_mesh(out, boundary, mesh, provenance, centre);
+    write_mesh(out, {boundary, mesh, centre, shading}, provenance);
 }
 
 std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
-                                        const Provenance& provenance, cda::Vec3 centre) {
+                                        const Provenance& provenance, cda::Vec3 centre,
+                                        const brep::Shading& shading) {
     const FloatMesh mesh = rounded_alone(cda::triangulate(piece), centre);
-    write_mesh(out, piece, mesh, provenance, centre);
+    write_mesh(out, {piece, mesh, centre, shading}, provenance);
     Seams seams;
     for (const auto& corners : mesh.triangles) {
         for (std::size_t i = 0; i < 3; ++i)

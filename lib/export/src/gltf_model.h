@@ -3,6 +3,7 @@
 // What files of a part and of a machine have in common.
 #pragma once
 
+#include "ncsim/brep/shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/image.h"
 #include "ncsim/export/provenance.h"
@@ -116,13 +117,20 @@ private:
     tinygltf::Model& model_;
 };
 
+/// The surface of a part and what is left of it in floats.
+struct PartMesh {
+    const cda::Boundary& boundary;
+    const FloatMesh& mesh;  ///< Of the triangles of `boundary`, as seen from
+    cda::Vec3 centre;       ///< mm.
+    const brep::Shading& shading;
+};
+
 /// A model that says who made it, of which program, and what the lines say that left a face.
 tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance);
-/// The part, of which `mesh` is what is left of its triangles in floats, a primitive for each tool:
-/// the number of its mesh; none if nothing is left of it. Throws std::runtime_error if it is too
-/// large.
-std::optional<int> add_part(tinygltf::Model& model, const cda::Boundary& boundary,
-                            const FloatMesh& mesh, const Provenance& provenance);
+/// The part, a primitive for each tool: the number of its mesh; none if nothing is left of it.
+/// Throws std::runtime_error if it is too large.
+std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
+                            const Provenance& provenance);
 /// Whole millimetres near the middle of the part: positions given with few decimals keep them.
 cda::Vec3 whole_centre(const cda::Boundary& boundary);
 /// A colour without gloss. sRGB.

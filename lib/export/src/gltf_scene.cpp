@@ -234,11 +234,11 @@ private:
 }  // namespace
 
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene) {
+                const MovingScene& scene, const brep::Shading& shading) {
     const Vec3 centre = whole_centre(boundary);
+    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary), centre);
     tinygltf::Model model = model_of(boundary, provenance);
-    const std::optional<int> part =
-        add_part(model, boundary, round_to_floats(cda::triangulate(boundary), centre), provenance);
+    const std::optional<int> part = add_part(model, {boundary, mesh, centre, shading}, provenance);
     SceneModel machine(scene, model);
     machine.add_nodes();
     if (part) machine.add_part_node(*part, centre);

@@ -49,14 +49,14 @@ void check(const RenderOptions& options) {
 
 // Draws everything `draw` draws, which is called once for each tile with the buffer.
 template <typename Draw>
-Image render(const ScreenMap& map, const RenderOptions& options,
-             const std::vector<Surface>& surfaces, Draw draw) {
+Image render(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table,
+             Draw draw) {
     const std::uint32_t tile = (kTileSide - 2 * kTileMargin) / options.samples;
     const auto samples_of = [&](std::uint32_t pixels) {
         return std::min(pixels, tile) * options.samples + 2 * kTileMargin;
     };
     VisibilityBuffer buffer(samples_of(options.width), samples_of(options.height));
-    Resolver resolver(map, options, surfaces);
+    Resolver resolver(map, options, table);
     Image image{options.width, options.height, {}};
     image.pixels.resize(std::size_t{options.width} * options.height);
     std::vector<SurfaceId> ids;
@@ -95,7 +95,9 @@ public:
 
     Surface surface(Vec3 normal, Vec3 point, cda::Origin origin) const {
         const Vec3 n_C = map_.direction_in_camera(normal);
-        Surface result{n_C, cda::dot(n_C, map_.point_in_camera(point)), {}, false, false};
+        Surface result;
+        result.n_C = n_C;
+        result.offset = cda::dot(n_C, map_.point_in_camera(point));
         const bool is_cut = origin != cda::kStockOrigin;
         if (is_cut && colouring_ == Colouring::Line) {
             // Origins are numbered as they were cut: program lines may come in loops.
@@ -162,6 +164,59 @@ private:
     std::vector<std::vector<ScreenPoint>> masks_;
 };
 
+// The triangles of a boundary. Those of a flat face are one surface, those of a round one have
+// normals of their own each.
+class BoundaryArt {
+public:
+    /// Appends its surfaces to `table`.
+    BoundaryArt(const ScreenMap& map, const cda::Boundary& boundary, const brep::Shading& shading,
+                const Paint& paint, SurfaceTable& table)
+        : mesh_(cda::triangulate(boundary)) {
+        for (const Vec3& p : mesh_.vertices)
+            points_.push_back(map(p));
+        std::vector<SurfaceId> of_face(boundary.faces.size(), kBackground);
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            const std::uint32_t f = mesh_.face[t];
+            const cda::BoundaryFace& face = boundary.faces[f];
+            const Vec3 point = boundary.vertices[face.loops.front().front()];
+            if (!faces_camera(map.camera(), face.normal, point)) {
+                ids_.push_back(kBackground);
+                continue;
+            }
+            const bool is_round = shading.known(f) == brep::Shading::Known::Round;
+            if (is_round || of_face[f] == kBackground) {
+                table.surfaces.push_back(paint.surface(face.normal, point, face.origin));
+                of_face[f] = static_cast<SurfaceId>(table.surfaces.size());
+            }
+            ids_.push_back(of_face[f]);
+            if (!is_round) continue;
+            std::array<Vec3, 3> corners, normals;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t v = mesh_.triangles[t][i];
+                const Vec3 p = mesh_.vertices[v];
+                corners[i] = map.point_in_camera(p);
+                normals[i] = map.direction_in_camera(shading.normal_or_none(f, face.normal, v, p));
+            }
+            table.bends.emplace_back(corners, normals);
+            table.surfaces.back().bend = static_cast<std::uint32_t>(table.bends.size());
+        }
+    }
+
+    void draw(VisibilityBuffer& buffer) const {
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            if (ids_[t] == kBackground) continue;
+            const auto& [a, b, c] = mesh_.triangles[t];
+            const std::array<ScreenPoint, 3> corners{points_[a], points_[b], points_[c]};
+            buffer.draw(corners, ids_[t]);
+        }
+    }
+
+private:
+    cda::TriangleMesh mesh_;
+    std::vector<ScreenPoint> points_;
+    std::vector<SurfaceId> ids_;  // of triangles; the background's: they are not seen
+};
+
 }  // namespace
 
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
@@ -169,42 +224,27 @@ Image render_model(const cda::WorkpieceModel& model, const Provenance& provenanc
     check(options);
     const ScreenMap map = screen_map(options);
     const Paint paint(map, provenance, options);
-    std::vector<Surface> surfaces;
-    StencilCanvas canvas(map, paint, surfaces);
+    SurfaceTable table;
+    StencilCanvas canvas(map, paint, table.surfaces);
     OverlayArt art(map, overlay, options);
-    return render(map, options, surfaces, [&](VisibilityBuffer& buffer) {
+    return render(map, options, table, [&](VisibilityBuffer& buffer) {
         canvas.begin(buffer);
         model.render(canvas);
-        art.draw(buffer, surfaces);
+        art.draw(buffer, table.surfaces);
     });
 }
 
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
-                      const RenderOptions& options, const Overlay& overlay) {
+                      const RenderOptions& options, const Overlay& overlay,
+                      const brep::Shading& shading) {
     check(options);
     const ScreenMap map = screen_map(options);
-    const Paint paint(map, provenance, options);
     OverlayArt art(map, overlay, options);
-    const cda::TriangleMesh mesh = cda::triangulate(boundary);
-    std::vector<Surface> surfaces;
-    std::vector<bool> is_visible;
-    for (const cda::BoundaryFace& face : boundary.faces) {
-        const Vec3 point = boundary.vertices[face.loops.front().front()];
-        surfaces.push_back(paint.surface(face.normal, point, face.origin));
-        is_visible.push_back(faces_camera(options.camera, face.normal, point));
-    }
-    std::vector<ScreenPoint> points;
-    points.reserve(mesh.vertices.size());
-    for (const Vec3& p : mesh.vertices)
-        points.push_back(map(p));
-    return render(map, options, surfaces, [&](VisibilityBuffer& buffer) {
-        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (!is_visible[mesh.face[t]]) continue;
-            const auto& [a, b, c] = mesh.triangles[t];
-            const std::array<ScreenPoint, 3> corners{points[a], points[b], points[c]};
-            buffer.draw(corners, mesh.face[t] + 1);
-        }
-        art.draw(buffer, surfaces);
+    SurfaceTable table;
+    const BoundaryArt part(map, boundary, shading, Paint(map, provenance, options), table);
+    return render(map, options, table, [&](VisibilityBuffer& buffer) {
+        part.draw(buffer);
+        art.draw(buffer, table.surfaces);
     });
 }
 

@@ -53,14 +53,12 @@ LinearColour colour_of(Background background) {
     return to_linear(background == Background::White ? kWhite : kDark);
 }
 
-Resolver::Resolver(const ScreenMap& map, const RenderOptions& options,
-                   const std::vector<Surface>& surfaces)
-    : map_(map), options_(options), surfaces_(surfaces) {
+Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table)
+    : map_(map), options_(options), surfaces_(table.surfaces), bends_(table.bends) {
     lit_.push_back(colour_of(options.background));
 }
 
-Resolver::Lighting Resolver::lighting(const Surface& surface) {
-    const Vec3 n_C = surface.n_C;
+Resolver::Lighting Resolver::lighting(Vec3 n_C) {
     const double diffuse = kEverywhere + kSky * n_C.y +
                            kKey * std::max(0.0, cda::dot(n_C, kKeyLight)) +
                            kFill * std::max(0.0, cda::dot(n_C, kFillLight));
@@ -74,23 +72,33 @@ void Resolver::light_new_surfaces() {
             lit_.push_back(surfaces_[i].colour);
             continue;
         }
-        const Lighting light = lighting(surfaces_[i]);
+        const Lighting light = lighting(surfaces_[i].n_C);
         lit_.push_back(light.diffuse * surfaces_[i].colour + light.sheen * kWhiteLight);
     }
 }
 
 // (x, y) in mm from the middle of the picture.
 LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
-    if (id == kBackground || !surfaces_[id - 1].by_depth) return lit_[id];
+    if (id == kBackground) return lit_[id];
     const Surface& surface = surfaces_[id - 1];
-    const Camera& camera = map_.camera();
+    if (!surface.by_depth && surface.bend == 0) return lit_[id];
     const double depth = depth_at(surface, x, y);
+    const Lighting light = lighting(normal_at(surface, x, y, depth));
+    if (!surface.by_depth) return light.diffuse * surface.colour + light.sheen * kWhiteLight;
+    const Camera& camera = map_.camera();
     const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
     const double z_W =
         camera.target.z + scale * (x * camera.right.z + y * camera.up.z) + depth * camera.back.z;
     const double t = (options_.depth_top - z_W) / (options_.depth_top - options_.depth_bottom);
-    const Lighting light = lighting(surface);
     return light.diffuse * scale_colour(t) + light.sheen * kWhiteLight;
+}
+
+// Where it is `depth` before the middle of the picture.
+Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double depth) const {
+    if (surface.bend == 0) return surface.n_C;
+    const Camera& camera = map_.camera();
+    const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
+    return bends_[surface.bend - 1].normal_at({scale * x, scale * y, depth});
 }
 
 // Where the line of sight through (x, y) meets the plane of the surface: z in the camera's frame.
@@ -112,6 +120,10 @@ bool Resolver::is_same_plane(SurfaceId a, SurfaceId b) const {
            std::abs(p.offset - q.offset) < 0.01 * map_.sample_size();
 }
 
+bool Resolver::is_round(SurfaceId id) const {
+    return id != kBackground && surfaces_[id - 1].bend != 0;
+}
+
 bool Resolver::is_line(SurfaceId id) const {
     return id != kBackground && surfaces_[id - 1].is_line;
 }
@@ -124,11 +136,16 @@ float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const
     if (a == kBackground || b == kBackground) return kSilhouetteInk;
     const Surface& p = surfaces_[a - 1];
     const Surface& q = surfaces_[b - 1];
-    const double step = std::abs(depth_at(p, x, y) - depth_at(q, x, y));
+    // Triangles of one face.
+    if (p.n_C == q.n_C && p.offset == q.offset) return 0.0F;
+    const double depth = depth_at(p, x, y), other = depth_at(q, x, y);
+    const double step = std::abs(depth - other);
     // Two faces that meet somewhere between the samples differ by no more than half a sample
     // times their slopes.
     if (step > map_.sample_size() * (1.0 + slope(p) + slope(q))) return kSilhouetteInk;
-    return cda::dot(p.n_C, q.n_C) < kCreaseCosine ? kCreaseInk : 0.0F;
+    return cda::dot(normal_at(p, x, y, depth), normal_at(q, x, y, other)) < kCreaseCosine
+               ? kCreaseInk
+               : 0.0F;
 }
 
 // Where edges of facets that ought to coincide are rounded apart, single samples see through the
@@ -197,16 +214,26 @@ void Resolver::resolve(std::vector<SurfaceId>& ids, std::uint32_t x0, std::uint3
     const double left = static_cast<double>(rect_.x) + 0.5 - 0.5 * samples * options_.width;
     const double top = static_cast<double>(rect_.y) + 0.5 - 0.5 * samples * options_.height;
     const float share = 1.0F / static_cast<float>(samples * samples);
+    const double middle = 0.5 * (samples - 1);
     for (std::uint32_t y = 0; y < height; ++y) {
         for (std::uint32_t x = 0; x < width; ++x) {
-            LinearColour sum;
+            LinearColour sum, light;
+            SurfaceId lit = kBackground;  // whose light is known all over the pixel
             for (std::uint32_t s = 0; s < samples * samples; ++s) {
                 const std::uint32_t row = kTileMargin + y * samples + s / samples;
                 const std::uint32_t column = kTileMargin + x * samples + s % samples;
                 const std::size_t i = std::size_t{row} * rect_.width + column;
-                sum = sum +
-                      (1.0F - ink_[i]) * colour_at(ids[i], h * (left + column), -h * (top + row)) +
-                      ink_[i] * ink;
+                const SurfaceId id = ids[i];
+                const bool round = is_round(id);
+                if (!round) {
+                    light = colour_at(id, h * (left + column), -h * (top + row));
+                } else if (id != lit) {
+                    // What is round is lit once, in the middle: it hardly changes in a pixel.
+                    light = colour_at(id, h * (left + kTileMargin + x * samples + middle),
+                                      -h * (top + kTileMargin + y * samples + middle));
+                }
+                lit = round ? id : kBackground;
+                sum = sum + (1.0F - ink_[i]) * light + ink_[i] * ink;
             }
             image.at(x0 + x, y0 + y) = to_srgb(share * sum);
         }

@@ -24,9 +24,8 @@ LinearColour colour_of(Background background);
 /// Turns samples into pixels, tile by tile. Depends on surfaces only, not on how they were drawn.
 class Resolver {
 public:
-    /// `surfaces` must outlive the resolver and may grow between tiles.
-    Resolver(const ScreenMap& map, const RenderOptions& options,
-             const std::vector<Surface>& surfaces);
+    /// `table` must outlive the resolver and may grow between tiles.
+    Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table);
 
     /// Fills the pixels of `image` from (x, y) on, width × height of them. `ids` are the samples of
     /// the tile with kTileMargin more on each side; their specks are removed in place.
@@ -38,20 +37,24 @@ private:
     struct Lighting {
         float diffuse = 0, sheen = 0;
     };
-    static Lighting lighting(const Surface& surface);
+    static Lighting lighting(cda::Vec3 n_C);
     void light_new_surfaces();
     LinearColour colour_at(SurfaceId id, double x, double y) const;
+    cda::Vec3 normal_at(const Surface& surface, double x, double y, double depth) const;
     void remove_specks(std::vector<SurfaceId>& ids);
     void find_lines(std::span<const SurfaceId> ids);
     float line_between(SurfaceId a, SurfaceId b, double x, double y) const;
     double depth_at(const Surface& surface, double x, double y) const;
     bool is_same_plane(SurfaceId a, SurfaceId b) const;
+    bool is_round(SurfaceId id) const;
     bool is_line(SurfaceId id) const;
 
     ScreenMap map_;
     const RenderOptions& options_;
     const std::vector<Surface>& surfaces_;
-    std::vector<LinearColour> lit_;  // by SurfaceId; for surfaces coloured by depth, unused
+    const std::vector<Bend>& bends_;
+    std::vector<LinearColour> lit_;  // by SurfaceId; of those that are round or coloured by depth,
+                                     // unused
     std::vector<float> ink_;         // for each sample, 0 … 1
     SampleRect rect_;
 };

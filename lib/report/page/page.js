@@ -76,6 +76,29 @@ showSource(1);
 
 // --- The part -----------------------------------------------------------------------------------
 
+// Where triangles meet at more than 20°, as they are shaded.
+function sharpEdges(corners, index, normals) {
+  const kSmooth = Math.cos(Math.PI / 9), kUnit = 32767 * 32767, count = corners.length / 3;
+  const cosine = (i, j) => (normals[3 * i] * normals[3 * j] +
+    normals[3 * i + 1] * normals[3 * j + 1] + normals[3 * i + 2] * normals[3 * j + 2]) / kUnit;
+  const open = new Map(), ends = [];
+  for (let i = 0; i < index.length; i += 1) {
+    const j = i % 3 === 2 ? i - 2 : i + 1;
+    const back = index[j] * count + index[i];
+    const other = open.get(back);
+    if (other === undefined) {
+      open.set(index[i] * count + index[j], [i, j]);
+      continue;
+    }
+    open.delete(back);
+    if (cosine(i, other[1]) + cosine(j, other[0]) > 2 * kSmooth) continue;
+    for (const end of [index[i], index[j]]) ends.push(...corners.subarray(3 * end, 3 * end + 3));
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(ends), 3));
+  return geometry;
+}
+
 function makeView(holder, mesh) {
   const corners = bytes(mesh.vertices, Float32Array);
   const index = bytes(mesh.triangles, Uint32Array);
@@ -89,7 +112,8 @@ function makeView(holder, mesh) {
   geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
   const colours = new THREE.BufferAttribute(new Float32Array(9 * count), 3);
   geometry.setAttribute("color", colours);
-  geometry.computeVertexNormals();  // nothing is shared, so they are those of the faces
+  const normals = bytes(mesh.normals, Int16Array);
+  geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3, true));
   geometry.computeBoundingSphere();
 
   const kStock = [0.72, 0.75, 0.79], kCut = [0.33, 0.58, 0.84], kChosen = [0.98, 0.52, 0.12];
@@ -109,7 +133,7 @@ function makeView(holder, mesh) {
   scene.background = new THREE.Color(0xeef1f4);
   const part = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors }));
   scene.add(part);
-  const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 20),
+  const edges = new THREE.LineSegments(sharpEdges(corners, index, normals),
     new THREE.LineBasicMaterial({ color: 0x31404f }));
   scene.add(edges);
   scene.add(new THREE.HemisphereLight(0xffffff, 0x8a96a3, 0.75));

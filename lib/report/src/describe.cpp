@@ -21,6 +21,8 @@ std::string describe(const toolpath::Stock& stock) {
     if (!stock.from) return (stock.is_round ? kBars[stock.axis] : "") + describe(stock.box);
     std::string text = fmt::format("{} in {}", base_name(stock.from->path), describe(stock.box));
     if (!stock.from->turn.empty()) text += ", turned " + stock.from->turn;
+    if (stock.deflection_mm > 0.0)
+        text += fmt::format(", triangles within {:g} mm of its surfaces", stock.deflection_mm);
     return one_line(text);
 }
 

@@ -56,8 +56,16 @@ void put_word(std::string& bytes, Word word) {
         bytes += static_cast<char>(bits >> shift & 0xffU);
 }
 
+// From -1 to 1 in 16 bits, which is 0.002°.
+void put_share(std::string& bytes, double share) {
+    constexpr double kWhole = 32767.0;
+    const auto bits = static_cast<std::uint16_t>(std::lround(kWhole * share));
+    bytes += static_cast<char>(bits & 0xffU);
+    bytes += static_cast<char>(bits >> 8U);
+}
+
 Json mesh_json(const Look& look) {
-    std::string vertices, triangles, lines;
+    std::string vertices, triangles, lines, normals;
     for (const cda::Vec3& v : look.mesh.vertices) {
         for (const double c : {v.x, v.y, v.z})
             put_word(vertices, static_cast<float>(c));
@@ -68,8 +76,14 @@ Json mesh_json(const Look& look) {
     }
     for (const std::uint32_t line : look.lines)
         put_word(lines, line);
-    return {
-        {"vertices", base64(vertices)}, {"triangles", base64(triangles)}, {"lines", base64(lines)}};
+    for (const cda::Vec3& n : look.normals) {
+        for (const double c : {n.x, n.y, n.z})
+            put_share(normals, c);
+    }
+    return {{"vertices", base64(vertices)},
+            {"triangles", base64(triangles)},
+            {"lines", base64(lines)},
+            {"normals", base64(normals)}};
 }
 
 std::vector<std::string_view> lines_of(std::string_view text) {

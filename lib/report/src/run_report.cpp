@@ -244,6 +244,8 @@ void write_report(std::ostream& out, const RunFacts& run) {
             json["stock"]["file"] = base_name(from->path);
             if (!from->turn.empty()) json["stock"]["turned"] = from->turn;
             json["stock"]["moved"] = vector_json(from->move);
+            if (run.program->stock->deflection_mm > 0.0)
+                json["stock"]["deflection_mm"] = run.program->stock->deflection_mm;
         }
         json["stock"]["told"] =
             source(run.program->stock->told_by, run.program->stock->span, run.program->stock->text);

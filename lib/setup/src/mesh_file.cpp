@@ -339,8 +339,4 @@ SurfaceFile read_surface_file(const std::string& path, InputSet& inputs) {
     }
 }
 
-cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs) {
-    return read_surface_file(path, inputs).mesh;
-}
-
 }  // namespace ncsim::setup

@@ -41,9 +41,12 @@ cda::Shape read_saved(const toolpath::StockFile& file, cda::Placement placement,
     return cda::placed(shape, placement);
 }
 
+// `deflection_mm` becomes that of the file.
 cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& placement,
-                        InputSet& inputs) {
-    cda::TriangleMesh mesh = read_mesh_file(file.path, inputs);
+                        InputSet& inputs, double& deflection_mm) {
+    SurfaceFile surface = read_surface_file(file.path, inputs);
+    deflection_mm = surface.deflection_mm;
+    cda::TriangleMesh& mesh = surface.mesh;
     cda::Box box;
     for (cda::Vec3& p : mesh.vertices) {
         cda::Vec3 turned = file.move;
@@ -95,7 +98,7 @@ toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& input
         const cda::Placement placement = parse_turn(file.turn);
         stock.shape = std::make_shared<const cda::Shape>(
             is_saved(file, inputs) ? read_saved(file, placement, inputs)
-                                   : read_surface(file, placement, inputs));
+                                   : read_surface(file, placement, inputs, stock.deflection_mm));
     } catch (const std::invalid_argument& e) {
         throw std::runtime_error(fmt::format("stock '{}': {}", file.path, e.what()));
     }

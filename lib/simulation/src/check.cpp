@@ -7,6 +7,7 @@
 #include "ncsim/report/describe.h"
 #include "ncsim/report/machining_time.h"
 #include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 #include "ncsim/simulation/take_machine.h"
@@ -166,12 +167,18 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     return setup;
 }
 
-report::Look look_at(const Survey& survey, const Simulation& simulation) {
+report::Look look_at(const Plan& plan, const Survey& survey, const Simulation& simulation) {
     report::Look look;
     const cda::Boundary boundary = simulation.part->boundary();
+    const brep::Shading shading = shading_of(plan, survey, simulation, boundary);
     look.mesh = cda::triangulate(boundary);
-    for (const std::uint32_t face : look.mesh.face)
-        look.lines.push_back(simulation.provenance.of(boundary.faces[face].origin).nc_line);
+    for (std::size_t t = 0; t < look.mesh.triangles.size(); ++t) {
+        const std::uint32_t f = look.mesh.face[t];
+        const cda::BoundaryFace& face = boundary.faces[f];
+        look.lines.push_back(simulation.provenance.of(face.origin).nc_line);
+        for (const std::uint32_t v : look.mesh.triangles[t])
+            look.normals.push_back(shading.normal(f, face.normal, v, look.mesh.vertices[v]));
+    }
     exporter::RenderOptions render;
     render.width = 800;
     render.height = 600;
@@ -181,8 +188,8 @@ report::Look look_at(const Survey& survey, const Simulation& simulation) {
          {std::pair{"from above", View::Top}, std::pair{"isometric", View::Iso}}) {
         render.camera = exporter::fit_camera(survey.stock->box, view, 4 / 3.0);
         std::ostringstream png;
-        exporter::write_png(png,
-                            exporter::render_boundary(boundary, simulation.provenance, render));
+        exporter::write_png(
+            png, exporter::render_boundary(boundary, simulation.provenance, render, {}, shading));
         look.pictures.emplace_back(name, png.str());
     }
     return look;
@@ -353,6 +360,7 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
     if (checked.simulated) {
         Verification verification = all.verification();
         verification.verifier = &verifier;
+        verification.keep_cuts |= questions.look;
         const Simulation simulation = simulate(plan, survey, verification, {});
         if (questions.cut_free) {
             for (verify::Finding& f : cut_free(plan, survey, verification, simulation))
@@ -367,7 +375,7 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
         }
         checked.verdict =
             verifier.finish(survey.interpretation, simulation.part.get(), simulation.stock_volume);
-        if (questions.look) checked.look = look_at(survey, simulation);
+        if (questions.look) checked.look = look_at(plan, survey, simulation);
     } else {
         // That a program does not end is known; the rules need not see each turn of its loop.
         if (survey.never_ends) plan.job.interpreter.limits.repeated_blocks /= 4;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/simulation/solid.h"
 
-#include "ncsim/brep/swept.h"
 #include "ncsim/export/simplify.h"
 
-#include "join_moves.h"
+#include "sources.h"
 
 #include <cstdint>
 #include <map>
@@ -12,44 +11,6 @@
 #include <vector>
 
 namespace ncsim::simulation {
-
-namespace {
-
-// Of the origins that faces name: the stock, and motions.
-std::map<cda::Origin, brep::Source> sources_of(const Plan& plan, const Survey& survey,
-                                               const Simulation& simulation, double tolerance_mm) {
-    // Of the lattice, and of what sums of these lack in accuracy.
-    constexpr double kRounding = 1e-3;
-    const double rounding = kRounding + tolerance_mm;
-    std::map<cda::Origin, brep::Source> sources;
-    std::vector<bool> is_there(simulation.cuts.size(), false);
-    for (const cda::BoundaryFace& face : simulation.boundary->faces) {
-        const auto origin = static_cast<std::size_t>(face.origin);
-        if (origin < is_there.size()) is_there[origin] = true;
-    }
-    sources[cda::kStockOrigin] = {brep::surfaces_of(*survey.stock), plan.tool_tolerance + rounding};
-    std::uint64_t motions = 0;
-    std::size_t next = 1;
-    MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
-        ++motions;
-        if (next >= simulation.cuts.size() || simulation.cuts[next].motion != motions) return;
-        const std::size_t origin = next++;
-        const auto tool = survey.tools.find(motion.tool);
-        if (!is_there[origin] || tool == survey.tools.end()) return;
-        const auto cutter = simulation.cutters.find(motion.tool);
-        const double polygon =
-            cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
-        sources[cda::Origin{static_cast<std::uint32_t>(origin)}] = {
-            brep::surfaces_of(motion, tool->second.tool),
-            polygon + plan.tolerance + plan.join_tolerance + rounding};
-    });
-    gcode::interpret(plan.job.program, plan.job.interpreter,
-                     [&](const gcode::Motion& motion) { joiner.take(motion); });
-    joiner.flush();
-    return sources;
-}
-
-}  // namespace
 
 brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulation& simulation,
                           double tolerance_mm) {
@@ -62,8 +23,11 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
         exporter::Simplified flat = exporter::simplify(*simulation.boundary, tolerance_mm, lines);
         return brep::Facets{std::move(flat.boundary), std::move(flat.origins)};
     };
-    return brep::recognise(facets(&apart), sources_of(plan, survey, simulation, tolerance_mm),
-                           [&] { return facets(nullptr); });
+    std::map<cda::Origin, brep::Source> sources;
+    for_each_source(
+        plan, survey, simulation, *simulation.boundary, tolerance_mm,
+        [&](cda::Origin origin, brep::Source source) { sources[origin] = std::move(source); });
+    return brep::recognise(facets(&apart), sources, [&] { return facets(nullptr); });
 }
 
 namespace {

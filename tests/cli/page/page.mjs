@@ -63,6 +63,24 @@ try {
   expect(triangles > 20, `the part was not drawn: ${errors.join("; ")}`);
   expect(await page.locator("b", { hasText: "bold" }).count() === 0, "a remark became markup");
 
+  // Three normals of length 1 for each triangle; those of the slots' ends turn from corner to corner.
+  const [normals, off, round] = await page.evaluate(() => {
+    const mesh = JSON.parse(document.getElementById("data").textContent).mesh;
+    const raw = Uint8Array.from(atob(mesh.normals), (c) => c.charCodeAt(0));
+    const n = new Int16Array(raw.buffer);
+    let worst = 0, turning = 0;
+    for (let i = 0; i < n.length; i += 3) {
+      worst = Math.max(worst, Math.abs(Math.hypot(n[i], n[i + 1], n[i + 2]) / 32767 - 1));
+    }
+    for (let t = 0; t < n.length; t += 9) {
+      if (n[t] !== n[t + 3] || n[t] !== n[t + 6] || n[t + 1] !== n[t + 4]) turning += 1;
+    }
+    return [n.length / 9, worst, turning];
+  });
+  expect(normals === triangles, `${normals} normals for ${triangles} triangles`);
+  expect(off < 1e-4, `a normal is longer or shorter by ${off}`);
+  expect(round > 10 && round < triangles, `${round} of ${triangles} triangles are round`);
+
   // Faces of the part that are seen from where the camera begins, and the lines that cut them.
   for (const [x, y, z, line] of [[-10, 5, -2, 6], [15, -20, -2, 10], [-20, 23, -1, 13],
     [-30, -20, 0, 0]]) {

@@ -4,6 +4,7 @@
 // Specification (ISO/IEC 12113:2022).
 #pragma once
 
+#include "ncsim/brep/shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/moving_scene.h"
 #include "ncsim/export/provenance.h"
@@ -16,8 +17,9 @@
 namespace ncsim::exporter {
 
 /// Writes `boundary` as binary glTF (.glb): one mesh with a primitive and a material for each tool.
-/// Stock is shaded flat; facets cut by the same tool that meet at less than 25° are shaded as
-/// one round surface, larger ones weighing more.
+/// Faces that `shading` knows to be round have the normals of their surface. Of the others stock is
+/// shaded flat; facets cut by the same tool that meet at less than 25° are shaded as one round
+/// surface, larger ones weighing more, but for flat ones beside round ones, which stay flat there.
 ///
 /// Positions are millimetres from the centre of the part, so that little is lost in floats; the
 /// node carries that centre and turns millimetres, z up, into glTF's metres, y up. Each vertex has
@@ -34,7 +36,7 @@ namespace ncsim::exporter {
 /// gives equal bytes. Throws std::invalid_argument if `boundary` is not closed, std::runtime_error
 /// if the file would exceed the format's 4 GiB, or the stream fails. `threads` as in triangulate().
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                std::size_t threads = 1);
+                std::size_t threads = 1, const brep::Shading& shading = {});
 
 /// The same of a piece of the surface, which is open where it meets others: one of several files.
 /// Each corner is rounded by itself, about the `centre` (mm) that all files have in common, so
@@ -42,7 +44,8 @@ void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenan
 /// triangles may have no area. Returns the edges that no other triangle of the file has in the
 /// opposite direction: one of another file has.
 std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
-                                        const Provenance& provenance, cda::Vec3 centre);
+                                        const Provenance& provenance, cda::Vec3 centre,
+                                        const brep::Shading& shading = {});
 
 /// Writes `scene` with the part in it, and how all of it moves: the node `machine` turns
 /// millimetres, z up, into glTF's metres, y up, and stands for machine coordinates; below it each
@@ -60,6 +63,6 @@ std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& 
 /// The part, and errors, as above; std::runtime_error, too, if a body is beyond what floats can
 /// tell.
 void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
-                const MovingScene& scene);
+                const MovingScene& scene, const brep::Shading& shading = {});
 
 }  // namespace ncsim::exporter

@@ -3,6 +3,7 @@
 // Pictures of a part, drawn off screen: no display, no graphics card.
 #pragma once
 
+#include "ncsim/brep/shading.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/export/image.h"
@@ -24,9 +25,11 @@ namespace ncsim::exporter {
 Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
                    const RenderOptions& options, const Overlay& overlay = {});
 
-/// Draws `boundary`. Equal to the picture of the model whose boundary it is, but for pixels on
-/// edges.
+/// Draws `boundary`. Faces that `shading` knows to be round are lit as what they stand for, from
+/// corner to corner, and have no lines between them. Without it, equal to the picture of the model
+/// whose boundary it is, but for pixels on edges.
 Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
-                      const RenderOptions& options, const Overlay& overlay = {});
+                      const RenderOptions& options, const Overlay& overlay = {},
+                      const brep::Shading& shading = {});
 
 }  // namespace ncsim::exporter

@@ -22,6 +22,8 @@ struct Look {
     std::string source;                ///< The program.
     cda::TriangleMesh mesh;            ///< Of the part; empty if nothing was simulated.
     std::vector<std::uint32_t> lines;  ///< For each triangle the line that cut it; 0: the stock.
+    /// Three for each triangle, in its corners: those of what its facet stands for. Unit.
+    std::vector<cda::Vec3> normals;
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
 };
 

@@ -34,7 +34,4 @@ struct SurfaceFile {
 /// triangles on one side as on the other; surfaces may touch) or turned inside out.
 SurfaceFile read_surface_file(const std::string& path, InputSet& inputs);
 
-/// The triangles alone.
-cda::TriangleMesh read_mesh_file(const std::string& path, InputSet& inputs);
-
 }  // namespace ncsim::setup

@@ -22,9 +22,9 @@ bool is_stock_file(const std::string& text);
 /// Throws std::invalid_argument that says what was expected.
 cda::Placement parse_turn(const std::string& text);
 
-/// Reads it, turns it and moves it. Surfaces as read_mesh_file() does, in mm, on the finest lattice
-/// that reaches them; .ncstock as --save-stock writes it, exactly, on the lattice it has. Throws
-/// std::runtime_error, naming the file, if it is neither or is too far from the origin.
+/// Reads it, turns it and moves it. Surfaces as read_surface_file() does, in mm, on the finest
+/// lattice that reaches them; .ncstock as --save-stock writes it, exactly, on the lattice it has.
+/// Throws std::runtime_error, naming the file, if it is neither or is too far from the origin.
 toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs);
 
 /// What is left of `stock` after `carved`, for read_stock_file().

@@ -33,6 +33,7 @@ struct Stock {
     int axis = 2;  ///< Of a bar: 0, 1, 2 for X, Y, Z.
     std::optional<StockFile> from{};
     std::shared_ptr<const cda::Shape> shape{};  ///< Of `from`, once it was read.
+    double deflection_mm = 0.0;  ///< How far `shape` may be from what the file means.
     bool operator==(const Stock& o) const {
         return box == o.box && is_round == o.is_round && axis == o.axis && from == o.from;
     }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "label.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+// Of planes that are one but for rounding, as a chord.
+constexpr double kLevel = 1e-6;
+// Corners of hulls that meet may lie farther out than those of the tool.
+constexpr double kSlack = 1.5;
+// Of coils, beside walls, both beyond the wall and below the floor.
+constexpr double kSlackOfCoils = 2.0;
+
+// How far a facet turns away from the surface: in its middle, or, where that is off the surface
+// (of a ring: the bottom of a round groove), on average over its corners.
+double turn_from(const FlatFace& face, const Surface& surface, double most) {
+    const auto at = [&](Vec3 p) { return norm(face.normal - outward(surface, p)); };
+    if (std::abs(distance(surface.form, face.centroid)) <= most) return at(face.centroid);
+    double sum = 0.0, corners = 0.0;
+    for (const auto& loop : face.loops) {
+        for (const std::uint32_t v : loop) {
+            sum += at(face.points[v]);
+            corners += 1.0;
+        }
+    }
+    return sum / corners;
+}
+
+}  // namespace
+
+double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<const Vec3> points,
+               Vec3 normal, Vec3& centroid) {
+    const Vec3 apex = points[loops[0][0]];
+    double sum = 0.0;
+    Vec3 moment;
+    for (const auto& loop : loops) {
+        const Vec3 a = points[loop[0]] - apex;
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            const Vec3 b = points[loop[i]] - apex;
+            const Vec3 c = points[loop[i + 1]] - apex;
+            const double part = 0.5 * dot(cross(b - a, c - a), normal);
+            sum += part;
+            moment = moment + (part / 3.0) * (a + b + c);
+        }
+    }
+    centroid = sum > 0.0 ? apex + (1.0 / sum) * moment : apex;
+    return sum;
+}
+
+bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
+          double* score) {
+    const double turn = turn_from(face, surface, most);
+    if (turn > most_turn) return false;
+    double farthest = 0.0;
+    const auto* cone = std::get_if<Cone>(&surface.form);
+    for (const auto& loop : face.loops) {
+        for (const std::uint32_t v : loop) {
+            const Vec3 p = face.points[v];
+            farthest = std::max(farthest, std::abs(distance(surface.form, p)));
+            if (farthest > most) return false;
+            if (cone && dot(p - cone->apex, cone->axis) < -most) return false;
+        }
+    }
+    if (score) *score = turn + 0.1 * farthest / most;
+    return true;
+}
+
+const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
+                         double most_turn, double& best) {
+    const Candidate* chosen = nullptr;
+    for (const Candidate& candidate : candidates) {
+        // A surface that the tool went along is preferred to one where it only stood.
+        constexpr double kAtRest = 0.05;
+        double score = 0.0;
+        const double slack =
+            std::holds_alternative<Coil>(candidate.surface.form) ? kSlackOfCoils : kSlack;
+        if (!fits(face, candidate.surface, slack * error, most_turn, &score)) continue;
+        // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors.
+        constexpr double kExact = -1.0;
+        if (std::holds_alternative<Plane>(candidate.surface.form) &&
+            fits(face, candidate.surface, kFlat, kLevel)) {
+            score = kExact;
+        }
+        if (candidate.is_at_rest) score += kAtRest;
+        if (score < best - 1e-9) {
+            best = score;
+            chosen = &candidate;
+        }
+    }
+    return chosen;
+}
+
+}  // namespace ncsim::brep
