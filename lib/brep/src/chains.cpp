@@ -176,8 +176,19 @@ double Chains::reach(const std::vector<std::uint32_t>& around) const {
     return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
 }
 
-// The corner of the edge of two ramps among the faces around it: with no other face, or with a
-// level one, in which the circle of the bend lies, so that all three meet in all of it.
+// Does the circle of a bend lie in a level face, or in the wall that the tool left where it stood?
+// `near` is a corner of the polyhedron.
+bool Chains::has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const {
+    const Form& form = groups_.form_of(g);
+    const auto is_on = [&](Vec3 p, double most) { return std::abs(distance(form, p)) < most; };
+    if (groups_.is_facet(g)) return false;
+    if (std::holds_alternative<Plane>(form)) return is_on(corner, kFlat) && is_on(near, kFlat);
+    return std::holds_alternative<Cylinder>(form) && is_on(corner, kFlat) &&
+           is_on(near, groups_.error_of(g));
+}
+
+// The corner of the edge of two ramps among the faces around it: with no other face, or with one in
+// which the circle of the bend lies, so that all three meet in all of it.
 std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
     for (std::size_t i = 0; i < v.groups.size(); ++i) {
         for (std::size_t j = i + 1; j < v.groups.size(); ++j) {
@@ -185,14 +196,11 @@ std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
                 corner_of_bend(groups_.form_of(v.groups[i]), groups_.form_of(v.groups[j]), v.at);
             if (!corner || norm(*corner - v.at) >= reach(v.groups)) continue;
             if (v.groups.size() == 2) return corner;
-            const bool is_level = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
-                const Form& form = groups_.form_of(g);
-                return std::holds_alternative<Plane>(form) &&
-                       std::abs(distance(form, *corner)) < kFlat &&
-                       std::abs(distance(form, v.at)) < kFlat && !groups_.is_facet(g);
+            const bool has_circle = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
+                return g != v.groups[i] && g != v.groups[j] && has_bend(g, *corner, v.at);
             });
-            if (is_level && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
-                                     *corner) <= kTouchMm)
+            if (has_circle && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
+                                       *corner) <= kTouchMm)
                 return corner;
         }
     }
@@ -324,6 +332,8 @@ void Chains::solve() {
     }
     for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
         bend(c);
+    for (std::uint32_t c = 0; c < chains_.size(); ++c)
+        pass_to_wall(c);
     for (Chain& chain : chains_)
         solve_chain(chain);
 }
@@ -461,6 +471,54 @@ void Chains::bend(std::uint32_t number) {
     vertices_.push_back(std::move(between));
     chains_.back().beside = number;
     chains_.back().is_before = is_at_start;
+}
+
+// Beside the circle in which two ramps meet may be the wall that the tool left where it stood.
+// Where facets of that are large, its edge ends where that of the ramps does. Then the circle, from
+// there to the corner of the bend, is an edge of the wall and of one of the ramps, and the edge of
+// the other one and the wall starts in the corner.
+void Chains::pass_to_wall(std::uint32_t number) {
+    Chain& bent = chains_[number];
+    if (bent.is_closed || !std::holds_alternative<Extrusion>(groups_.form_of(bent.left)) ||
+        !std::holds_alternative<Extrusion>(groups_.form_of(bent.right)))
+        return;
+    for (const auto& [corner, end] : {std::pair(bent.from, bent.to), {bent.to, bent.from}}) {
+        if (vertices_[corner].groups.size() != 2 || vertices_[end].groups.size() < 4) continue;
+        const Vec3 to = vertices_[corner].at, at = vertices_[end].at;
+        const auto curve =
+            meet(groups_.form_of(bent.left), groups_.form_of(bent.right), at, to, 0.5 * (at + to));
+        const auto* circle = curve ? std::get_if<Circle>(&*curve) : nullptr;
+        if (!circle) continue;
+        for (const Spoke& spoke : spokes_at(vertices_[end])) {
+            Chain& along = chains_[spoke.chain];
+            if (spoke.chain == number || along.is_closed ||
+                (along.from == end) == (along.to == end))
+                continue;
+            const bool is_left = along.left == bent.left || along.right == bent.left;
+            const bool is_right = along.left == bent.right || along.right == bent.right;
+            if (is_left == is_right) continue;
+            const std::uint32_t ramp = is_left ? bent.left : bent.right;
+            const std::uint32_t wall = along.left == ramp ? along.right : along.left;
+            std::uint32_t& its_end = along.from == end ? along.from : along.to;
+            const Vec3 beyond = vertices_[along.from == end ? along.to : along.from].at;
+            const auto is_on = [&](Vec3 p) {
+                return std::abs(dot(p - circle->centre, circle->axis)) < kTouchMm &&
+                       std::abs(distance(groups_.form_of(wall), p)) < kTouchMm;
+            };
+            const auto* round = std::get_if<Cylinder>(&groups_.form_of(wall));
+            if (!round || groups_.is_facet(wall) || !is_on(at) || !is_on(to) || !is_on(beyond) ||
+                norm(cross(round->axis, circle->axis)) > kFlat)
+                continue;
+            const double first = turned({at, to}, circle->centre, circle->axis);
+            const double rest = turned({to, beyond}, circle->centre, circle->axis);
+            if (first * rest <= 0.0 || std::abs(first + rest) > 180.0) continue;
+            its_end = corner;
+            (is_left ? bent.left : bent.right) = wall;
+            bent.is_flipped = true;
+            bent.beside = kNone;
+            return;
+        }
+    }
 }
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
