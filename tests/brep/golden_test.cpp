@@ -214,6 +214,28 @@ TEST(Recognise, KnowsRampsThatMeetAskew) {
     }
 }
 
+// Down a ramp, along a slot and back, and up another ramp, askew. The wall beside that touches its
+// floor from where it starts, on the circle where both ramps begin, and the floor of the first ramp
+// crosses both there and a little farther up: the corner of the three is farther up.
+TEST(Recognise, KnowsRampsThatMeetInAValley) {
+    for (const std::string end : {"34", "38"}) {
+        const Golden golden{
+            "valley",
+            "T1 M6\nG0 X10 Y30 Z5\nG1 X30 Z-8\nG1 Y10\nG1 Y30\nG1 X60 Y" + end + " Z-2\nG0 Z5\n",
+            {},
+            0.0};
+        const double left = volume(make(golden, 0.002).solid.part);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(end + " " + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{13, 2, 0, 0, 0, 2}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
+        }
+    }
+}
+
 // Once around, 4 deep in 30 pi: along the helix the walls and the floor are splines. The disc, 5 in
 // radius, is as deep as where it passed last, which is behind.
 TEST(Recognise, KnowsTheFloorsOfHelices) {

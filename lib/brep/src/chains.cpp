@@ -251,6 +251,7 @@ bool Chains::solve_vertex(Vertex& v) const {
                 v.at = v.at - distance(*plane, v.at) * plane->normal;
         }
     }
+    move_to_ellipse(v, start);
     v.miss = farthest(numbers, v.at);
     const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
     if (!is_lost) return true;
@@ -258,6 +259,31 @@ bool Chains::solve_vertex(Vertex& v) const {
     v.at = start;
     v.miss = farthest(numbers, v.at);
     return all_flat && v.miss <= kFlat;
+}
+
+// The wall beside a ramp touches its floor from the circle of the bend on, where another ramp
+// begins. The floor of that crosses both there and once more, in the ellipse of the bend: the
+// corner of all three is the latter, since where the wall starts, both floors are beside the same
+// point.
+void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
+    if (v.groups.size() != 3) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Form& wall = groups_.form_of(v.groups[i]);
+        const Form& one = groups_.form_of(v.groups[(i + 1) % 3]);
+        const Form& other = groups_.form_of(v.groups[(i + 2) % 3]);
+        if (!std::holds_alternative<Plane>(wall)) continue;
+        const auto first = touch(wall, one), second = touch(wall, other);
+        if (first.has_value() == second.has_value()) continue;
+        const auto ellipse = ellipse_of_bend(one, other, v.at);
+        if (!ellipse) continue;
+        const std::array<const Form*, 3> planes{&wall, first ? &*first : &*second, &*ellipse};
+        Vec3 p = v.at;
+        if (brep::solve(planes, p) > kTouchMm || norm(p - start) > reach(v.groups) ||
+            std::abs(distance(one, p)) > kTouchMm || std::abs(distance(other, p)) > kTouchMm)
+            continue;
+        v.at = p;
+        return;
+    }
 }
 
 // A corner of facets stays where it is, or goes to where the faces beside them meet: within
