@@ -382,6 +382,24 @@ TEST(Recognise, ArcsEndInTheirCorners) {
     }
 }
 
+// An engraver's way goes back along itself but for rounding: between both walls on the one side is
+// a strip that looks to the other side, as flat as it is narrow, and has no width where they meet.
+TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
+    const std::string text =
+        "(T1 D=10. CR=0. TAPER=30deg - chamfer mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+        "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X30 Y20 Z5\nG1 Z-1.016\nG1 X21.7065 Y19.6591\n"
+        "G1 X19.4082 Y19.143\nG1 X23.5656 Y20.0764\nG0 Z5\nM30\n";
+    const auto job = [&] { return setup::job_of({"back.nc", text}); };
+    const double left = volume(test::make_part(job(), 0.001).solid.part);
+    for (const double tolerance : {0.05, 0.01}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(job(), tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-3);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-3);
+    }
+}
+
 // They had 510, 370 and 163: what is thin gave up its neighbours, and these theirs; and a plane
 // that touches itself in one place gave up all that is around it.
 TEST(Recognise, WhatFailsInOnePlaceStaysThere) {

@@ -261,21 +261,30 @@ bool Chains::solve_vertex(Vertex& v) const {
     return all_flat && v.miss <= kFlat;
 }
 
-// The wall beside a ramp touches its floor from the circle of the bend on, where another ramp
-// begins. The floor of that crosses both there and once more, in the ellipse of the bend: the
-// corner of all three is the latter, since where the wall starts, both floors are beside the same
-// point.
+// Of a ramp, beside `p`.
+bool Chains::is_above(std::uint32_t ramp, Vec3 p) const {
+    const auto& form = std::get<Extrusion>(groups_.form_of(ramp));
+    return dot(mesh_[groups_[ramp].facets.front()].centroid - p, form.axis) > 0.0;
+}
+
+// Where two ramps meet in a valley, or on a ridge, the wall beside one of them touches its floor
+// from the circle of the bend on. The floor of the other one crosses both there and once more, in
+// the ellipse of the bend: that is the corner of all three.
 void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
     if (v.groups.size() != 3) return;
     for (std::size_t i = 0; i < 3; ++i) {
         const Form& wall = groups_.form_of(v.groups[i]);
         const Form& one = groups_.form_of(v.groups[(i + 1) % 3]);
         const Form& other = groups_.form_of(v.groups[(i + 2) % 3]);
-        if (!std::holds_alternative<Plane>(wall)) continue;
+        if (!std::holds_alternative<Plane>(wall) || !std::holds_alternative<Extrusion>(one) ||
+            !std::holds_alternative<Extrusion>(other))
+            continue;
         const auto first = touch(wall, one), second = touch(wall, other);
         if (first.has_value() == second.has_value()) continue;
         const auto ellipse = ellipse_of_bend(one, other, v.at);
-        if (!ellipse) continue;
+        if (!ellipse ||
+            is_above(v.groups[(i + 1) % 3], v.at) != is_above(v.groups[(i + 2) % 3], v.at))
+            continue;
         const std::array<const Form*, 3> planes{&wall, first ? &*first : &*second, &*ellipse};
         Vec3 p = v.at;
         if (brep::solve(planes, p) > kTouchMm || norm(p - start) > reach(v.groups) ||

@@ -67,6 +67,7 @@ private:
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& around) const;
     bool solve_vertex(Vertex& v) const;
+    bool is_above(std::uint32_t ramp, Vec3 p) const;
     void move_to_ellipse(Vertex& v, Vec3 start) const;
     bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
     std::optional<Vec3> bend_at(const Vertex& v) const;

@@ -19,6 +19,7 @@ namespace {
 constexpr double kMostTurnOfNeighbours = 0.6;
 // Of what is narrower than its error, and so may look anywhere.
 constexpr double kMostTurnOfNarrow = 1.0;
+constexpr double kAnyTurn = 2.0;
 // So many errors is a lune that is one error low off either of the pipes beside it, at most: four
 // times as far from the one as from the plane between both, and corners of hulls lie farther out.
 constexpr double kAcrossLune = 6.0;
@@ -166,7 +167,7 @@ bool Groups::join_lunes() {
 // Hulls of a tool that goes down a helix have corners at every height. Between them ledges are left
 // on the wall that are floors of nothing.
 bool Groups::join_ledges() {
-    constexpr double kMostOfTheWay = 0.7, kNarrow = 0.5, kAnyTurn = 2.0;
+    constexpr double kMostOfTheWay = 0.7, kNarrow = 0.5;
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         if (mesh_[groups_[g].facets.front()].is_final) continue;
@@ -334,6 +335,8 @@ bool Groups::relabel(const Failures& failures, Patience patience) {
         if (absorbed) continue;
         const std::uint32_t g = order.front();
         done.insert(g);
+        // Without any width it may look anywhere: what is beside it meets there.
+        if (failure.is_thin && g == failure.around.front() && absorb(g, 3.0, kAnyTurn)) continue;
         give_up(g, patience == Patience::Little);
     }
     return any;

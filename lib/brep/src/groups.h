@@ -19,6 +19,7 @@ struct Failure {
     std::vector<std::uint32_t> around;
     /// Of a corner. Of edges and faces it may be because something else went wrong beside them.
     bool is_of_corner = false;
+    bool is_thin = false;  ///< The first of them has no width on its true surfaces.
 };
 using Failures = std::vector<Failure>;
 
