@@ -400,6 +400,34 @@ TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
     }
 }
 
+// A ball on an arc smaller than itself leaves facets in the floor of a ramp that is less steep than
+// these are large: readers found their edges on the other side of it, and drew nothing.
+TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
+    const Golden golden{"flat_ramp",
+                        "T1 M6\nG0 X15 Y30 Z5\nG1 Z-3\nG1 X65 Z-3.1\nG0 Z5\n"
+                        "T3 M6\nG0 X40 Y30 Z5\nG1 Z-5\nG2 X40 Y30 I-1.5 J0\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    const Part& part = made.solid.part;
+    EXPECT_GT(made.solid.facets_kept, 0U);
+    std::vector<std::vector<std::uint32_t>> beside(part.edges.size());
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop)
+                beside[use.edge].push_back(f);
+        }
+    }
+    for (const auto& faces : beside) {
+        bool has_facet = false, has_ramp = false;
+        for (const std::uint32_t f : faces) {
+            has_facet = has_facet || part.faces[f].is_facet;
+            has_ramp = has_ramp || std::holds_alternative<Extrusion>(part.faces[f].surface.form);
+        }
+        EXPECT_FALSE(has_facet && has_ramp);
+    }
+}
+
 // They had 510, 370 and 163: what is thin gave up its neighbours, and these theirs; and a plane
 // that touches itself in one place gave up all that is around it.
 TEST(Recognise, WhatFailsInOnePlaceStaysThere) {

@@ -233,9 +233,9 @@ bool Groups::join_fin(std::uint32_t g, std::uint32_t n) {
 bool Groups::give_up_rings() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        const bool is_ring = std::holds_alternative<Torus>(form_of(g));
-        if (!groups_[g].is_analytic || !(is_ring || std::holds_alternative<Coil>(form_of(g))))
-            continue;
+        const bool may_not = std::holds_alternative<Torus>(form_of(g)) ||
+                             std::holds_alternative<Coil>(form_of(g)) || is_flat_ramp(g);
+        if (!groups_[g].is_analytic || !may_not) continue;
         const bool is_beside = std::ranges::any_of(
             neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
         if (!is_beside) continue;
@@ -243,6 +243,12 @@ bool Groups::give_up_rings() {
         any = true;
     }
     return any;
+}
+
+// Is what the circle passes no thicker than facets are off?
+bool Groups::is_flat_ramp(std::uint32_t g) const {
+    const auto* ramp = std::get_if<Extrusion>(&form_of(g));
+    return ramp && ramp->radius * std::abs(cda::dot(ramp->along, ramp->axis)) < 2.0 * error_of(g);
 }
 
 void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
