@@ -198,17 +198,41 @@ INSTANTIATE_TEST_SUITE_P(Recognise, GoldenPart, testing::ValuesIn(goldens()),
 
 // Two ramps that meet on a ridge, askew: where their floors meet the edge has a corner, nearer to
 // its end than facets are wide, and of the four faces in one corner of the polyhedron no four meet.
+// Between the walls the tool stood and left a strip of 0.62 mm, along which the bend has its
+// circle: as large as facets were it was no face, or the floors had its edge twice.
 TEST(Recognise, KnowsRampsThatMeetAskew) {
     const Golden golden{
         "ridge", "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n", {}, 0.0};
     const double left = volume(make(golden, 0.002).solid.part);
-    for (const double tolerance : {0.05, 0.02, 0.01}) {
+    for (const double tolerance : {0.05, 0.02, 0.01, 0.0055, 0.001}) {
         SCOPED_TRACE(tolerance);
         const Made made = make(golden, tolerance);
-        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{12, 1, 0, 0, 0, 3}));
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{12, 2, 0, 0, 0, 3}));
         EXPECT_EQ(made.solid.facets_kept, 0U);
         EXPECT_LT(made.solid.part.miss_mm, 1e-5);
         EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
+    }
+}
+
+// Down a ramp, along a slot and back, and up another ramp, askew. The wall beside that touches its
+// floor from where it starts, on the circle where both ramps begin, and the floor of the first ramp
+// crosses both there and a little farther up: the corner of the three is farther up.
+TEST(Recognise, KnowsRampsThatMeetInAValley) {
+    for (const std::string end : {"34", "38"}) {
+        const Golden golden{
+            "valley",
+            "T1 M6\nG0 X10 Y30 Z5\nG1 X30 Z-8\nG1 Y10\nG1 Y30\nG1 X60 Y" + end + " Z-2\nG0 Z5\n",
+            {},
+            0.0};
+        const double left = volume(make(golden, 0.002).solid.part);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(end + " " + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{13, 2, 0, 0, 0, 2}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
+        }
     }
 }
 
@@ -355,6 +379,52 @@ TEST(Recognise, ArcsEndInTheirCorners) {
             const Vec3 out = made.solid.part.vertices[v] - circle->centre;
             EXPECT_NEAR(cda::norm(out), circle->radius, 2e-7);
         }
+    }
+}
+
+// An engraver's way goes back along itself but for rounding: between both walls on the one side is
+// a strip that looks to the other side, as flat as it is narrow, and has no width where they meet.
+TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
+    const std::string text =
+        "(T1 D=10. CR=0. TAPER=30deg - chamfer mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+        "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X30 Y20 Z5\nG1 Z-1.016\nG1 X21.7065 Y19.6591\n"
+        "G1 X19.4082 Y19.143\nG1 X23.5656 Y20.0764\nG0 Z5\nM30\n";
+    const auto job = [&] { return setup::job_of({"back.nc", text}); };
+    const double left = volume(test::make_part(job(), 0.001).solid.part);
+    for (const double tolerance : {0.05, 0.01}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(job(), tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-3);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-3);
+    }
+}
+
+// A ball on an arc smaller than itself leaves facets in the floor of a ramp that is less steep than
+// these are large: readers found their edges on the other side of it, and drew nothing.
+TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
+    const Golden golden{"flat_ramp",
+                        "T1 M6\nG0 X15 Y30 Z5\nG1 Z-3\nG1 X65 Z-3.1\nG0 Z5\n"
+                        "T3 M6\nG0 X40 Y30 Z5\nG1 Z-5\nG2 X40 Y30 I-1.5 J0\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    const Part& part = made.solid.part;
+    EXPECT_GT(made.solid.facets_kept, 0U);
+    std::vector<std::vector<std::uint32_t>> beside(part.edges.size());
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop)
+                beside[use.edge].push_back(f);
+        }
+    }
+    for (const auto& faces : beside) {
+        bool has_facet = false, has_ramp = false;
+        for (const std::uint32_t f : faces) {
+            has_facet = has_facet || part.faces[f].is_facet;
+            has_ramp = has_ramp || std::holds_alternative<Extrusion>(part.faces[f].surface.form);
+        }
+        EXPECT_FALSE(has_facet && has_ramp);
     }
 }
 

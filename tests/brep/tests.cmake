@@ -42,6 +42,14 @@ add_test(NAME brep.parts_with_helices_are_read_by_opencascade COMMAND ncsim_read
 set_tests_properties(brep.parts_with_helices_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_helices)
 
+# And one whose ramp leaves the block in a flat ellipse, of which readers drew nothing.
+set(shallow ${CMAKE_CURRENT_BINARY_DIR}/brep/shallow)
+add_test(NAME brep.write_shallow_ramp COMMAND ncsim_brep_random ${shallow} 1 60438)
+set_tests_properties(brep.write_shallow_ramp PROPERTIES FIXTURES_SETUP brep_shallow)
+add_test(NAME brep.shallow_ramp_is_read_by_opencascade COMMAND ncsim_read_step ${shallow})
+set_tests_properties(brep.shallow_ramp_is_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_shallow)
+
 # Of a solid as a mesh its own program is within what all of them are off.
 find_package(OpenCASCADE CONFIG REQUIRED)
 add_executable(ncsim_mesh_step brep/mesh_step.cpp)

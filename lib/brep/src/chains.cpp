@@ -24,28 +24,13 @@ using cda::norm;
 
 constexpr double kPoint = 1e-7;
 constexpr double kRounded = 2e-7;
-constexpr int kTip = -1;            // no number of edges
-constexpr double kApexReach = 0.3;  // mm
+constexpr int kTip = -1;  // no number of edges
 
 // A use of a chain in a loop.
 struct ChainUse {
     std::uint32_t chain;
     bool is_forward;
 };
-
-// Newton's method does not find an apex, where a cone has no normal.
-bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
-    for (const Form* form : forms) {
-        const auto* cone = std::get_if<Cone>(form);
-        if (!cone || norm(p - cone->apex) > kApexReach) continue;
-        const bool all = std::ranges::all_of(
-            forms, [&](const Form* f) { return std::abs(distance(*f, cone->apex)) < kFlat; });
-        if (!all) continue;
-        p = cone->apex;
-        return true;
-    }
-    return false;
-}
 
 // The angle by which points go round an axis, degrees, signed.
 double turned(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis) {
@@ -166,137 +151,6 @@ std::uint32_t Chains::vertex_at(std::uint32_t v) {
     return number;
 }
 
-// How far a corner of the polygon may be from the true one.
-double Chains::reach(const std::vector<std::uint32_t>& around) const {
-    double radius = kLargeRadius, error = 0.0;
-    for (const std::uint32_t g : around) {
-        radius = std::max(radius, radius_of(groups_.form_of(g)));
-        error = std::max(error, groups_.error_of(g));
-    }
-    return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
-}
-
-// The corner of the edge of two ramps among the faces around it: with no other face, or with a
-// level one, in which the circle of the bend lies, so that all three meet in all of it.
-std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
-    for (std::size_t i = 0; i < v.groups.size(); ++i) {
-        for (std::size_t j = i + 1; j < v.groups.size(); ++j) {
-            const auto corner =
-                corner_of_bend(groups_.form_of(v.groups[i]), groups_.form_of(v.groups[j]), v.at);
-            if (!corner || norm(*corner - v.at) >= reach(v.groups)) continue;
-            if (v.groups.size() == 2) return corner;
-            const bool is_level = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
-                const Form& form = groups_.form_of(g);
-                return std::holds_alternative<Plane>(form) &&
-                       std::abs(distance(form, *corner)) < kFlat &&
-                       std::abs(distance(form, v.at)) < kFlat && !groups_.is_facet(g);
-            });
-            if (is_level && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
-                                     *corner) <= kTouchMm)
-                return corner;
-        }
-    }
-    return std::nullopt;
-}
-
-bool Chains::solve_vertex(Vertex& v) const {
-    const Vec3 start = v.at;
-    if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
-        return solve_beside_facets(v);
-    std::vector<std::uint32_t> numbers;
-    bool all_flat = true;
-    for (const std::uint32_t g : v.groups) {
-        numbers.push_back(groups_[g].surface);
-        all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
-    }
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    std::vector<const Form*> forms;
-    for (const std::uint32_t n : numbers)
-        forms.push_back(&mesh_.surface(n).form);
-    if (const auto corner = bend_at(v); corner && forms.size() <= 3) {
-        v.at = *corner;
-        v.miss = farthest(numbers, v.at);
-        return true;
-    }
-    const std::size_t count = forms.size();
-    std::vector<Form> touching;
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t j = i + 1; j < count; ++j) {
-            if (auto t = touch(*forms[i], *forms[j])) {
-                touching.push_back(*t);
-                v.is_touch = true;
-            }
-            if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
-        }
-    }
-    if (auto across = corner_of_dome(forms)) touching.push_back(*across);
-    for (Form& across : touches_in_level(forms))
-        touching.push_back(std::move(across));
-    for (const Form& t : touching)
-        forms.push_back(&t);
-    if (!at_apex(forms, v.at)) {
-        brep::solve(forms, v.at);
-        // Where curved ones touch, rounding is left over: not off the planes.
-        for (const std::uint32_t n : numbers) {
-            if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))
-                v.at = v.at - distance(*plane, v.at) * plane->normal;
-        }
-    }
-    v.miss = farthest(numbers, v.at);
-    const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
-    if (!is_lost) return true;
-    // Planes that were made to meet within less than anybody sees.
-    v.at = start;
-    v.miss = farthest(numbers, v.at);
-    return all_flat && v.miss <= kFlat;
-}
-
-// A corner of facets stays where it is, or goes to where the faces beside them meet: within
-// their error it is a corner of all.
-bool Chains::solve_beside_facets(Vertex& v) const {
-    std::vector<const Form*> forms;
-    double error = 0.0;
-    bool is_flat = true;
-    for (const std::uint32_t g : v.groups) {
-        error = std::max(error, groups_.error_of(g));
-        is_flat = is_flat && !groups_[g].is_analytic;
-        if (!groups_.is_facet(g)) forms.push_back(&groups_.form_of(g));
-    }
-    if (is_flat) return true;
-    const auto off = [&](Vec3 p) {
-        double most = 0.0;
-        for (const std::uint32_t g : v.groups)
-            most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
-        return most;
-    };
-    if (forms.size() > 1) {
-        std::vector<Form> touching;
-        for (std::size_t i = 0; i < forms.size(); ++i) {
-            for (std::size_t j = i + 1; j < forms.size(); ++j) {
-                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
-                if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
-            }
-        }
-        for (const Form& t : touching)
-            forms.push_back(&t);
-        Vec3 p = v.at;
-        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= reach(v.groups) &&
-            off(p) <= kBesideFacets * error) {
-            v.at = p;
-            return true;
-        }
-    }
-    return off(v.at) <= kBesideFacets * error;
-}
-
-double Chains::farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const {
-    double most = 0.0;
-    for (const std::uint32_t n : surfaces)
-        most = std::max(most, std::abs(distance(mesh_.surface(n).form, p)));
-    return most;
-}
-
 std::vector<Vec3> Chains::points_of(const Chain& chain) const {
     if (chain.is_flipped) return {vertices_[chain.from].at, vertices_[chain.to].at};
     std::vector<Vec3> points;
@@ -324,6 +178,8 @@ void Chains::solve() {
     }
     for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
         bend(c);
+    for (std::uint32_t c = 0; c < chains_.size(); ++c)
+        pass_to_wall(c);
     for (Chain& chain : chains_)
         solve_chain(chain);
 }
@@ -461,6 +317,54 @@ void Chains::bend(std::uint32_t number) {
     vertices_.push_back(std::move(between));
     chains_.back().beside = number;
     chains_.back().is_before = is_at_start;
+}
+
+// Beside the circle in which two ramps meet may be the wall that the tool left where it stood.
+// Where facets of that are large, its edge ends where that of the ramps does. Then the circle, from
+// there to the corner of the bend, is an edge of the wall and of one of the ramps, and the edge of
+// the other one and the wall starts in the corner.
+void Chains::pass_to_wall(std::uint32_t number) {
+    Chain& bent = chains_[number];
+    if (bent.is_closed || !std::holds_alternative<Extrusion>(groups_.form_of(bent.left)) ||
+        !std::holds_alternative<Extrusion>(groups_.form_of(bent.right)))
+        return;
+    for (const auto& [corner, end] : {std::pair(bent.from, bent.to), {bent.to, bent.from}}) {
+        if (vertices_[corner].groups.size() != 2 || vertices_[end].groups.size() < 4) continue;
+        const Vec3 to = vertices_[corner].at, at = vertices_[end].at;
+        const auto curve =
+            meet(groups_.form_of(bent.left), groups_.form_of(bent.right), at, to, 0.5 * (at + to));
+        const auto* circle = curve ? std::get_if<Circle>(&*curve) : nullptr;
+        if (!circle) continue;
+        for (const Spoke& spoke : spokes_at(vertices_[end])) {
+            Chain& along = chains_[spoke.chain];
+            if (spoke.chain == number || along.is_closed ||
+                (along.from == end) == (along.to == end))
+                continue;
+            const bool is_left = along.left == bent.left || along.right == bent.left;
+            const bool is_right = along.left == bent.right || along.right == bent.right;
+            if (is_left == is_right) continue;
+            const std::uint32_t ramp = is_left ? bent.left : bent.right;
+            const std::uint32_t wall = along.left == ramp ? along.right : along.left;
+            std::uint32_t& its_end = along.from == end ? along.from : along.to;
+            const Vec3 beyond = vertices_[along.from == end ? along.to : along.from].at;
+            const auto is_on = [&](Vec3 p) {
+                return std::abs(dot(p - circle->centre, circle->axis)) < kTouchMm &&
+                       std::abs(distance(groups_.form_of(wall), p)) < kTouchMm;
+            };
+            const auto* round = std::get_if<Cylinder>(&groups_.form_of(wall));
+            if (!round || groups_.is_facet(wall) || !is_on(at) || !is_on(to) || !is_on(beyond) ||
+                norm(cross(round->axis, circle->axis)) > kFlat)
+                continue;
+            const double first = turned({at, to}, circle->centre, circle->axis);
+            const double rest = turned({to, beyond}, circle->centre, circle->axis);
+            if (first * rest <= 0.0 || std::abs(first + rest) > 180.0) continue;
+            its_end = corner;
+            (is_left ? bent.left : bent.right) = wall;
+            bent.is_flipped = true;
+            bent.beside = kNone;
+            return;
+        }
+    }
 }
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of

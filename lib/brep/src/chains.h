@@ -67,6 +67,9 @@ private:
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& around) const;
     bool solve_vertex(Vertex& v) const;
+    bool is_above(std::uint32_t ramp, Vec3 p) const;
+    void move_to_ellipse(Vertex& v, Vec3 start) const;
+    bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
     std::optional<Vec3> bend_at(const Vertex& v) const;
     /// A chain as it goes out from a vertex.
     struct Spoke {
@@ -80,6 +83,7 @@ private:
     bool is_bend_elsewhere(const Vertex& v) const;
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     void bend(std::uint32_t number);
+    void pass_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
     bool flip_reversed();
     bool flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at);

@@ -340,7 +340,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
             const Track& track =
                 tracks.emplace_back(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
             const bool is_straight = std::holds_alternative<Line>(edge.curve);
-            const std::size_t steps = is_straight ? 4 : 4 * track.pieces();
+            const std::size_t steps = 4 * track.pieces();
             if (!(norm(track.at(1.0) - part.vertices[edge.to]) <= tolerance_mm) ||
                 !(norm(track.at(0.0) - part.vertices[edge.from]) <= tolerance_mm))
                 tell("a curve misses its end");
@@ -348,8 +348,10 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
             std::uint64_t last_name = begin;
             double last_at = 0.0;
             for (std::size_t k = 0; k <= steps; ++k) {
-                const double t = static_cast<double>(k) / static_cast<double>(steps);
-                const double at = use.is_forward ? t : 1.0 - t;
+                const std::size_t step = use.is_forward ? k : steps - k, piece = step / 4;
+                double at = track.start_of(piece);
+                if (const std::size_t quarter = step % 4; quarter != 0)
+                    at += 0.25 * static_cast<double>(quarter) * (track.start_of(piece + 1) - at);
                 Vec3 p = track.at(at);
                 if (k == steps) p = part.vertices[end];
                 miss = std::max(miss, std::abs(distance(face.surface.form, p)));

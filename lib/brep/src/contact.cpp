@@ -582,6 +582,15 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q)
     return corner_of_bend(a, b, is_on(level, p) ? p : q);
 }
 
+std::optional<Form> ellipse_of_bend(const Form& a, const Form& b, Vec3 p) {
+    const auto planes = bends(a, b);
+    if (!planes) return std::nullopt;
+    const auto& [level, other] = *planes;
+    if (std::abs(distance(level, p)) > kTouchMm || std::abs(distance(other, p)) < kTouchMm)
+        return std::nullopt;
+    return other;
+}
+
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
     for (const Form* form : forms) {
         const auto* dome = std::get_if<Dome>(form);

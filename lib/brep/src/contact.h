@@ -33,6 +33,9 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p);
 /// nearer to that on the circle.
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q);
 
+/// Of such forms: if `p` lies on the circle alone, the plane of the ellipse.
+std::optional<Form> ellipse_of_bend(const Form& a, const Form& b, Vec3 p);
+
 /// Where a level plane and a wall both touch a dome among `forms`, and none of the three tells how
 /// far along the wall they do: the plane across it.
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);

@@ -123,4 +123,12 @@ std::size_t Track::pieces() const {
     return static_cast<std::size_t>(sweep_ / kPiece) + 1;
 }
 
+double Track::start_of(std::size_t i) const {
+    if (const auto* spline = std::get_if<Spline>(&curve_)) {
+        const auto& k = spline->knots;
+        return (k[i] - k.front()) / (k.back() - k.front());
+    }
+    return static_cast<double>(i) / static_cast<double>(pieces());
+}
+
 }  // namespace ncsim::brep

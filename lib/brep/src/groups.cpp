@@ -19,6 +19,7 @@ namespace {
 constexpr double kMostTurnOfNeighbours = 0.6;
 // Of what is narrower than its error, and so may look anywhere.
 constexpr double kMostTurnOfNarrow = 1.0;
+constexpr double kAnyTurn = 2.0;
 // So many errors is a lune that is one error low off either of the pipes beside it, at most: four
 // times as far from the one as from the plane between both, and corners of hulls lie farther out.
 constexpr double kAcrossLune = 6.0;
@@ -166,7 +167,7 @@ bool Groups::join_lunes() {
 // Hulls of a tool that goes down a helix have corners at every height. Between them ledges are left
 // on the wall that are floors of nothing.
 bool Groups::join_ledges() {
-    constexpr double kMostOfTheWay = 0.7, kNarrow = 0.5, kAnyTurn = 2.0;
+    constexpr double kMostOfTheWay = 0.7, kNarrow = 0.5;
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         if (mesh_[groups_[g].facets.front()].is_final) continue;
@@ -232,9 +233,9 @@ bool Groups::join_fin(std::uint32_t g, std::uint32_t n) {
 bool Groups::give_up_rings() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        const bool is_ring = std::holds_alternative<Torus>(form_of(g));
-        if (!groups_[g].is_analytic || !(is_ring || std::holds_alternative<Coil>(form_of(g))))
-            continue;
+        const bool may_not = std::holds_alternative<Torus>(form_of(g)) ||
+                             std::holds_alternative<Coil>(form_of(g)) || is_flat_ramp(g);
+        if (!groups_[g].is_analytic || !may_not) continue;
         const bool is_beside = std::ranges::any_of(
             neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
         if (!is_beside) continue;
@@ -242,6 +243,12 @@ bool Groups::give_up_rings() {
         any = true;
     }
     return any;
+}
+
+// Is what the circle passes no thicker than facets are off?
+bool Groups::is_flat_ramp(std::uint32_t g) const {
+    const auto* ramp = std::get_if<Extrusion>(&form_of(g));
+    return ramp && ramp->radius * std::abs(cda::dot(ramp->along, ramp->axis)) < 2.0 * error_of(g);
 }
 
 void Groups::relabel(std::uint32_t g, std::uint32_t surface) {
@@ -334,6 +341,8 @@ bool Groups::relabel(const Failures& failures, Patience patience) {
         if (absorbed) continue;
         const std::uint32_t g = order.front();
         done.insert(g);
+        // Without any width it may look anywhere: what is beside it meets there.
+        if (failure.is_thin && g == failure.around.front() && absorb(g, 3.0, kAnyTurn)) continue;
         give_up(g, patience == Patience::Little);
     }
     return any;

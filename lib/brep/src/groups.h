@@ -19,6 +19,7 @@ struct Failure {
     std::vector<std::uint32_t> around;
     /// Of a corner. Of edges and faces it may be because something else went wrong beside them.
     bool is_of_corner = false;
+    bool is_thin = false;  ///< The first of them has no width on its true surfaces.
 };
 using Failures = std::vector<Failure>;
 
@@ -43,8 +44,9 @@ public:
     /// nothing and a neighbour within its error. True: labels have changed.
     bool unify();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
-    /// lose the face; and what is off a coil by little is somewhere else on it beside a wall. Rings
-    /// and coils have no facets beside them. True: labels have changed.
+    /// lose the face; and what is off a coil by little is somewhere else on it beside a wall, or
+    /// off a ramp that is less steep than facets are large. Rings, coils and such ramps have no
+    /// facets beside them. True: labels have changed.
     bool give_up_rings();
     /// What went wrong joins a neighbour, or goes back to facets: the smallest group; with little
     /// patience for good; with none, so do all that are around. True: labels have changed.
@@ -87,6 +89,7 @@ private:
     bool absorb(std::uint32_t g, double errors, double most_turn);
     bool lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const;
     bool may_be_absorbed(std::uint32_t g) const;
+    bool is_flat_ramp(std::uint32_t g) const;
     std::vector<std::uint32_t> analytic_around(std::vector<std::uint32_t> around) const;
 
     FacetMesh& mesh_;

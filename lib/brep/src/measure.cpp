@@ -28,9 +28,9 @@ constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873,
 template <typename F>
 void integrate(const Track& track, const F& f) {
     const std::size_t pieces = track.pieces();
-    const double width = 1.0 / static_cast<double>(pieces);
     for (std::size_t i = 0; i < pieces; ++i) {
-        const double middle = (static_cast<double>(i) + 0.5) * width;
+        const double begin = track.start_of(i), width = track.start_of(i + 1) - begin;
+        const double middle = begin + 0.5 * width;
         for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
             for (const double sign : {-1.0, 1.0}) {
                 const double t = middle + sign * 0.5 * width * kAbscissae[k];

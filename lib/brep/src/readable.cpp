@@ -3,6 +3,7 @@
 
 #include "none.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <variant>
@@ -14,19 +15,23 @@ namespace {
 
 using cda::dot;
 
-// Do its ends lie opposite each other, seen along the line that the circle moves along?
-bool is_half_around(const Extrusion& extrusion, const Part& part, const Edge& edge) {
+// Do its ends lie too far apart, seen along the line that the circle moves along? Where it goes
+// half around, nobody knows which way; and along shallow ramps, which are as flat across, readers
+// find places of edges roughly: those of long ones so much so that they draw nothing.
+bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge) {
     const auto out = [&](std::uint32_t v) {
         const Vec3 p = part.vertices[v];
         return cda::normalized(p - place_along(extrusion, p) * extrusion.along - extrusion.centre);
     };
-    constexpr double kOpposite = -0.9;
-    return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < kOpposite;
+    constexpr double kOpposite = -0.9, kShallow = 0.1, kBeside = 0.8;
+    const double widest =
+        std::abs(dot(extrusion.along, extrusion.axis)) < kShallow ? kBeside : kOpposite;
+    return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < widest;
 }
 
-}  // namespace
-
-void halve_wide_edges(Part& part) {
+// True: it has halved one.
+bool halve_once(Part& part) {
+    bool any = false;
     std::vector<std::uint32_t> second(part.edges.size(), kNone);
     for (const Face& face : part.faces) {
         const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
@@ -36,8 +41,9 @@ void halve_wide_edges(Part& part) {
                 const Edge edge = part.edges[use.edge];
                 if (use.edge >= second.size() || second[use.edge] != kNone ||
                     !std::holds_alternative<Ellipse>(edge.curve) ||
-                    !is_half_around(*extrusion, part, edge))
+                    !is_too_wide(*extrusion, part, edge))
                     continue;
+                any = true;
                 const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
                 const auto middle = static_cast<std::uint32_t>(part.vertices.size());
                 part.vertices.push_back(track.at(0.5));
@@ -58,6 +64,14 @@ void halve_wide_edges(Part& part) {
             }
             loop = std::move(halved);
         }
+    }
+    return any;
+}
+
+}  // namespace
+
+void halve_wide_edges(Part& part) {
+    while (halve_once(part)) {
     }
 }
 

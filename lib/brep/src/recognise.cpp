@@ -127,7 +127,7 @@ private:
             const double width = std::max(is_sickle(face) ? kTouchMm : kNoWidth, error_beside(g));
             has_gone[g] = groups_[g].is_analytic &&
                           2.0 * std::abs(found.measure.area) < width * found.measure.length;
-            if (has_gone[g]) vanish(g);
+            if (has_gone[g]) vanish(g, true);
             if (is_open(part, face)) vanish(g);
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
@@ -347,13 +347,13 @@ private:
     }
 
     // A group without a width on the true surfaces.
-    void vanish(std::uint32_t g) {
+    void vanish(std::uint32_t g, bool is_thin = false) {
         std::vector<std::uint32_t> around{g};
         if (!groups_[g].is_analytic) {
             for (const auto& [n, shared] : groups_.neighbours(g))
                 around.push_back(n);
         }
-        failures_.push_back({std::move(around)});
+        failures_.push_back({std::move(around), false, is_thin});
     }
 
     void name(Face& face, std::uint32_t g) const {

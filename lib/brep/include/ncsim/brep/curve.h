@@ -52,6 +52,8 @@ public:
     double sweep_degrees() const { return sweep_; }
     /// Pieces so short that a polynomial follows each: of 15 degrees, one for each knot.
     std::size_t pieces() const;
+    /// Where piece `i` starts, from 0 to 1; of the number of pieces: 1. Knots are not even.
+    double start_of(std::size_t i) const;
 
 private:
     Curve curve_;

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the vertices of chains are: on all surfaces around them.
+#include "chains.h"
+#include "contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+using cda::norm;
+
+constexpr double kApexReach = 0.3;  // mm
+
+// Newton's method does not find an apex, where a cone has no normal.
+bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
+    for (const Form* form : forms) {
+        const auto* cone = std::get_if<Cone>(form);
+        if (!cone || norm(p - cone->apex) > kApexReach) continue;
+        const bool all = std::ranges::all_of(
+            forms, [&](const Form* f) { return std::abs(distance(*f, cone->apex)) < kFlat; });
+        if (!all) continue;
+        p = cone->apex;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+// How far a corner of the polygon may be from the true one.
+double Chains::reach(const std::vector<std::uint32_t>& around) const {
+    double radius = kLargeRadius, error = 0.0;
+    for (const std::uint32_t g : around) {
+        radius = std::max(radius, radius_of(groups_.form_of(g)));
+        error = std::max(error, groups_.error_of(g));
+    }
+    return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
+}
+
+// Does the circle of a bend lie in a level face, or in the wall that the tool left where it stood?
+// `near` is a corner of the polyhedron.
+bool Chains::has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const {
+    const Form& form = groups_.form_of(g);
+    const auto is_on = [&](Vec3 p, double most) { return std::abs(distance(form, p)) < most; };
+    if (groups_.is_facet(g)) return false;
+    if (std::holds_alternative<Plane>(form)) return is_on(corner, kFlat) && is_on(near, kFlat);
+    return std::holds_alternative<Cylinder>(form) && is_on(corner, kFlat) &&
+           is_on(near, groups_.error_of(g));
+}
+
+// The corner of the edge of two ramps among the faces around it: with no other face, or with one in
+// which the circle of the bend lies, so that all three meet in all of it.
+std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
+    for (std::size_t i = 0; i < v.groups.size(); ++i) {
+        for (std::size_t j = i + 1; j < v.groups.size(); ++j) {
+            const auto corner =
+                corner_of_bend(groups_.form_of(v.groups[i]), groups_.form_of(v.groups[j]), v.at);
+            if (!corner || norm(*corner - v.at) >= reach(v.groups)) continue;
+            if (v.groups.size() == 2) return corner;
+            const bool has_circle = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
+                return g != v.groups[i] && g != v.groups[j] && has_bend(g, *corner, v.at);
+            });
+            if (has_circle && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
+                                       *corner) <= kTouchMm)
+                return corner;
+        }
+    }
+    return std::nullopt;
+}
+
+bool Chains::solve_vertex(Vertex& v) const {
+    const Vec3 start = v.at;
+    if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
+        return solve_beside_facets(v);
+    std::vector<std::uint32_t> numbers;
+    bool all_flat = true;
+    for (const std::uint32_t g : v.groups) {
+        numbers.push_back(groups_[g].surface);
+        all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    std::vector<const Form*> forms;
+    for (const std::uint32_t n : numbers)
+        forms.push_back(&mesh_.surface(n).form);
+    if (const auto corner = bend_at(v); corner && forms.size() <= 3) {
+        v.at = *corner;
+        v.miss = farthest(numbers, v.at);
+        return true;
+    }
+    const std::size_t count = forms.size();
+    std::vector<Form> touching;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            if (auto t = touch(*forms[i], *forms[j])) {
+                touching.push_back(*t);
+                v.is_touch = true;
+            }
+            if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+        }
+    }
+    if (auto across = corner_of_dome(forms)) touching.push_back(*across);
+    for (Form& across : touches_in_level(forms))
+        touching.push_back(std::move(across));
+    for (const Form& t : touching)
+        forms.push_back(&t);
+    if (!at_apex(forms, v.at)) {
+        brep::solve(forms, v.at);
+        // Where curved ones touch, rounding is left over: not off the planes.
+        for (const std::uint32_t n : numbers) {
+            if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))
+                v.at = v.at - distance(*plane, v.at) * plane->normal;
+        }
+    }
+    move_to_ellipse(v, start);
+    v.miss = farthest(numbers, v.at);
+    const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
+    if (!is_lost) return true;
+    // Planes that were made to meet within less than anybody sees.
+    v.at = start;
+    v.miss = farthest(numbers, v.at);
+    return all_flat && v.miss <= kFlat;
+}
+
+// Of a ramp, beside `p`.
+bool Chains::is_above(std::uint32_t ramp, Vec3 p) const {
+    const auto& form = std::get<Extrusion>(groups_.form_of(ramp));
+    return dot(mesh_[groups_[ramp].facets.front()].centroid - p, form.axis) > 0.0;
+}
+
+// Where two ramps meet in a valley, or on a ridge, the wall beside one of them touches its floor
+// from the circle of the bend on. The floor of the other one crosses both there and once more, in
+// the ellipse of the bend: that is the corner of all three.
+void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
+    if (v.groups.size() != 3) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Form& wall = groups_.form_of(v.groups[i]);
+        const Form& one = groups_.form_of(v.groups[(i + 1) % 3]);
+        const Form& other = groups_.form_of(v.groups[(i + 2) % 3]);
+        if (!std::holds_alternative<Plane>(wall) || !std::holds_alternative<Extrusion>(one) ||
+            !std::holds_alternative<Extrusion>(other))
+            continue;
+        const auto first = touch(wall, one), second = touch(wall, other);
+        if (first.has_value() == second.has_value()) continue;
+        const auto ellipse = ellipse_of_bend(one, other, v.at);
+        if (!ellipse ||
+            is_above(v.groups[(i + 1) % 3], v.at) != is_above(v.groups[(i + 2) % 3], v.at))
+            continue;
+        const std::array<const Form*, 3> planes{&wall, first ? &*first : &*second, &*ellipse};
+        Vec3 p = v.at;
+        if (brep::solve(planes, p) > kTouchMm || norm(p - start) > reach(v.groups) ||
+            std::abs(distance(one, p)) > kTouchMm || std::abs(distance(other, p)) > kTouchMm)
+            continue;
+        v.at = p;
+        return;
+    }
+}
+
+// A corner of facets stays where it is, or goes to where the faces beside them meet: within
+// their error it is a corner of all.
+bool Chains::solve_beside_facets(Vertex& v) const {
+    std::vector<const Form*> forms;
+    double error = 0.0;
+    bool is_flat = true;
+    for (const std::uint32_t g : v.groups) {
+        error = std::max(error, groups_.error_of(g));
+        is_flat = is_flat && !groups_[g].is_analytic;
+        if (!groups_.is_facet(g)) forms.push_back(&groups_.form_of(g));
+    }
+    if (is_flat) return true;
+    const auto off = [&](Vec3 p) {
+        double most = 0.0;
+        for (const std::uint32_t g : v.groups)
+            most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
+        return most;
+    };
+    if (forms.size() > 1) {
+        std::vector<Form> touching;
+        for (std::size_t i = 0; i < forms.size(); ++i) {
+            for (std::size_t j = i + 1; j < forms.size(); ++j) {
+                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
+                if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+            }
+        }
+        for (const Form& t : touching)
+            forms.push_back(&t);
+        Vec3 p = v.at;
+        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= reach(v.groups) &&
+            off(p) <= kBesideFacets * error) {
+            v.at = p;
+            return true;
+        }
+    }
+    return off(v.at) <= kBesideFacets * error;
+}
+
+double Chains::farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const {
+    double most = 0.0;
+    for (const std::uint32_t n : surfaces)
+        most = std::max(most, std::abs(distance(mesh_.surface(n).form, p)));
+    return most;
+}
+
+}  // namespace ncsim::brep
