@@ -164,6 +164,23 @@ TEST(Tiles, OfStraightWaysInPiecesAreOneRun) {
         expect_one_run(folder, {"ways.nc"}, n);
 }
 
+// Of so many steps that blocks take in what waits at times, by their number: rows end far outside,
+// with steps that are not near, and what went straight on is told there.
+TEST(Tiles, OfManyStepsAreOneRun) {
+    const Folder folder;
+    std::string rows =
+        "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+        "G21 G90 T1 M6 S8000 M3\nF1000.\nG0 X-35. Y-20. Z5.\n";
+    for (int row = 0; row < 40; ++row) {
+        const int to = row % 2 == 0 ? 1 : -1;
+        rows += fmt::format("G1 Y{} Z{}\n", row - 20, -1 - 0.1 * (row % 7));
+        for (int i = 1; i <= 280; ++i)
+            rows += fmt::format("X{:.3f}\n", to * (-35 + 0.25 * i));
+    }
+    folder.write("rows.nc", rows + "G0 Z20.\nM30\n");
+    expect_one_run(folder, {"rows.nc"}, 7);
+}
+
 TEST(Tiles, KnowWhatWasAsked) {
     const Folder folder;
     folder.write("wave.nc", sample("wave.nc"));

@@ -221,10 +221,19 @@ private:
         // Or those before it did.
         has_covered_ |= std::ranges::any_of(
             step.covering, [&](const cda::Cell& cell) { return cell.origin == origin; });
-        if (!verifier_ && step.is_near)
-            result_.part->subtract_step(step.cells, step.covering);
-        else if (!step.covering.empty())
-            result_.part->subtract_step({}, step.covering);
+        if (verifier_) {
+            if (!step.covering.empty()) result_.part->subtract_step({}, step.covering);
+            return removed;
+        }
+        // Steps near the stock are counted, by tiles as well, so what comes with another one waits
+        // for the next.
+        if (!step.is_near || !late_.empty())
+            late_.insert(late_.end(), step.covering.begin(), step.covering.end());
+        if (step.is_near) {
+            result_.part->subtract_step(
+                step.cells, late_.empty() ? step.covering : std::span<const cda::Cell>(late_));
+            late_.clear();
+        }
         return removed;
     }
 
@@ -300,9 +309,10 @@ private:
     int tool_ = 0;
     std::optional<cda::Box> place_of_tile_;
     double volume_;
-    bool is_near_stock_ = false;  // was the tool, since it was changed
-    bool has_covered_ = false;    // the motion at hand: more than its own steps took
-    std::size_t next_met_ = 0;    // of tiles_
+    bool is_near_stock_ = false;   // was the tool, since it was changed
+    bool has_covered_ = false;     // the motion at hand: more than its own steps took
+    std::vector<cda::Cell> late_;  // what steps that are not near came with
+    std::size_t next_met_ = 0;     // of tiles_
 };
 
 }  // namespace
