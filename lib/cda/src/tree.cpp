@@ -328,8 +328,10 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
     here.planes = taken->cell.planes;
     const auto is_there = [](const Place& place, const IncomingCell& c) {
         bool is_so = true;
-        for (std::size_t i = 0; i < 3; ++i)
-            is_so &= (c.min[i] <= place.max[i]) & (c.max[i] >= place.min[i]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            is_so &= c.min[i] <= place.max[i];
+            is_so &= c.max[i] >= place.min[i];
+        }
         return is_so;
     };
     for (const std::uint32_t number : own_) {
