@@ -262,7 +262,7 @@ void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> c
 void TreeCda::settle_some() {
     constexpr std::uint64_t kTurn = 512, kWhile = 4096;
     const bool are_many = ++waiting_ >= parameters_.batch;
-    if (!are_many && ++steps_ % kTurn != 0) return;
+    if (++steps_ % kTurn != 0 && !are_many) return;
     begin_settling(
         [&](const Block& block) { return are_many || steps_ - block.last_step >= kWhile; });
     if (are_many) waiting_ = 0;
