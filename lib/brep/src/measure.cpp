@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace ncsim::brep {
 
@@ -127,17 +128,38 @@ template <typename B>
 Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
     Measure sum;
     constexpr double kAtTip = 1e-12;
+    double turns = 0.0;
+    // Where edges miss their ends, what is below all of a face that does not go round counts for
+    // the angles of these gaps: it is left out, from where the first edge starts. Not where edges
+    // end on the axis, and other angles are left out there.
+    constexpr double kClearOfAxis = 1e-2;
+    std::optional<Local> start;
+    Below whole;
+    bool is_clear = true;
     for_edges(part, face, [&](const Track& track, double sign) {
+        if (!start) start = axes(track.at(0.0));
+        is_clear = is_clear && axes(track.at(0.0)).away > kClearOfAxis &&
+                   axes(track.at(1.0)).away > kClearOfAxis;
         integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
             const Local p = axes(at);
             sum.length += weight * norm(derivative);
             if (p.away <= kAtTip) return;
             const double turned = sign * weight * turn(p, axes.turned(derivative));
             const Below b = below(p);
+            turns += turned;
             sum.area -= turned * b.area;
             sum.volume -= turned * b.volume / 3.0;
+            if (!is_clear) return;
+            const double scale = start->away / p.away;
+            const Below level = below({scale * p.x, scale * p.y, start->z, start->away});
+            whole.area -= turned * level.area;
+            whole.volume -= turned * level.volume / 3.0;
         });
     });
+    if (is_clear && std::abs(turns) < std::numbers::pi) {
+        sum.area -= whole.area;
+        sum.volume -= whole.volume;
+    }
     if (face.surface.is_hollow) sum.area = -sum.area;
     return sum;
 }
