@@ -109,10 +109,10 @@ std::vector<Golden> goldens() {
          "X60.0004 Y30 I-20.0004\nG0 Z5\n",
          {8, 2, 0, 0, 0},
          kBlock - 4.0 * kPi * (25.0004 * 25.0004 - 25.0)},
-        // Of each wall two parts touch in a point, and are one face where no lattice has the slope.
+        // Each groove parts both walls of the other one, which touch in a point there.
         {"crossing_points",
          "T2 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X60\nG0 Z5\nG0 X40 Y10\nG1 Z-1\nG1 Y50\nG0 Z5\n",
-         {10, 0, 4, 0, 0},
+         {14, 0, 4, 0, 0},
          kBlock - (80.0 * slope - 4.0 * slope * slope / 3.0 + 2.0 * kPi * slope * slope / 3.0)},
         {"ball_groove",
          "T3 M6\nG0 X-10 Y30 Z5\nG1 Z-3\nG1 X90\nG0 Z5\n",
@@ -400,6 +400,26 @@ TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
     }
 }
 
+// Is a facet beside a face of that form?
+template <typename Form>
+bool has_facet_beside(const Part& part) {
+    std::vector<std::vector<std::uint32_t>> beside(part.edges.size());
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop)
+                beside[use.edge].push_back(f);
+        }
+    }
+    return std::ranges::any_of(beside, [&](const auto& faces) {
+        bool has_facet = false, has_form = false;
+        for (const std::uint32_t f : faces) {
+            has_facet = has_facet || part.faces[f].is_facet;
+            has_form = has_form || std::holds_alternative<Form>(part.faces[f].surface.form);
+        }
+        return has_facet && has_form;
+    });
+}
+
 // A ball on an arc smaller than itself leaves facets in the floor of a ramp that is less steep than
 // these are large: readers found their edges on the other side of it, and drew nothing.
 TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
@@ -409,23 +429,19 @@ TEST(Recognise, FlatRampsHaveNoFacetsBesideThem) {
                         {},
                         0.0};
     const Made made = make(golden, 0.05);
-    const Part& part = made.solid.part;
     EXPECT_GT(made.solid.facets_kept, 0U);
-    std::vector<std::vector<std::uint32_t>> beside(part.edges.size());
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop)
-                beside[use.edge].push_back(f);
-        }
-    }
-    for (const auto& faces : beside) {
-        bool has_facet = false, has_ramp = false;
-        for (const std::uint32_t f : faces) {
-            has_facet = has_facet || part.faces[f].is_facet;
-            has_ramp = has_ramp || std::holds_alternative<Extrusion>(part.faces[f].surface.form);
-        }
-        EXPECT_FALSE(has_facet && has_ramp);
-    }
+    EXPECT_FALSE(has_facet_beside<Extrusion>(made.solid.part));
+}
+
+// Two upright arcs end in one point: where facets are left beside a dome, their corners may lie
+// beyond the half of it that is a face, and readers drew nothing.
+TEST(Recognise, DomesHaveNoFacetsBesideThem) {
+    const Golden golden{"dips_to_a_point",
+                        "T1 M6\nG0 X55 Y30 Z5\nG1 Z0\nG18 G3 X40 Z-15 I-15 K0\nG0 Z5\n"
+                        "G0 X40 Y45\nG1 Z0\nG19 G2 Y30 Z-15 J-15 K0\nG0 Z5\nG17\n",
+                        {},
+                        0.0};
+    EXPECT_FALSE(has_facet_beside<Dome>(make(golden, 0.05).solid.part));
 }
 
 // They had 510, 370 and 163: what is thin gave up its neighbours, and these theirs; and a plane

@@ -10,6 +10,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "axes.h"
+#include "contact.h"
 
 #include <algorithm>
 #include <array>
@@ -306,6 +307,20 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
     return std::nullopt;
 }
 
+// Does the chord come so near to the apex of a cone, off the cone by more than programs round, that
+// nobody can tell on which side of it the edge goes?
+bool passes_beside_apex(const Form& form, Vec3 from, Vec3 to) {
+    const auto* cone = std::get_if<Cone>(&form);
+    if (!cone) return false;
+    constexpr double kBeside = 4.0;
+    const Vec3 chord = to - from;
+    const double length = dot(chord, chord);
+    const double t = length > 0.0 ? dot(cone->apex - from, chord) / length : 0.0;
+    const Vec3 nearest = from + std::clamp(t, 0.0, 1.0) * chord;
+    const double off = std::abs(distance(form, nearest));
+    return off > kTouchMm && norm(nearest - cone->apex) < kBeside * off;
+}
+
 double twice_area(const std::vector<Segment>& loop) {
     double sum = 0.0;
     for (const Segment& s : loop)
@@ -359,6 +374,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                     cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
                     tell("an edge is beyond the apex");
                 }
+                if (passes_beside_apex(face.surface.form, last, p))
+                    tell("an edge passes beside the apex");
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
                     segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,

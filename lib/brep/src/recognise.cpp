@@ -74,8 +74,7 @@ public:
             if (groups_.relabel(failures_, patience)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
             const std::vector<bool> is_as_it_was = unmoved(part);
-            keep_apart(part);
-            find_unsound_facets(part, is_as_it_was);
+            find_unsound_facets(part, keep_apart(part), is_as_it_was);
             if (failures_.empty()) return part;
             if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
         }
@@ -293,14 +292,15 @@ private:
         return result;
     }
 
-    // Facets among facets, at last.
-    void find_unsound_facets(const Part& part, const std::vector<bool>& is_as_it_was) {
+    // Facets among facets, at last. `was` has the number that each had.
+    void find_unsound_facets(const Part& part, const std::vector<std::uint32_t>& was,
+                             const std::vector<bool>& is_as_it_was) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            if (is_as_it_was[f]) continue;
+            if (is_as_it_was[was[f]]) continue;
             constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
             if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
-                failures_.push_back({{group_of_face_[f]}});
+                failures_.push_back({{group_of_face_[was[f]]}});
         }
     }
 
