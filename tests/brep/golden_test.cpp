@@ -400,6 +400,27 @@ TEST(Recognise, StripsWithoutWidthMayLookAnywhere) {
     }
 }
 
+// A slot is deepened from its end on, where the way turns by less than a facet is wide: the wall of
+// the turn touches the wall of both slots, of which the upper one ends there. So the slit between
+// them is shorter on the one side than on the other.
+TEST(Recognise, SlitsMayBeLongerOnOneSide) {
+    const Golden golden{"deeper_from_here",
+                        "T1 M6\nG0 X40 Y45 Z5\nG1 Z-3\nG1 Y30\nG1 X40.06 Y29.9\nG1 X40.14\n"
+                        "G1 X40.2 Y30\nG1 Z-6\nG1 X40.14 Y30.1\nG1 X40.06\nG1 X40 Y30\nG1 Y15\n"
+                        "G0 Z5\n",
+                        {},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    for (const double tolerance : {0.05, 0.02, 0.01}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-3);
+        Part checked = made.solid.part;
+        EXPECT_TRUE(check(checked, 1e-6).empty());
+    }
+}
+
 // Is a facet beside a face of that form?
 template <typename Form>
 bool has_facet_beside(const Part& part) {
