@@ -292,6 +292,32 @@ TEST(Apart, TakesOutFoldsThatReadersCannotSee) {
     EXPECT_NEAR(volume(part), 500.0, 1e-3);
 }
 
+// A pit in the side of a block is 4e-7 mm wide: readers cannot tell both its corners apart, which
+// the top, the side and the end of the pit have in common.
+TEST(Apart, ClosesPitsTooNarrowForReaders) {
+    cda::Boundary block;
+    block.vertices = {{0, 0, 0},  {10, 0, 0},        {10, 10, 0}, {0, 10, 0},
+                      {0, 0, 5},  {10, 0, 5},        {10, 10, 5}, {0, 10, 5},
+                      {5, 10, 5}, {5 + 4e-7, 10, 5}, {5, 7, 5},   {5, 8, 3}};
+    block.shells = 1;
+    const std::vector<std::vector<std::uint32_t>> corners{
+        {3, 2, 1, 0},       {4, 5, 6, 9, 10, 8, 7}, {0, 1, 5, 4}, {1, 2, 6, 5},
+        {2, 3, 7, 8, 9, 6}, {3, 0, 4, 7},           {9, 8, 11},   {10, 9, 11},
+        {8, 10, 11}};
+    for (const auto& loop : corners) {
+        const Vec3 a = block.vertices[loop[0]], b = block.vertices[loop[1]];
+        const Vec3 c = block.vertices[loop[2]];
+        block.faces.push_back(
+            {cda::normalized(cda::cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
+    }
+    Part part = faceted(block, std::vector<std::vector<cda::Origin>>(9, {cda::kStockOrigin}));
+    EXPECT_NE(told(check(part, 1e-4)), "");
+    keep_apart(part);
+    EXPECT_EQ(told_of_readers(part), "");
+    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_NEAR(volume(part), 500.0, 1e-5);
+}
+
 // Both ends of a short edge have a neighbour in common that no face beside the edge has: as one
 // point they would have two edges to it.
 TEST(Apart, KeepsCornersThatHoldTheSurfaceTogether) {

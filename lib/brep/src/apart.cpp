@@ -464,6 +464,36 @@ void contract_short_edges(Part& part, Numbers& was) {
     }
 }
 
+// Two planes with all their edges in common have nothing between them.
+void empty_flat_pockets(Part& part) {
+    std::vector<Numbers> faces_of(part.edges.size());
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop)
+                faces_of[use.edge].push_back(f);
+        }
+    }
+    const auto is_plain = [](const Face& face) {
+        return face.loops.size() == 1 && std::holds_alternative<Plane>(face.surface.form);
+    };
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        Face& face = part.faces[f];
+        if (!is_plain(face) || face.loops.front().empty()) continue;
+        const Numbers& both = faces_of[face.loops.front().front().edge];
+        if (both.size() != 2 || both[0] == both[1]) continue;
+        Face& other = part.faces[both[0] == f ? both[1] : both[0]];
+        const bool are_one = is_plain(other) &&
+                             other.loops.front().size() == face.loops.front().size() &&
+                             std::ranges::all_of(face.loops.front(), [&](const EdgeUse& use) {
+                                 return std::holds_alternative<Line>(part.edges[use.edge].curve) &&
+                                        faces_of[use.edge] == both;
+                             });
+        if (!are_one) continue;
+        face.loops.front().clear();
+        other.loops.front().clear();
+    }
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> keep_apart(Part& part) {
@@ -472,10 +502,15 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
     take_out_spikes(part, was);
     Pinholes(part).close();
     contract_short_edges(part, was);
-    join_touching_corners(part, kLeast);
+    const bool any = join_touching_corners(part, kLeast);
     for (const std::uint32_t f : part_pinched_faces(part))
         was.push_back(was[f]);
-    take_out_spikes(part, was);
+    Spikes(part).take_out();
+    drop_empty(part, was);
+    if (any) {
+        empty_flat_pockets(part);
+        drop_empty(part, was);
+    }
     return was;
 }
 

@@ -69,6 +69,7 @@ public:
             edge.from = now(edge.from);
             edge.to = now(edge.to);
         }
+        if (!became_.empty()) drop_points();
         divide();
         return !became_.empty() || !on_.empty();
     }
@@ -98,7 +99,7 @@ private:
         for (std::size_t i = 0; i < corners.size(); ++i) {
             for (std::size_t j = i + 1; j < corners.size(); ++j) {
                 if (place(corners[j]) > place(corners[i]) + near_) break;
-                join_corners(corners[i], corners[j]);
+                join_corners(face, corners[i], corners[j]);
             }
         }
         for (const Loop& loop : face.loops) {
@@ -113,16 +114,21 @@ private:
         }
     }
 
-    void join_corners(std::uint32_t a, std::uint32_t b) {
+    // Not the ends of an edge of the face: there would be nothing between them.
+    void join_corners(const Face& face, std::uint32_t a, std::uint32_t b) {
+        if (norm(part_.vertices[b] - part_.vertices[a]) > near_) return;
         a = now(a);
         b = now(b);
-        if (a == b || norm(part_.vertices[b] - part_.vertices[a]) > near_) return;
+        if (a == b) return;
         if (!is_flat_[b]) std::swap(a, b);
-        const bool hang_together = std::ranges::any_of(part_.edges, [&](const Edge& edge) {
-            const std::uint32_t from = now(edge.from), to = now(edge.to);
-            return (from == a && to == b) || (from == b && to == a);
+        const bool is_edge = std::ranges::any_of(face.loops, [&](const Loop& loop) {
+            return std::ranges::any_of(loop, [&](const EdgeUse& use) {
+                const std::uint32_t from = now(part_.edges[use.edge].from);
+                const std::uint32_t to = now(part_.edges[use.edge].to);
+                return (from == a && to == b) || (from == b && to == a);
+            });
         });
-        if (is_flat_[b] && !hang_together) became_[b] = a;
+        if (is_flat_[b] && !is_edge) became_[b] = a;
     }
 
     void join_to_edge(std::uint32_t v, std::uint32_t number) {
@@ -144,6 +150,20 @@ private:
         for (auto at = became_.find(v); at != became_.end(); at = became_.find(v))
             v = at->second;
         return v;
+    }
+
+    // Edges of other faces both ends of which have become one.
+    void drop_points() {
+        for (Face& face : part_.faces) {
+            for (Loop& loop : face.loops) {
+                std::erase_if(loop, [&](const EdgeUse& use) {
+                    const Edge& edge = part_.edges[use.edge];
+                    return edge.from == edge.to && std::holds_alternative<Line>(edge.curve);
+                });
+            }
+            if (face.loops.size() > 1)
+                std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
+        }
     }
 
     void divide() {
