@@ -494,6 +494,18 @@ void empty_flat_pockets(Part& part) {
     }
 }
 
+// Of these faces.
+void part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Numbers& was) {
+    const bool any = join_touching_corners(part, faces, near_mm);
+    for (const std::uint32_t f : part_pinched_faces(part))
+        was.push_back(was[f]);
+    Spikes(part).take_out();
+    drop_empty(part, was);
+    if (!any) return;
+    empty_flat_pockets(part);
+    drop_empty(part, was);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> keep_apart(Part& part) {
@@ -502,15 +514,13 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
     take_out_spikes(part, was);
     Pinholes(part).close();
     contract_short_edges(part, was);
-    const bool any = join_touching_corners(part, kLeast);
-    for (const std::uint32_t f : part_pinched_faces(part))
-        was.push_back(was[f]);
-    Spikes(part).take_out();
-    drop_empty(part, was);
-    if (any) {
-        empty_flat_pockets(part);
-        drop_empty(part, was);
-    }
+    Numbers faces(part.faces.size());
+    std::iota(faces.begin(), faces.end(), 0U);
+    part_where_they_touch(part, faces, kLeast, was);
+    // Simplified polyhedra are flat within that.
+    constexpr double kFlat = 1e-4;
+    if (const Numbers crossed = crossed_planes(part); !crossed.empty())
+        part_where_they_touch(part, crossed, kFlat, was);
     return was;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pinches.h"
 
+#include "ncsim/brep/check.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
 
@@ -56,9 +57,9 @@ public:
         }
     }
 
-    bool join() {
-        for (const Face& face : part_.faces) {
-            if (is_plane(face)) look_at(face);
+    bool join(const Numbers& faces) {
+        for (const std::uint32_t f : faces) {
+            if (is_plane(part_.faces[f])) look_at(part_.faces[f]);
         }
         for (auto& [edge, on] : on_) {
             std::sort(on.begin(), on.end());
@@ -275,10 +276,53 @@ std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
     return parts;
 }
 
+bool is_straight(const Part& part, const Face& face) {
+    return std::ranges::all_of(face.loops, [&](const Loop& loop) {
+        return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+            return std::holds_alternative<Line>(part.edges[use.edge].curve);
+        });
+    });
+}
+
+// Does its only loop turn to the left in each corner, once round, as far as readers can tell?
+bool is_convex(const Part& part, const Face& face) {
+    constexpr double kLeastTurn = 1e-6;  // rad
+    if (face.loops.size() != 1 || face.loops.front().size() < 3) return false;
+    const Vec3 normal = std::get<Plane>(face.surface.form).normal;
+    const Loop& loop = face.loops.front();
+    const auto point = [&](std::size_t i) {
+        return part.vertices[begin_of(part, loop[i % loop.size()])];
+    };
+    const Vec3 first = point(1) - point(0);
+    int changes = 0;  // of the side on which edges are of the first one
+    double before = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec3 in = point(i + 1) - point(i), out = point(i + 2) - point(i + 1);
+        if (dot(normal, cross(in, out)) <= kLeastTurn * norm(in) * norm(out)) return false;
+        const double side = dot(normal, cross(first, out));
+        if (before * side < 0.0) ++changes;
+        if (side != 0.0) before = side;
+    }
+    return changes <= 1;
+}
+
 }  // namespace
 
-bool join_touching_corners(Part& part, double near_mm) {
-    return TouchingCorners(part, near_mm).join();
+std::vector<std::uint32_t> crossed_planes(const Part& part) {
+    constexpr double kAnywhere = 1.0, kOfReaders = 2e-7;  // mm; where its edges are is known
+    Numbers crossed;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const Face& face = part.faces[f];
+        double miss = 0.0;
+        if (is_plane(face) && is_straight(part, face) && !is_convex(part, face) &&
+            !faults_of(part, f, kAnywhere, miss, kOfReaders).empty())
+            crossed.push_back(f);
+    }
+    return crossed;
+}
+
+bool join_touching_corners(Part& part, const std::vector<std::uint32_t>& faces, double near_mm) {
+    return TouchingCorners(part, near_mm).join(faces);
 }
 
 std::vector<std::uint32_t> part_pinched_faces(Part& part) {
