@@ -10,7 +10,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "axes.h"
-#include "contact.h"
+#include "nearly.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "contact.h"
+#include "nearly.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,10 +17,10 @@
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "chains.h"
-#include "contact.h"
 #include "facet_mesh.h"
 #include "groups.h"
 #include "known_faces.h"
+#include "nearly.h"
 #include "nesting.h"
 #include "readable.h"
 
