@@ -149,6 +149,24 @@ TEST(Check, FindsEdgesBesideTheApexOfACone) {
     EXPECT_EQ(faults({0, 0.5, 0.5}).find("beside the apex"), std::string::npos);
 }
 
+// The wall of a bore without its lower end; and a ring of which one loop is left.
+TEST(Check, FindsFacesWithoutAnOtherEnd) {
+    Part part = solid_named("bored_box").part;
+    const auto wall = std::ranges::find_if(part.faces, [](const Face& face) {
+        return std::holds_alternative<Cylinder>(face.surface.form);
+    });
+    ASSERT_NE(wall, part.faces.end());
+    const auto number = static_cast<std::uint32_t>(wall - part.faces.begin());
+    double miss = 0.0;
+    EXPECT_EQ(told(faults_of(part, number, kTolerance, miss)), "");
+    const Cylinder bore = std::get<Cylinder>(wall->surface.form);
+    wall->loops.pop_back();
+    EXPECT_NE(told(faults_of(part, number, kTolerance, miss)).find("no other end"),
+              std::string::npos);
+    wall->surface.form = Torus{bore.origin, bore.axis, bore.radius - 1.0, 1.0};
+    EXPECT_NE(told(faults_of(part, number, 10.0, miss)).find("no other end"), std::string::npos);
+}
+
 TEST(Check, FindsLoopsThatCross) {
     Part part = solid_named("bored_box").part;
     for (Edge& edge : part.edges) {
