@@ -362,6 +362,39 @@ TEST(Recognise, RampsHaveNoEdgesHalfAround) {
     EXPECT_NEAR(volume(part), left, 1e-9 * left);
 }
 
+// A shallow ramp ends in a wall whose axis is upright: their edge is a spline. Readers found places
+// of a long one so roughly that they drew nothing of the ramp.
+TEST(Recognise, ShallowRampsHaveShortSplines) {
+    const Golden golden{"ramp_into_a_bore",
+                        "T1 M6\nG0 X20 Y30 Z5\nG1 Z-2\nG1 X40 Z-2.6\nG0 Z5\n"
+                        "G0 X38 Y34\nG1 Z-6\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Part part = make(golden, 0.05).solid.part;
+    int splines = 0;
+    for (const Face& face : part.faces) {
+        const auto* ramp = std::get_if<Extrusion>(&face.surface.form);
+        if (!ramp) continue;
+        const auto out = [&](std::uint32_t v) {
+            const Vec3 p = part.vertices[v];
+            return cda::normalized(p - place_along(*ramp, p) * ramp->along - ramp->centre);
+        };
+        for (const EdgeUse& use : face.loops.front()) {
+            const Edge& edge = part.edges[use.edge];
+            if (!std::holds_alternative<Spline>(edge.curve)) continue;
+            ++splines;
+            EXPECT_GT(cda::dot(out(edge.from), out(edge.to)), 0.8);
+            // Each half is the curve that it was part of.
+            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            for (const double t : {0.0, 0.3, 0.7, 1.0})
+                EXPECT_NEAR(distance(*ramp, track.at(t)), 0.0, 1e-5);
+        }
+    }
+    EXPECT_GT(splines, 1);
+    Part checked = part;
+    EXPECT_TRUE(check(checked, 1e-4).empty());
+}
+
 // Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
 // miss their common corner by almost a micrometre, and cross beside it.
 TEST(Recognise, ArcsEndInTheirCorners) {
