@@ -224,6 +224,15 @@ TEST(Walk, NamesAStraightWayByTheLastMoveThatMeetsTheStock) {
     }
 }
 
+// Past a corner of the stock: the bounds of both steps overlap it, though neither's do.
+TEST(Walk, TellsNoStraightWayThatDidNotMeetTheStock) {
+    const Walked w = walked(and_away({line(at(22.2, 28.2, -5), at(25.2, 25.2, -5)),
+                                      line(at(25.2, 25.2, -5), at(28.2, 22.2, -5))}),
+                            kFlat);
+    EXPECT_TRUE(w.cells.empty());
+    EXPECT_TRUE(w.covering.empty());
+}
+
 // Whatever the slope: what is told is in the steps to the last bit, and not told where their walls
 // are rounded.
 TEST(Walk, CoversStraightWaysExactlyOrNot) {

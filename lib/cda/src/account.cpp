@@ -278,7 +278,8 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
     }
     if (!clip_to(plane, stock_)) return;
     const double height = sign * distance_about(plane, input_->centre) / 3.0;
-    for (std::size_t i = 0; i < begin_of_later; ++i) {
+    // The latest of them first: mostly it has all of what lies in the way that the tool came.
+    for (std::size_t i = begin_of_later; i-- > 0;) {
         const Local& other = locals_[i];
         if (is_wall && other.number == self.number) continue;
         const bool comes_before =

@@ -249,7 +249,7 @@ void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, con
                          way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
     if (!goes_on) {
         end_run();
-        run_ = {from, to, 0, &tool, origin};
+        run_ = {from, to, 0, &tool, cda::kStockOrigin};
     }
     run_.end = to;
     ++run_.steps;
@@ -259,7 +259,7 @@ void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, con
 
 void Walk::end_run() {
     const Run run = std::exchange(run_, {});
-    if (run.steps < 2) return;
+    if (run.steps < 2 || run.origin == cda::kStockOrigin) return;
     const Pose X_WA{upright_, lattice_.to_mm(run.start)};
     const Pose X_WB{upright_, lattice_.to_mm(run.end)};
     const cda::Box bounds = run.tool->bounds(X_WA, X_WB);

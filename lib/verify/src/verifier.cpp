@@ -2,11 +2,8 @@
 #include "ncsim/verify/verifier.h"
 
 #include "ncsim/gcode/state.h"
-#include "ncsim/toolpath/extent.h"
-#include "ncsim/toolpath/machine.h"
-#include "ncsim/toolpath/sampler.h"
-#include "ncsim/toolpath/tool_polytope.h"
-#include "ncsim/trig/angles.h"
+#include "ncsim/toolpath/tool.h"
+#include "ncsim/toolpath/trace.h"
 #include "ncsim/verify/rule.h"
 
 #include "air_cut.h"
@@ -14,17 +11,18 @@
 #include "clock.h"
 #include "finding_log.h"
 #include "fixture.h"
+#include "guesses.h"
+#include "idle_spindle.h"
 #include "ledger_book.h"
 #include "machine_scene.h"
 #include "measuring.h"
+#include "path_facts.h"
 #include "rule_table.h"
 #include "watched.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -42,26 +40,6 @@ namespace {
 bool falls_straight(const Step& step) {
     const Vec3 way = step.X_WB.translation - step.X_WA.translation;
     return is_upright(step) && way.x == 0.0 && way.y == 0.0 && way.z < 0.0;
-}
-
-// Of an arc, which may be a spiral; mm.
-double smallest_radius(const gcode::Arc& told) {
-    const gcode::Arc arc = gcode::in_own_frame(told);
-    const auto radius = [&arc](const gcode::Position& p) {
-        double first = p.x.mm(), second = p.y.mm();
-        switch (arc.plane) {
-            case gcode::Plane::XY: break;
-            case gcode::Plane::ZX: first = p.z.mm(), second = p.x.mm(); break;
-            case gcode::Plane::YZ: first = p.y.mm(), second = p.z.mm(); break;
-            case gcode::Plane::UV: first = p.u.mm(), second = p.v.mm(); break;
-            case gcode::Plane::WU: first = p.w.mm(), second = p.u.mm(); break;
-            case gcode::Plane::VW: first = p.v.mm(), second = p.w.mm(); break;
-        }
-        first -= arc.centre_1.mm();
-        second -= arc.centre_2.mm();
-        return std::sqrt(first * first + second * second);
-    };
-    return std::min(radius(arc.from), radius(arc.to));
 }
 
 // As most tools want it; what else is there is worth a closer look.
@@ -101,6 +79,7 @@ public:
           clock_(setup_.machine),
           volumes_(needs_volumes(setup_)),
           books_(setup_.ledger && !volumes_),
+          path_facts_(setup_, stock_),
           measuring_(setup_, stock_, lattice_, move_, volumes_),
           ledger_book_(ledger_, stock_) {
         for (const Rule& rule : rule_table()) {
@@ -113,9 +92,6 @@ public:
             if (rule.judge) judges_.push_back(rule.judge);
         }
         contacts_ = volumes_ || (asked("air-cut") && setup_.air_cuts);
-        if (!stock_.is_empty()) highest_ = stock_.max.z;
-        for (const Fixture& fixture : setup_.machine.fixtures)
-            highest_ = std::max(highest_, fixture.place().max.z);
         needs_part_ = needs_part(setup_);
         if (setup_.not_simulated) return;
         for (const auto& [number, facts] : setup_.tools) {
@@ -123,12 +99,7 @@ public:
         }
     }
 
-    void set_frame(const gcode::ProgramFrame& frame) {
-        const double unit = frame.inches ? 25.4 : 1.0;
-        tool_offset_ = {unit * frame.tool_offset[gcode::kX], unit * frame.tool_offset[gcode::kY],
-                        unit * frame.tool_offset[gcode::kZ]};
-        frame_ = frame;
-    }
+    void set_frame(const gcode::ProgramFrame& frame) { path_facts_.set_frame(frame); }
 
     void begin(const gcode::Motion& motion, const cda::WorkpieceModel* part) {
         move_ = {};
@@ -142,9 +113,7 @@ public:
         probed_ |= motion.kind == MoveKind::Probe;
         if (!move_.is_move) return;
         if (!share_.tile) {
-            measure_path(motion, *from, *to);
-            move_.passes_above = passes_above(motion, *from, *to);
-            look_at_length(motion, *from, *to);
+            path_facts_.take(move_, *from, *to, log_);
         } else if (part && !place_) {
             place_ = part->wanted().value_or(stock_);
             measuring_.keep(evidence_, *place_);
@@ -153,14 +122,14 @@ public:
         now_ = watched == watched_.end() ? nullptr : &watched->second;
         measuring_.begin(now_);
         move_.is_traced = now_ && toolpath::has_known_start(motion);
-        look_at_spindle(motion);
+        idle_.begin(motion);
         move_.asked = move_.is_traced && asks(motion);
         const bool is_fault =
             motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
         move_.volume_known = move_.asked && (volumes_ || is_fault);
-        if (!share_.tile) doubt_what_is_guessed();
+        if (!share_.tile) doubt_guesses_of_move(setup_, move_, now_ != nullptr, needs_part_, log_);
         if (machine_.is_empty()) return;
-        machine_.begin(motion, tool_length(motion), part, move_.machine);
+        machine_.begin(motion, path_facts_.tool_length(motion), part, move_.machine);
         keep_links(0);
         if (share_.tile) return;
         if (machine_.misses_length()) doubt_length(motion);
@@ -417,17 +386,6 @@ private:
         }
     }
 
-    // As the control counts it, and as the tool is.
-    ToolLength tool_length(const gcode::Motion& motion) const {
-        const bool is_active = frame_.length_register != gcode::kNoLength;
-        const bool is_told = is_active && frame_.length_told;
-        ToolLength length;
-        length.nose_known = is_active ? is_told : setup_.uses_length_offsets;
-        length.gauge_mm = frame_.tool_length;
-        if (!length.gauge_mm && is_told) length.gauge_mm = motion.length.mm();
-        return length;
-    }
-
     void doubt_length(const gcode::Motion& motion) {
         log_.doubt("length-offset",
                    fmt::format("how far T{} reaches below the spindle nose is not told: not all "
@@ -458,22 +416,16 @@ private:
             case MoveKind::Feed: break;
         }
         const bool well = turns_well(motion, is_left_handed(motion.tool));
-        return contacts_ || ((!well || motion.spindle_in_doubt) && idle_.cuts < kMostIdleCuts &&
+        return contacts_ || ((!well || motion.spindle_in_doubt) && !idle_.is_told() &&
                              (asked("spindle-off") || asked("spindle-reversed")));
-    }
-
-    // Counts cuts with the spindle as it should not be, since it is so.
-    void look_at_spindle(const gcode::Motion& motion) {
-        const Idle now{motion.tool, motion.spindle, motion.spindle_rpm, motion.spindle_in_doubt};
-        if (!idle_.is_same(now)) idle_ = now;
     }
 
     void count_idle_cuts() {
         if (move_.motion->kind != MoveKind::Feed) return;
         if (move_.asked && move_.meets_material && !is_suppressed("spindle-off") &&
             !is_suppressed("spindle-reversed"))
-            ++idle_.cuts;
-        if (!move_.is_traced || move_.asked || idle_.cuts < kMostIdleCuts) return;
+            idle_.count_cut();
+        if (!move_.is_traced || move_.asked || !idle_.is_told()) return;
         for (const char* rule : {"spindle-off", "spindle-reversed"})
             log_.go_on(rule);
     }
@@ -481,134 +433,6 @@ private:
     bool is_left_handed(int tool) const {
         const ToolFacts* facts = facts_of(setup_, tool);
         return facts && facts->left_hand;
-    }
-
-    void measure_path(const gcode::Motion& motion, const gcode::Position& from,
-                      const gcode::Position& to) {
-        Box& path = move_.path;
-        if (std::holds_alternative<gcode::Linear>(motion.what)) {
-            const Vec3 a = toolpath::linear_axes(from);
-            const Vec3 b = toolpath::linear_axes(to);
-            move_.length_mm = norm(b - a);
-            move_.enters = move_.leaves = normalized(b - a);
-        } else {
-            toolpath::SamplingOptions coarse;
-            coarse.chord_tolerance_mm = 0.01;
-            const toolpath::Samples samples =
-                toolpath::sample(motion, {}, coarse, {}, setup_.kinematics.get());
-            for (std::size_t i = 1; i < samples.poses.size(); ++i) {
-                const Vec3 chord = samples.poses[i].translation - samples.poses[i - 1].translation;
-                move_.length_mm += norm(chord);
-                move_.leaves = normalized(chord);
-                if (i == 1) move_.enters = move_.leaves;
-            }
-            if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
-                move_.radius_mm = smallest_radius(*arc);
-            }
-        }
-        path = toolpath::extent_of_path(motion);
-        if (!toolpath::has_known_start(motion)) {
-            move_.length_mm = 0.0;
-            path = {};
-            path.add(toolpath::linear_axes(to));
-        }
-        // Axes are elsewhere than the tip then.
-        move_.is_tilted_tip = motion.coordinates == gcode::Coordinates::Tip && is_turned(motion);
-        move_.way_before = way_;
-        if (!move_.is_tilted_tip) way_.add(path);
-        move_.way = way_;
-        const auto is_told = [](const auto& travel) { return travel.has_value(); };
-        const bool has_joints = setup_.kinematics && setup_.axes_guess.empty() &&
-                                setup_.machine.work_zero && toolpath::has_known_start(motion) &&
-                                (!setup_.kinematics->chain.has_head() || motion.length.mm() > 0.0);
-        if (move_.is_tilted_tip && has_joints) {
-            const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
-            const Box joints = toolpath::extent_of_joints(motion, *setup_.kinematics);
-            if (!joints.is_empty())
-                move_.machine_path = Box{joints.min + shift, joints.max + shift};
-        } else if (move_.is_tilted_tip && std::ranges::any_of(setup_.machine.travel, is_told)) {
-            log_.doubt("told-not-used",
-                       "travels: where the axes go under tip control is not compared with them",
-                       place());
-        } else if (setup_.machine.work_zero && toolpath::has_known_end(motion)) {
-            const Vec3 shift = *setup_.machine.work_zero + tool_offset_;
-            move_.machine_path = Box{path.min + shift, path.max + shift};
-        }
-    }
-
-    void look_at_length(const gcode::Motion& motion, const gcode::Position& from,
-                        const gcode::Position& to) {
-        move_.length_register = frame_.length_register;
-        move_.length_told = frame_.length_told;
-        move_.length_offset = tool_offset_.z;
-        move_.tool_length = frame_.tool_length;
-        const double a = toolpath::linear_axes(from).z;
-        const double b = toolpath::linear_axes(to).z;
-        move_.needs_length = !motion.machine_coordinates &&
-                             (motion.kind != MoveKind::Rapid || (motion.known_start.z && b < a) ||
-                              (!motion.known_start.z && motion.known_end.z));
-    }
-
-    // Meets it nothing, whatever is not told of where it comes from and where home is? The
-    // convention: the reference point lies above all that stands on the table, as on every mill.
-    bool passes_above(const gcode::Motion& motion, const gcode::Position& from,
-                      const gcode::Position& to) const {
-        if (is_turned(motion)) return false;
-        const Vec3 a = toolpath::linear_axes(from);
-        const Vec3 b = toolpath::linear_axes(to);
-        const auto& start = motion.known_start;
-        const auto& end = motion.known_end;
-        if (a == b && start == end && !motion.start_assumed) return true;  // goes nowhere
-        constexpr double kRounding = 1e-6;                                 // mm
-        const bool to_home =
-            motion.machine_coordinates && end.z && b.z >= setup_.home_z - kRounding;
-        const bool only_z = a.x == b.x && a.y == b.y && start.x == end.x && start.y == end.y;
-        if (to_home && only_z) return true;
-        const bool certain = !motion.start_assumed && !motion.offset_unknown &&
-                             (!motion.machine_coordinates || setup_.home_assumption.empty());
-        return start.z && end.z && std::min(a.z, b.z) > highest_ && (certain || to_home);
-    }
-
-    // What a verdict about this motion would rest on that nobody told.
-    void doubt_what_is_guessed() {
-        const gcode::Motion& m = *move_.motion;
-        if (move_.passes_above) return;
-        if (!toolpath::has_known_start(m)) {
-            log_.doubt("start-unknown", "where the tool comes from is not told", place());
-        } else if (m.start_assumed) {
-            log_.doubt(
-                "start-unknown",
-                "the program goes on by increments from a place that nobody told; taken as 0",
-                place());
-        }
-        if (m.offset_unknown) {
-            log_.doubt(
-                "offset-guess",
-                "a coordinate system lies nobody knows where; it was taken to be that of the "
-                "first cut",
-                place());
-        } else if (m.machine_coordinates && !setup_.home_assumption.empty()) {
-            log_.doubt("offset-guess",
-                       "a move goes to a place of the machine (G28, G30, G53), and where the "
-                       "workpiece lies in it is not told",
-                       place());
-        }
-        if (!needs_part_) return;
-        if (!now_ && !setup_.not_simulated && (m.tool != 0 || toolpath::has_known_start(m))) {
-            log_.doubt("not-simulated",
-                       m.tool == 0 ? "moves before the first tool change were not simulated"
-                                   : fmt::format("T{} moves, and nobody describes it", m.tool),
-                       place());
-        }
-        if (!setup_.kinematics && is_turned(m)) {
-            log_.doubt("kinematics-guess",
-                       "rotary axes turn; taken to turn the tool about the program zero (ISO 841)",
-                       place());
-        } else if (std::string guess = kinematics_guess(setup_, move_); !guess.empty()) {
-            log_.doubt("kinematics-guess", "rotary axes turn; taken: " + guess, place());
-        }
-        if (move_.after_probe && now_)
-            log_.doubt("probe-guess", "moves after a probe stand on what it met", place());
     }
 
     // Has this tool just been there, with all that cuts?
@@ -662,33 +486,11 @@ private:
         log_.add(std::move(f));
     }
 
-    void conclude_doubts(bool simulated) {
-        if (!setup_.units_assumption.empty())
-            log_.doubt("units-guess", "units: " + setup_.units_assumption);
-        if (needs_part_ && setup_.not_simulated) {
-            log_.doubt("not-simulated", "the program was not simulated: " + *setup_.not_simulated);
-        }
-        if (needs_part_ && simulated) {
-            if (!setup_.stock_assumption.empty())
-                log_.doubt("stock-guess", "stock: " + setup_.stock_assumption);
-            for (const auto& [number, facts] : setup_.tools) {
-                if (facts.is_guess) {
-                    log_.doubt("tool-guess", fmt::format("T{}: {}", number, facts.assumption));
-                }
-            }
-            for (const auto& [number, watched] : watched_) {
-                if (watched.uncertain_mm <= 0.0) continue;
-                const double told = facts_of(setup_, number)->certain_flutes.value_or(0.0);
-                log_.doubt("flutes-guess",
-                           fmt::format("T{} would have to cut {:.6g} mm high, and nobody says that "
-                                       "its flutes are longer than {:.6g} mm",
-                                       number, told + watched.uncertain_mm, told),
-                           watched.uncertain_place);
-            }
-            // The same block, but for the order in which it is added up.
-            if (!(ledger_.rest_mm3 < ledger_.stock_mm3 * (1.0 - 1e-12)))
-                log_.doubt("nothing-removed", "the program removes nothing from the stock");
-        }
+    void conclude_doubts(bool is_simulated) {
+        doubt_guesses_of_setup(setup_, watched_, needs_part_, is_simulated, log_);
+        // The same block, but for the order in which it is added up.
+        if (needs_part_ && is_simulated && !(ledger_.rest_mm3 < ledger_.stock_mm3 * (1.0 - 1e-12)))
+            log_.doubt("nothing-removed", "the program removes nothing from the stock");
         for (const std::string& what : setup_.required) {
             if (auto missing = missing_requirement(setup_, what))
                 log_.doubt("required", std::move(*missing));
@@ -714,10 +516,7 @@ private:
     bool contacts_ = false;    // of every feed motion
     bool needs_part_ = false;  // some selected rule looks at it
 
-    gcode::ProgramFrame frame_;
-    Vec3 tool_offset_;                                           // mm
-    double highest_ = -std::numeric_limits<double>::infinity();  // of all that stands there, W
-    Box way_;
+    PathFacts path_facts_;
     std::uint64_t motions_ = 0;
     bool probed_ = false;
     Move move_;
@@ -728,20 +527,7 @@ private:
         toolpath::Pose X_WT;
     };
     std::optional<CutAt> cut_at_;  // where the last step ended
-    // How many cuts with a spindle that is off are told: a program without M3 has thousands.
-    struct Idle {
-        int tool = 0;
-        gcode::SpindleTurning spindle = gcode::SpindleTurning::Stopped;
-        double rpm = 0.0;
-        bool in_doubt = false;
-        std::uint64_t cuts = 0;
-
-        bool is_same(const Idle& o) const {
-            return tool == o.tool && spindle == o.spindle && rpm == o.rpm && in_doubt == o.in_doubt;
-        }
-    };
-    Idle idle_;
-    static constexpr std::uint64_t kMostIdleCuts = 20;
+    IdleSpindle idle_;
     AirCuts air_;
     Ledger ledger_;
     LedgerBook ledger_book_;

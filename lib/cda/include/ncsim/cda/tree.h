@@ -21,7 +21,7 @@
 namespace ncsim::cda {
 
 class Background;
-class BlockTree;
+struct Block;
 struct QueryPoint;
 class CellTable;
 struct Evaluation;
@@ -105,8 +105,6 @@ public:
     TreeCounts counts() const;
 
 private:
-    struct Block;
-    struct WaitingCell;
     // Held by whoever asks; each part has its own.
     struct Asking {
         std::mutex mutex;
@@ -115,7 +113,14 @@ private:
         Asking(const Asking&) noexcept {}
         Asking& operator=(const Asking&) noexcept { return *this; }
     };
-    class Asked;
+    // Who asks waits for others that do, and for what goes down the tree meanwhile.
+    class Asked {
+    public:
+        explicit Asked(const TreeCda& part) : lock_(part.asking_.mutex) { part.finish_settling(); }
+
+    private:
+        std::lock_guard<std::mutex> lock_;
+    };
 
     TreeCda(const TreeCda& other, const Asked&);
 

@@ -123,7 +123,7 @@ private:
         cda::LatticePoint start, end;
         std::int32_t steps = 0;
         Known* tool = nullptr;
-        cda::Origin origin = cda::kStockOrigin;  // the last that met the stock
+        cda::Origin origin = cda::kStockOrigin;  // the last that met the stock, if one did
     };
     void go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
                cda::Origin origin);

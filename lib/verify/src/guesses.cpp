@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "guesses.h"
+
+#include "ncsim/toolpath/trace.h"
+
+#include "rule_table.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace ncsim::verify {
+
+void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched, bool needs_part,
+                           FindingLog& log) {
+    const gcode::Motion& m = *move.motion;
+    const Place place{m.file, m.span};
+    if (move.passes_above) return;
+    if (!toolpath::has_known_start(m)) {
+        log.doubt("start-unknown", "where the tool comes from is not told", place);
+    } else if (m.start_assumed) {
+        log.doubt("start-unknown",
+                  "the program goes on by increments from a place that nobody told; taken as 0",
+                  place);
+    }
+    if (m.offset_unknown) {
+        log.doubt("offset-guess",
+                  "a coordinate system lies nobody knows where; it was taken to be that of the "
+                  "first cut",
+                  place);
+    } else if (m.machine_coordinates && !setup.home_assumption.empty()) {
+        log.doubt("offset-guess",
+                  "a move goes to a place of the machine (G28, G30, G53), and where the "
+                  "workpiece lies in it is not told",
+                  place);
+    }
+    if (!needs_part) return;
+    if (!is_watched && !setup.not_simulated && (m.tool != 0 || toolpath::has_known_start(m))) {
+        log.doubt("not-simulated",
+                  m.tool == 0 ? "moves before the first tool change were not simulated"
+                              : fmt::format("T{} moves, and nobody describes it", m.tool),
+                  place);
+    }
+    if (!setup.kinematics && is_turned(m)) {
+        log.doubt("kinematics-guess",
+                  "rotary axes turn; taken to turn the tool about the program zero (ISO 841)",
+                  place);
+    } else if (std::string guess = kinematics_guess(setup, move); !guess.empty()) {
+        log.doubt("kinematics-guess", "rotary axes turn; taken: " + guess, place);
+    }
+    if (move.after_probe && is_watched)
+        log.doubt("probe-guess", "moves after a probe stand on what it met", place);
+}
+
+void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,
+                            bool needs_part, bool is_simulated, FindingLog& log) {
+    if (!setup.units_assumption.empty())
+        log.doubt("units-guess", "units: " + setup.units_assumption);
+    if (needs_part && setup.not_simulated)
+        log.doubt("not-simulated", "the program was not simulated: " + *setup.not_simulated);
+    if (!needs_part || !is_simulated) return;
+    if (!setup.stock_assumption.empty())
+        log.doubt("stock-guess", "stock: " + setup.stock_assumption);
+    for (const auto& [number, facts] : setup.tools) {
+        if (facts.is_guess) {
+            log.doubt("tool-guess", fmt::format("T{}: {}", number, facts.assumption));
+        }
+    }
+    for (const auto& [number, watched] : tools) {
+        if (watched.uncertain_mm <= 0.0) continue;
+        const double told = facts_of(setup, number)->certain_flutes.value_or(0.0);
+        log.doubt("flutes-guess",
+                  fmt::format("T{} would have to cut {:.6g} mm high, and nobody says that "
+                              "its flutes are longer than {:.6g} mm",
+                              number, told + watched.uncertain_mm, told),
+                  watched.uncertain_place);
+    }
+}
+
+}  // namespace ncsim::verify

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a verdict would rest on that nobody told: told as doubts.
+#pragma once
+
+#include "ncsim/verify/move.h"
+#include "ncsim/verify/setup.h"
+
+#include "finding_log.h"
+#include "watched.h"
+
+#include <map>
+
+namespace ncsim::verify {
+
+/// Of one motion. `is_watched`: its tool is known; `needs_part`: a selected rule looks at the part.
+void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched, bool needs_part,
+                           FindingLog& log);
+/// Of the whole program, once it has run with these tools, by number. `is_simulated`: there is a
+/// part.
+void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,
+                            bool needs_part, bool is_simulated, FindingLog& log);
+
+}  // namespace ncsim::verify
