@@ -86,6 +86,13 @@ void expect_same(const Rays& found, const Rays& expected) {
     }
 }
 
+std::vector<const Body*> pointers_to(const std::vector<Body>& bodies) {
+    std::vector<const Body*> all;
+    for (const Body& body : bodies)
+        all.push_back(&body);
+    return all;
+}
+
 TEST(Cutter, CutsWhatEachRayByItselfLoses) {
     const Grid grid = grid_of(0.4);
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
@@ -93,38 +100,46 @@ TEST(Cutter, CutsWhatEachRayByItselfLoses) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             SCOPED_TRACE(testing::Message() << seed << " axis " << axis);
             Rays fast = stock_rays(grid, axis), slow = stock_rays(grid, axis);
+            std::vector<Body> bodies;
             for (std::uint32_t motion = 1; motion < 25; ++motion) {
                 const SweptTool tool(sweep_of(random, motion), kLattice, grid);
-                Cutter(grid, fast).cut(tool, 0, fast.rows());
+                bodies.emplace_back(tool);
                 cut_slowly(grid, slow, tool);
             }
+            // What is pending is taken away wherever a call ends.
+            const std::vector<const Body*> all = pointers_to(bodies);
+            const auto half = all.begin() + 12;
+            Cutter(grid, fast).cut({all.begin(), half}, 0, fast.rows());
+            Cutter(grid, fast).cut({half, all.end()}, 0, fast.rows());
             expect_same(fast, slow);
         }
     }
 }
 
-TEST(Cutter, CutsSeveralAtOnceAsOneAfterTheOther) {
+// Boxes whose faces are in the same planes: the first that has an end there names it.
+TEST(Cutter, TheFirstOfSeveralNamesAnEnd) {
     const Grid grid = grid_of(0.4);
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-        SCOPED_TRACE(seed);
-        test::Random random(100 + seed);
-        std::vector<SweptTool> tools;
-        for (std::uint32_t motion = 1; motion < 40; ++motion) {
-            cda::RoundSweep sweep = sweep_of(random, motion);
-            sweep.height += 20;
-            tools.emplace_back(sweep, kLattice, grid);
-            ASSERT_TRUE(tools.back().is_open_above(grid.axes[2].at.back()));
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        test::Random random(300 + seed);
+        std::vector<Body> bodies;
+        const auto within = [&](std::int64_t most) {
+            return static_cast<std::int64_t>(random.next() % static_cast<std::uint64_t>(most));
+        };
+        for (std::uint32_t motion = 1; motion < 30; ++motion) {
+            const std::int64_t x = within(10), y = within(8), z = within(6);
+            bodies.emplace_back(CuttingCell(mm_box(x, y, z, x + 1 + within(3), y + 1 + within(3),
+                                                   z + 1 + within(3), cda::Origin{motion}),
+                                            kLattice, grid));
         }
-        std::vector<const SweptTool*> all;
-        for (const SweptTool& tool : tools)
-            all.push_back(&tool);
-        Rays together = stock_rays(grid, 2), apart = stock_rays(grid, 2);
-        const auto half = all.begin() + 20;
-        Cutter(grid, together).cut_open({all.begin(), half}, 0, together.rows());
-        Cutter(grid, together).cut_open({half, all.end()}, 0, together.rows());
-        for (const SweptTool& tool : tools)
-            cut_slowly(grid, apart, tool);
-        expect_same(together, apart);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            SCOPED_TRACE(testing::Message() << seed << " axis " << axis);
+            Rays together = stock_rays(grid, axis), apart = stock_rays(grid, axis);
+            const std::vector<const Body*> all = pointers_to(bodies);
+            Cutter(grid, together).cut(all, 0, together.rows());
+            for (const Body* body : all)
+                Cutter(grid, apart).cut({&body, 1}, 0, apart.rows());
+            expect_same(together, apart);
+        }
     }
 }
 

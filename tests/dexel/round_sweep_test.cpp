@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -220,32 +221,87 @@ TEST(SweptTool, DoesNotDependOnHowManyRaysAreLookedAtTogether) {
     }
 }
 
-// One after the other, or the lowest of all.
+// On no ray of a block it is below its plane and parabola, nor below the least of them.
+TEST(SweptTool, GetsNoLowerInABlockThanItsBound) {
+    test::Random random(15);
+    BlockBounds bounds;
+    int near = 0, met = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const SweptTool tool(random_sweep(random), kLattice, any_grid());
+        const double pitch = std::floor(random.within(2e3, 4e4));
+        const double x = std::floor(random.within(-9e5, 9e5)) + 0.5;
+        const double y = std::floor(random.within(-9e5, 9e5)) + 0.5;
+        const double half = 0.5 * static_cast<double>(kBlock - 1) * pitch;
+        const BlockExtent column{x + half, half}, band{y + half, half};
+        const Lanes lanes = random.one_in(2) ? Lanes::Two : widest_lanes();
+        tool.bound_blocks(&column, 1, band, lanes, bounds);
+        const BlockBound bound = bounds[0];
+        LowestBlock lowest;
+        lowest.slope_x = random.one_in(3) ? 0.0 : random.within(-1, 1);
+        lowest.slope_y = random.one_in(3) ? 0.0 : random.within(-1, 1);
+        const double above = tool.least_above(bound, lowest, half, half);
+        double found = 1e30;
+        std::array<double, kBlock> u{};
+        for (std::size_t i = 0; i < kBlock; ++i)
+            u[i] = x + static_cast<double>(i) * pitch;
+        RowMeeting row;
+        for (std::size_t k = 0; k < kBlock; ++k) {
+            const double v = y + static_cast<double>(k) * pitch;
+            tool.meet_row(2, u.data(), kBlock, v, Lanes::Two, row);
+            for (std::size_t i = 0; i < kBlock; ++i) {
+                if (row.low[i] > 1e29) continue;
+                const double plane =
+                    lowest.slope_x * (u[i] - column.middle) + lowest.slope_y * (v - band.middle);
+                EXPECT_GE(std::nearbyint(row.low[i]), bound.least) << trial;
+                EXPECT_GE(std::nearbyint(row.low[i]) - plane, above - 1e-3) << trial;
+                found = std::min(found, row.low[i]);
+            }
+        }
+        if (found > 1e29) continue;
+        ++met;
+        near += found - bound.least < 0.3 * half ? 1 : 0;
+    }
+    EXPECT_GT(met, 3000);
+    EXPECT_GT(near, met / 2);
+}
+
+// One after the other, or the lowest of all; left out where the bound allows it.
 TEST(SweptTool, IsTheLowestOfSeveralWhereItIsLowest) {
     test::Random random(15);
-    std::vector<double> x;
-    for (int i = -40; i < 40; ++i)
-        x.push_back(2e4 * i + 0.5);
-    std::vector<double> padded = x;
-    padded.resize(x.size() + kWidest, x.back());
+    std::array<double, kBlock> x{}, y{};
+    BlockBounds bounds;
     for (const Lanes lanes : {Lanes::Two, widest_lanes()}) {
-        for (int trial = 0; trial < 500; ++trial) {
-            const double y = random.within(-8e5, 8e5);
-            LowestRow lowest{std::vector(padded.size(), 3e5), std::vector(padded.size(), 0.0),
-                             std::vector(padded.size(), -1.0)};
-            std::vector<double> expected(x.size(), 3e5), number(x.size(), -1.0);
+        for (int trial = 0; trial < 3000; ++trial) {
+            const double left = random.within(-8e5, 8e5), front = random.within(-8e5, 8e5);
+            for (std::size_t i = 0; i < kBlock; ++i) {
+                x[i] = left + 2e4 * static_cast<double>(i);
+                y[i] = front + 2e4 * static_cast<double>(i);
+            }
+            const BlockExtent column{0.5 * (x[0] + x[kBlock - 1]), 0.5 * (x[kBlock - 1] - x[0])};
+            const BlockExtent band{0.5 * (y[0] + y[kBlock - 1]), 0.5 * (y[kBlock - 1] - y[0])};
+            LowestBlock lowest;
+            lowest.at.fill(3e5);
+            lowest.number.fill(-1.0);
+            lowest.group_highest.fill(3e5);
+            lowest.highest = 3e5;
+            std::vector<double> expected(kBlock * kBlock, 3e5), number(kBlock * kBlock, -1.0);
             for (int k = 0; k < 4; ++k) {
                 const SweptTool tool(random_sweep(random), kLattice, any_grid());
-                tool.lower_row(padded.data(), 3, 60, y, k, lanes, lowest);
+                tool.bound_blocks(&column, 1, band, lanes, bounds);
+                tool.lower_block(x.data(), y.data(), kBlock, bounds[0], k, lanes, lowest);
                 RowMeeting row;
-                tool.meet_row(2, x.data(), x.size(), y, Lanes::Two, row);
-                for (std::size_t i = 0; i < x.size(); ++i) {
-                    if (row.low[i] >= expected[i]) continue;
-                    expected[i] = row.low[i];
-                    number[i] = k;
+                for (std::size_t j = 0; j < kBlock; ++j) {
+                    tool.meet_row(2, x.data(), kBlock, y[j], Lanes::Two, row);
+                    for (std::size_t i = 0; i < kBlock; ++i) {
+                        const double low = std::nearbyint(row.low[i]);
+                        if (low >= expected[j * kBlock + i]) continue;
+                        expected[j * kBlock + i] = low;
+                        number[j * kBlock + i] = k;
+                    }
                 }
+                EXPECT_EQ(lowest.highest, *std::ranges::max_element(expected));
             }
-            for (std::size_t i = 3; i < 60; ++i) {
+            for (std::size_t i = 0; i < kBlock * kBlock; ++i) {
                 EXPECT_EQ(lowest.at[i], expected[i]);
                 EXPECT_EQ(lowest.number[i], number[i]);
             }
@@ -264,8 +320,6 @@ TEST(SweptTool, ReachesWhatItsRaysAlongZMeet) {
             EXPECT_GE(high, x);
             const double lowest = meet(tool, 2, x, y)->low;
             EXPECT_LE(tool.lowest_at(y), lowest + 1e-3);
-            const double aside = std::max(tool.least_x() - x, x - tool.most_x());
-            EXPECT_LE(tool.lowest_at(y) + tool.rise_beside(aside), lowest + 1e-3);
         }
     }
 }

@@ -5,6 +5,7 @@ ncsim_add_test(dexel
     cell_components_test.cpp
     cutter_test.cpp
     dexel_test.cpp
+    open_cutter_test.cpp
     rays_test.cpp
     round_sweep_test.cpp
     thin_places_test.cpp)

@@ -119,6 +119,9 @@ public:
 
     void run() {
         place_corners();
+        // Closed surfaces have about two for each corner.
+        triangles.reserve(2 * points.size());
+        origins.reserve(2 * points.size());
         for (std::size_t x = 0; x < grid_.axes[0].cells(); ++x) {
             for (std::size_t y = 0; y < grid_.axes[1].cells(); ++y) {
                 for (std::size_t i = column_[column(x, y)]; i < column_[column(x, y) + 1]; ++i)
@@ -313,25 +316,39 @@ private:
         const double low = at[from[axis]];
         const double high = at[from[axis] + 1];
         const bool enters = !signs_(from);  // going up
+        if (rays_[axis].rows() == 0) return crossing_between(from, axis, enters);
+        if (const End* end = end_on(from, axis, enters))
+            return {static_cast<double>(end->at), end->normal.unpacked(), end->origin};
+        Crossing crossing{0.5 * (low + high), {}, cda::kStockOrigin};
+        crossing.normal[static_cast<int>(axis)] = enters ? -1.0 : 1.0;
+        return crossing;
+    }
+
+    // crossing_at().origin, for less.
+    cda::Origin origin_at(const Place& from, std::size_t axis) const {
+        const bool enters = !signs_(from);
+        if (rays_[axis].rows() == 0) return crossing_between(from, axis, enters).origin;
+        const End* end = end_on(from, axis, enters);
+        return end ? end->origin : cda::kStockOrigin;
+    }
+
+    // The last interval's that begins on the edge, or the first's that ends there.
+    const End* end_on(const Place& from, std::size_t axis, bool enters) const {
+        const double low = grid_.axes[axis].at[from[axis]];
+        const double high = grid_.axes[axis].at[from[axis] + 1];
         const Rays& rays = rays_[axis];
-        if (rays.rows() == 0) return crossing_between(from, axis, enters);
-        // The last interval that begins on the edge, or the first that ends there.
         const auto intervals = rays(from[rays.u_axis()], from[rays.v_axis()]).intervals();
-        const End* found = nullptr;
         if (enters) {
             const auto beyond = std::ranges::lower_bound(
                 intervals, high, {}, [](const Interval& i) { return double(i.low.at); });
             if (beyond != intervals.begin() && low < std::prev(beyond)->low.at)
-                found = &std::prev(beyond)->low;
+                return &std::prev(beyond)->low;
         } else {
             const auto first = std::ranges::upper_bound(
                 intervals, low, {}, [](const Interval& i) { return double(i.high.at); });
-            if (first != intervals.end() && first->high.at < high) found = &first->high;
+            if (first != intervals.end() && first->high.at < high) return &first->high;
         }
-        if (found) return {static_cast<double>(found->at), found->normal.unpacked(), found->origin};
-        Crossing crossing{0.5 * (low + high), {}, cda::kStockOrigin};
-        crossing.normal[static_cast<int>(axis)] = enters ? -1.0 : 1.0;
-        return crossing;
+        return nullptr;
     }
 
     // The same as the rays along z at both of its corners have it.
@@ -460,7 +477,7 @@ private:
         const auto begin = loop.begin(), end = begin + static_cast<std::ptrdiff_t>(count);
         std::rotate(begin, begin + static_cast<std::ptrdiff_t>(first_middle), end);
         if (!faces_along) std::reverse(begin + 1, end);
-        const cda::Origin origin = crossing_at(corner, axis).origin;
+        const cda::Origin origin = origin_at(corner, axis);
         const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
             triangles.push_back({loop[a], loop[b], loop[c]});
             origins.push_back(origin);

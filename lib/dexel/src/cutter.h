@@ -7,6 +7,7 @@
 #include "ncsim/cda/cell.h"
 #include "ncsim/cda/lattice.h"
 
+#include "pending_cuts.h"
 #include "rays.h"
 #include "round_sweep.h"
 
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace ncsim::dexel {
@@ -33,18 +35,16 @@ struct CuttingCell {
     cda::Origin origin;
 };
 
+using Body = std::variant<CuttingCell, SweptTool>;
+
 /// Cuts the rays of one direction, row by row.
 class Cutter {
 public:
     Cutter(const Grid& grid, Rays& rays, Lanes lanes = widest_lanes())
         : grid_(grid), rays_(rays), lanes_(lanes) {}
 
-    /// The rows from `begin` to before `end`.
-    void cut(const CuttingCell& cell, std::size_t begin, std::size_t end);
-    void cut(const SweptTool& tool, std::size_t begin, std::size_t end);
-    /// The same for several that are all open above the stock, one after the other; of rays along z
-    /// alone. Each ray is cut once, by the one that reaches lowest there, the first of several.
-    void cut_open(std::span<const SweptTool* const> tools, std::size_t begin, std::size_t end);
+    /// The rows from `begin` to before `end`, by these in their order.
+    void cut(std::span<const Body* const> bodies, std::size_t begin, std::size_t end);
     /// Makes the rays what the cell has of them.
     void fill(const CuttingCell& cell);
 
@@ -52,26 +52,18 @@ private:
     struct Range {
         std::size_t begin, end;
     };
-    static void leave_out_lower(const double* ends, const double* x, const SweptTool& tool,
-                                double reach, Range& range);
-    Range find_intervals(const CuttingCell& cell, std::size_t row, Range range);
-    // Of the rays from `begin` on, what is between the places of these arrays, where that is not
-    // in their gap anyhow. end(i, below): of what is left of ray begin + i there.
-    template <class MakeEnd>
-    void take_away(std::size_t row, std::size_t begin, std::size_t count, const double* low,
-                   const double* high, const MakeEnd& end);
+    // Into met_, from the first ray of those that may be met; which these are.
+    Range meet(const CuttingCell& cell, std::size_t row);
+    Range meet(const SweptTool& tool, std::size_t row, const PendingCuts& pending,
+               std::size_t pending_row);
+    void take_away(std::size_t row, std::size_t ray, const PendingCuts::Cut& cut,
+                   std::span<const Body* const> bodies);
 
     const Grid& grid_;
     Rays& rays_;
     Lanes lanes_;
-    // Of the rays of a row, kept for their memory: where the interval begins and ends, and the
-    // facets there.
-    std::vector<double> low_, high_, low_facet_, high_facet_;
+    // Of the rays of a row, kept for its memory. Of a cell, s is the number of the facet.
     RowMeeting met_;
-    LowestRow lowest_;
-    std::vector<double> padded_x_;
-    std::vector<std::int32_t> low_units_, high_units_;
-    std::vector<std::uint8_t> is_cut_;
 };
 
 }  // namespace ncsim::dexel

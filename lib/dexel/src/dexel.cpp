@@ -5,6 +5,7 @@
 
 #include "contour.h"
 #include "cutter.h"
+#include "open_cutter.h"
 #include "rays.h"
 #include "round_sweep.h"
 #include "thin_places.h"
@@ -28,12 +29,11 @@ namespace ncsim::dexel {
 namespace {
 
 // Bodies that wait until rays are cut: enough that all threads have work, few enough to keep.
-constexpr std::size_t kBatch = 1024;
-// Runs of rows a thread, and rows in one at least.
+constexpr std::size_t kBatch = 8192;
+// Of these, cells with all their facets.
+constexpr std::size_t kMostCells = 1024;
+// Runs of rows a thread.
 constexpr std::size_t kRuns = 4;
-constexpr std::size_t kLeastRows = 8;
-// Rows along z that one thread alone cuts together.
-constexpr std::size_t kRowsTogether = 16;
 
 cda::Vec3 in_units(cda::Vec3 mm, const cda::Lattice& lattice) {
     return (1.0 / lattice.unit_mm) * mm;
@@ -132,7 +132,6 @@ public:
     }
 
 private:
-    using Body = std::variant<CuttingCell, SweptTool>;
     // By axis: the corners that a body may meet, to be asked without looking at it.
     struct Span {
         std::array<std::uint32_t, 3> begin, end;
@@ -149,10 +148,15 @@ private:
             are_all_open_ = are_all_open_ && body.is_open_above(grid_->axes[2].at.back());
         } else {
             are_all_open_ = false;
+            ++waiting_cells_;
+        }
+        if (waiting_.empty()) {
+            waiting_.reserve(kBatch);
+            spans_.reserve(kBatch);
         }
         waiting_.emplace_back(std::forward<OneBody>(body));
         spans_.push_back(span);
-        if (waiting_.size() >= kBatch) settle();
+        if (waiting_.size() >= kBatch || waiting_cells_ >= kMostCells) settle();
     }
 
     // Each row by one thread, and all bodies in their order.
@@ -167,16 +171,13 @@ private:
         std::vector<Task> tasks;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t rows = (*rays_)[axis].rows();
-            const std::size_t each =
-                threads <= 1 ? (axis == 2 ? kRowsTogether : std::max<std::size_t>(rows, 1))
-                             : std::max(kLeastRows, rows / (kRuns * threads));
-            const cda::Runs runs(rows, each);
+            const std::size_t each = rows / (threads <= 1 ? 1 : kRuns * threads) / kBlock + 1;
+            const cda::Runs runs(rows, each * kBlock);
             for (std::size_t i = 0; i < runs.tasks(); ++i)
                 tasks.push_back({axis, runs.begin(i), runs.end(i)});
         }
         cda::in_parallel(parameters_.threads, tasks.size(), [&](std::size_t i) {
             const auto& [axis, begin, end] = tasks[i];
-            Cutter cutter(*grid_, (*rays_)[axis]);
             const std::size_t across = (*rays_)[axis].v_axis();
             if (axis == 2 && are_all_open_) {
                 std::vector<const SweptTool*> tools;
@@ -184,17 +185,21 @@ private:
                     if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
                         tools.push_back(&std::get<SweptTool>(waiting_[k]));
                 }
-                cutter.cut_open(tools, begin, end);
+                OpenCutter(*grid_, (*rays_)[axis])
+                    .cut(tools, begin / kBlock, (end + kBlock - 1) / kBlock);
                 return;
             }
+            std::vector<const Body*> bodies;
             for (std::size_t k = 0; k < waiting_.size(); ++k) {
-                if (spans_[k].end[across] <= begin || end <= spans_[k].begin[across]) continue;
-                std::visit([&](const auto& body) { cutter.cut(body, begin, end); }, waiting_[k]);
+                if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
+                    bodies.push_back(&waiting_[k]);
             }
+            Cutter(*grid_, (*rays_)[axis]).cut(bodies, begin, end);
         });
         waiting_.clear();
         spans_.clear();
         are_all_open_ = true;
+        waiting_cells_ = 0;
     }
 
     DexelParameters parameters_;
@@ -204,7 +209,8 @@ private:
     mutable std::mutex mutex_;
     mutable std::optional<std::array<Rays, 3>> rays_;
     mutable std::vector<Body> waiting_;
-    mutable std::vector<Span> spans_;   // of these
+    mutable std::vector<Span> spans_;  // of these
+    mutable std::size_t waiting_cells_ = 0;
     mutable bool are_all_open_ = true;  // tools, above the stock
 };
 

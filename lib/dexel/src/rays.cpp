@@ -8,28 +8,11 @@ namespace ncsim::dexel {
 
 namespace {
 
-constexpr double kFull = 32767.0;
-
 double sign(double x) {
     return x < 0.0 ? -1.0 : 1.0;
 }
 
 }  // namespace
-
-PackedNormal PackedNormal::of(cda::Vec3 n) {
-    const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    if (!(sum > 0.0)) return {};
-    double u = n.x / sum, v = n.y / sum;
-    if (n.z < 0.0) {
-        const double folded = (1.0 - std::abs(v)) * sign(u);
-        v = (1.0 - std::abs(u)) * sign(v);
-        u = folded;
-    }
-    const auto whole = [](double x) {
-        return static_cast<std::int16_t>(x * kFull + (x < 0.0 ? -0.5 : 0.5));
-    };
-    return {whole(u), whole(v)};
-}
 
 cda::Vec3 PackedNormal::unpacked() const {
     double x = u / kFull, y = v / kFull;
@@ -97,7 +80,11 @@ Rays::Rays(const Grid& grid, std::size_t axis)
     : axis_(axis),
       row_(grid.axes[(axis + 1) % 3].corners()),
       rays_(row_ * grid.axes[(axis + 2) % 3].corners()),
-      gaps_(rays_.size()) {}
+      gaps_(rays_.size()) {
+    const auto blocks = [](std::size_t count) { return (count + kBlock - 1) / kBlock; };
+    blocks_ = blocks(row_);
+    ceilings_.assign(blocks_ * blocks(rows()), Gap::kEver);
+}
 
 double Rays::length() const {
     std::int64_t sum = 0;
@@ -107,7 +94,8 @@ double Rays::length() const {
 }
 
 std::size_t Rays::bytes() const {
-    std::size_t sum = rays_.capacity() * sizeof(Ray) + gaps_.capacity() * sizeof(Gap);
+    std::size_t sum = rays_.capacity() * sizeof(Ray) + gaps_.capacity() * sizeof(Gap) +
+                      ceilings_.capacity() * sizeof(std::int32_t);
     for (const Ray& ray : rays_)
         sum += ray.bytes();
     return sum;

@@ -8,6 +8,7 @@
 
 #include "grid.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,9 +21,27 @@ namespace ncsim::dexel {
 struct PackedNormal {
     std::int16_t u = 0, v = 0;
 
+    static constexpr double kFull = 32767.0;
+
     static PackedNormal of(cda::Vec3 normal);
     cda::Vec3 unpacked() const;
 };
+
+// Asked for each end; signs are as good as random, so that nothing branches on one.
+inline PackedNormal PackedNormal::of(cda::Vec3 n) {
+    const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (!(sum > 0.0)) return {};
+    double u = n.x / sum, v = n.y / sum;
+    if (n.z < 0.0) {
+        const double folded = u < 0.0 ? std::abs(v) - 1.0 : 1.0 - std::abs(v);
+        v = v < 0.0 ? std::abs(u) - 1.0 : 1.0 - std::abs(u);
+        u = folded;
+    }
+    const auto whole = [](double x) {
+        return static_cast<std::int16_t>(x * kFull + std::copysign(0.5, x));
+    };
+    return {whole(u), whole(v)};
+}
 
 /// Where a ray enters or leaves the material.
 struct End {
@@ -60,6 +79,10 @@ public:
     /// at most.
     template <class MakeEnd>
     Gap cut(std::int32_t low, std::int32_t high, const MakeEnd& end);
+
+    /// Takes everything above the place away. end(): of what is left, if it is shorter now.
+    template <class MakeEnd>
+    Gap cut_above(std::int32_t low, const MakeEnd& end);
 
     /// In order.
     std::span<const Interval> intervals() const {
@@ -111,6 +134,22 @@ Gap Ray::cut(std::int32_t low, std::int32_t high, const MakeEnd& end) {
     return gap;
 }
 
+template <class MakeEnd>
+Gap Ray::cut_above(std::int32_t low, const MakeEnd& end) {
+    const std::span<Interval> known = all();
+    std::size_t left = known.size();
+    while (left > 0 && known[left - 1].low.at >= low)
+        --left;
+    if (left < known.size()) erase(left, known.size());
+    if (left == 0) return {-Gap::kEver, Gap::kEver};
+    End& top = known[left - 1].high;
+    if (low < top.at) top = end();
+    return {top.at, Gap::kEver};
+}
+
+/// Rays of a block, along each side.
+inline constexpr std::size_t kBlock = 8;
+
 /// All rays along an axis: `u` and `v` are the next two axes.
 class Rays {
 public:
@@ -125,6 +164,13 @@ public:
     std::span<Ray> row(std::size_t v) { return std::span(rays_).subspan(v * row_, row_); }
     /// Of each ray of a row a gap that it has: where it was cut last.
     std::span<Gap> gaps(std::size_t v) { return std::span(gaps_).subspan(v * row_, row_); }
+    /// Rows of blocks.
+    std::size_t bands() const { return blocks_ == 0 ? 0 : ceilings_.size() / blocks_; }
+    /// Of each block of a row of blocks: no ray has material at or above that. Whoever cuts may
+    /// know a lower one, or leave it.
+    std::span<std::int32_t> ceilings(std::size_t band) {
+        return std::span(ceilings_).subspan(band * blocks_, blocks_);
+    }
     const Ray& operator()(std::size_t u, std::size_t v) const { return rays_[v * row_ + u]; }
     std::span<const Ray> all() const { return rays_; }
     /// The sum of the lengths of all, units.
@@ -133,9 +179,11 @@ public:
 
 private:
     std::size_t axis_ = 0;
-    std::size_t row_ = 0;  // rays a row
+    std::size_t row_ = 0;     // rays a row
+    std::size_t blocks_ = 0;  // in a row of blocks
     std::vector<Ray> rays_;
     std::vector<Gap> gaps_;
+    std::vector<std::int32_t> ceilings_;
 };
 
 }  // namespace ncsim::dexel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -33,12 +34,30 @@ struct RowTask {
     RowMeeting& row;
 };
 
+struct JoinTask {
+    const PendingRow& pending;
+    std::size_t count;
+    const RowMeeting& met;
+    double body;
+    void (*take)(void*, std::size_t);
+    void* context;
+};
+
 struct LowerTask {
     const SweptTool::Numbers& numbers;
-    const double* x;
-    std::size_t begin, end;
-    double y, number;
-    LowestRow& lowest;
+    const double *x, *y;
+    std::size_t rows;
+    BlockBound bound;
+    double number;
+    LowestBlock& lowest;
+};
+
+struct BoundTask {
+    const SweptTool::Numbers& numbers;
+    const BlockExtent* columns;
+    std::size_t count;
+    BlockExtent band;
+    BlockBounds& bounds;
 };
 
 }  // namespace
@@ -107,6 +126,26 @@ void RowMeeting::resize(std::size_t count) {
         each->resize(count + kWidest);
 }
 
+void join_row(const PendingRow& pending, std::size_t count, RowMeeting& met, double body,
+              Lanes wide, void (*take)(void*, std::size_t), void* context) {
+    constexpr double kNowhere = 1e30;
+    std::fill_n(met.low.begin() + static_cast<std::ptrdiff_t>(count), kWidest, kNowhere);
+    std::fill_n(met.high.begin() + static_cast<std::ptrdiff_t>(count), kWidest, -kNowhere);
+    const JoinTask task{pending, count, met, body, take, context};
+#if defined(__x86_64__)
+    if (wide == Lanes::Four) return by_four::join_row(task);
+#endif
+    static_cast<void>(wide);
+    by_two::join_row(task);
+}
+
+void BlockBounds::resize(std::size_t count) {
+    if (least.size() >= count + kWidest) return;
+    for (std::vector<double>* each :
+         {&least, &middle, &slope_x, &slope_y, &opening, &ahead, &behind, &aside})
+        each->resize(count + kWidest);
+}
+
 Lanes widest_lanes() {
 #if defined(__x86_64__)
     static const bool has_four = __builtin_cpu_supports("avx2");
@@ -136,10 +175,15 @@ SweptTool::SweptTool(const cda::RoundSweep& sweep, const cda::Lattice& lattice, 
     if (is_short(n.way[0]) && is_short(n.way[1])) n.way[0] = n.way[1] = n.across = 0.0;
     if (is_short(n.way[2])) n.way[2] = 0.0;
     n.way_across = std::sqrt(n.across);
-    if (n.across > 0.0) n.by_across = 1.0 / n.across;
-    // Of a cone r slope, of a ball R - sqrt(R² - r²): over r², less than this nowhere.
-    if (n.flat == 0.0 && tip_ != Tip::Flat)
-        n.rise = tip_ == Tip::Cone ? n.steepness / (2.0 * n.radius) : 0.5 / n.tip;
+    n.along_x = 1.0;
+    if (n.across > 0.0) {
+        n.by_across = 1.0 / n.across;
+        n.by_way_across = 1.0 / n.way_across;
+        n.along_x = n.way[0] / n.way_across;
+        n.along_y = n.way[1] / n.way_across;
+        n.lead = n.way[2] / (n.way_across * std::sqrt(n.across + n.way[2] * n.way[2]));
+    }
+    if (n.flat == 0.0 && (tip_ == Tip::Ball || tip_ == Tip::Round)) n.opening = 0.5 / n.tip;
     course_ = n.way[2] == 0.0 && n.across > 0.0 ? Course::Level
               : n.across > 0.0                  ? Course::Slope
                                                 : Course::Plunge;
@@ -157,14 +201,26 @@ void SweptTool::meet_row(std::size_t axis, const double* u, std::size_t count, d
     by_two::row_of(tip_, course_, task);
 }
 
-void SweptTool::lower_row(const double* x, std::size_t begin, std::size_t end, double y,
-                          double number, Lanes wide, LowestRow& lowest) const {
-    const LowerTask task{numbers_, x, begin, end, y, number, lowest};
+void SweptTool::lower_block(const double* x, const double* y, std::size_t rows,
+                            const BlockBound& bound, double number, Lanes wide,
+                            LowestBlock& lowest) const {
+    const LowerTask task{numbers_, x, y, rows, bound, number, lowest};
 #if defined(__x86_64__)
-    if (wide == Lanes::Four) return by_four::lower_row_of(tip_, course_, task);
+    if (wide == Lanes::Four) return by_four::lower_block_of(tip_, course_, task);
 #endif
     static_cast<void>(wide);
-    by_two::lower_row_of(tip_, course_, task);
+    by_two::lower_block_of(tip_, course_, task);
+}
+
+void SweptTool::bound_blocks(const BlockExtent* columns, std::size_t count, const BlockExtent& band,
+                             Lanes wide, BlockBounds& bounds) const {
+    bounds.resize(count);
+    const BoundTask task{numbers_, columns, count, band, bounds};
+#if defined(__x86_64__)
+    if (wide == Lanes::Four) return by_four::bound_blocks_of(tip_, course_, task);
+#endif
+    static_cast<void>(wide);
+    by_two::bound_blocks_of(tip_, course_, task);
 }
 
 bool SweptTool::is_open_above(double top) const {
@@ -200,6 +256,11 @@ double SweptTool::lowest_at(double y) const {
 Vec3 SweptTool::normal(std::size_t axis, double u, double v, bool is_high, double at,
                        double s) const {
     const Numbers& n = numbers_;
+    if (axis == 2 && !is_high && tip_ == Tip::Ball) {
+        const double below = at - (n.from[2] + s * n.way[2]) - n.radius;
+        if (below < 0.0)
+            return {u - (n.from[0] + s * n.way[0]), v - (n.from[1] + s * n.way[1]), below};
+    }
     std::array<double, 3> q{};  // where the tool is met, from its lowest point
     q[axis] = at;
     q[(axis + 1) % 3] = u;

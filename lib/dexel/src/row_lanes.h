@@ -36,17 +36,47 @@ struct Ray {
 NCSIM_DEXEL_INLINE V all(double x) {
     return V{} + x;
 }
+// a < b ? a : b, and a > b ? a : b: the second of equals.
 NCSIM_DEXEL_INLINE V least(V a, V b) {
+#if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
+    return reinterpret_cast<V>(
+        _mm_min_pd(reinterpret_cast<__m128d>(a), reinterpret_cast<__m128d>(b)));
+#elif defined(__x86_64__)
+    return reinterpret_cast<V>(
+        _mm256_min_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b)));
+#else
     return a < b ? a : b;
+#endif
 }
 NCSIM_DEXEL_INLINE V most(V a, V b) {
+#if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
+    return reinterpret_cast<V>(
+        _mm_max_pd(reinterpret_cast<__m128d>(a), reinterpret_cast<__m128d>(b)));
+#elif defined(__x86_64__)
+    return reinterpret_cast<V>(
+        _mm256_max_pd(reinterpret_cast<__m256d>(a), reinterpret_cast<__m256d>(b)));
+#else
     return a > b ? a : b;
+#endif
 }
 NCSIM_DEXEL_INLINE V between(V x, V low, V high) {
     return least(most(x, low), high);
 }
 NCSIM_DEXEL_INLINE V size_of(V x) {
     return most(x, -x);
+}
+using Is [[gnu::vector_size(8 * kWidth)]] = std::int64_t;
+NCSIM_DEXEL_INLINE std::uint32_t bits_of(Is is) {
+#if defined(__x86_64__) && NCSIM_DEXEL_WIDTH == 2
+    return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(is)));
+#elif defined(__x86_64__)
+    return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(is)));
+#else
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < kWidth; ++i)
+        bits |= static_cast<std::uint32_t>(is[i] != 0) << i;
+    return bits;
+#endif
 }
 // 0 for what is below it.
 NCSIM_DEXEL_INLINE V root(V x) {
@@ -60,6 +90,12 @@ NCSIM_DEXEL_INLINE V root(V x) {
         x[i] = __builtin_sqrt(x[i]);
     return x;
 #endif
+}
+
+// To a whole number, of less than 2^51.
+NCSIM_DEXEL_INLINE V rounded(V x) {
+    constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52
+    return (x + kShift) - kShift;
 }
 
 // Height above the tip's lowest point, at a squared distance from the axis.
@@ -96,7 +132,7 @@ NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
         const V cross = dx * wy - dy * wx;
         nearest = -(dx * wx + dy * wy) * k.by_across;
         room = square - cross * cross * k.by_across;
-        const V half = root(room * k.by_across);
+        const V half = root(room) * k.by_way_across;
         first = most(V{}, nearest - half);
         last = least(all(1.0), nearest + half);
     }
@@ -107,8 +143,7 @@ NCSIM_DEXEL_INLINE Ray along_z(const Numbers& k, V x, V y) {
     } else if constexpr (course == Course::Plunge || tip == Tip::Flat) {
         s = lower_end;
     } else if constexpr (tip == Tip::Ball) {
-        const V offset = wz * root(room * (k.by_across / (k.across + wz * wz)));
-        s = between(nearest - offset, first, last);
+        s = between(nearest - k.lead * root(room), first, last);
     } else {
         // How far from the nearest place, and from the axis there; the tool's lower end is level as
         // far as its disc goes.
@@ -305,6 +340,13 @@ NCSIM_DEXEL_INLINE void store(double* to, V v) {
     __builtin_memcpy(to, &v, sizeof v);
 }
 
+NCSIM_DEXEL_INLINE double highest_of(V v) {
+    double highest = v[0];
+    for (std::size_t i = 1; i < kWidth; ++i)
+        highest = highest < v[i] ? v[i] : highest;
+    return highest;
+}
+
 // Rays along `axis` through u[0] … u[count - 1] and v; the results have room for kWidth more.
 template <Tip tip, Course course>
 void row_of(const Numbers& n, const Side& side, std::size_t axis, const double* u,
@@ -334,41 +376,28 @@ void row_of(const Numbers& n, const Side& side, std::size_t axis, const double* 
     }
 }
 
-// Along z, upwards without an end: the lowest of all so far.
-template <Tip tip, Course course>
-void lower_row_of(const Numbers& n, const double* x, std::size_t begin, std::size_t end, double y,
-                  double number, LowestRow& lowest) {
-    for (std::size_t i = begin; i < end; i += kWidth) {
-        const Ray ray = along_z<tip, course>(n, load(x + i), all(y));
-        const V known = load(lowest.at.data() + i);
-        const auto is_lower = ray.low < known;
-        store(lowest.at.data() + i, is_lower ? ray.low : known);
-        store(lowest.s.data() + i, is_lower ? ray.s_low : load(lowest.s.data() + i));
-        store(lowest.number.data() + i, is_lower ? all(number) : load(lowest.number.data() + i));
-    }
-}
-
-template <Tip tip>
-void lower_row_of(Course course, const LowerTask& t) {
-    switch (course) {
-        case Course::Level:
-            return lower_row_of<tip, Course::Level>(t.numbers, t.x, t.begin, t.end, t.y, t.number,
-                                                    t.lowest);
-        case Course::Plunge:
-            return lower_row_of<tip, Course::Plunge>(t.numbers, t.x, t.begin, t.end, t.y, t.number,
-                                                     t.lowest);
-        case Course::Slope:
-            return lower_row_of<tip, Course::Slope>(t.numbers, t.x, t.begin, t.end, t.y, t.number,
-                                                    t.lowest);
-    }
-}
-
-inline void lower_row_of(Tip tip, Course course, const LowerTask& task) {
-    switch (tip) {
-        case Tip::Flat: return lower_row_of<Tip::Flat>(course, task);
-        case Tip::Ball: return lower_row_of<Tip::Ball>(course, task);
-        case Tip::Round: return lower_row_of<Tip::Round>(course, task);
-        case Tip::Cone: return lower_row_of<Tip::Cone>(course, task);
+inline void join_row(const JoinTask& t) {
+    const PendingRow& known = t.pending;
+    for (std::size_t i = 0; i < t.count; i += kWidth) {
+        const V low = rounded(load(&t.met.low[i])), high = rounded(load(&t.met.high[i]));
+        V known_low = load(known.low + i), known_high = load(known.high + i);
+        const auto is_met = low < high;
+        const auto is_apart =
+            is_met & (known_low < known_high) & ((low > known_high) | (high < known_low));
+        if (std::uint32_t apart = bits_of(is_apart); apart != 0) {
+            for (; apart != 0; apart &= apart - 1)
+                t.take(t.context, i + static_cast<std::size_t>(std::countr_zero(apart)));
+            known_low = load(known.low + i);
+            known_high = load(known.high + i);
+        }
+        const V body = all(t.body);
+        const auto is_lower = is_met & (low < known_low), is_higher = is_met & (high > known_high);
+        store(known.low + i, is_lower ? low : known_low);
+        store(known.s_low + i, is_lower ? load(&t.met.s_low[i]) : load(known.s_low + i));
+        store(known.low_body + i, is_lower ? body : load(known.low_body + i));
+        store(known.high + i, is_higher ? high : known_high);
+        store(known.s_high + i, is_higher ? load(&t.met.s_high[i]) : load(known.s_high + i));
+        store(known.high_body + i, is_higher ? body : load(known.high_body + i));
     }
 }
 
@@ -393,8 +422,8 @@ inline void row_of(Tip tip, Course course, const RowTask& task) {
     }
 }
 
-#undef NCSIM_DEXEL_INLINE
-
 }  // namespace NCSIM_DEXEL_LANES
 }  // namespace
 }  // namespace ncsim::dexel
+
+#include "block_lanes.h"
