@@ -126,6 +126,47 @@ TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
     EXPECT_EQ(faults(-0.2), "");
 }
 
+// Edges of facets are off the cone that is beside them: of two that meet near its apex nobody can
+// say whether the apex is in the face.
+TEST(Check, FindsEdgesBesideTheApexOfACone) {
+    const auto faults = [](Vec3 near_tip) {
+        Part part;
+        const Vec3 up{0, 0, 1};
+        part.vertices = {{-1, 1, std::sqrt(2.0)}, near_tip, {1, 1, std::sqrt(2.0)}};
+        part.edges = {{0, 1, Line{}},
+                      {1, 2, Line{}},
+                      {2, 0, Circle{{0, 0, std::sqrt(2.0)}, up, std::sqrt(2.0)}}};
+        Face face;
+        face.surface = {Cone{{}, up, 1.0}, true};
+        face.frame = {{0, 0, 1}, up, {0, -1, 0}};
+        face.loops = {{{2, false}, {1, false}, {0, false}}};
+        part.faces.push_back(face);
+        double miss = 0.0;
+        return told(faults_of(part, 0, 0.1, miss));
+    };
+    EXPECT_NE(faults({0, -2e-4, 0.013}).find("beside the apex"), std::string::npos);
+    EXPECT_EQ(faults({0, 0, 0}).find("beside the apex"), std::string::npos);
+    EXPECT_EQ(faults({0, 0.5, 0.5}).find("beside the apex"), std::string::npos);
+}
+
+// The wall of a bore without its lower end; and a ring of which one loop is left.
+TEST(Check, FindsFacesWithoutAnOtherEnd) {
+    Part part = solid_named("bored_box").part;
+    const auto wall = std::ranges::find_if(part.faces, [](const Face& face) {
+        return std::holds_alternative<Cylinder>(face.surface.form);
+    });
+    ASSERT_NE(wall, part.faces.end());
+    const auto number = static_cast<std::uint32_t>(wall - part.faces.begin());
+    double miss = 0.0;
+    EXPECT_EQ(told(faults_of(part, number, kTolerance, miss)), "");
+    const Cylinder bore = std::get<Cylinder>(wall->surface.form);
+    wall->loops.pop_back();
+    EXPECT_NE(told(faults_of(part, number, kTolerance, miss)).find("no other end"),
+              std::string::npos);
+    wall->surface.form = Torus{bore.origin, bore.axis, bore.radius - 1.0, 1.0};
+    EXPECT_NE(told(faults_of(part, number, 10.0, miss)).find("no other end"), std::string::npos);
+}
+
 TEST(Check, FindsLoopsThatCross) {
     Part part = solid_named("bored_box").part;
     for (Edge& edge : part.edges) {
@@ -230,6 +271,74 @@ TEST(Apart, TakesOutWhatHasNoWidth) {
     keep_apart(part);
     EXPECT_EQ(told(check(part, 1e-9)), "");
     EXPECT_EQ(part.faces.size(), 6U);
+}
+
+std::string told_of_readers(Part& part) {
+    for (const Solid& solid : part.solids)
+        EXPECT_EQ(solid.outside.size(), part.faces.size());
+    return told(check(part, 1e-4));
+}
+
+// A corner of the lid is in the middle of the opposite edge, but for rounding: the lid is two
+// triangles that meet in it.
+TEST(Apart, PartsFacesWithACornerOnTheirEdge) {
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {5, 1e-8}, {0, 10}});
+    EXPECT_NE(told(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
+    const std::vector<std::uint32_t> was = keep_apart(part);
+    EXPECT_EQ(told_of_readers(part), "");
+    EXPECT_EQ(part.faces.size(), 9U);
+    EXPECT_EQ(was, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 5, 6}));
+    EXPECT_NEAR(volume(part), 250.0, 1e-5);
+}
+
+// Two corners of the lid are one but for rounding, with a hole in one of the parts that it has.
+TEST(Apart, PartsFacesWithTwoCornersInOnePlace) {
+    Part part = post({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5 + 1e-8}});
+    EXPECT_NE(told(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
+    keep_apart(part);
+    EXPECT_EQ(told_of_readers(part), "");
+    EXPECT_EQ(part.faces.size(), 10U);
+    EXPECT_NEAR(volume(part), 250.0, 1e-5);
+}
+
+// The side of the lid goes up, a little back along itself, and on; as far beside itself as
+// simplified polyhedra may be.
+TEST(Apart, TakesOutFoldsThatReadersCannotSee) {
+    for (const double width : {1e-6, 1e-5}) {
+        SCOPED_TRACE(width);
+        Part part =
+            post({{0, 0}, {10, 0}, {10, 10}, {2 * width, 10}, {-6 * width, 8}, {-2 * width, 10}});
+        EXPECT_NE(told(check(part, 1e-4)).find(kCrossOrTouch), std::string::npos);
+        keep_apart(part);
+        EXPECT_EQ(told_of_readers(part), "");
+        EXPECT_NEAR(volume(part), 500.0, 1e-2);
+    }
+}
+
+// A pit in the side of a block is 4e-7 mm wide: readers cannot tell both its corners apart, which
+// the top, the side and the end of the pit have in common.
+TEST(Apart, ClosesPitsTooNarrowForReaders) {
+    cda::Boundary block;
+    block.vertices = {{0, 0, 0},  {10, 0, 0},        {10, 10, 0}, {0, 10, 0},
+                      {0, 0, 5},  {10, 0, 5},        {10, 10, 5}, {0, 10, 5},
+                      {5, 10, 5}, {5 + 4e-7, 10, 5}, {5, 7, 5},   {5, 8, 3}};
+    block.shells = 1;
+    const std::vector<std::vector<std::uint32_t>> corners{
+        {3, 2, 1, 0},       {4, 5, 6, 9, 10, 8, 7}, {0, 1, 5, 4}, {1, 2, 6, 5},
+        {2, 3, 7, 8, 9, 6}, {3, 0, 4, 7},           {9, 8, 11},   {10, 9, 11},
+        {8, 10, 11}};
+    for (const auto& loop : corners) {
+        const Vec3 a = block.vertices[loop[0]], b = block.vertices[loop[1]];
+        const Vec3 c = block.vertices[loop[2]];
+        block.faces.push_back(
+            {cda::normalized(cda::cross(b - a, c - a)), 0.0, cda::kStockOrigin, 0, {loop}});
+    }
+    Part part = faceted(block, std::vector<std::vector<cda::Origin>>(9, {cda::kStockOrigin}));
+    EXPECT_NE(told(check(part, 1e-4)), "");
+    keep_apart(part);
+    EXPECT_EQ(told_of_readers(part), "");
+    EXPECT_EQ(part.faces.size(), 6U);
+    EXPECT_NEAR(volume(part), 500.0, 1e-5);
 }
 
 // Both ends of a short edge have a neighbour in common that no face beside the edge has: as one

@@ -57,6 +57,22 @@ std::map<std::string, Paper> papers() {
     };
 }
 
+// Between an arc and its chord, which miss each other where they end by as much as programs round:
+// what is below all of the ball counted for that gap, and was a hundred times as much.
+TEST(Mass, SicklesWithGapsAreNarrow) {
+    Part part;
+    part.vertices = {{24.12629328924804, 37.604813308075826, 0},
+                     {24.18295916777496, 37.633311551141006, 0}};
+    const Vec3 up{0, 0, 1}, centre{23, 40, 3};
+    part.edges = {{0, 1, Circle{{23, 40, 0}, up, 2.646782171349927}}, {1, 0, Line{}}};
+    Face sickle;
+    sickle.surface.form = Sphere{centre, 4.0};
+    sickle.frame = {centre, cda::normalized(Vec3{-2, -1, 0}), up};
+    sickle.loops = {{{0, true}, {1, true}}};
+    EXPECT_LT(std::abs(measure(part, sickle, centre).area), 1e-4);
+    EXPECT_LT(std::abs(measure(part, sickle, {0, 0, 0}).volume), 1e-3);
+}
+
 TEST(Mass, IsAsInABookOfTables) {
     const auto paper = papers();
     std::size_t known = 0;

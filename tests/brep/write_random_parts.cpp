@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_random_parts <folder> <count> [first]: parts of random programs as STEP, with what
-// ncsim_read_step is to find; says how many have facets. With a file in place of a count: its
-// program.
+// write_random_parts <folder> <count> [first], or <folder> --seeds <seed>...: parts of random
+// programs as STEP, with what ncsim_read_step is to find; says how many have facets.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/setup/job.h"
@@ -19,6 +18,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <numeric>
+#include <string_view>
+#include <vector>
 
 namespace ncsim::brep::test {
 
@@ -57,15 +59,22 @@ int main(int argc, char** argv) {
         const std::filesystem::path folder = argv[1];
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
-        const std::uint64_t count = std::strtoull(argv[2], nullptr, 10);
-        const std::uint64_t first = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 0;
-        std::uint64_t whole = 0;
-        for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const auto number = [&](int i) { return std::strtoull(argv[i], nullptr, 10); };
+        std::vector<std::uint64_t> seeds;
+        if (std::string_view(argv[2]) == "--seeds") {
+            for (int i = 3; i < argc; ++i)
+                seeds.push_back(number(i));
+        } else {
+            seeds.resize(number(2));
+            std::iota(seeds.begin(), seeds.end(), argc > 3 ? number(3) : 0);
+        }
+        std::size_t whole = 0;
+        for (const std::uint64_t seed : seeds) {
             const auto facets = write(folder / fmt::format("{:06}", seed), random_part(seed));
             if (facets == 0) ++whole;
             if (facets != 0) std::cout << seed << ": " << facets << " facets\n";
         }
-        std::cout << whole << " of " << count << " without facets\n";
+        std::cout << whole << " of " << seeds.size() << " without facets\n";
         return EXIT_SUCCESS;
     } catch (const std::exception& e) {
         std::cerr << "write_random_parts: " << e.what() << '\n';

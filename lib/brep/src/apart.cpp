@@ -4,10 +4,13 @@
 #include "ncsim/brep/frames.h"
 
 #include "none.h"
+#include "pinches.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -227,13 +230,17 @@ private:
                     if (k != i && k != next) left.push_back(loops[l][k]);
                 }
                 loops[l] = left;
-                if (left.empty() && loops.size() > 1)
-                    loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
+                drop_if_empty(loops, l);
                 if (there.edge != back.edge) join(f, there, back);
                 return true;
             }
         }
         return false;
+    }
+
+    static void drop_if_empty(std::vector<Loop>& loops, std::size_t l) {
+        if (loops[l].empty() && loops.size() > 1)
+            loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
     }
 
     bool are_spike(const EdgeUse& there, const EdgeUse& back) const {
@@ -256,8 +263,40 @@ private:
             faces_of_[there.edge].push_back(other);
         }
         faces_of_[back.edge].clear();
-        for (const std::uint32_t beside : faces_of_[there.edge])
-            waiting_.push_back(beside);
+        const Numbers& beside = faces_of_[there.edge];
+        waiting_.insert(waiting_.end(), beside.begin(), beside.end());
+        if (beside.size() == 2 && beside[0] == beside[1]) join_over(beside[0], there.edge);
+    }
+
+    // A plane on both sides of the edge: two loops that have it become one, one becomes two.
+    void join_over(std::uint32_t f, std::uint32_t edge) {
+        if (!std::holds_alternative<Plane>(part_.faces[f].surface.form)) return;
+        std::vector<Loop>& loops = part_.faces[f].loops;
+        std::vector<std::array<std::size_t, 2>> uses;
+        for (std::size_t l = 0; l < loops.size(); ++l) {
+            for (std::size_t i = 0; i < loops[l].size(); ++i) {
+                if (loops[l][i].edge == edge) uses.push_back({l, i});
+            }
+        }
+        if (uses.size() != 2) return;
+        const auto [first, second] = std::pair(uses[0], uses[1]);
+        Loop& one = loops[first[0]];
+        std::ranges::rotate(one, one.begin() + static_cast<std::ptrdiff_t>(first[1]));
+        if (first[0] != second[0]) {
+            Loop& other = loops[second[0]];
+            std::ranges::rotate(other, other.begin() + static_cast<std::ptrdiff_t>(second[1]));
+            one.insert(one.end(), other.begin() + 1, other.end());
+            one.erase(one.begin());
+            other.clear();
+            drop_if_empty(loops, second[0]);
+            return;
+        }
+        const auto at = one.begin() + static_cast<std::ptrdiff_t>(second[1] - first[1]);
+        Loop rest(at + 1, one.end());
+        one.erase(at, one.end());
+        one.erase(one.begin());
+        if (!rest.empty()) loops.push_back(std::move(rest));
+        drop_if_empty(loops, first[0]);
     }
 
     Part& part_;
@@ -367,13 +406,17 @@ private:
     std::vector<Numbers> faces_at_;  // of each vertex, ascending
 };
 
-// Faces that have no edges any more.
-void drop_empty(Part& part) {
+// Without faces that have no edges any more; of each that is left which one it was, as `was` has
+// it.
+void drop_empty(Part& part, Numbers& was) {
     std::vector<std::uint32_t> number(part.faces.size());
     std::uint32_t count = 0;
     const auto is_empty = [](const Face& face) { return face.loops.front().empty(); };
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f)
-        number[f] = is_empty(part.faces[f]) ? kNone : count++;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const bool is_gone = is_empty(part.faces[f]);
+        if (!is_gone) was[count] = was[f];
+        number[f] = is_gone ? kNone : count++;
+    }
     const auto renumber = [&](Shell& shell) {
         for (std::uint32_t& f : shell)
             f = number[f];
@@ -385,13 +428,14 @@ void drop_empty(Part& part) {
             renumber(shell);
     }
     std::erase_if(part.faces, is_empty);
+    was.resize(count);
 }
 
-}  // namespace
+void take_out_spikes(Part& part, Numbers& was) {
+    if (Spikes(part).take_out()) drop_empty(part, was);
+}
 
-void keep_apart(Part& part) {
-    if (Spikes(part).take_out()) drop_empty(part);
-    Pinholes(part).close();
+void contract_short_edges(Part& part, Numbers& was) {
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
         const double length = length_of(part, part.edges[e]);
@@ -405,7 +449,7 @@ void keep_apart(Part& part) {
            0) {
     }
     Spikes(part).take_out();
-    drop_empty(part);
+    drop_empty(part, was);
     // One may bring another one's ends nearer.
     constexpr int kPasses = 3;
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -418,6 +462,66 @@ void keep_apart(Part& part) {
             b = b + move;
         }
     }
+}
+
+// Two planes with all their edges in common have nothing between them.
+void empty_flat_pockets(Part& part) {
+    std::vector<Numbers> faces_of(part.edges.size());
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop)
+                faces_of[use.edge].push_back(f);
+        }
+    }
+    const auto is_plain = [](const Face& face) {
+        return face.loops.size() == 1 && std::holds_alternative<Plane>(face.surface.form);
+    };
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        Face& face = part.faces[f];
+        if (!is_plain(face) || face.loops.front().empty()) continue;
+        const Numbers& both = faces_of[face.loops.front().front().edge];
+        if (both.size() != 2 || both[0] == both[1]) continue;
+        Face& other = part.faces[both[0] == f ? both[1] : both[0]];
+        const bool are_one = is_plain(other) &&
+                             other.loops.front().size() == face.loops.front().size() &&
+                             std::ranges::all_of(face.loops.front(), [&](const EdgeUse& use) {
+                                 return std::holds_alternative<Line>(part.edges[use.edge].curve) &&
+                                        faces_of[use.edge] == both;
+                             });
+        if (!are_one) continue;
+        face.loops.front().clear();
+        other.loops.front().clear();
+    }
+}
+
+// Of these faces.
+void part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Numbers& was) {
+    const bool any = join_touching_corners(part, faces, near_mm);
+    for (const std::uint32_t f : part_pinched_faces(part))
+        was.push_back(was[f]);
+    Spikes(part).take_out();
+    drop_empty(part, was);
+    if (!any) return;
+    empty_flat_pockets(part);
+    drop_empty(part, was);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> keep_apart(Part& part) {
+    Numbers was(part.faces.size());
+    std::iota(was.begin(), was.end(), 0U);
+    take_out_spikes(part, was);
+    Pinholes(part).close();
+    contract_short_edges(part, was);
+    Numbers faces(part.faces.size());
+    std::iota(faces.begin(), faces.end(), 0U);
+    part_where_they_touch(part, faces, kLeast, was);
+    // Simplified polyhedra are flat within that.
+    constexpr double kFlat = 1e-4;
+    if (const Numbers crossed = crossed_planes(part); !crossed.empty())
+        part_where_they_touch(part, crossed, kFlat, was);
+    return was;
 }
 
 }  // namespace ncsim::brep

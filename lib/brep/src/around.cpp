@@ -83,4 +83,19 @@ Round round_of(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 ax
     return round;
 }
 
+double turned(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis) {
+    double sum = 0.0;
+    const Vec3 x = across(axis), y = cross(axis, x);
+    std::optional<double> last;
+    for (const Vec3& p : points) {
+        const double angle = trig::angle_of(dot(p - centre, x), dot(p - centre, y));
+        if (last) {
+            const double step = angle - *last;
+            sum += step - 360.0 * std::floor(step / 360.0 + 0.5);
+        }
+        last = angle;
+    }
+    return sum;
+}
+
 }  // namespace ncsim::brep

@@ -23,4 +23,8 @@ struct Round {
 /// Angles count from `x`, which is at right angles to `axis`.
 Round round_of(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis, Vec3 x);
 
+/// The angle by which points go round an axis one after the other, degrees, signed: less than half
+/// a turn from each to the next.
+double turned(const std::vector<Vec3>& points, Vec3 centre, Vec3 axis);
+
 }  // namespace ncsim::brep

@@ -41,6 +41,9 @@ struct Vertex {
     Vec3 start{};                ///< Where it is in the polyhedron.
 };
 
+/// Corners nearer than this are one, mm.
+inline constexpr double kPoint = 1e-7;
+
 /// In errors of theirs: how far edges of facets may be off the faces beside them.
 inline constexpr double kBesideFacets = 1.6;
 

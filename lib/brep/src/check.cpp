@@ -9,7 +9,9 @@
 #include "ncsim/brep/measure.h"
 #include "ncsim/trig/angles.h"
 
+#include "around.h"
 #include "axes.h"
+#include "nearly.h"
 
 #include <algorithm>
 #include <array>
@@ -306,6 +308,52 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
     return std::nullopt;
 }
 
+// Does the chord come so near to the apex of a cone, off the cone by more than programs round, that
+// nobody can tell on which side of it the edge goes?
+bool passes_beside_apex(const Form& form, Vec3 from, Vec3 to) {
+    const auto* cone = std::get_if<Cone>(&form);
+    if (!cone) return false;
+    constexpr double kBeside = 4.0;
+    const Vec3 chord = to - from;
+    const double length = dot(chord, chord);
+    const double t = length > 0.0 ? dot(cone->apex - from, chord) / length : 0.0;
+    const Vec3 nearest = from + std::clamp(t, 0.0, 1.0) * chord;
+    const double off = std::abs(distance(form, nearest));
+    return off > kTouchMm && norm(nearest - cone->apex) < kBeside * off;
+}
+
+// How often the loops of a face go round, all of them together, about an axis through `origin` that
+// they do not meet.
+double rounds(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
+    constexpr double kTurn = 360.0;
+    double degrees = 0.0;
+    for (std::vector<Vec3> points : loops) {
+        points.push_back(points.front());
+        degrees += turned(points, origin, axis);
+    }
+    return degrees / kTurn;
+}
+
+// On what closes in itself loops that go round come in pairs: what is between is the face. A tube
+// is seen as if its circles were all in one plane.
+bool is_without_end(const Part& part, const Face& face) {
+    constexpr double kHalf = 0.5;
+    if (const auto* cylinder = std::get_if<Cylinder>(&face.surface.form))
+        return std::abs(rounds(points_along(part, face), cylinder->origin, cylinder->axis)) > kHalf;
+    const auto* ring = std::get_if<Torus>(&face.surface.form);
+    if (!ring) return false;
+    auto loops = points_along(part, face);
+    if (std::abs(rounds(loops, ring->centre, ring->axis)) > kHalf) return true;
+    const Axes axes(ring->centre, face.frame);
+    for (auto& points : loops) {
+        for (Vec3& p : points) {
+            const Local at = axes(p);
+            p = {at.away - ring->major, at.z, 0.0};
+        }
+    }
+    return std::abs(rounds(loops, {}, {0.0, 0.0, 1.0})) > kHalf;
+}
+
 double twice_area(const std::vector<Segment>& loop) {
     double sum = 0.0;
     for (const Segment& s : loop)
@@ -359,6 +407,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                     cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
                     tell("an edge is beyond the apex");
                 }
+                if (passes_beside_apex(face.surface.form, last, p))
+                    tell("an edge passes beside the apex");
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
                     segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,
@@ -377,6 +427,7 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
     if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
+    if (is_without_end(part, face)) tell("it goes round and has no other end");
     if (const auto edges = any_interfere(map, std::move(all), clear_mm))
         faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});
     return faults;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where the vertices of chains are: on all surfaces around them.
+#include "bends.h"
 #include "chains.h"
 #include "contact.h"
+#include "nearly.h"
+#include "newton.h"
 
 #include <algorithm>
 #include <array>

@@ -44,9 +44,9 @@ public:
     /// nothing and a neighbour within its error. True: labels have changed.
     bool unify();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
-    /// lose the face; and what is off a coil by little is somewhere else on it beside a wall, or
-    /// off a ramp that is less steep than facets are large. Rings, coils and such ramps have no
-    /// facets beside them. True: labels have changed.
+    /// lose the face; and what is off a coil or a dome by little is somewhere else on it beside a
+    /// wall, or off a ramp that is less steep than facets are large. Rings, coils, domes and such
+    /// ramps have no facets beside them. True: labels have changed.
     bool give_up_rings();
     /// What went wrong joins a neighbour, or goes back to facets: the smallest group; with little
     /// patience for good; with none, so do all that are around. True: labels have changed.

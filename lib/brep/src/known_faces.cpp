@@ -3,7 +3,7 @@
 
 #include "ncsim/brep/frames.h"
 
-#include "contact.h"
+#include "nearly.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,9 +5,12 @@
 
 #include "axes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace ncsim::brep {
 
@@ -127,17 +130,40 @@ template <typename B>
 Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
     Measure sum;
     constexpr double kAtTip = 1e-12;
+    double turns = 0.0;
+    // Where edges miss their ends, what is below all of a face that does not go round counts for
+    // the angles of these gaps: it is left out, from where the first edge starts. Not where edges
+    // come near the axis, and may pass half a turn there.
+    constexpr double kClearOfAxis = 0.1, kMostGaps = 0.1;  // of the radius; rad
+    std::optional<Local> start;
+    Below whole;
+    double nearest = std::numeric_limits<double>::infinity();
     for_edges(part, face, [&](const Track& track, double sign) {
+        const Local begin = axes(track.at(0.0));
+        if (!start) start = begin;
+        nearest = std::min(nearest, begin.away);
         integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
             const Local p = axes(at);
             sum.length += weight * norm(derivative);
+            nearest = std::min(nearest, p.away);
             if (p.away <= kAtTip) return;
             const double turned = sign * weight * turn(p, axes.turned(derivative));
             const Below b = below(p);
+            turns += turned;
             sum.area -= turned * b.area;
             sum.volume -= turned * b.volume / 3.0;
+            const double scale = start->away / p.away;
+            const Below level = below({scale * p.x, scale * p.y, start->z, start->away});
+            whole.area -= turned * level.area;
+            whole.volume -= turned * level.volume / 3.0;
         });
     });
+    // Cones have none, and begin at their apex.
+    const double radius = radius_of(face.surface.form);
+    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps) {
+        sum.area -= whole.area;
+        sum.volume -= whole.volume;
+    }
     if (face.surface.is_hollow) sum.area = -sum.area;
     return sum;
 }

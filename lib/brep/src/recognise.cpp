@@ -17,10 +17,10 @@
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "chains.h"
-#include "contact.h"
 #include "facet_mesh.h"
 #include "groups.h"
 #include "known_faces.h"
+#include "nearly.h"
 #include "nesting.h"
 #include "readable.h"
 
@@ -74,8 +74,7 @@ public:
             if (groups_.relabel(failures_, patience)) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
             const std::vector<bool> is_as_it_was = unmoved(part);
-            keep_apart(part);
-            find_unsound_facets(part, is_as_it_was);
+            find_unsound_facets(part, keep_apart(part), is_as_it_was);
             if (failures_.empty()) return part;
             if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
         }
@@ -95,11 +94,15 @@ private:
             if (chain.has_vanished) same.unite(chain.from, chain.to);
         }
         auto all = chains_.loops();
-        close_slits(all, same);
+        std::vector<Joint> joints;
+        for (const Chain& chain : chains_.all())
+            joints.push_back({chain.left, chain.right, chain.from, chain.to});
+        close_slits(all, joints, same);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
-        for (const Chain& chain : chains_.all())
-            part.edges.push_back({same.find(chain.from), same.find(chain.to), chain.curve});
+        for (std::size_t c = 0; c < joints.size(); ++c)
+            part.edges.push_back(
+                {same.find(joints[c].from), same.find(joints[c].to), chains_.all()[c].curve});
         const auto is_sound = [&](std::uint32_t g) {
             return std::ranges::none_of(all[g], [&](const Loop& loop) {
                 return std::ranges::any_of(
@@ -170,16 +173,21 @@ private:
         return part;
     }
 
+    // A chain as the part has it: what closes slits changes it.
+    struct Joint {
+        std::uint32_t left, right;  // groups
+        std::uint32_t from, to;     // vertices
+    };
+
     // Where a strip of a face has no width, its loop goes along a line and back: two walls that
-    // touch the same third one in one line. What is beside the line on both sides meets in it.
-    void close_slits(std::vector<std::vector<Loop>>& all, cda::DisjointSets& same) const {
-        std::vector<std::array<std::uint32_t, 2>> beside;  // of each chain: left and right of it
-        for (const Chain& chain : chains_.all())
-            beside.push_back({chain.left, chain.right});
+    // touch the same third one in one line. What is beside the line on both sides meets in it. One
+    // of both ways may be longer, and goes on beside the face.
+    void close_slits(std::vector<std::vector<Loop>>& all, std::vector<Joint>& joints,
+                     cda::DisjointSets& same) const {
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (groups_.is_facet(g)) continue;
-            for (Loop& loop : all[g]) {
-                while (close_slit(g, loop, all, beside, same)) {
+            for (std::size_t l = 0; l < all[g].size(); ++l) {
+                while (close_slit(g, l, all, joints, same)) {
                 }
             }
         }
@@ -187,73 +195,117 @@ private:
             std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
     }
 
-    bool close_slit(std::uint32_t g, Loop& loop, std::vector<std::vector<Loop>>& all,
-                    std::vector<std::array<std::uint32_t, 2>>& beside,
-                    cda::DisjointSets& same) const {
-        const auto ends_of = [&](const EdgeUse& use) {
-            const Chain& chain = chains_.all()[use.edge];
-            return use.is_forward ? std::pair(chain.from, chain.to)
-                                  : std::pair(chain.to, chain.from);
+    bool close_slit(std::uint32_t g, std::size_t l, std::vector<std::vector<Loop>>& all,
+                    std::vector<Joint>& joints, cda::DisjointSets& same) const {
+        const auto begin_of = [&](const EdgeUse& use) -> std::uint32_t& {
+            return use.is_forward ? joints[use.edge].from : joints[use.edge].to;
+        };
+        const auto end_of = [&](const EdgeUse& use) -> std::uint32_t& {
+            return use.is_forward ? joints[use.edge].to : joints[use.edge].from;
+        };
+        const auto beyond = [&](const EdgeUse& use) -> std::uint32_t& {
+            return use.is_forward ? joints[use.edge].right : joints[use.edge].left;
         };
         const auto is_straight = [&](const EdgeUse& use) {
             const Chain& chain = chains_.all()[use.edge];
             return !chain.has_failed && std::holds_alternative<Line>(chain.curve);
         };
-        for (std::size_t i = 0; i < loop.size() && loop.size() > 1; ++i) {
-            const std::size_t next = (i + 1) % loop.size();
-            const EdgeUse there = loop[i], back = loop[next];
+        const auto at = [&](std::uint32_t vertex) { return chains_.vertices()[vertex].at; };
+        const std::size_t size = all[g][l].size();
+        for (std::size_t i = 0; i < size && size > 1; ++i) {
+            const std::size_t next = (i + 1) % size;
+            const EdgeUse there = all[g][l][i], back = all[g][l][next];
             if (there.edge == back.edge || !is_straight(there) || !is_straight(back)) continue;
-            const auto [start, far] = ends_of(there);
-            const auto [far_too, end] = ends_of(back);
-            if (same.find(far) != same.find(far_too) ||
-                cda::norm(chains_.vertices()[start].at - chains_.vertices()[end].at) > kSlit)
-                continue;
-            const std::uint32_t one = beside[there.edge][there.is_forward ? 1 : 0];
-            const std::uint32_t two = beside[back.edge][back.is_forward ? 1 : 0];
+            const std::uint32_t start = begin_of(there), far = end_of(there), end = end_of(back);
+            if (same.find(far) != same.find(begin_of(back))) continue;
+            const std::uint32_t one = beyond(there), two = beyond(back);
             if (one == g || two == g || groups_.is_facet(one) || groups_.is_facet(two)) continue;
-            same.unite(start, end);
-            if (one == two) {
-                take_out(all[one], there.edge, back.edge);
-            } else {
-                beside[there.edge][there.is_forward ? 0 : 1] = two;
-                for (Loop& other : all[two]) {
-                    for (EdgeUse& use : other) {
-                        if (use.edge == back.edge) use = there;
+            const bool is_whole = cda::norm(at(start) - at(end)) <= kSlit;
+            const bool is_longer = !is_whole && lies_between(at(end), at(start), at(far));
+            const bool is_shorter = !is_whole && lies_between(at(start), at(far), at(end));
+            if (!is_whole && !is_longer && !is_shorter) continue;
+            // What is left of the longer one stays in the loop; the other one, which is the slit,
+            // is between what is beyond both.
+            const EdgeUse slit = is_longer ? back : there, longer = is_longer ? there : back;
+            if (is_whole) same.unite(start, end);
+            if (!is_whole && !divide(all[is_longer ? one : two], longer, slit, is_longer)) continue;
+            if (is_longer) end_of(there) = end;
+            if (is_shorter) begin_of(back) = start;
+            if (is_whole) {
+                if (one == two) {
+                    take_out(all[one], there.edge, back.edge);
+                } else {
+                    beyond({there.edge, !there.is_forward}) = two;
+                    for (Loop& other : all[two]) {
+                        for (EdgeUse& use : other) {
+                            if (use.edge == back.edge) use = there;
+                        }
                     }
                 }
+            } else if (one == two) {
+                take_out(all[one], slit.edge, slit.edge);
+            } else {
+                beyond({slit.edge, !slit.is_forward}) = is_longer ? one : two;
             }
             Loop left;
-            for (std::size_t k = 0; k < loop.size(); ++k) {
-                if (k != i && k != next) left.push_back(loop[k]);
+            for (std::size_t k = 0; k < size; ++k) {
+                const EdgeUse& use = all[g][l][k];
+                const bool stays = !is_whole && use.edge == longer.edge;
+                if ((k != i && k != next) || stays) left.push_back(use);
             }
-            loop = std::move(left);
+            all[g][l] = std::move(left);
             return true;
         }
         return false;
     }
 
-    // Of the loops of a face two edges that have become one, with the face on both sides.
+    static bool lies_between(Vec3 p, Vec3 from, Vec3 to) {
+        const Vec3 along = to - from;
+        const double t = dot(p - from, along) / dot(along, along);
+        return t > 0.0 && t < 1.0 && cda::norm(p - from - t * along) <= kSlit;
+    }
+
+    // Of the face beyond the longer one: it runs along that, and along the slit, one after the
+    // other.
+    static bool divide(std::vector<Loop>& loops, const EdgeUse& longer, const EdgeUse& slit,
+                       bool is_there) {
+        for (Loop& loop : loops) {
+            const auto at = std::ranges::find(loop, longer.edge, &EdgeUse::edge);
+            if (at == loop.end()) continue;
+            // Against the longer one, so along the slit.
+            loop.insert(is_there ? at : at + 1, slit);
+            return true;
+        }
+        return false;
+    }
+
+    // Of the loops of a face two edges that have become one, or one that it has twice: with the
+    // face on both sides.
     static void take_out(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
-        const auto with = [&](std::uint32_t edge) {
-            return std::ranges::find_if(loops, [&](const Loop& loop) {
-                return std::ranges::find(loop, edge, &EdgeUse::edge) != loop.end();
-            });
+        std::vector<std::pair<std::size_t, std::size_t>> uses;
+        for (std::size_t l = 0; l < loops.size(); ++l) {
+            for (std::size_t i = 0; i < loops[l].size(); ++i) {
+                if (loops[l][i].edge == one || loops[l][i].edge == two) uses.emplace_back(l, i);
+            }
+        }
+        if (uses.size() != 2) return;
+        const auto place = [](Loop& loop, std::size_t i) {
+            return loop.begin() + static_cast<std::ptrdiff_t>(i);
         };
-        const auto first = with(one), second = with(two);
-        if (first == loops.end() || second == loops.end()) return;
-        std::ranges::rotate(*first, std::ranges::find(*first, one, &EdgeUse::edge));
-        const auto at = std::ranges::find(*second, two, &EdgeUse::edge);
-        if (first == second) {
-            const Loop rest(at + 1, first->end());
-            first->erase(at, first->end());
-            first->erase(first->begin());
-            loops.push_back(rest);
+        Loop &first = loops[uses[0].first], &second = loops[uses[1].first];
+        std::ranges::rotate(first, place(first, uses[0].second));
+        if (&first == &second) {
+            const auto at = place(first, uses[1].second - uses[0].second);
+            Loop rest(at + 1, first.end());
+            first.erase(at, first.end());
+            first.erase(first.begin());
+            loops.push_back(std::move(rest));
             return;
         }
-        std::ranges::rotate(*second, at);
-        first->erase(first->begin());
-        first->insert(first->end(), second->begin() + 1, second->end());
-        second->clear();
+        std::ranges::rotate(second, place(second, uses[1].second));
+        first.erase(first.begin());
+        first.insert(first.end(), second.begin() + 1, second.end());
+        second.clear();
     }
 
     // Of it and the facets beside it; zero if there are none.
@@ -293,14 +345,15 @@ private:
         return result;
     }
 
-    // Facets among facets, at last.
-    void find_unsound_facets(const Part& part, const std::vector<bool>& is_as_it_was) {
+    // Facets among facets, at last. `was` has the number that each had.
+    void find_unsound_facets(const Part& part, const std::vector<std::uint32_t>& was,
+                             const std::vector<bool>& is_as_it_was) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            if (is_as_it_was[f]) continue;
+            if (is_as_it_was[was[f]]) continue;
             constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
             if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
-                failures_.push_back({{group_of_face_[f]}});
+                failures_.push_back({{group_of_face_[was[f]]}});
         }
     }
 

@@ -5,7 +5,7 @@
 // parameter: where steps are short, so must it be slow.
 #include "spline.h"
 
-#include "contact.h"
+#include "newton.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curves in which surfaces meet, where these have a name.
+#include "bends.h"
+#include "contact.h"
+#include "nearly.h"
+#include "plane_cut.h"
+
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+struct Axis {
+    Vec3 origin, direction;
+};
+
+std::optional<Axis> axis_of(const Form& form) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return Axis{f->origin, f->axis};
+    if (const auto* f = std::get_if<Cone>(&form)) return Axis{f->apex, f->axis};
+    if (const auto* f = std::get_if<Torus>(&form)) return Axis{f->centre, f->axis};
+    return std::nullopt;
+}
+
+// About which both turn into themselves.
+std::optional<Axis> common_axis(const Form& a, const Form& b) {
+    const auto first = axis_of(a), second = axis_of(b);
+    const auto* plane = std::get_if<Plane>(&b);
+    const auto* sphere = std::get_if<Sphere>(&b);
+    if (first && second) {
+        if (is_parallel(first->direction, second->direction) &&
+            near(norm(away(first->origin, first->direction, second->origin)), 0.0))
+            return first;
+        return std::nullopt;
+    }
+    if (second) return common_axis(b, a);
+    if (first && plane) return is_parallel(first->direction, plane->normal) ? first : std::nullopt;
+    if (first && sphere) {
+        const Vec3 apart = away(first->origin, first->direction, sphere->centre);
+        return near(norm(apart), 0.0) ? first : std::nullopt;
+    }
+    if (const auto* other = std::get_if<Sphere>(&a)) {
+        if (plane) return Axis{other->centre, plane->normal};
+        if (sphere && norm(sphere->centre - other->centre) > kApart)
+            return Axis{other->centre, normalized(sphere->centre - other->centre)};
+        return std::nullopt;
+    }
+    return sphere ? common_axis(b, a) : std::nullopt;
+}
+
+Curve circle_about(Vec3 origin, Vec3 direction, Vec3 p) {
+    const Vec3 centre = origin + dot(p - origin, direction) * direction;
+    return Circle{centre, direction, norm(p - centre)};
+}
+
+// The circle of a ring in a plane through its axis.
+Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
+    const Vec3 out = away(torus.centre, torus.axis, p);
+    const Vec3 in_plane = normalized(out - dot(out, normal) * normal);
+    return Circle{torus.centre + torus.major * in_plane, normal, torus.minor};
+}
+
+Curve ellipse(const Plane& plane, const Extrusion& extrusion) {
+    const PlaneCut cut(extrusion, {plane.normal, dot(plane.normal, plane.origin)});
+    const auto [centre, x, y] = *cut.exact(0);
+    return Ellipse{centre, plane.normal, normalized(x), norm(x), norm(y)};
+}
+
+Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
+    const double lean = dot(plane.normal, cylinder.axis);
+    const double height = dot(plane.normal, cylinder.origin - plane.origin) / lean;
+    const Vec3 minor = normalized(cross(plane.normal, cylinder.axis));
+    return Ellipse{cylinder.origin - height * cylinder.axis, plane.normal,
+                   cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
+}
+
+// Of a dome and another form, through `p` and `q`.
+std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q) {
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        const bool is_level = is_parallel(plane->normal, dome.axis);
+        if (touch(other, dome)) {
+            const Vec3 centre = dome.centre - distance(other, dome.centre) * plane->normal;
+            return Circle{centre, plane->normal, is_level ? dome.radius : dome.reach};
+        }
+        if (!is_level) return std::nullopt;
+        return Circle{centre_at_height(dome, plane->origin), dome.axis, dome.radius};
+    }
+    const auto centre = common_circle(dome, other, p);
+    const auto is_level = [&](Vec3 at) { return near(dot(at - *centre, dome.axis), 0.0); };
+    if (!centre || !is_level(p) || !is_level(q)) return std::nullopt;
+    return Circle{*centre, dome.axis, dome.radius};
+}
+
+// The same of a coil. Where the tool stands ahead of what it left a turn before, their curve ends
+// on a common circle, but passes lower, where the circle was behind.
+std::optional<Curve> meet(const Coil& coil, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
+    const auto is_level = [&](Vec3 a, Vec3 b) { return near(dot(a - b, coil.axis), 0.0); };
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        if (!is_parallel(plane->normal, coil.axis)) return std::nullopt;
+        return Circle{place_at_height(coil, plane->origin).centre, coil.axis, coil.radius};
+    }
+    const auto centre = common_circle(coil, other, p);
+    if (!centre || !is_level(p, *centre) || !is_level(q, *centre)) return std::nullopt;
+    if (!is_of_circle(coil, *centre, near_to)) return std::nullopt;
+    return Circle{*centre, coil.axis, coil.radius};
+}
+
+// Along `axis`?
+bool is_upright(const Form& form, Vec3 axis) {
+    if (const auto* plane = std::get_if<Plane>(&form)) return is_across(plane->normal, axis);
+    if (const auto* cylinder = std::get_if<Cylinder>(&form))
+        return is_parallel(cylinder->axis, axis);
+    const auto* spiral = std::get_if<Spiral>(&form);
+    return spiral && is_parallel(spiral->axis, axis);
+}
+
+// Of a spiral and another form: upright lines, or none that has a name.
+std::optional<Curve> meet(const Spiral& spiral, const Form& other) {
+    if (is_upright(other, spiral.axis)) return Line{};
+    return std::nullopt;
+}
+
+bool is_ruled(const Form& form) {
+    return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
+           std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
+}
+
+}  // namespace
+
+std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
+    if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
+    if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
+    if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
+    if (const auto* spiral = std::get_if<Spiral>(&a)) return meet(*spiral, b);
+    if (const auto* spiral = std::get_if<Spiral>(&b)) return meet(*spiral, a);
+    if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);
+    if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q);
+    const bool is_first_plane = std::holds_alternative<Plane>(a);
+    const bool is_second_plane = std::holds_alternative<Plane>(b);
+    if (is_first_plane && is_second_plane) return Line{};
+    if (const auto touching = touch(a, b)) {
+        if (is_ruled(a) && is_ruled(b)) return Line{};
+        for (const Form* form : {&a, &b}) {
+            if (const auto* pipe = std::get_if<Cylinder>(form))
+                return circle_about(pipe->origin, pipe->axis, p);
+        }
+        for (const Form* form : {&a, &b}) {
+            const auto* plane = std::get_if<Plane>(&*touching);
+            if (const auto* ring = std::get_if<Torus>(form); ring && plane)
+                return meridian(*ring, plane->normal, p);
+        }
+        return std::nullopt;
+    }
+    const auto* first = std::get_if<Cylinder>(&a);
+    const auto* second = std::get_if<Cylinder>(&b);
+    if (first && second) {
+        if (is_parallel(first->axis, second->axis)) return Line{};
+        const auto planes = mitres(*first, *second);
+        if (!planes) return std::nullopt;
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [one, other] = *planes;
+        if (!is_on(one) && !is_on(other)) return std::nullopt;
+        // Both ellipses pass through the points where the pipes touch.
+        const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
+        return ellipse(is_first ? one : other, *first);
+    }
+    if (const auto planes = bends(a, b)) {
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [level, other] = *planes;
+        if (!is_on(level) && !is_on(other)) return std::nullopt;
+        const bool is_level = is_on(level) && (!is_on(other) || is_nearer(level, other, near_to));
+        const auto* moved = std::get_if<Extrusion>(&a);
+        if (!moved) moved = std::get_if<Extrusion>(&b);
+        if (is_level) return Circle{level.origin, level.normal, moved->radius};
+        return ellipse(other, *moved);
+    }
+    if (!is_first_plane && !is_second_plane) return std::nullopt;
+    const auto& plane = std::get<Plane>(is_first_plane ? a : b);
+    const Form& other = is_first_plane ? b : a;
+    if (const auto* f = std::get_if<Cylinder>(&other)) {
+        if (std::abs(dot(plane.normal, f->axis)) <= kNearlyParallel) return Line{};
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Extrusion>(&other)) {
+        if (is_across(plane.normal, f->along)) return Line{};
+        if (is_parallel(plane.normal, f->axis)) {
+            const double height = dot(plane.normal, plane.origin - f->centre);
+            const Vec3 centre = f->centre + (height / dot(plane.normal, f->along)) * f->along;
+            return Circle{centre, f->axis, f->radius};
+        }
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Torus>(&other)) {
+        if (is_across(plane.normal, f->axis) && std::abs(distance(plane, f->centre)) < 1e-7)
+            return meridian(*f, plane.normal, p);
+    }
+    if (std::holds_alternative<Cone>(other)) {
+        // Rulings pass through the apex.
+        constexpr double kOn = 1e-9;
+        const Vec3 middle = 0.5 * (p + q);
+        if (norm(q - p) > kTouchMm && std::abs(distance(plane, std::get<Cone>(other).apex)) < kOn &&
+            std::abs(distance(other, middle)) < kOn)
+            return Line{};
+    }
+    return std::nullopt;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where facets are larger than what is between corners, the polyhedron has these in another order,
+// or one for two: chains that go between other faces than in the polyhedron.
+#include "ncsim/trig/angles.h"
+
+#include "around.h"
+#include "bends.h"
+#include "chains.h"
+#include "contact.h"
+#include "nearly.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+}  // namespace
+
+// Where a boundary goes on from its corner, of the surfaces beside it; unit.
+Vec3 Chains::direction_of(std::uint32_t h) const {
+    constexpr double kSteep = 1e-3;
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from), way = mesh_.point(mesh_.to(h)) - p;
+    const Vec3 along = cross(outward(groups_.surface_of(groups_.group_at(h)), p),
+                             outward(groups_.surface_of(groups_.group_beyond(h)), p));
+    if (norm(along) < kSteep) return cda::normalized(way);
+    return cda::normalized(dot(along, way) < 0.0 ? -along : along);
+}
+
+// The boundaries that meet in a vertex, clockwise, as they go out from it.
+std::vector<Chains::Spoke> Chains::spokes_at(const Vertex& v) const {
+    std::vector<Spoke> spokes;
+    if (v.edge == kNone) return spokes;
+    std::uint32_t h = v.edge;
+    do {
+        if (groups_.is_boundary(h)) {
+            const std::uint32_t chain = chain_of_[h];
+            spokes.push_back({chain, chains_[chain].edges.front() == h, groups_.group_at(h),
+                              groups_.group_beyond(h), direction_of(h)});
+        }
+        h = mesh_.edges()[mesh_.edges()[h].twin].next;
+    } while (h != v.edge);
+    return spokes;
+}
+
+// Where more than three faces have a corner in common that their surfaces have not, two boundaries
+// go on from one corner and the others from another one, and between both is an edge. Which ones is
+// told by the faces beside that edge: their loops turn as much as they did in the one corner.
+bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
+    const Vertex before = vertices_[number];
+    constexpr std::size_t kFewest = 4, kMost = 7;
+    constexpr double kShortest = 1e-5;  // mm; less than readers can tell
+    const std::size_t count = spokes.size();
+    // Near the tip of a cone, corners are elsewhere too easily.
+    const bool may_not = std::ranges::any_of(before.groups, [&](std::uint32_t g) {
+        return groups_.is_facet(g) || std::holds_alternative<Cone>(groups_.form_of(g));
+    });
+    if (count < kFewest || count > kMost || before.groups.size() != count || may_not) return false;
+    const auto at = [&](std::size_t i) -> const Spoke& { return spokes[i % count]; };
+    struct Choice {
+        double length;
+        std::size_t first;
+        Vertex near, far;
+    };
+    const std::optional<Vec3> bend = bend_at(before);
+    std::optional<Choice> best;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Spoke &a = at(i), &b = at(i + 1), &c = at(i + 2), &d = at(i + count - 1);
+        Choice choice{0.0, i, before, before};
+        choice.near.at = choice.far.at = before.start;
+        choice.near.groups = {b.right, a.right, a.left};
+        std::sort(choice.near.groups.begin(), choice.near.groups.end());
+        std::erase(choice.far.groups, a.right);
+        if (!solve_vertex(choice.near) || !solve_vertex(choice.far)) continue;
+        const Vec3 way = choice.far.at - choice.near.at;
+        choice.length = norm(way);
+        if (choice.length <= kShortest || (best && best->length <= choice.length)) continue;
+        // The one or the other is the corner of a bend, or is going to have it.
+        const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kPoint; };
+        if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
+            continue;
+        const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
+            constexpr double kRounding = 1.0;  // degrees
+            const Vec3 n = outward(groups_.surface_of(g), before.at);
+            const auto turn = [&](Vec3 u, Vec3 v) {
+                return trig::angle_of(dot(u, v), dot(n, cross(u, v)));
+            };
+            return std::abs(turn(in, between) + turn(between, on) - turn(in, on)) < kRounding;
+        };
+        if (goes_on(b.right, -b.direction, way, c.direction) &&
+            goes_on(a.left, -d.direction, -way, a.direction))
+            best = choice;
+    }
+    if (!best) return false;
+    const auto other = static_cast<std::uint32_t>(vertices_.size());
+    std::vector<Spoke> rest;
+    for (std::size_t i = best->first + 2; i < best->first + count; ++i) {
+        Chain& chain = chains_[at(i).chain];
+        (at(i).is_start ? chain.from : chain.to) = other;
+        rest.push_back(at(i));
+    }
+    const std::uint32_t left = at(best->first + 1).right, right = at(best->first).left;
+    // From the other corner it is on the other side.
+    rest.push_back({static_cast<std::uint32_t>(chains_.size()), false, right, left,
+                    cda::normalized(best->near.at - best->far.at)});
+    make(number, other, left, right);
+    vertices_[number] = std::move(best->near);
+    vertices_.push_back(std::move(best->far));
+    if (is_bend_elsewhere(vertices_[other])) split(other, rest);
+    return true;
+}
+
+// Nearer than a facet is wide.
+bool Chains::is_bend_elsewhere(const Vertex& v) const {
+    const auto corner = bend_at(v);
+    const double off = corner ? norm(*corner - v.at) : 0.0;
+    return off > kPoint && off < 0.25 * reach(v.groups);
+}
+
+void Chains::make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right) {
+    Chain made;
+    made.left = left;
+    made.right = right;
+    made.from = from;
+    made.to = to;
+    made.is_flipped = made.is_made = true;
+    chains_.push_back(std::move(made));
+}
+
+// Where the edge of two ramps has a corner that is nearer to its end than facets are wide.
+void Chains::bend(std::uint32_t number) {
+    const Chain& chain = chains_[number];
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_made || from.has_failed || to.has_failed) return;
+    const auto corner =
+        corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right), from.at, to.at);
+    if (!corner) return;
+    Vertex between{*corner, {chain.left, chain.right}};
+    std::sort(between.groups.begin(), between.groups.end());
+    const auto added = static_cast<std::uint32_t>(vertices_.size());
+    // The piece of the circle is the short one.
+    const bool is_at_start = norm(*corner - from.at) < norm(*corner - to.at);
+    if (is_at_start) {
+        make(chain.from, added, chain.left, chain.right);
+        chains_[number].from = added;
+    } else {
+        make(added, chain.to, chain.left, chain.right);
+        chains_[number].to = added;
+    }
+    vertices_.push_back(std::move(between));
+    chains_.back().beside = number;
+    chains_.back().is_before = is_at_start;
+}
+
+// Beside the circle in which two ramps meet may be the wall that the tool left where it stood.
+// Where facets of that are large, its edge ends where that of the ramps does. Then the circle, from
+// there to the corner of the bend, is an edge of the wall and of one of the ramps, and the edge of
+// the other one and the wall starts in the corner.
+void Chains::pass_to_wall(std::uint32_t number) {
+    Chain& bent = chains_[number];
+    if (bent.is_closed || !std::holds_alternative<Extrusion>(groups_.form_of(bent.left)) ||
+        !std::holds_alternative<Extrusion>(groups_.form_of(bent.right)))
+        return;
+    for (const auto& [corner, end] : {std::pair(bent.from, bent.to), {bent.to, bent.from}}) {
+        if (vertices_[corner].groups.size() != 2 || vertices_[end].groups.size() < 4) continue;
+        const Vec3 to = vertices_[corner].at, at = vertices_[end].at;
+        const auto curve =
+            meet(groups_.form_of(bent.left), groups_.form_of(bent.right), at, to, 0.5 * (at + to));
+        const auto* circle = curve ? std::get_if<Circle>(&*curve) : nullptr;
+        if (!circle) continue;
+        for (const Spoke& spoke : spokes_at(vertices_[end])) {
+            Chain& along = chains_[spoke.chain];
+            if (spoke.chain == number || along.is_closed ||
+                (along.from == end) == (along.to == end))
+                continue;
+            const bool is_left = along.left == bent.left || along.right == bent.left;
+            const bool is_right = along.left == bent.right || along.right == bent.right;
+            if (is_left == is_right) continue;
+            const std::uint32_t ramp = is_left ? bent.left : bent.right;
+            const std::uint32_t wall = along.left == ramp ? along.right : along.left;
+            std::uint32_t& its_end = along.from == end ? along.from : along.to;
+            const Vec3 beyond = vertices_[along.from == end ? along.to : along.from].at;
+            const auto is_on = [&](Vec3 p) {
+                return std::abs(dot(p - circle->centre, circle->axis)) < kTouchMm &&
+                       std::abs(distance(groups_.form_of(wall), p)) < kTouchMm;
+            };
+            const auto* round = std::get_if<Cylinder>(&groups_.form_of(wall));
+            if (!round || groups_.is_facet(wall) || !is_on(at) || !is_on(to) || !is_on(beyond) ||
+                norm(cross(round->axis, circle->axis)) > kFlat)
+                continue;
+            const double first = turned({at, to}, circle->centre, circle->axis);
+            const double rest = turned({to, beyond}, circle->centre, circle->axis);
+            if (first * rest <= 0.0 || std::abs(first + rest) > 180.0) continue;
+            its_end = corner;
+            (is_left ? bent.left : bent.right) = wall;
+            bent.is_flipped = true;
+            bent.beside = kNone;
+            return;
+        }
+    }
+}
+
+// Where the corners of four faces almost meet, large facets may have them in the wrong order: of
+// the chain between two of the faces, what should be its end comes first. Then it is the other two
+// that meet. With A on the left, B on the right, C behind and D ahead, the chain ran from A, B, C
+// to A, B, D; now it runs from A, C, D to B, C, D, with D on its left.
+bool Chains::flip_reversed() {
+    std::vector<std::array<std::uint32_t, 3>> at(vertices_.size(), {kNone, kNone, kNone});
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        for (const std::uint32_t v : {chains_[c].from, chains_[c].to}) {
+            const auto place = std::ranges::find(at[v], kNone);
+            if (place != at[v].end()) *place = c;
+        }
+    }
+    bool any = false;
+    for (std::uint32_t c = 0; c < chains_.size(); ++c)
+        any = flip(c, at) || any;
+    return any;
+}
+
+bool Chains::flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at) {
+    Chain& chain = chains_[number];
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_flipped || chain.from == chain.to) return false;
+    if (from.groups.size() != 3 || to.groups.size() != 3) return false;
+    if (from.has_failed || to.has_failed) return false;
+    const Vec3 way = to.at - from.at;
+    if (dot(way, way_of(chain)) >= 0.0 || norm(way) <= kPoint) return false;
+    const std::uint32_t a = chain.left, b = chain.right;
+    const auto third = [&](const Vertex& v) {
+        for (const std::uint32_t g : v.groups) {
+            if (g != a && g != b) return g;
+        }
+        return kNone;
+    };
+    const std::uint32_t c = third(from), d = third(to);
+    if (c == kNone || d == kNone || c == d) return false;
+    for (const std::uint32_t g : {a, b, c, d}) {
+        if (groups_.is_facet(g)) return false;
+    }
+    if (groups_[c].surface == groups_[d].surface) return false;
+    const auto sorted = [](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+        std::vector<std::uint32_t> three{p, q, r};
+        std::sort(three.begin(), three.end());
+        return three;
+    };
+    Vertex first{from.at, sorted(a, c, d), 0.0}, second{to.at, sorted(b, c, d), 0.0};
+    if (!solve_vertex(first) || !solve_vertex(second)) return false;
+    // Of the four chains around, one at each end changes it.
+    const auto other = [&](std::uint32_t v, std::uint32_t g, std::uint32_t h) {
+        for (const std::uint32_t e : at[v]) {
+            if (e == number || e == kNone) continue;
+            const Chain& beside = chains_[e];
+            if ((beside.left == g && beside.right == h) || (beside.left == h && beside.right == g))
+                return e;
+        }
+        return kNone;
+    };
+    const std::uint32_t up = other(chain.to, a, d), down = other(chain.from, b, c);
+    if (up == kNone || down == kNone || other(chain.to, b, d) == kNone ||
+        other(chain.from, a, c) == kNone || up == down)
+        return false;
+    const auto is_loop = [&](std::uint32_t e) { return chains_[e].from == chains_[e].to; };
+    if (is_loop(up) || is_loop(down)) return false;
+    std::ranges::replace(at[chain.to], up, kNone);
+    std::ranges::replace(at[chain.from], down, up);
+    *std::ranges::find(at[chain.to], kNone) = down;
+    for (const auto& [e, old, now] :
+         {std::tuple(up, chain.to, chain.from), std::tuple(down, chain.from, chain.to)}) {
+        Chain& beside = chains_[e];
+        (beside.from == old ? beside.from : beside.to) = now;
+    }
+    from = std::move(first);
+    to = std::move(second);
+    chain.left = d;
+    chain.right = c;
+    chain.is_flipped = true;
+    return true;
+}
+
+// Where a chain goes in the polyhedron.
+Vec3 Chains::way_of(const Chain& chain) const {
+    return mesh_.point(mesh_.to(chain.edges.back())) -
+           mesh_.point(mesh_.edges()[chain.edges.front()].from);
+}
+
+}  // namespace ncsim::brep

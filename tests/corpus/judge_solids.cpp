@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--only TEXT]: what the
+// solids for CAD come to, of a program, or of every program of a folder that leaves one. A line
+// each: whether all its feed moves are lines along Z, level lines and level arcs ("simple"); faces
+// and bytes of the STEP of facets and of that of true surfaces; facets that were kept; and what
+// ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with N seconds
+// of processor time (60) and 4 GB, the judge with twice as many; as a draft, within 0.005 mm, tools
+// within 0.05 mm. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
+#include "ncsim/brep/apart.h"
+#include "ncsim/brep/measure.h"
+#include "ncsim/export/simplify.h"
+#include "ncsim/export/step.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/setup/input.h"
+#include "ncsim/setup/job.h"
+#include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
+
+#include "entries.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace ncsim;
+
+enum class Outcome : std::uint8_t { Solid, Nothing, TooSlow, Failed };
+
+struct Made {
+    Outcome outcome = Outcome::Failed;
+    bool is_simple = true;
+    std::uint64_t facet_faces = 0, facet_bytes = 0;  ///< Of the solid of facets alone.
+    std::uint64_t faces = 0, bytes = 0;
+    std::uint64_t facets_kept = 0;
+    std::array<char, 200> why{};
+
+    void say(const std::string& text) {
+        const std::size_t length = std::min(text.size(), why.size() - 1);
+        std::copy_n(text.begin(), length, why.begin());
+        why[length] = '\0';
+        std::ranges::replace(why, '\n', ' ');
+    }
+};
+
+bool is_turned(const gcode::Position& p) {
+    return p.a != gcode::Angle{} || p.b != gcode::Angle{} || p.c != gcode::Angle{};
+}
+
+// Along Z, or level, with rotary axes at 0?
+bool is_simple(const gcode::Motion& motion) {
+    if (motion.kind != gcode::MoveKind::Feed) return true;
+    const gcode::Position *from = gcode::start_of(motion), *to = gcode::end_of(motion);
+    if (from && to && (is_turned(*from) || is_turned(*to))) return false;
+    if (const auto* line = std::get_if<gcode::Linear>(&motion.what)) {
+        const bool is_upright = line->from.x == line->to.x && line->from.y == line->to.y;
+        return is_upright || line->from.z == line->to.z;
+    }
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what))
+        return arc->plane == gcode::Plane::XY && !arc->tilted && arc->from.z == arc->to.z;
+    return !std::holds_alternative<gcode::Spline>(motion.what);
+}
+
+std::string step_of(const brep::Part& part, const exporter::Provenance& provenance) {
+    std::ostringstream out;
+    exporter::write_step_solid(out, part, provenance);
+    return out.str();
+}
+
+// Writes the solid to `step`, and what the judge is to find beside it.
+Made make(const std::string& path, const std::filesystem::path& step) {
+    setup::InputSet inputs;
+    setup::JobOptions options;
+    options.program = path;
+    simulation::Plan plan;
+    plan.job = setup::read_job(options, inputs);
+    plan.threads = 1;
+    plan.draft = true;
+    plan.tolerance = 0.005;
+    plan.tool_tolerance = 0.05;
+    plan.keep_boundary = true;
+    const simulation::Survey survey = simulation::survey(plan);
+    Made made;
+    made.outcome = Outcome::Nothing;
+    if (!survey.is_ready() || survey.is_flat()) {
+        made.say(survey.is_flat() ? "it never tells Z" : simulation::reason_against(survey));
+        return made;
+    }
+    simulation::coarsen(plan, survey, true, true);
+    gcode::InterpreterOptions silent = plan.job.interpreter;
+    silent.observe_frame = nullptr;
+    gcode::interpret(plan.job.program, silent, [&](const gcode::Motion& motion) {
+        made.is_simple = made.is_simple && is_simple(motion);
+    });
+    simulation::Verification nothing;
+    nothing.keep_cuts = true;
+    const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
+    if (milled.boundary->faces.empty()) {
+        made.say("nothing is left");
+        return made;
+    }
+    const exporter::Simplified flat =
+        exporter::simplify(*milled.boundary, exporter::kStepTolerance);
+    brep::Part facets = brep::faceted(flat.boundary, flat.origins);
+    brep::keep_apart(facets);
+    made.facet_faces = facets.faces.size();
+    made.facet_bytes = step_of(facets, milled.provenance).size();
+    constexpr int kMostRefinements = 2;
+    const simulation::Solid solid =
+        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kMostRefinements);
+    const brep::Part& part = solid.recognised.part;
+    const std::string text = step_of(part, solid.provenance);
+    made.faces = part.faces.size();
+    made.facets_kept = solid.recognised.facets_kept;
+    made.bytes = text.size();
+    std::ofstream(step, std::ios::binary) << text;
+    std::size_t shells = 0;
+    for (const brep::Solid& one : part.solids)
+        shells += 1 + one.voids.size();
+    constexpr double kIntegrals = 1e-6;
+    std::ofstream(std::filesystem::path(step).replace_extension(".expect"))
+        << "solids -" << shells << "\nvolume " << std::to_string(brep::volume(part)) << "\nmoved "
+        << kIntegrals + std::max(part.miss_mm, part.facet_miss_mm) << '\n';
+    made.outcome = Outcome::Solid;
+    return made;
+}
+
+void limit(int what, rlim_t most) {
+    const rlimit limits{most, most};
+    ::setrlimit(what, &limits);
+}
+
+void limit_all(unsigned seconds) {
+    limit(RLIMIT_CPU, seconds);
+    limit(RLIMIT_AS, rlim_t{4'000'000'000});
+    limit(RLIMIT_CORE, 0);
+}
+
+// The limit of processor time is the hard one, too: either signal.
+bool took_too_long(int status) {
+    return WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+}
+
+// In a process of its own.
+Made make_apart(const std::string& path, const std::filesystem::path& step, unsigned seconds) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    std::fflush(stdout);
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child == 0) {
+        ::close(ends[0]);
+        limit_all(seconds);
+        Made made;
+        try {
+            made = make(path, step);
+        } catch (const std::exception& e) {
+            made = {};
+            made.say(e.what());
+        }
+        const auto written = ::write(ends[1], &made, sizeof made);
+        ::_exit(written == static_cast<ssize_t>(sizeof made) ? 0 : 1);
+    }
+    ::close(ends[1]);
+    Made made;
+    const bool is_there = ::read(ends[0], &made, sizeof made) == static_cast<ssize_t>(sizeof made);
+    ::close(ends[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (!is_there) {
+        made = {};
+        if (took_too_long(status)) made.outcome = Outcome::TooSlow;
+        made.say(took_too_long(status) ? "too slow" : "it came down");
+    }
+    return made;
+}
+
+// What it says against the file: nothing, if it is valid.
+std::string judged(const std::string& judge, const std::filesystem::path& step, unsigned seconds,
+                   bool& has_judged) {
+    const std::filesystem::path said = std::filesystem::path(step).replace_extension(".said");
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child == 0) {
+        limit_all(2 * seconds);
+        const int to = ::open(said.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+        ::dup2(to, STDERR_FILENO);
+        const int nowhere = ::open("/dev/null", O_WRONLY);
+        ::dup2(nowhere, STDOUT_FILENO);
+        ::execl(judge.c_str(), judge.c_str(), step.c_str(), nullptr);
+        ::_exit(127);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    has_judged = !took_too_long(status);
+    if (!has_judged || (WIFEXITED(status) && WEXITSTATUS(status) == 0)) return {};
+    std::string text = corpus::read_file(said);
+    std::erase(text, '\n');
+    for (auto at = text.find(step.string()); at != std::string::npos; at = text.find(step.string()))
+        text.erase(at, step.string().size());
+    return text.empty() ? "the judge came down" : text;
+}
+
+// Of a kind of programs.
+struct Sum {
+    int solids = 0, whole = 0;
+    void add(const Made& made) {
+        ++solids;
+        if (made.facets_kept == 0) ++whole;
+    }
+    void print(const char* name) const {
+        if (solids == 0) return;
+        std::printf("%s: %d of %d without facets, %.1f %%\n", name, whole, solids,
+                    100.0 * whole / solids);
+    }
+};
+
+template <typename Of>
+std::uint64_t median_of(const std::vector<Made>& all, const Of& of) {
+    std::vector<std::uint64_t> values;
+    for (const Made& made : all)
+        values.push_back(of(made));
+    std::ranges::nth_element(values,
+                             values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+struct Options {
+    std::filesystem::path path;
+    std::string judge, only;
+    std::uintmax_t largest = ~std::uintmax_t{0};
+    unsigned seconds = 60;
+};
+
+// Of each a line, then the sums. Is nothing wrong?
+bool judge_all(const Options& o, const std::filesystem::path& folder) {
+    const std::filesystem::path step = folder / "part.step";
+    std::vector<Made> all;
+    Sum of_all, of_simple;
+    int valid = 0, invalid = 0, not_judged = 0, failed = 0, slow = 0;
+    std::printf("%-10s %-7s %9s %9s %9s %9s %9s  program\n", "judged", "moves", "faces", "bytes",
+                "of facets", "bytes", "kept");
+    for (const corpus::Entry& entry : corpus::entries_of(o.path)) {
+        std::error_code error;
+        const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
+        if (error || size > o.largest || entry.name.find(o.only) == std::string::npos) continue;
+        const Made made = make_apart(entry.path.string(), step, o.seconds);
+        if (made.outcome == Outcome::Nothing) continue;
+        if (made.outcome != Outcome::Solid) {
+            ++(made.outcome == Outcome::TooSlow ? slow : failed);
+            std::printf("%-10s %s: %s\n", made.outcome == Outcome::TooSlow ? "too slow" : "FAILED",
+                        entry.name.c_str(), made.why.data());
+            continue;
+        }
+        all.push_back(made);
+        of_all.add(made);
+        if (made.is_simple) of_simple.add(made);
+        std::string fault;
+        const char* verdict = "-";
+        if (!o.judge.empty()) {
+            bool has_judged = false;
+            fault = judged(o.judge, step, o.seconds, has_judged);
+            verdict = !has_judged ? "not judged" : fault.empty() ? "valid" : "INVALID";
+            ++(!has_judged ? not_judged : fault.empty() ? valid : invalid);
+        }
+        std::printf("%-10s %-7s %9llu %9llu %9llu %9llu %9llu  %s%s%s\n", verdict,
+                    made.is_simple ? "simple" : "other",
+                    static_cast<unsigned long long>(made.faces),
+                    static_cast<unsigned long long>(made.bytes),
+                    static_cast<unsigned long long>(made.facet_faces),
+                    static_cast<unsigned long long>(made.facet_bytes),
+                    static_cast<unsigned long long>(made.facets_kept), entry.name.c_str(),
+                    fault.empty() ? "" : ": ", fault.c_str());
+        std::fflush(stdout);
+    }
+    std::printf("\n");
+    of_all.print("all");
+    of_simple.print("simple");
+    if (!all.empty()) {
+        const auto median = [&](auto of) {
+            return static_cast<unsigned long long>(median_of(all, of));
+        };
+        std::printf("medians: %llu faces of facets, %llu faces; %llu bytes, %llu bytes\n",
+                    median([](const Made& m) { return m.facet_faces; }),
+                    median([](const Made& m) { return m.faces; }),
+                    median([](const Made& m) { return m.facet_bytes; }),
+                    median([](const Made& m) { return m.bytes; }));
+    }
+    std::printf("%d valid, %d invalid, %d not judged; %d too slow, %d failed\n", valid, invalid,
+                not_judged, slow, failed);
+    return invalid == 0 && failed == 0 && !all.empty();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options o;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        const bool has_value = i + 1 < argc;
+        if (word == "--judge" && has_value) {
+            o.judge = argv[++i];
+        } else if (word == "--largest" && has_value) {
+            o.largest = std::strtoull(argv[++i], nullptr, 10);
+        } else if (word == "--seconds" && has_value) {
+            o.seconds = static_cast<unsigned>(std::strtoul(argv[++i], nullptr, 10));
+        } else if (word == "--only" && has_value) {
+            o.only = argv[++i];
+        } else if (o.path.empty() && !word.starts_with('-')) {
+            o.path = word;
+        } else {
+            o.path.clear();
+            break;
+        }
+    }
+    if (o.path.empty() || o.seconds == 0) {
+        std::fprintf(stderr,
+                     "usage: judge_solids PATH [--judge READ_STEP] [--largest BYTES] "
+                     "[--seconds N] [--only TEXT]\n");
+        return 2;
+    }
+    std::string folder = (std::filesystem::temp_directory_path() / "judge_solids.XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr) {
+        std::fprintf(stderr, "judge_solids: no folder for files\n");
+        return 2;
+    }
+    int code = 2;
+    try {
+        code = judge_all(o, folder) ? 0 : 1;
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "judge_solids: %s\n", e.what());
+    }
+    std::error_code nothing;
+    std::filesystem::remove_all(folder, nothing);
+    return code;
+}
