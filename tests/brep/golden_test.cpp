@@ -508,6 +508,20 @@ TEST(Recognise, WhatFailsInOnePlaceStaysThere) {
     }
 }
 
+// They had 3 to 218 facets: where pipes of a ball bend, an edge that goes on from one of their two
+// ellipses to the other had no corner; corners that the polyhedron has in the wrong order were
+// looked for far away; edges of a tenth of a micrometre were none; what had no width took the walls
+// beside it along.
+TEST(Recognise, FinishingByABallLeavesNoFacets) {
+    for (const std::uint64_t seed :
+         {3U, 5U, 7U, 11U, 15U, 19U, 20U, 33U, 43U, 48U, 49U, 52U, 58U}) {
+        const Made made = test::make_part(
+            setup::job_of({"part.nc", test::random_part(test::kRasters + seed)}), 0.05);
+        EXPECT_EQ(made.solid.facets_kept, 0U) << seed;
+        EXPECT_EQ(made.solid.shells_kept, 0U) << seed;
+    }
+}
+
 TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
     const Golden golden = goldens()[4];
     EXPECT_EQ(make(golden, 0.05, 1).step, make(golden, 0.05, 3).step);

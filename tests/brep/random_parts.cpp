@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace ncsim::brep::test {
@@ -100,10 +101,53 @@ private:
     bool is_ramp_ = false;  // straight moves go up and down
 };
 
+// A ball goes back and forth over a surface of waves, as finishing does.
+class Raster {
+public:
+    explicit Raster(std::uint64_t seed) : random_(seed) {}
+
+    std::string write() {
+        const double diameter = 2.0 * pick(1, 4), along = diameter * tenths(1, 5);
+        const double across = diameter * tenths(1, 5);
+        const int moves = pick(4, 9), rows = pick(3, 7);
+        amplitude_ = diameter * tenths(1, 4);
+        length_ = diameter * tenths(20, 60);
+        phase_x_ = tenths(0, 63), phase_y_ = tenths(0, 63);
+        // From edge to edge of the stock, a little beyond, or on an island.
+        const double margin = pick(0, 2) == 0 ? -0.1 * diameter : pick(0, 1) == 0 ? diameter : 0.0;
+        const double x = moves * along, y = rows * across;
+        std::string text = fmt::format(
+            "(T1 D={} CR={} - ball end mill)\n"
+            "(STOCK/BLOCK,{:.3f},{:.3f},30.,{:.3f},{:.3f},30.)\nG21 G90 G17\nT1 M6 S5000 M3\n",
+            diameter, 0.5 * diameter, x + 2.0 * margin, y + 2.0 * margin, margin, margin);
+        text += fmt::format("G0 X0 Y0 Z10\nG1 Z{:.3f} F600\n", height(0.0, 0.0));
+        for (int row = 0; row <= rows; ++row) {
+            for (int i = 0; i <= moves; ++i) {
+                const double at = along * (row % 2 == 0 ? i : moves - i), to = across * row;
+                text += fmt::format("X{:.3f} Y{:.3f} Z{:.3f}\n", at, to, height(at, to));
+            }
+        }
+        return text + "G0 Z10\nM30\n";
+    }
+
+private:
+    int pick(int low, int high) {
+        return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
+    }
+    double tenths(int low, int high) { return 0.1 * pick(low, high); }
+    double height(double x, double y) const {
+        return -1.5 * amplitude_ +
+               amplitude_ * std::sin(x / length_ + phase_x_) * std::cos(y / length_ + phase_y_);
+    }
+
+    std::mt19937_64 random_;
+    double amplitude_ = 0.0, length_ = 1.0, phase_x_ = 0.0, phase_y_ = 0.0;
+};
+
 }  // namespace
 
 std::string random_part(std::uint64_t seed) {
-    return Writer(seed).write();
+    return seed >= kRasters ? Raster(seed).write() : Writer(seed).write();
 }
 
 }  // namespace ncsim::brep::test

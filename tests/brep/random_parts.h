@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Programs at random of what most programs are made of: level lines, flat arcs and holes, by end
-// mills, balls, bull noses, V-cutters and drills; and some of helices by end mills.
+// mills, balls, bull noses, V-cutters and drills; some of helices by end mills; and some that
+// finish waves with a ball.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,8 @@ namespace ncsim::brep::test {
 
 /// Seeds from here on are of programs with end mills alone, half of whose arcs go down.
 inline constexpr std::uint64_t kWithHelices = 1'000'000;
+/// And from here on of finishing by a ball in rows.
+inline constexpr std::uint64_t kRasters = 2'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.
 std::string random_part(std::uint64_t seed);

@@ -42,6 +42,13 @@ add_test(NAME brep.parts_with_helices_are_read_by_opencascade COMMAND ncsim_read
 set_tests_properties(brep.parts_with_helices_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_helices)
 
+# And of finishing by a ball.
+set(rasters ${CMAKE_CURRENT_BINARY_DIR}/brep/rasters)
+add_test(NAME brep.write_rasters COMMAND ncsim_brep_random ${rasters} 24 2000000)
+set_tests_properties(brep.write_rasters PROPERTIES FIXTURES_SETUP brep_rasters)
+add_test(NAME brep.rasters_are_read_by_opencascade COMMAND ncsim_read_step ${rasters})
+set_tests_properties(brep.rasters_are_read_by_opencascade PROPERTIES FIXTURES_REQUIRED brep_rasters)
+
 # And those in which OpenCASCADE once found a fault that the first ones do not have:
 # 60438 a ramp leaves the block in a flat ellipse, of which nothing was drawn, 70744 a wall in a spline;
 # 60794, 60158 facets with a corner on an edge of theirs; 40087 with a fold narrower than readers see;

@@ -112,6 +112,15 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
 }
 
+TEST(Run, TheWavesOfTheSampleAreWhole) {
+    Folder folder;
+    const Ran ran = folder.run({"run", std::string(NCSIM_SOURCE_DIR) + "/samples/wave.nc", "--step",
+                                "a.step", "--step-surfaces", "analytic", "--step-strict"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "885 cylinders")) << ran.out;
+    EXPECT_FALSE(contains(ran.out, "from a cut with")) << ran.out;
+}
+
 TEST(Run, ASolidOfTooManyFacesIsRefused) {
     Folder folder;
     folder.write("slot.nc", kSlot);

@@ -188,16 +188,22 @@ std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p) {
 }
 
 std::optional<Vec3> corner_of_bend(const Form& a, const Form& b, Vec3 p, Vec3 q) {
-    const auto planes = bends(a, b);
+    const auto* first = std::get_if<Cylinder>(&a);
+    const auto* second = std::get_if<Cylinder>(&b);
+    const auto planes = first && second ? mitres(*first, *second) : bends(a, b);
     if (!planes) return std::nullopt;
-    const auto& [level, other] = *planes;
+    const auto& [one, other] = *planes;
     const auto is_on = [](const Plane& plane, Vec3 at) {
         return std::abs(distance(plane, at)) < kTouchMm;
     };
-    if (is_on(level, p) == is_on(level, q) || is_on(other, p) == is_on(other, q) ||
-        is_on(level, p) == is_on(other, p))
+    if (is_on(one, p) == is_on(one, q) || is_on(other, p) == is_on(other, q) ||
+        is_on(one, p) == is_on(other, p))
         return std::nullopt;
-    return corner_of_bend(a, b, is_on(level, p) ? p : q);
+    if (!first || !second) return corner_of_bend(a, b, is_on(one, p) ? p : q);
+    // On the common normal of both axes.
+    const Vec3 side = first->radius * normalized(cross(first->axis, second->axis));
+    const Vec3 up = one.origin + side, down = one.origin - side;
+    return norm(p - up) + norm(q - up) < norm(p - down) + norm(q - down) ? up : down;
 }
 
 std::optional<Form> ellipse_of_bend(const Form& a, const Form& b, Vec3 p) {

@@ -28,11 +28,26 @@ using cda::norm;
 constexpr double kRounded = 2e-7;
 constexpr int kTip = -1;  // no number of edges
 
+// Where two forms touch in a circle, corners may be on both within what programs round, but off the
+// circle by far more: as near as that are the forms to each other there. The curve goes from the
+// one corner to the other beside the circle.
+std::optional<Spline> beside_circle(const Form& a, const Form& b, Vec3 from, Vec3 to,
+                                    std::vector<Vec3> points) {
+    const auto touching = touch(a, b);
+    if (!touching) return std::nullopt;
+    points.front() = from;
+    points.back() = to;
+    auto spline = spline_between(a, *touching, points);
+    if (!spline) spline = spline_between(a, *touching, {from, to});
+    return spline;
+}
+
 }  // namespace
 
 void Chains::trace() {
     chains_.clear();
     vertices_.clear();
+    mitred_mm_ = 0.0;
     vertex_of_.assign(mesh_.corners(), kNone);
     std::vector<int> degree(mesh_.corners(), 0);
     std::vector<std::uint32_t> boundary;
@@ -234,7 +249,12 @@ void Chains::solve_chain(Chain& chain) {
     if (!is_loop) {
         const Track track(*curve, from.at, to.at);
         // Of the two circles in which a plane meets a ring, each end may be on one.
-        if (norm(track.at(1.0) - to.at) > kTouchMm) return fail(chain);
+        if (norm(track.at(1.0) - to.at) > kTouchMm) {
+            auto spline = beside_circle(a, b, from.at, to.at, points);
+            if (!spline) return fail(chain);
+            chain.curve = std::move(*spline);
+            return;
+        }
         const double sweep = track.sweep_degrees();
         // All but a whole turn: it goes back by the rest.
         if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&

@@ -62,6 +62,9 @@ public:
     const std::vector<Vertex>& vertices() const { return vertices_; }
     /// For each group the loops around it, of uses of chains; those that have vanished left out.
     std::vector<std::vector<Loop>> loops() const;
+    /// By how much the tips of lunes that the facets did not tell are lower than what is in their
+    /// place, at most, mm.
+    double mitred_mm() const { return mitred_mm_; }
 
 private:
     std::uint32_t vertex_at(std::uint32_t v);
@@ -85,6 +88,7 @@ private:
     bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
     bool is_bend_elsewhere(const Vertex& v) const;
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
+    bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
     void bend(std::uint32_t number);
     void pass_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
@@ -115,6 +119,7 @@ private:
     std::vector<std::uint32_t> vertex_of_;  // of each corner of the mesh, or none
     std::vector<Chain> chains_;
     std::vector<std::uint32_t> chain_of_;  // of each half-edge
+    double mitred_mm_ = 0.0;
 };
 
 }  // namespace ncsim::brep

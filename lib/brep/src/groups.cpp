@@ -24,8 +24,6 @@ constexpr double kAnyTurn = 2.0;
 // So many errors is a lune that is one error low off either of the pipes beside it, at most: four
 // times as far from the one as from the plane between both, and corners of hulls lie farther out.
 constexpr double kAcrossLune = 6.0;
-// Farther out than what a ball leaves at a bend may be what is there in its place, mm.
-constexpr double kLune = 5e-3;
 
 // Of what is between two planes, or two cylinders about nearly one axis, that look away from each
 // other: how thick it is at most. Negative where there is nothing.

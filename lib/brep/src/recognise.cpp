@@ -83,7 +83,7 @@ public:
 
     // As the last attempt left it.
     std::size_t given_up() const { return mesh_.given_up(); }
-    double mitred_mm() const { return groups_.mitred_mm(); }
+    double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
     Part build() {
@@ -115,7 +115,7 @@ private:
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (all[g].empty()) {
                 has_gone[g] = true;
-                vanish(g);
+                vanish(g, true);
                 continue;
             }
             if (!is_sound(g)) continue;
@@ -131,7 +131,6 @@ private:
             has_gone[g] = groups_[g].is_analytic &&
                           2.0 * std::abs(found.measure.area) < width * found.measure.length;
             if (has_gone[g]) vanish(g, true);
-            if (is_open(part, face)) vanish(g);
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
             known.push_back(&found);
@@ -143,7 +142,12 @@ private:
                 has_gone[g] || std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
                     return has_gone[beside.first];
                 });
-            if (is_beside_gone || !is_wanted(g)) continue;
+            if (is_beside_gone) continue;
+            if (auto gaps = beside_gaps(part, part.faces[f]); !gaps.empty()) {
+                failures_.push_back({std::move(gaps)});
+                continue;
+            }
+            if (!is_wanted(g)) continue;
             const double error = error_beside(g);
             const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
             // Readers lay edges that are off a curved surface down on it, each in its own way.
@@ -378,19 +382,26 @@ private:
         return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
     }
 
-    static bool is_open(const Part& part, const Face& face) {
+    // Where its loops are open: the groups on both sides of the edges there.
+    std::vector<std::uint32_t> beside_gaps(const Part& part, const Face& face) const {
         const auto begin_of = [&](const EdgeUse& use) {
             return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
         };
         const auto end_of = [&](const EdgeUse& use) {
             return use.is_forward ? part.edges[use.edge].to : part.edges[use.edge].from;
         };
-        return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+        std::vector<std::uint32_t> groups;
+        for (const Loop& loop : face.loops) {
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                if (end_of(loop[i]) != begin_of(loop[(i + 1) % loop.size()])) return true;
+                const EdgeUse &use = loop[i], &next = loop[(i + 1) % loop.size()];
+                if (end_of(use) == begin_of(next)) continue;
+                for (const std::uint32_t edge : {use.edge, next.edge}) {
+                    groups.push_back(chains_.all()[edge].left);
+                    groups.push_back(chains_.all()[edge].right);
+                }
             }
-            return false;
-        });
+        }
+        return groups;
     }
 
     // Between two edges with the same ends. As narrow as what programs round, they are lost where

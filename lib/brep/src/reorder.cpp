@@ -9,6 +9,7 @@
 #include "chains.h"
 #include "contact.h"
 #include "nearly.h"
+#include "newton.h"
 
 #include <algorithm>
 #include <array>
@@ -138,7 +139,29 @@ void Chains::make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std:
     chains_.push_back(std::move(made));
 }
 
-// Where the edge of two ramps has a corner that is nearer to its end than facets are wide.
+// Does a third face cut the chain off before its corner, on the way to `end`? Then it is there that
+// the three meet, in the ellipse of the other end, and not where the other ellipse meets the face.
+bool Chains::ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner) {
+    Vertex& v = vertices_[end];
+    const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    const Vec3 begin = vertices_[other].at;
+    const auto mitre = mitre_of(a, b, begin);
+    if (v.groups.size() != 3 || !mitre) return false;
+    for (const std::uint32_t g : v.groups) {
+        if (g == chain.left || g == chain.right || groups_.is_facet(g)) continue;
+        const Form& third = groups_.form_of(g);
+        if ((distance(third, begin) > 0.0) == (distance(third, corner) > 0.0)) return false;
+        const std::array<const Form*, 4> forms{&a, &b, &third, &*mitre};
+        Vec3 p = v.at;
+        if (brep::solve(forms, p) > kTouchMm || norm(p - v.start) > reach(v.groups)) return false;
+        v.at = p;
+        return true;
+    }
+    return false;
+}
+
+// Where the edge of two ramps has a corner that is nearer to its end than facets are wide; and
+// where that of two pipes passes from the one ellipse in which they meet to the other.
 void Chains::bend(std::uint32_t number) {
     const Chain& chain = chains_[number];
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
@@ -146,11 +169,22 @@ void Chains::bend(std::uint32_t number) {
     const auto corner =
         corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right), from.at, to.at);
     if (!corner) return;
+    if (ends_before(chain, chain.from, chain.to, *corner) ||
+        ends_before(chain, chain.to, chain.from, *corner))
+        return;
+    // The piece of the circle is the short one.
+    const bool is_at_start = norm(*corner - from.at) < norm(*corner - to.at);
+    if (const auto* pipe = std::get_if<Cylinder>(&groups_.form_of(chain.left))) {
+        // Where pipes bend, a ball left the tip of a lune, which is nearer to the middle of the
+        // bend than the ellipse in its place.
+        const Vec3 middle = *corner - away(pipe->origin, pipe->axis, *corner);
+        const double lower = norm((is_at_start ? from.at : to.at) - middle) - pipe->radius;
+        if (lower > std::max(kLune, groups_.error_of(chain.left))) return;
+        mitred_mm_ = std::max(mitred_mm_, lower);
+    }
     Vertex between{*corner, {chain.left, chain.right}};
     std::sort(between.groups.begin(), between.groups.end());
     const auto added = static_cast<std::uint32_t>(vertices_.size());
-    // The piece of the circle is the short one.
-    const bool is_at_start = norm(*corner - from.at) < norm(*corner - to.at);
     if (is_at_start) {
         make(chain.from, added, chain.left, chain.right);
         chains_[number].from = added;
@@ -255,7 +289,10 @@ bool Chains::flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>
         std::sort(three.begin(), three.end());
         return three;
     };
-    Vertex first{from.at, sorted(a, c, d), 0.0}, second{to.at, sorted(b, c, d), 0.0};
+    // From where the polyhedron has them: corners of what does not meet may be far away.
+    Vertex first{from.start, sorted(a, c, d)}, second{to.start, sorted(b, c, d)};
+    first.start = from.start;
+    second.start = to.start;
     if (!solve_vertex(first) || !solve_vertex(second)) return false;
     // Of the four chains around, one at each end changes it.
     const auto other = [&](std::uint32_t v, std::uint32_t g, std::uint32_t h) {

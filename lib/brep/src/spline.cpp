@@ -193,7 +193,8 @@ std::optional<Spline> spline_between(const Form& a, const Form& b,
     Knot at{begin, walk.end_direction(begin, far_from(begin, points.begin(), points.end()))};
     const Knot goal{end, -walk.end_direction(end, far_from(end, points.rbegin(), points.rend()))};
     std::vector<Knot> knots{at};
-    double step = 0.25 * length, passed = 0.0;
+    // What is as short as the least step is tried as a whole.
+    double step = std::max(0.25 * length, 2.0 * kLeastStep), passed = 0.0;
     for (int i = 0; i < kMostSteps && step > kLeastStep && passed < 2.0 * length + 1.0; ++i) {
         const double rest = norm(goal.at - at.at);
         const bool is_near = i > 0 || norm(end - begin) > 0.5 * length;
