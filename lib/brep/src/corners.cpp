@@ -186,7 +186,7 @@ bool Chains::solve_beside_facets(Vertex& v) const {
             most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
         return most;
     };
-    if (forms.size() > 1) {
+    if (forms.size() > 1 || (forms.size() == 1 && off(v.at) > kBesideFacets * error)) {
         std::vector<Form> touching;
         for (std::size_t i = 0; i < forms.size(); ++i) {
             for (std::size_t j = i + 1; j < forms.size(); ++j) {
