@@ -203,7 +203,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
     run->add_option_function<std::string>(
            "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
            "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
-           "[faceted]")
+           "[analytic]")
         ->type_name("WHAT");
     run->add_option("--step-refine", o.step_refine,
                     "Where facets are too large for true surfaces, cut again with round tools four "

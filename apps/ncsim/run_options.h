@@ -49,7 +49,7 @@ struct Options : ProgramOptions, SimulationOptions {
     std::uint32_t width = 1280, height = 960;  ///< Of each view, in pixels.
     /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
     std::optional<double> simplify;
-    StepSurfaces step_surfaces = StepSurfaces::Faceted;
+    StepSurfaces step_surfaces = StepSurfaces::Analytic;
     int step_refine = 2;       ///< So many times finer tools are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
     exporter::StepSchema step_schema = exporter::StepSchema::Ap242;

@@ -23,13 +23,13 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     folder.write("drill.nc",
                  "(T1 D=6. CR=0. TAPER=118deg - drill)\n(STOCK/BLOCK,20.,20.,20.,0.,0.,20.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X10. Y10. Z5.\nG1 Z-10. F100.\nG0 Z5.\nM30\n");
-    const Ran ran = folder.run(
-        {"run", "drill.nc", "--step", "a.step", "--step-surfaces", "analytic", "--step-strict"});
+    const Ran ran = folder.run({"run", "drill.nc", "--step", "a.step", "--step-strict"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "step      8 faces: 6 planes, 1 cylinder, 1 cone; edges within"))
         << ran.out;
     EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 1U);
-    const Ran flat = folder.run({"run", "drill.nc", "-q", "--step", "a.step"});
+    const Ran flat =
+        folder.run({"run", "drill.nc", "-q", "--step", "a.step", "--step-surfaces", "faceted"});
     EXPECT_EQ(flat.exit_code, 0) << flat.err;
     EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 0U);
     EXPECT_GT(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE("), 20U);
@@ -84,8 +84,8 @@ TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     folder.write("ramp.nc",
                  "(T1 D=10. CR=2. - bull nose end mill)\n(STOCK/BLOCK,60.,20.,20.,0.,0.,20.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X15. Y10. Z0.\nG1 X45. Z-6. F100.\nG0 Z5.\nM30\n");
-    const Ran ran = folder.run({"run", "ramp.nc", "--step", "a.step", "--step-surfaces", "analytic",
-                                "--step-strict", "--report", "a.json"});
+    const Ran ran =
+        folder.run({"run", "ramp.nc", "--step", "a.step", "--step-strict", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 2) << ran.err;
     EXPECT_TRUE(contains(ran.out, "facets of round tools")) << ran.out;
     EXPECT_TRUE(contains(ran.out, ": line 6")) << ran.out;
@@ -101,13 +101,12 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
                  "(T1 D=6. CR=3. - ball end mill)\n(STOCK/BLOCK,100.,100.,40.,0.,0.,40.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X0. Y0. Z20.\nG1 X83.333 Y0. Z-4.168 F1500.\n"
                  "X100. Y0. Z-6.265\nX100. Y25. Z-6.265\nG0 Z20.\nM30\n");
-    const Ran finer = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
-                                  "analytic", "--step-strict", "--report", "a.json"});
+    const Ran finer =
+        folder.run({"run", "corner.nc", "--step", "a.step", "--step-strict", "--report", "a.json"});
     EXPECT_EQ(finer.exit_code, 0) << finer.err;
     EXPECT_TRUE(contains(finer.out, "from a cut with round tools within 0.0")) << finer.out;
     EXPECT_TRUE(contains(folder.read("a.json"), "\"refined_to_mm\": 0.0"));
-    const Ran once = folder.run({"run", "corner.nc", "--step", "a.step", "--step-surfaces",
-                                 "analytic", "--step-refine", "0"});
+    const Ran once = folder.run({"run", "corner.nc", "--step", "a.step", "--step-refine", "0"});
     EXPECT_EQ(once.exit_code, 0) << once.err;
     EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
 }
@@ -115,7 +114,7 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
 TEST(Run, TheWavesOfTheSampleAreWhole) {
     Folder folder;
     const Ran ran = folder.run({"run", std::string(NCSIM_SOURCE_DIR) + "/samples/wave.nc", "--step",
-                                "a.step", "--step-surfaces", "analytic", "--step-strict"});
+                                "a.step", "--step-strict"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "885 cylinders")) << ran.out;
     EXPECT_FALSE(contains(ran.out, "from a cut with")) << ran.out;

@@ -205,8 +205,7 @@ TEST(StepInput, DamagedFilesAreReadOrRefused) {
 TEST(StepInput, ADesignNamesItsFacesInFindings) {
     Folder folder;
     folder.write("slot.nc", kSlot);
-    const Ran made =
-        folder.run({"run", "slot.nc", "-q", "--step", "slot.step", "--step-surfaces", "analytic"});
+    const Ran made = folder.run({"run", "slot.nc", "-q", "--step", "slot.step"});
     EXPECT_EQ(made.exit_code, 0) << made.err;
     const Ran same = folder.run({"check", "slot.nc", "--design", "slot.step"});
     EXPECT_TRUE(contains(same.out + same.err, "nothing beyond")) << same.out << same.err;

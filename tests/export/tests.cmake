@@ -147,7 +147,7 @@ if(TARGET ncsim)
     set(solid ${CMAKE_CURRENT_BINARY_DIR}/export/properties_${schema}.step)
     add_test(NAME export.write_step_properties_${schema}
       COMMAND ncsim run ${CMAKE_CURRENT_SOURCE_DIR}/brep/round_trip/plate.nc -q --step ${solid}
-        --step-surfaces analytic --step-schema ${schema} --step-attributes)
+        --step-schema ${schema} --step-attributes)
     set_tests_properties(export.write_step_properties_${schema} PROPERTIES
       FIXTURES_SETUP step_properties_${schema})
     # The bore, a drilled hole, what nobody cut.

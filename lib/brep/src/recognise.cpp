@@ -41,6 +41,10 @@ using cda::dot;
 
 // So often with corners, with edges and with faces.
 constexpr int kPatientRounds = 8, kLastPatience = 16, kMostRounds = 100;
+// Of so many facets a round takes long: there are fewer, and where corners alone have kept failing
+// in the first ones, strips are narrower than facets, and there would be no end to it.
+constexpr std::size_t kManyFacets = 20'000, kTooManyFacets = 200'000;
+constexpr int kMostRoundsOfMany = 40, kMostRoundsWithCorners = 8;
 constexpr double kNoWidth = 1e-3;  // mm
 // Ends of slits that are nearer than that are one, mm.
 constexpr double kSlit = 1e-7;
@@ -53,8 +57,11 @@ public:
 
     // The shell as a part without solids; nothing if it cannot be had.
     std::optional<Part> operator()() {
-        if (mesh_.is_broken()) return std::nullopt;
-        for (int round = 0; round < kMostRounds; ++round) {
+        if (mesh_.is_broken() || mesh_.size() > kTooManyFacets) return std::nullopt;
+        const bool are_many = mesh_.size() > kManyFacets;
+        for (int round = 0; round < (are_many ? kMostRoundsOfMany : kMostRounds); ++round) {
+            if (are_many && round == kMostRoundsWithCorners && spent_[kCorners] == round)
+                return std::nullopt;
             failures_.clear();
             do
                 groups_.gather();

@@ -59,7 +59,8 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         Simulation again = simulate(finer, survey, nothing, {});
         brep::Recognised solid = solid_of(finer, survey, again, tolerance_mm);
         is_coarse = are_facets_too_large(solid, again);
-        if (solid.facets_kept >= best.recognised.facets_kept) continue;
+        // What did not help once hardly ever does.
+        if (solid.facets_kept >= best.recognised.facets_kept) break;
         best = {std::move(solid), std::move(again.provenance), finer.tool_tolerance};
     }
     return best;

@@ -26,9 +26,9 @@ struct Solid {
 };
 
 /// The same. Where more than one in a hundred faces are facets that were too large for what is
-/// beside them, the program is simulated once more with a quarter of the tool tolerance, up to
-/// `most_refinements` times, parts of more than 20,000 facets not at all; what has the fewest
-/// facets counts.
+/// beside them, or any of a part of at most 20,000, the program is simulated once more with a
+/// quarter of the tool tolerance, up to `most_refinements` times, as long as it helps and parts have
+/// no more than 60,000 facets; what has the fewest facets counts.
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
                     double tolerance_mm, int most_refinements);
 
