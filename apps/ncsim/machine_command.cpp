@@ -74,6 +74,11 @@ CLI::App* add_machine(CLI::App& app, MachineOptions& o) {
     machine->add_option("--png", o.png, "Picture of its links")->type_name("FILE");
     machine->add_option("--view", o.view, "iso, top, bottom, front, back, left, right [iso]")
         ->type_name("VIEW");
+    machine
+        ->add_option("--transparent", o.transparent,
+                     "Links whose back is seen in pictures: their names, with commas")
+        ->delimiter(',')
+        ->type_name("LINK,…");
     machine->add_option("--pose", o.pose, "Where the tool is with its axes there, as A30,C45")
         ->type_name("AXES");
     return machine;
@@ -87,7 +92,8 @@ int run(const MachineOptions& options) {
     outputs.reserve(options.png);
     const auto view = exporter::parse_view(options.view);
     if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
-    const setup::MachineFile file = setup::read_machine(options.machine, inputs);
+    setup::MachineFile file = setup::read_machine(options.machine, inputs);
+    make_transparent(file, options.transparent);
     if (const std::string lost = setup::not_in_machine_toml(file);
         !options.save.empty() && !lost.empty()) {
         throw std::runtime_error(fmt::format("--save: {} of '{}' would be lost; it stays as it is",

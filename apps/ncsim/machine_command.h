@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): of CLI11
 class App;
@@ -16,6 +17,7 @@ struct MachineOptions {
     std::string save;     ///< A machine.toml to write; empty: not asked for.
     std::string png;      ///< A picture to write; empty: not asked for.
     std::string view = "iso";
+    std::vector<std::string> transparent;  ///< Links in the picture.
     std::string pose;  ///< "A30,C45": where the tip is then; empty: not asked for.
 };
 

@@ -3,15 +3,32 @@
 
 #include "ncsim/export/render.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
 namespace ncsim::app {
 
+void make_transparent(setup::MachineFile& file, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        const auto link = std::ranges::find(file.bodies, name, &setup::MachineBody::link);
+        if (link == file.bodies.end()) {
+            throw std::runtime_error(
+                fmt::format("--transparent: no link '{}' has a mesh in the machine", name));
+        }
+        link->is_transparent = true;
+    }
+}
+
 // A face for each triangle; those without area are left out.
 exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners) {
     exporter::Body body;
-    body.colour = {link.colour[0], link.colour[1], link.colour[2]};
+    constexpr std::uint8_t kOpaque = 255, kTransparent = 76;  // three tenths
+    body.colour = {link.colour[0], link.colour[1], link.colour[2],
+                   link.is_transparent ? kTransparent : kOpaque};
     body.surface.vertices = std::move(corners);
     body.surface.shells = 1;
     for (const auto& t : link.mesh.triangles) {

@@ -8,9 +8,14 @@
 #include "ncsim/export/render_options.h"
 #include "ncsim/setup/machine_file.h"
 
+#include <string>
 #include <vector>
 
 namespace ncsim::app {
+
+/// What is behind links of these names is seen in pictures. Throws std::runtime_error for a name
+/// that no link with a mesh has.
+void make_transparent(setup::MachineFile& file, const std::vector<std::string>& names);
 
 /// A link of a machine with its corners there.
 exporter::Body machine_body(const setup::MachineBody& link, std::vector<cda::Vec3> corners);

@@ -26,6 +26,7 @@
 
 #include "animation.h"
 #include "console.h"
+#include "machine_picture.h"
 #include "mesh_folder.h"
 #include "moving_machine.h"
 #include "outcome.h"
@@ -190,6 +191,7 @@ int run(Options options) {
     if (machine) not_used = simulation::take_machine(plan, *machine);
     if (options.shows_machine && (!machine || machine->bodies.empty()))
         throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
+    if (machine) make_transparent(*machine, options.transparent);
     const Options& o = options;
     for (const std::string& path : outputs_of(o))
         outputs.reserve(path);

@@ -178,6 +178,11 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "What stands still in pictures of a machine: machine or part [machine]")
         ->type_name("WHAT")
         ->needs("--show-machine");
+    run->add_option("--transparent", o.transparent,
+                    "Links whose back is seen in pictures: their names, with commas")
+        ->delimiter(',')
+        ->type_name("LINK,…")
+        ->needs("--show-machine");
     run->add_option("--machine", o.machine,
                     "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
         ->type_name("FILE");

@@ -89,6 +89,54 @@ TEST(Machine, WithMeshesHasAPictureOfItsPose) {
     EXPECT_EQ(folder.run({"machine", "bare.toml", "--view", "inside"}).exit_code, 2);
 }
 
+// What is behind a link that is transparent is seen, by its share; in files, too.
+TEST(Machine, LinksAreTransparentWhereThatIsAskedFor) {
+    Folder folder;
+    folder.write("table.stl", box_stl({-50, -50, -20}, {50, 50, 0}));
+    folder.write("column.stl", box_stl({-60, -90, -20}, {60, -80, 80}));
+    folder.write(
+        "m.toml",
+        "part = { link = \"table\" }\nspindle = { link = \"z\" }\noffsets = { G54 = [0, 0, "
+        "10] }\n[[link]]\nname = \"table\"\nmesh = \"table.stl\"\ncolour = \"#c08040\"\n"
+        "[[link]]\nname = \"column\"\nmesh = \"column.stl\"\ncolour = \"#4060c0\"\n"
+        "[[link]]\nname = \"x\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"
+        "[[link]]\nname = \"y\"\nparent = \"x\"\naxis = \"Y\"\nmoves_along = [0, 1, 0]\n"
+        "[[link]]\nname = \"z\"\nparent = \"y\"\naxis = \"Z\"\nmoves_along = [0, 0, 1]\n");
+    const auto picture = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"machine", "m.toml", "--png", "p.png", "--view", "front"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Ran ran = folder.run(words);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("p.png");
+    };
+    EXPECT_NE(picture({}), picture({"--transparent", "column"}));
+    EXPECT_EQ(folder.run({"machine", "m.toml", "--png", "p.png", "--transparent", "x"}).exit_code,
+              2);
+    folder.write("a.nc",
+                 "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+                 "(FROM/0.,0.,50.)\nG21 G90 G17 T1 M6\nS5000 M3\nG0 X0 Y0 Z40\nG1 Z-2 F300\nM30\n");
+    const std::vector<std::string> run{"run",   "a.nc",   "--machine", "m.toml", "--show-machine",
+                                       "--png", "r.png",  "--vrml",    "r.wrl",  "--gltf",
+                                       "r.glb", "--view", "front"};
+    const auto files = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = run;
+        words.insert(words.end(), more.begin(), more.end());
+        const Ran ran = folder.run(words);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("r.png") + folder.read("r.wrl") + folder.read("r.glb");
+    };
+    const std::string opaque = files({}), seen_through = files({"--transparent", "column,table"});
+    EXPECT_EQ(opaque.find("transparency"), std::string::npos);
+    EXPECT_EQ(opaque.find("BLEND"), std::string::npos);
+    EXPECT_NE(seen_through.find("transparency 0.7"), std::string::npos);
+    EXPECT_NE(seen_through.find("BLEND"), std::string::npos);
+    std::vector<std::string> unknown = run;
+    unknown.insert(unknown.end(), {"--transparent", "colum"});
+    const Ran ran = folder.run(unknown);
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_NE(ran.err.find("no link 'colum'"), std::string::npos) << ran.err;
+}
+
 const std::string kOneLink =
     "part = { link = \"table\" }\nspindle = { link = \"z\" }\n"
     "[[link]]\nname = \"x\"\naxis = \"X\"\nmoves_along = [1, 0, 0]\n"

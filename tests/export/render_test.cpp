@@ -277,5 +277,37 @@ TEST(Render, BothRenderersDrawTheSameOverlay) {
     EXPECT_LE(result.edge_different, result.edge / 50);
 }
 
+// Three tenths of the body and seven of what is behind it, whatever draws; where it is not, nothing
+// changes.
+TEST(Render, BehindABodyThatIsTransparentThePartIsSeen) {
+    const cda::FlatCda model = test::polytope_part();
+    const cda::Boundary boundary = model.boundary();
+    const RenderOptions options = options_for(boundary, View::Iso, Projection::Perspective);
+    const auto provenance = test::provenance_of_polytope_part();
+    test::BoxPart body;
+    body.stock = {{2, 2, 2}, {20, 20, 20}};
+    const auto with = [&](std::uint8_t alpha) {
+        Overlay overlay;
+        overlay.bodies.push_back({test::boundary_of(body), {200, 40, 90, alpha}});
+        return overlay;
+    };
+    const Image without = render_boundary(boundary, provenance, options);
+    const Image opaque = render_boundary(boundary, provenance, options, with(255));
+    const Image through = render_boundary(boundary, provenance, options, with(76));
+    std::size_t covered = 0;
+    for (std::size_t i = 0; i < through.pixels.size(); ++i) {
+        const Rgba8 &below = without.pixels[i], &above = opaque.pixels[i];
+        const auto mixed = [](int b, int a) { return (76.0 * a + 179.0 * b) / 255.0; };
+        ASSERT_NEAR(through.pixels[i].r, mixed(below.r, above.r), 0.51);
+        ASSERT_NEAR(through.pixels[i].g, mixed(below.g, above.g), 0.51);
+        ASSERT_NEAR(through.pixels[i].b, mixed(below.b, above.b), 0.51);
+        covered += below == above ? 0U : 1U;
+    }
+    EXPECT_GT(covered, 1000U);
+    EXPECT_LT(covered, through.pixels.size() / 2);
+    const Comparison result = compare(render_model(model, provenance, options, with(76)), through);
+    EXPECT_EQ(result.flat_different, 0U);
+}
+
 }  // namespace
 }  // namespace ncsim::exporter

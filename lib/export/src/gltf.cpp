@@ -166,7 +166,8 @@ tinygltf::Material plain_material(const std::string& name, Rgba8 colour) {
     const LinearColour linear = to_linear(colour);
     tinygltf::Material result;
     result.name = name;
-    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, 1.0};
+    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, colour.a / 255.0};
+    if (colour.a < 255) result.alphaMode = "BLEND";
     result.pbrMetallicRoughness.metallicFactor = 0.0;
     result.pbrMetallicRoughness.roughnessFactor = 0.6;
     return result;

@@ -27,6 +27,7 @@ namespace {
 using cda::Vec3;
 
 constexpr std::uint32_t kMaxSamples = 4;
+constexpr unsigned kOpaque = 255;
 // Samples along a side of the largest rectangle drawn at once: with colours, depth and the copy
 // that is read back some 12 bytes a sample, so 200 MB.
 constexpr std::uint32_t kTileSide = 4096;
@@ -217,10 +218,36 @@ private:
     std::vector<SurfaceId> ids_;  // of triangles; the background's: they are not seen
 };
 
-}  // namespace
+// The picture that `draw` makes of an overlay; with bodies that are not opaque, that of the others
+// with the whole one over it, by their share.
+template <typename Draw>
+Image with_transparent(const Overlay& overlay, const Draw& draw) {
+    const auto is_transparent = [](const Body& body) { return body.colour.a < kOpaque; };
+    const auto first = std::ranges::find_if(overlay.bodies, is_transparent);
+    if (first == overlay.bodies.end()) return draw(overlay);
+    const unsigned share = first->colour.a;
+    Overlay opaque = overlay;
+    std::erase_if(opaque.bodies, is_transparent);
+    Image image = draw(opaque);
+    const Image whole = draw(overlay);
+    const auto mix = [share](std::uint8_t& below, std::uint8_t above) {
+        below = static_cast<std::uint8_t>(
+            (share * above + (kOpaque - share) * below + kOpaque / 2) / kOpaque);
+    };
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        Rgba8& below = image.pixels[i];
+        const Rgba8& above = whole.pixels[i];
+        if (below == above) continue;
+        mix(below.r, above.r);
+        mix(below.g, above.g);
+        mix(below.b, above.b);
+        mix(below.a, above.a);
+    }
+    return image;
+}
 
-Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
-                   const RenderOptions& options, const Overlay& overlay) {
+Image draw_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+                 const RenderOptions& options, const Overlay& overlay) {
     check(options);
     const ScreenMap map = screen_map(options);
     const Paint paint(map, provenance, options);
@@ -234,9 +261,9 @@ Image render_model(const cda::WorkpieceModel& model, const Provenance& provenanc
     });
 }
 
-Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
-                      const RenderOptions& options, const Overlay& overlay,
-                      const brep::Shading& shading) {
+Image draw_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+                    const RenderOptions& options, const Overlay& overlay,
+                    const brep::Shading& shading) {
     check(options);
     const ScreenMap map = screen_map(options);
     OverlayArt art(map, overlay, options);
@@ -245,6 +272,23 @@ Image render_boundary(const cda::Boundary& boundary, const Provenance& provenanc
     return render(map, options, table, [&](VisibilityBuffer& buffer) {
         part.draw(buffer);
         art.draw(buffer, table.surfaces);
+    });
+}
+
+}  // namespace
+
+Image render_model(const cda::WorkpieceModel& model, const Provenance& provenance,
+                   const RenderOptions& options, const Overlay& overlay) {
+    return with_transparent(overlay, [&](const Overlay& shown) {
+        return draw_model(model, provenance, options, shown);
+    });
+}
+
+Image render_boundary(const cda::Boundary& boundary, const Provenance& provenance,
+                      const RenderOptions& options, const Overlay& overlay,
+                      const brep::Shading& shading) {
+    return with_transparent(overlay, [&](const Overlay& shown) {
+        return draw_boundary(boundary, provenance, options, shown, shading);
     });
 }
 

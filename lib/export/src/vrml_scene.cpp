@@ -80,7 +80,12 @@ void append_appearance(std::string& text, Rgba8 colour) {
         text += ' ';
         append_number(text, unit_share(channel));
     }
-    text += " specularColor 0.2 0.2 0.2 } }";
+    text += " specularColor 0.2 0.2 0.2";
+    if (colour.a < 255) {
+        text += " transparency ";
+        append_number(text, unit_share(static_cast<std::uint8_t>(255 - colour.a)));
+    }
+    text += " } }";
 }
 
 std::string VrmlScene::name_of(std::size_t number) const {

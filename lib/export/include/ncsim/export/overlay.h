@@ -23,7 +23,8 @@ struct Ghost {
     cda::Box box;  ///< mm, W.
 };
 
-/// A body beside the part, closed, in mm, W.
+/// A body beside the part, closed, in mm, W. Where its colour is not opaque (all of a picture by
+/// the same share), what is behind it is seen: of several such bodies, the nearest one counts.
 struct Body {
     cda::Boundary surface;
     Rgba8 colour;

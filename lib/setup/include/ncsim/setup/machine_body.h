@@ -19,6 +19,7 @@ struct MachineBody {
     std::optional<machine::Joint> joint;  ///< Between both, as it moves this one.
     cda::TriangleMesh mesh;               ///< Closed; machine coordinates with all joints at 0, mm.
     std::array<std::uint8_t, 3> colour{170, 178, 190};  ///< sRGB.
+    bool is_transparent = false;                        ///< In pictures.
     /// What moves it, from the bed on: each joint as it moves the link itself.
     machine::Chain moved_by;
     double clearance_mm = 0.0;   ///< All else is to stay this far away.
