@@ -395,6 +395,31 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
     EXPECT_TRUE(check(checked, 1e-4).empty());
 }
 
+// A bore from the side of a bar: its mouth is a spline that closes in itself. It began with steps
+// of half a micrometre, and OpenCASCADE, which looks for curves on the bar at even steps of their
+// parameter, found it to cross itself.
+TEST(Recognise, SplinesThatCloseHaveStepsAsLongAllAround) {
+    const std::string moves =
+        "T1 M6\nG0 X10 Y12 Z100\nG0 B90\nG0 Z40\nG1 Z15\nG1 Z40\nG0 Z100\nG0 B0\n";
+    const Made made = make({"side_bore", moves, {}, 0.0, true}, 0.05);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    const Part& part = made.solid.part;
+    int closed = 0;
+    for (const Edge& edge : part.edges) {
+        const auto* spline = std::get_if<Spline>(&edge.curve);
+        if (!spline || edge.from != edge.to) continue;
+        ++closed;
+        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        std::vector<double> steps;
+        for (std::size_t i = 0; i + 1 < spline->knots.size(); ++i)
+            steps.push_back(cda::norm(track.at(spline->knots[i + 1] / spline->knots.back()) -
+                                      track.at(spline->knots[i] / spline->knots.back())));
+        const auto [shortest, longest] = std::ranges::minmax(steps);
+        EXPECT_GT(shortest, 0.1 * longest);
+    }
+    EXPECT_EQ(closed, 1);
+}
+
 // Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
 // miss their common corner by almost a micrometre, and cross beside it.
 TEST(Recognise, ArcsEndInTheirCorners) {

@@ -202,8 +202,11 @@ std::optional<Spline> spline_between(const Form& a, const Form& b,
             knots.push_back(goal);
             return through(walk, std::move(knots));
         }
+        // What closes in itself begins at its end: that is ahead from half of the way on.
+        const bool is_ahead = norm(end - begin) > kLeastStep || passed > 0.5 * length;
+        const double most = is_ahead ? std::max(0.6 * rest, 4.0 * kLeastStep) : step;
         Knot next;
-        if (!walk.advance(at, std::min(step, std::max(0.6 * rest, 4.0 * kLeastStep)), next)) {
+        if (!walk.advance(at, std::min(step, most), next)) {
             step *= 0.5;
             continue;
         }
