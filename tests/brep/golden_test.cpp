@@ -420,6 +420,21 @@ TEST(Recognise, SplinesThatCloseHaveStepsAsLongAllAround) {
     EXPECT_EQ(closed, 1);
 }
 
+// Points of two grooves as deep as each other, 16 um apart: the cones meet in a hyperbola as sharp
+// as a needle. What is far from its end lies behind there, and it was followed the wrong way.
+TEST(Recognise, ConesMeetBesideTheirPoints) {
+    const std::string program =
+        "(T1 D=6. CR=0. TAPER=30deg - chamfer mill)\n(STOCK/BLOCK,20.,12.,3.,-135.,-2.,3.)\n"
+        "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X139.4744 Y5.32 Z2\nG1 Z-0.75\nG1 X139.6222 Y5.5551\n"
+        "G1 X139.8108 Y5.7589\nG1 X140.0338 Y5.9245\nG1 X140.2834 Y6.0461\nG0 Z2\n"
+        "G0 X145.3128 Y5.1426\nG1 Z-0.75\nG1 X144.4198 Y5.7108\nG1 X143.4341 Y6.0965\n"
+        "G1 X142.3927 Y6.2853\nG1 X141.3343 Y6.2702\nG1 X140.2987 Y6.0518\nG0 Z2\nM30\n";
+    for (const double tolerance : {0.0125, 0.005}) {
+        const Made made = test::make_part(setup::job_of({"points.nc", program}), tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U) << tolerance;
+    }
+}
+
 // Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
 // miss their common corner by almost a micrometre, and cross beside it.
 TEST(Recognise, ArcsEndInTheirCorners) {
