@@ -170,6 +170,42 @@ TEST(Machine, AQuarterTurnOfTheTableMovesNothing) {
     EXPECT_EQ(in_plane, there);
 }
 
+// The same by G54.2: the zero of the part goes with the table, as the control counts it.
+TEST(Machine, AFixtureOffsetGoesWithTheTable) {
+    Folder folder;
+    const std::string head =
+        "(T1 D=6. CR=1. - bull nose end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\n";
+    const auto bytes = [&](const std::string& control, const std::string& body) {
+        folder.write("m.toml",
+                     "preset = \"xyzac-trt\"\npivot = { A = [40, -7, 10], C = [40, -7, "
+                     "0] }\noffsets = { G54 = [40, -7, 0] }\ncontrol = { " +
+                         control + " }\n");
+        folder.write("a.nc", head + body + "M30\n");
+        const Ran ran = folder.run(with({"run", "a.nc", "--dialect", "fanuc"},
+                                        {"--machine", "m.toml", "--save-stock", "p.ncstock"}));
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("p.ncstock");
+    };
+    const std::string there =
+        bytes("", "G0 X0 Y0 Z50\nG0 X5 Y40\nZ-3\nG1 Y-40 F900\nG2 X25 Y-20 I0 J20\nG0 Z50\n");
+    // The part stands 100 mm to the right of the middle, or behind it, where the table is at C-90:
+    // by +90 it turns the part by the right hand.
+    const std::string by_x = "P3 = { offset = [100, 0, 2], at = {} }";
+    const std::string by_y = "P3 = { offset = [0, -100, 2], at = { C = -90 } }";
+    for (const std::string& told : {by_x, by_y}) {
+        for (const bool moves : {true, false}) {
+            const std::string control = "fixture_offsets = { " + told +
+                                        " }, fixture_offset_moves = " + (moves ? "true" : "false");
+            const std::string turned = bytes(
+                control,
+                "G54.2 P3\nG0 X0 Y0 Z50\nG0 C90\nG0 X-40 Y5\nZ-3\nG1 X40 F900\nG2 X20 Y25 I-20 "
+                "J0\nG0 Z50\nG54.2 P0\nG0 Z80\nG0 C0\n");
+            EXPECT_EQ(turned, there) << control;
+        }
+    }
+}
+
 json verdict(const Folder& folder, const std::vector<std::string>& more) {
     std::vector<std::string> all{"--json", "v.json"};
     all.insert(all.end(), more.begin(), more.end());
@@ -186,6 +222,45 @@ std::vector<std::string> reasons(const json& v) {
 
 bool has(const std::vector<std::string>& ids, const std::string& id) {
     return std::ranges::find(ids, id) != ids.end();
+}
+
+// G54.4 says where the part lies. What it means is the part as it is drawn; a verdict says that the
+// axes are known of a straight part alone.
+TEST(Machine, ASettingErrorIsOfThePartAsItLies) {
+    Folder folder;
+    const std::string head =
+        "(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nG43 "
+        "H1\nS5000 M3\n";
+    const auto machine = [&](const std::string& control) {
+        folder.write("m.toml",
+                     "preset = \"xyzac-trt\"\npivot = { A = [40, -7, 10], C = [40, -7, "
+                     "0] }\noffsets = { G54 = [40, -7, 0] }\ncontrol = { tip_frame = "
+                     "\"table\", " +
+                         control + " }\n");
+    };
+    const auto bytes = [&](const std::string& before, const std::string& after) {
+        folder.write("a.nc", head + before +
+                                 "G43.4 H1\nG0 X0 Y-40 Z50\nZ-3\nG1 Y0 A-20 C30 F900\nX10 Y40 Z-1 "
+                                 "A-40\nG0 Z60\nG49\n" +
+                                 after + "M30\n");
+        const Ran ran = folder.run(with({"run", "a.nc", "--dialect", "fanuc"},
+                                        {"--machine", "m.toml", "--save-stock", "p.ncstock"}));
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return folder.read("p.ncstock");
+    };
+    machine(
+        "setting_errors = { P1 = { offset = [0.3, -0.2, 0.1], at = {} }, P2 = { offset = [0, 0, "
+        "0], at = {}, turns = [0.1, 0, 0.5] } }, setting_error_moves = false, "
+        "setting_error_turns_axes = true");
+    const std::string straight = bytes("", "");
+    EXPECT_EQ(bytes("G54.4 P1\n", "G54.4 P0\n"), straight);
+    const auto is_doubted = [&] {
+        return has(reasons(verdict(folder, {"--machine", "m.toml", "--dialect", "fanuc"})),
+                   "kinematics-guess");
+    };
+    EXPECT_FALSE(is_doubted());
+    EXPECT_EQ(bytes("G54.4 P2\n", "G54.4 P0\n"), straight);
+    EXPECT_TRUE(is_doubted());
 }
 
 TEST(Machine, NothingIsGuessedOfTurningUnderTipControl) {
@@ -298,6 +373,15 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
          "expected M100 to M9999"},
         {"preset = \"4axis-a\"\ncontrol = { m_codes = { M428 = \"plane\" } }\n",
          "expected \"tip\" or \"axes\""},
+        {"preset = \"4axis-a\"\ncontrol = { fixture_offsets = { G1 = {} } }\n", "expected P1 to"},
+        {"preset = \"4axis-a\"\ncontrol = { fixture_offsets = { P1 = { offset = [1, 2, 3] } } }\n",
+         "expected offset = [x, y, z], and at which angles"},
+        {"preset = \"4axis-a\"\ncontrol = { fixture_offsets = { P1 = { at = { X = 3 } } } }\n",
+         "expected A, B or C"},
+        {"preset = \"4axis-a\"\ncontrol = { fixture_offsets = { P1 = { offset = [0, 0, 0], at = "
+         "{}, turns = [0, 0, 1] } } }\n",
+         "m.toml:2:"},
+        {"preset = \"4axis-a\"\ncontrol = { fixture_offset_moves = 1 }\n", "m.toml:2:"},
         {linear + cradle(about), "which link carries the part?"},
         {ends + linear, "there is no link 'cradle'"},
         {ends + linear + cradle(about) + "parent = \"platter\"\n", "there is no link 'platter'"},
@@ -410,7 +494,11 @@ TEST(Machine, IsShownAndSaved) {
         "name = \"cradle\"\npreset = \"xyzac-trt\"\npivot = { A = [0, 20, 10], C = [0, 0, 0] "
         "}\nway = { C = \"shortest\" }\nclamps = { A = [\"M10\", \"M11\"] }\n"
         "control = { m_codes = { M428 = \"tip\" }, tip_frame = \"table\", orient = "
-        "\"positive\" }\n[travel]\nx = [-100, 100]\na = [-100, 50]\n[offsets]\nG54 = [1, 2, "
+        "\"positive\", fixture_offsets = { P1 = { offset = [1, 2, 3.5], at = { C = 90 } }, P2 = { "
+        "offset = [0, 0, 0], at = {} } }, fixture_offset_moves = false, setting_errors = { P1 = { "
+        "offset = [0.1, 0, 0], at = {}, turns = [0, 0.5, 0] } }, setting_error_moves = true, "
+        "setting_error_turns_axes = true }\n[travel]\nx = [-100, 100]\na = [-100, "
+        "50]\n[offsets]\nG54 = [1, 2, "
         "3]\n");
     const Ran ran = folder.run(
         {"machine", "m.toml", "--pose", "X10,Y20,Z30,A-71.841,C-35.93", "--save", "s.toml"});
@@ -419,7 +507,11 @@ TEST(Machine, IsShownAndSaved) {
          {"cradle\n", "C  turns the part about [0, 0, 1] through [0, 0, 0], way shortest",
           "A  turns the part about [1, 0, 0] through [0, 20, 10], -100 to 50 degrees",
           "X  moves along [1, 0, 0], -100 to 100 mm", "M428: X Y Z are the tip",
-          "M10 holds A, M11 lets it go", "G54 at [1, 2, 3]", "X7.51284 Y6.67454 Z16.2331"})
+          "M10 holds A, M11 lets it go",
+          "G54.2 P1: the zero is [1, 2, 3.5] from that of the system at C90",
+          "G54.4 P1: the zero is [0.1, 0, 0] from that of the system at 0, turned by [0, 0.5, 0] "
+          "degrees",
+          "G54 at [1, 2, 3]", "X7.51284 Y6.67454 Z16.2331"})
         EXPECT_NE(ran.out.find(words), std::string::npos) << words << "\n" << ran.out;
     const Ran again = folder.run({"machine", "s.toml", "--save", "t.toml"});
     EXPECT_EQ(again.exit_code, 0) << again.err;

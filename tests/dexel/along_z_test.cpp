@@ -131,5 +131,33 @@ TEST(AlongZ, DoesNotDependOnThreads) {
     }
 }
 
+// Of a tool with a short flute among others, with a part looked at after each cut.
+TEST(AlongZ, DoesNotDependOnWhatElseWaits) {
+    const auto cut = [](bool looks) {
+        auto part = block(0.25);
+        test::Random random(8);
+        const auto somewhere = [&] {
+            return Vec3{random.within(0, 10), random.within(0, 10), random.within(1, 6)};
+        };
+        Vec3 at = somewhere();
+        for (std::uint32_t i = 1; i < 600; ++i) {
+            const Vec3 next = at + 0.1 * (somewhere() - at);
+            cda::RoundSweep sweep = ball(0.5, at, next, i);
+            if (i % 100 == 70 || (i > 300 && i % 9 == 0)) sweep.height = 1.0;
+            part->subtract_sweep(sweep);
+            if (looks) part->volume();
+            at = next;
+        }
+        return part;
+    };
+    const auto together = cut(false), alone = cut(true);
+    EXPECT_EQ(together->volume(), alone->volume());
+    const Boundary a = together->boundary(), b = alone->boundary();
+    EXPECT_EQ(a.vertices, b.vertices);
+    ASSERT_EQ(a.faces.size(), b.faces.size());
+    for (std::size_t i = 0; i < a.faces.size(); ++i)
+        ASSERT_EQ(a.faces[i].origin, b.faces[i].origin) << i;
+}
+
 }  // namespace
 }  // namespace ncsim::dexel

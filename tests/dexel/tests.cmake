@@ -8,5 +8,6 @@ ncsim_add_test(dexel
     open_cutter_test.cpp
     rays_test.cpp
     round_sweep_test.cpp
+    stretches_test.cpp
     thin_places_test.cpp)
 target_include_directories(ncsim_dexel_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/dexel/src)

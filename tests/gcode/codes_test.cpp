@@ -220,6 +220,8 @@ const std::vector<Case>& codes() {
         {"G13.1", By::Fanuc, "G13.1~G1 X1", "feed X1 Y0 Z0 F100"},
         {"G113", By::Haas, "G113~G1 X1", "feed X1 Y0 Z0 F100"},
         {"G254", By::Haas, "G254", " ! error kinematics"},
+        {"G54.4", By::Fanuc, "G54.4 P1", " ! error kinematics"},
+        {"G54.2", By::Fanuc, "G54.2 P1", " ! error kinematics"},
         {"G255", By::Haas, "G255~G1 X1", "feed X1 Y0 Z0 F100"},
         {"G53.1", By::Fanuc, "G53.1", " ! error kinematics"},
         {"G53.3", By::Fanuc, "G53.3 X1", " ! error kinematics"},

@@ -35,6 +35,7 @@ public:
     std::optional<Axes> joints_for(const Triple& tip, const Axes& joints, double) const override {
         return tip[0] > 50.0 ? std::nullopt : std::optional(joints);
     }
+    Triple with_table(const Triple& v, const Axes&, const Axes&) const override { return v; }
     Turned turned_to(const Triple&, const Axes&, Way) const override {
         return {std::nullopt, false, "it will not"};
     }
@@ -53,7 +54,12 @@ std::vector<std::string> said_of(const Case& c) {
     InterpreterOptions options;
     options.strict = c.by == By::Strict;
     if (c.by == By::Tip) options.tip_control = {{{428, Coordinates::Tip}}, true, false};
-    if (c.by == By::Turning) options.joints = std::make_shared<Stubborn>();
+    if (c.by == By::Turning) {
+        options.joints = std::make_shared<Stubborn>();
+        options.fixture_offsets = {{{1, {{1, 2, 3}, {}, {}}}}, true};
+        options.setting_errors = {{{1, {{1, 2, 3}, {}, {0, 0, 0.5}}}, {2, {{}, {}, {1, 0, 0}}}},
+                                  true};
+    }
     options.dialect = c.by == By::Fanuc || c.by == By::Turning ? Dialect::Fanuc : Dialect::Rs274;
     std::vector<std::string> said;
     for (const Diagnostic& d : interpret({"", text}, options, {}).diagnostics) {
@@ -114,6 +120,33 @@ const std::vector<Case>& cases() {
          "will not; the program is stopped here [unreachable-orientation]"},
         {By::Fanuc, "G17 F100 G0 X0 Y0 Z0 C0~G7.1 C25~G2 Z-5 C10 R9",
          "3:1: error: G2 on a cylinder (G7.1) needs a plane with the cylinder's axis [plane-form]"},
+        {By::Turning, "G54.2 P1~G28 A0",
+         "2:1: error: G28 is not simulated while the zero goes with the table; G54.2 P0 ends that "
+         "[plane-form]"},
+        {By::Turning, "G68.2 X0 Y0 Z0~G54.2 P1",
+         "2:1: error: G54.2 is not simulated under tip control, nor in a tilted plane; the program "
+         "is stopped here [plane-form]"},
+        {By::Turning, "G54.2 P2",
+         "1:1: error: G54.2 P2 needs what the control has in its parameters, and nobody told it: "
+         "where the part is on the table (machine file, control.fixture_offsets), and whether the "
+         "tool moves with the zero (control.fixture_offset_moves); the program is stopped here "
+         "[kinematics]"},
+        {By::Turning, "G54.4 P3",
+         "1:1: error: G54.4 P3 needs what the control has in its parameters, and nobody told it: "
+         "by how much the setting of the part is off (machine file, control.setting_errors), and "
+         "whether the tool moves with the zero (control.setting_error_moves); the program is "
+         "stopped here [kinematics]"},
+        {By::Turning, "G54.4 P2",
+         "1:1: error: G54.4 P2: the part leans, and nobody told that rotary axes take that over "
+         "(machine file, control.setting_error_turns_axes); a tool that leans on the part is not "
+         "simulated; the program is stopped here [kinematics]"},
+        {By::Turning, "G54.4 P1",
+         "1:1: warning: G54.4 P1: the part is turned by 0.5 degrees on the table; motions are "
+         "where they are told on the part, and the axes of the machine are told as if it were "
+         "straight [setting-error]"},
+        {By::Turning, "G54.2 P1~G54.4 P1",
+         "2:1: error: G54.4 while another code has the zero go with the table; end that one first; "
+         "the program is stopped here [plane-form]"},
         {By::Turning, "G0 X0 Y0 Z0 A5~G254~G0 A0",
          "3:1: error: a rotary axis turns under G254, where the zero stays behind; G255 ends it "
          "[plane-form]"},

@@ -33,6 +33,9 @@ public:
         out[kX] = at[0], out[kY] = at[1], out[kZ] = at[2] - 10.0;
         return out;
     }
+    Triple with_table(const Triple& v, const Axes& from, const Axes& to) const override {
+        return turn_about(0, from[kA] - to[kA]).turned(v);
+    }
     Turned turned_to(const Triple& axis, const Axes& joints, Way way) const override {
         if (std::abs(axis[0]) > 1e-9) return {std::nullopt, false, "it turns about X alone"};
         Axes out = joints;
@@ -60,8 +63,10 @@ struct Made {
     }
 };
 
-Made run(const std::string& program, Dialect dialect = Dialect::Fanuc, bool told = true) {
+Made run(const std::string& program, Dialect dialect = Dialect::Fanuc, bool told = true,
+         const TableOffsets& offsets = {}) {
     InterpreterOptions options;
+    options.fixture_offsets = options.setting_errors = offsets;
     if (told) options.joints = std::make_shared<ATable>();
     options.tip_control = {{{428, Coordinates::Tip}, {429, Coordinates::Axes}}, true, true};
     options.dialect = dialect;
@@ -322,6 +327,134 @@ TEST(CarriedZero, GoesWithTheTableAndItsAxesDoNot) {
     EXPECT_TRUE(run("G0 A90\nG254\nG0 A0\n", Dialect::Haas).says("plane-form"));
     EXPECT_TRUE(run("G0 A90\nG254\n", Dialect::Haas, false).says("kinematics"));
     EXPECT_FALSE(run("G254\nG1 X5\nG255\n", Dialect::Haas).fails());
+}
+
+// 20 mm behind the middle of the table while that stands at 0; told as it is at A90, where it is
+// below.
+TableOffsets behind(bool moves) {
+    return {{{1, {{0, 0, -20}, {90, 0, 0}, {}}}}, moves};
+}
+
+TEST(FixtureOffset, IsTheZeroWhereverTheTableTurnsTo) {
+    const auto go = [](const std::string& program, bool moves = true) {
+        const Made made = run(program, Dialect::Fanuc, true, behind(moves));
+        EXPECT_FALSE(made.fails()) << program;
+        return made;
+    };
+    // The first cut is at X1 Y0 Z5 of the part, which stands at Y20 of the machine.
+    const Made made = go("G54.2 P1\nG0 X1 Y0 Z5\nG1 Z-2\nG0 A90\nG1 X3\n");
+    // W is where the part stands at A0.
+    expect_at(made.end(2), 1, 0, -2);
+    // The table turns the part by A from Y20 to Z-20, and the tool stays above it.
+    expect_at(made.end(1), 1, -20, -22);
+    EXPECT_NEAR(made.end(1).a.degrees(), 90.0, 1e-12);
+    expect_at(made.end(0), 3, -20, -22);
+    EXPECT_EQ(made.moves.back().coordinates, Coordinates::Axes);
+    // Where the tool does not go along, it has other coordinates: here it stays at Z-2.
+    const Made stays = go("G54.2 P1\nG0 X1 Y0 Z5\nG1 Z-2\nG0 A90\nG0 X3\nG0 Y0 Z0\n", false);
+    expect_at(stays.end(2), 1, 0, -2);
+    expect_at(stays.end(1), 3, 0, -2);
+    expect_at(stays.end(0), 3, -20, -20);
+    // Increments go from where it stands.
+    expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG91 G0 A90 Z1\n").end(), 1, -20, -14);
+    expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG91 G0 A90 Z1\n", false).end(), 1, 0, 6);
+    // What is told besides the turn is told of the part.
+    expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG0 A90 Y4\n").end(), 1, -16, -15);
+    expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nG0 A90 Y4\n", false).end(), 1, -16, 5);
+    // Inches; and P0 leads back to the zero of the system.
+    expect_at(go("G54.2 P1\nG20\nG1 X1 Y0 Z0\nG0 A90\n").end(), 25.4, -20, -20);
+    expect_at(go("G54.2 P1\nG1 X1 Y0 Z5\nA90\nG54.2 P0\nG1 Y0\n").end(), 1, -20, 5);
+}
+
+TEST(FixtureOffset, MovesTheToolByItselfWhereTheControlDoes) {
+    const Made moves =
+        run("G1 X1 Y0 Z5\nG54.2 P1\nG1 X2\nG54.2 P0\n", Dialect::Fanuc, true, behind(true));
+    EXPECT_FALSE(moves.fails());
+    ASSERT_EQ(moves.moves.size(), 5U);
+    expect_at(moves.end(2), 1, 20, 5);
+    EXPECT_EQ(moves.moves[2].kind, MoveKind::Feed);
+    expect_at(moves.end(1), 2, 20, 5);
+    expect_at(moves.end(0), 2, 0, 5);
+    const Made stays =
+        run("G1 X1 Y0 Z5\nG54.2 P1\nG1 X2\nG1 Y0\n", Dialect::Fanuc, true, behind(false));
+    ASSERT_EQ(stays.moves.size(), 4U);
+    expect_at(stays.end(1), 2, 0, 5);
+    expect_at(stays.end(0), 2, 20, 5);
+}
+
+TEST(FixtureOffset, NothingOfItIsGuessed) {
+    TableOffsets nobody;
+    EXPECT_TRUE(run("G54.2 P1\n", Dialect::Fanuc, false, behind(true)).says("kinematics"));
+    EXPECT_TRUE(run("G54.2 P1\n", Dialect::Fanuc, true, nobody).says("kinematics"));
+    EXPECT_TRUE(run("G54.2 P2\n", Dialect::Fanuc, true, behind(true)).says("kinematics"));
+    nobody = behind(true);
+    nobody.moves.reset();
+    EXPECT_TRUE(run("G54.2 P1\n", Dialect::Fanuc, true, nobody).says("kinematics"));
+    for (const char* words :
+         {"G68.2 J20", "G43.4 H1", "M428", "G53.1", "G28 A0", "G28", "G53 G0 A0",
+          "G2 X5 Y0 I2 J0 A3", "G81 X3 Y3 Z-3 R2 A5", "G254", "G12.1", "G41 D1 A5", "G7.1 C20"}) {
+        EXPECT_TRUE(
+            run(std::string("G54.2 P1\nG1 Z1\n") + words + "\n", Dialect::Fanuc, true, behind(true))
+                .fails())
+            << words;
+    }
+    // A cycle that turns the table would leave the zero behind.
+    EXPECT_TRUE(run("G0 A90\nG254\nG81 X3 Y3 Z-3 R2 A5\n", Dialect::Haas).says("plane-form"));
+}
+
+// What the setting is off goes with the table, too; tip control and tilted planes are those of the
+// part as it lies.
+TEST(SettingError, IsTheZeroOfThePart) {
+    const auto go = [](const std::string& program) {
+        const Made made = run(program, Dialect::Fanuc, true, behind(true));
+        EXPECT_FALSE(made.fails()) << program;
+        return made;
+    };
+    const Made axes = go("G54.4 P1\nG0 X1 Y0 Z5\nG1 Z-2\nG0 A90\nG1 X3\nG54.4 P0\n");
+    expect_at(axes.end(3), 1, 0, -2);
+    expect_at(axes.end(2), 1, -20, -22);
+    // Places of the tip are those of the part at any angle.
+    const Made tip =
+        go("G54.4 P1\nG1 X1 Y0 Z5\nG43.4 H1\nG1 X2 Y3 Z4 A90\nG1 A30\nG49\nG1 A90\nG1 Y0 Z0\n");
+    expect_at(tip.end(3), 2, 3, 4);
+    expect_at(tip.end(2), 2, 3, 4);
+    EXPECT_EQ(tip.moves[tip.moves.size() - 3].coordinates, Coordinates::Tip);
+    EXPECT_EQ(tip.moves.back().coordinates, Coordinates::Axes);
+    expect_at(tip.end(0), 2, -20, -20);
+    // After a switch the tool is where it was.
+    const Made back = go("G54.4 P1\nG1 X1 Y0 Z5 A90\nG43.4 H1\nG49\nG1 X2\n");
+    EXPECT_EQ(start_of(back.moves.back())->y.mm(),
+              end_of(back.moves[back.moves.size() - 2])->y.mm());
+    expect_at(back.end(0), 2, -20, -15, 1e-9);
+    const Made plane = go("G54.4 P1\nG1 X1 Y0 Z5\nG68.2 X5 Y6 Z7 J90\nG53.1\nG1 X1 Y2 Z3\nG69\n");
+    expect_at(plane.end(0), 6, 3, 9);
+    // The way home is that of the machine; at A90 as at A0.
+    expect_at(go("G1 X0 Y0 Z5\nG54.4 P1\nG1 Y0 A90\nG53 G0 Y7 Z8\n").end(), 0, 7, 8);
+}
+
+TEST(SettingError, ThatTurnsIsTold) {
+    TableOffsets askew = behind(false);
+    askew.by_number[1].turns = {0, 0, 0.25};
+    const Made about_z = run("G54.4 P1\nG1 X1\n", Dialect::Fanuc, true, askew);
+    EXPECT_FALSE(about_z.fails());
+    EXPECT_TRUE(about_z.says("setting-error"));
+    EXPECT_EQ(about_z.result.setting_askew, 0.25);
+    askew.by_number[1].turns = {0, -0.5, 0.25};
+    EXPECT_TRUE(run("G54.4 P1\n", Dialect::Fanuc, true, askew).fails());
+    askew.axes_take_turns = true;
+    const Made leans = run("G54.4 P1\nG1 X1\n", Dialect::Fanuc, true, askew);
+    EXPECT_FALSE(leans.fails());
+    EXPECT_EQ(leans.result.setting_askew, 0.75);
+    EXPECT_EQ(run("G54.2 P1\nG1 X1\n", Dialect::Fanuc, true, behind(true)).result.setting_askew, 0);
+    for (const char* words : {"G54.2 P1", "G43.4 H1\nG54.4 P1", "G254", "G28 A0", "G12.1",
+                              "G2 X5 Y0 I2 J0 A3", "G41 D1 A5"}) {
+        EXPECT_TRUE(
+            run(std::string("G54.4 P1\nG1 Z1\n") + words + "\n", Dialect::Fanuc, true, behind(true))
+                .fails())
+            << words;
+    }
+    EXPECT_TRUE(run("G54.4 P1\n", Dialect::Fanuc, true).says("kinematics"));
+    EXPECT_TRUE(run("G54.4 P1\n", Dialect::Fanuc, false, behind(true)).says("kinematics"));
 }
 
 TEST(TipControl, OfHaasIsFixedToTheTableAtZero) {

@@ -8,6 +8,7 @@
 #include "open_cutter.h"
 #include "rays.h"
 #include "round_sweep.h"
+#include "stretches.h"
 #include "thin_places.h"
 
 #include <algorithm>
@@ -135,6 +136,8 @@ private:
     // By axis: the corners that a body may meet, to be asked without looking at it.
     struct Span {
         std::array<std::uint32_t, 3> begin, end;
+        // As a tool above the stock.
+        bool is_open = false;
     };
 
     template <class OneBody>
@@ -145,9 +148,8 @@ private:
             span.end[axis] = static_cast<std::uint32_t>(body.box.end[axis]);
         }
         if constexpr (std::is_same_v<std::remove_cvref_t<OneBody>, SweptTool>) {
-            are_all_open_ = are_all_open_ && body.is_open_above(grid_->axes[2].at.back());
+            span.is_open = body.is_open_above(grid_->axes[2].at.back());
         } else {
-            are_all_open_ = false;
             ++waiting_cells_;
         }
         if (waiting_.empty()) {
@@ -176,30 +178,38 @@ private:
             for (std::size_t i = 0; i < runs.tasks(); ++i)
                 tasks.push_back({axis, runs.begin(i), runs.end(i)});
         }
+        const std::vector<Stretch> all{{0, waiting_.size(), false}};
+        const std::vector<Stretch> along_z =
+            stretches_of(spans_.size(), [&](std::size_t k) { return spans_[k].is_open; });
         cda::in_parallel(parameters_.threads, tasks.size(), [&](std::size_t i) {
             const auto& [axis, begin, end] = tasks[i];
-            const std::size_t across = (*rays_)[axis].v_axis();
-            if (axis == 2 && are_all_open_) {
-                std::vector<const SweptTool*> tools;
-                for (std::size_t k = 0; k < waiting_.size(); ++k) {
-                    if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
-                        tools.push_back(&std::get<SweptTool>(waiting_[k]));
-                }
-                OpenCutter(*grid_, (*rays_)[axis])
-                    .cut(tools, begin / kBlock, (end + kBlock - 1) / kBlock);
-                return;
-            }
-            std::vector<const Body*> bodies;
-            for (std::size_t k = 0; k < waiting_.size(); ++k) {
-                if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
-                    bodies.push_back(&waiting_[k]);
-            }
-            Cutter(*grid_, (*rays_)[axis]).cut(bodies, begin, end);
+            for (const Stretch& stretch : axis == 2 ? along_z : all)
+                cut(axis, begin, end, stretch);
         });
         waiting_.clear();
         spans_.clear();
-        are_all_open_ = true;
         waiting_cells_ = 0;
+    }
+
+    // The rows from `begin` to before `end`, by the bodies of a stretch.
+    void cut(std::size_t axis, std::size_t begin, std::size_t end, const Stretch& stretch) const {
+        Rays& along = (*rays_)[axis];
+        const std::size_t across = along.v_axis();
+        const auto for_each = [&](const auto& take) {
+            for (std::size_t k = stretch.begin; k < stretch.end; ++k) {
+                if (spans_[k].end[across] > begin && spans_[k].begin[across] < end)
+                    take(waiting_[k]);
+            }
+        };
+        if (stretch.is_open) {
+            std::vector<const SweptTool*> tools;
+            for_each([&](const Body& body) { tools.push_back(&std::get<SweptTool>(body)); });
+            OpenCutter(*grid_, along).cut(tools, begin / kBlock, (end + kBlock - 1) / kBlock);
+            return;
+        }
+        std::vector<const Body*> bodies;
+        for_each([&](const Body& body) { bodies.push_back(&body); });
+        Cutter(*grid_, along).cut(bodies, begin, end);
     }
 
     DexelParameters parameters_;
@@ -211,7 +221,6 @@ private:
     mutable std::vector<Body> waiting_;
     mutable std::vector<Span> spans_;  // of these
     mutable std::size_t waiting_cells_ = 0;
-    mutable bool are_all_open_ = true;  // tools, above the stock
 };
 
 Dexel::Dexel(const DexelParameters& parameters) : impl_(std::make_unique<Impl>(parameters)) {}

@@ -102,32 +102,94 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
             control_.m_codes[*number] = mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
         }
     };
-    r_.each(r_.table(node, key), key,
-            {{"m_codes", m_codes},
-             {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
-             {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
-             {"tip_turns", choose("joints", "vector", [] {})},
-             {"kinematics",
-              [this](const toml::node& n, const std::string& k) {
-                  for (const std::string& mode : r_.texts(n, k)) {
-                      if (mode != "tip" && mode != "axes")
-                          r_.fail(n, fmt::format("'{}': expected \"tip\" or \"axes\"", k));
-                      control_.kinematics.push_back(mode == "tip" ? Coordinates::Tip
-                                                                  : Coordinates::Axes);
-                  }
-              }},
-             {"orient", [this](const toml::node& n, const std::string& k) {
-                  const std::string word = r_.text(n, k);
-                  if (word == "positive") {
-                      prefer_ = machine::Prefer::StandUp;
-                  } else if (word == "negative") {
-                      prefer_ = machine::Prefer::StandDown;
-                  } else if (word != "shortest") {
-                      r_.fail(n,
-                              fmt::format(
-                                  "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
-                  }
-              }}});
+    r_.each(
+        r_.table(node, key), key,
+        {{"m_codes", m_codes},
+         {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
+         {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
+         {"tip_turns", choose("joints", "vector", [] {})},
+         {"kinematics",
+          [this](const toml::node& n, const std::string& k) {
+              for (const std::string& mode : r_.texts(n, k)) {
+                  if (mode != "tip" && mode != "axes")
+                      r_.fail(n, fmt::format("'{}': expected \"tip\" or \"axes\"", k));
+                  control_.kinematics.push_back(mode == "tip" ? Coordinates::Tip
+                                                              : Coordinates::Axes);
+              }
+          }},
+         {"fixture_offsets",
+          [this](const auto& n, const auto& k) {
+              take_table_offsets(n, k, false, fixture_offsets_);
+          }},
+         {"fixture_offset_moves",
+          [this](const auto& n, const auto& k) { fixture_offsets_.moves = r_.yes_or_no(n, k); }},
+         {"setting_errors",
+          [this](const auto& n, const auto& k) {
+              take_table_offsets(n, k, true, setting_errors_);
+          }},
+         {"setting_error_moves",
+          [this](const auto& n, const auto& k) { setting_errors_.moves = r_.yes_or_no(n, k); }},
+         {"setting_error_turns_axes",
+          [this](const auto& n, const auto& k) {
+              setting_errors_.axes_take_turns = r_.yes_or_no(n, k);
+          }},
+         {"orient", [this](const toml::node& n, const std::string& k) {
+              const std::string word = r_.text(n, k);
+              if (word == "positive") {
+                  prefer_ = machine::Prefer::StandUp;
+              } else if (word == "negative") {
+                  prefer_ = machine::Prefer::StandDown;
+              } else if (word != "shortest") {
+                  r_.fail(n, fmt::format(
+                                 "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
+              }
+          }}});
+}
+
+// { B = 90 }: degrees; axes that are not named stand at 0.
+std::array<double, 3> KinematicsReader::angles(const toml::node& node,
+                                               const std::string& key) const {
+    std::array<double, 3> at{};
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        at[static_cast<std::size_t>(*letter - 'A')] = r_.number(value, whole);
+    }
+    return at;
+}
+
+void KinematicsReader::take_table_offsets(const toml::node& node, const std::string& key,
+                                          bool may_turn, gcode::TableOffsets& into) const {
+    constexpr int kMost = 300;
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        const std::string_view text = name.str();
+        int number = 0;
+        const char* end = text.data() + text.size();
+        const auto read = std::from_chars(text.data() + !text.empty(), end, number);
+        if (!text.starts_with('P') || read.ec != std::errc() || read.ptr != end || number < 1 ||
+            number > kMost) {
+            r_.fail(value, fmt::format("'{}': expected P1 to P{}", whole, kMost));
+        }
+        std::optional<Vec3> offset;
+        std::optional<std::array<double, 3>> at;
+        Vec3 turns;
+        TomlReader::Keys keys{
+            {"offset", [&](const auto& n, const auto& k) { offset = r_.vector(n, k); }},
+            {"at", [&](const auto& n, const auto& k) { at = angles(n, k); }}};
+        if (may_turn)
+            keys["turns"] = [&](const auto& n, const auto& k) { turns = r_.vector(n, k); };
+        r_.each(r_.table(value, whole), whole, keys);
+        if (!offset || !at) {
+            r_.fail(value, fmt::format("'{}': expected offset = [x, y, z], and at which angles of "
+                                       "the table, at = {{ B = 0 }}",
+                                       whole));
+        }
+        into.by_number[number] = {
+            {offset->x, offset->y, offset->z}, *at, {turns.x, turns.y, turns.z}};
+    }
 }
 
 machine::Travel KinematicsReader::travel(const toml::node& node, const std::string& key) const {

@@ -46,6 +46,8 @@ public:
     machine::Chain part_moved_by() const;
     machine::Chain tool_moved_by() const;
     const gcode::TipControl& tip_control() const { return control_; }
+    const gcode::TableOffsets& fixture_offsets() const { return fixture_offsets_; }
+    const gcode::TableOffsets& setting_errors() const { return setting_errors_; }
     const std::array<gcode::RotaryWay, 3>& ways() const { return ways_; }
     const std::vector<gcode::RotaryClamp>& clamps() const { return clamps_; }
     /// Of X, Y and Z, where links tell it.
@@ -72,6 +74,9 @@ private:
     machine::Chain moved_by(const Name& link) const;
     std::vector<MachineBody> links_that(bool have_a_mesh) const;
     const Link* find(const std::string& name) const;
+    void take_table_offsets(const toml::node& node, const std::string& key, bool may_turn,
+                            gcode::TableOffsets& into) const;
+    std::array<double, 3> angles(const toml::node& node, const std::string& key) const;
     gcode::RotaryWay way(const toml::node& node, const std::string& key) const;
     machine::Travel travel(const toml::node& node, const std::string& key) const;
     void finish(ToldKinematics& told) const;
@@ -85,6 +90,7 @@ private:
     std::vector<Link> links_;
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;
+    gcode::TableOffsets fixture_offsets_, setting_errors_;
     std::optional<Name> assumed_;
     std::array<gcode::RotaryWay, 3> ways_{};  // of A, B and C
     std::vector<gcode::RotaryClamp> clamps_;

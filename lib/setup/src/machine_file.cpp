@@ -269,6 +269,8 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
     file.tool_moved_by = kinematics.tool_moved_by();
     check_names(r, named, file);
     file.tip_control = kinematics.tip_control();
+    file.fixture_offsets = kinematics.fixture_offsets();
+    file.setting_errors = kinematics.setting_errors();
     file.rotary_ways = kinematics.ways();
     file.clamps = kinematics.clamps();
     for (std::size_t i = 0; i < 3; ++i) {

@@ -71,6 +71,49 @@ void add_axes(std::string& text, std::string_view table, const Values& values, c
     }
 }
 
+// Named by one of them.
+void add_table_offsets(std::vector<std::string>& keys, std::string_view name,
+                       const gcode::TableOffsets& offsets) {
+    std::string all;
+    for (const auto& [number, told] : offsets.by_number) {
+        std::string at;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (told.at[i] != 0.0)
+                at += fmt::format("{}{} = {}", at.empty() ? " " : ", ", "ABC"[i], told.at[i]);
+        }
+        if (!at.empty()) at += " ";
+        const auto three = [](const std::array<double, 3>& v) {
+            return vector({v[0], v[1], v[2]});
+        };
+        const std::string turns = told.turns == std::array<double, 3>{}
+                                      ? std::string()
+                                      : ", turns = " + three(told.turns);
+        all += fmt::format("{}P{} = {{ offset = {}, at = {{{}}}{} }}", all.empty() ? "" : ", ",
+                           number, three(told.offset), at, turns);
+    }
+    if (!all.empty()) keys.push_back(fmt::format("{}s = {{ {} }}", name, all));
+    if (offsets.moves) keys.push_back(fmt::format("{}_moves = {}", name, *offsets.moves));
+}
+
+// Of the code that names them.
+std::string sheet_of(std::string_view code, const gcode::TableOffsets& offsets) {
+    std::string text;
+    for (const auto& [number, told] : offsets.by_number) {
+        std::string at;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (told.at[i] != 0.0) at += fmt::format(" {}{:g}", "ABC"[i], told.at[i]);
+        }
+        const auto& o = told.offset;
+        const auto& t = told.turns;
+        text += fmt::format("  {} P{}: the zero is {} from that of the system at{}", code, number,
+                            vector({o[0], o[1], o[2]}), at.empty() ? " 0" : at);
+        if (t != std::array<double, 3>{})
+            text += fmt::format(", turned by {} degrees", vector({t[0], t[1], t[2]}));
+        text += "\n";
+    }
+    return text;
+}
+
 std::string control_toml(const MachineFile& file) {
     const gcode::TipControl& control = file.tip_control;
     std::vector<std::string> keys;
@@ -88,6 +131,9 @@ std::string control_toml(const MachineFile& file) {
         keys.emplace_back("orient = \"positive\"");
     if (file.kinematics->prefer == machine::Prefer::StandDown)
         keys.emplace_back("orient = \"negative\"");
+    add_table_offsets(keys, "fixture_offset", file.fixture_offsets);
+    add_table_offsets(keys, "setting_error", file.setting_errors);
+    if (file.setting_errors.axes_take_turns) keys.emplace_back("setting_error_turns_axes = true");
     if (keys.empty()) return {};
     return fmt::format("control = {{ {} }}\n", fmt::join(keys, ", "));
 }
@@ -160,6 +206,7 @@ std::string machine_sheet(const MachineFile& file) {
         text += fmt::format("  M{}: X Y Z are the {}\n", number,
                             mode == Coordinates::Tip ? "tip" : "axes");
     if (file.tip_control.by_length_word) text += "  G43.4: X Y Z are the tip\n";
+    text += sheet_of("G54.2", file.fixture_offsets) + sheet_of("G54.4", file.setting_errors);
     for (const gcode::RotaryClamp& clamp : file.clamps)
         text += fmt::format("  M{} holds {}, M{} lets it go\n", clamp.clamp, clamp.letter,
                             clamp.release);

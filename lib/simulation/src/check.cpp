@@ -135,6 +135,7 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns,
                                        !survey.interpretation.asked_for_places);
     setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, false);
+    setup.setting_askew = survey.interpretation.setting_askew;
     setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
     setup.cutting_tools = survey.cutting_tools;
     setup.accepted = accepted_reasons(plan.job.options.accept);

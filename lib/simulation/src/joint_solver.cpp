@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace ncsim::simulation {
 
@@ -38,6 +39,25 @@ public:
         for (std::size_t i = 0; i < 3; ++i)
             at[i] = (*found)[i] + origin_[i];
         return at;
+    }
+
+    // What turns the table stands before X, Y and Z.
+    Triple with_table(const Triple& v, const Axes& from, const Axes& to) const override {
+        std::vector<machine::Joint> table;
+        for (const machine::Joint& joint : placed_.chain.joints) {
+            if (!joint.turns) break;
+            table.push_back(joint);
+        }
+        const machine::Values start = in_W(from), end = in_W(to);
+        const auto of = [](const machine::Values& values, const machine::Joint& joint) {
+            return values[*machine::index_of(joint.letter)];
+        };
+        cda::Vec3 d{v[0], v[1], v[2]};
+        for (auto next = table.rbegin(); next != table.rend(); ++next)
+            d = machine::turned(*next, of(start, *next), d);
+        for (const machine::Joint& joint : table)
+            d = machine::turned(joint, -of(end, joint), d);
+        return {d.x, d.y, d.z};
     }
 
     Turned turned_to(const Triple& axis, const Axes& joints, Way way) const override {

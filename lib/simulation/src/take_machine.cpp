@@ -11,6 +11,8 @@ std::vector<std::string> take_machine(Plan& plan, const setup::MachineFile& file
     job.interpreter.tip_control = file.tip_control;
     job.interpreter.rotary_ways = file.rotary_ways;
     job.interpreter.clamps = file.clamps;
+    job.interpreter.fixture_offsets = file.fixture_offsets;
+    job.interpreter.setting_errors = file.setting_errors;
     std::vector<std::string> lost;
     for (const auto& [system, origin] : file.offsets) {
         if (!setup::origin_of(job.interpreter, system))

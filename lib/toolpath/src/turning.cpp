@@ -24,8 +24,20 @@ struct Body {
     bool is_cylinder;
 };
 
+// Of a cylinder whose axis leans from one direction to another at the distance s <= 1, and on its
+// way bends by so much: see "Of a cylinder" in the header.
+double gained_by_cylinder(double s, double bend, double height, double across) {
+    const double kTurned = 0.051 * s + bend / 32;  // t (1-t) times what the axis leans from m
+    const double leans = 0.53 * s + bend / 8;      // the largest of that
+    const double beyond_side = s * (height / 4 + kTurned * across);
+    const double apart = s * (across + leans * height);  // z1 and z2, if it is beyond an end
+    const double beyond_end = s * (across / 4 + kTurned * std::min(height, apart));
+    const double aside = 0.149 * s * apart + s * kTurned * across;
+    return std::max(beyond_side, length_of(beyond_end, aside));
+}
+
 // What the hull gains where the motion is taken to be straight: of first order in the angle.
-double gained_at_first(const Pose& X_WA, const Pose& X_WB, const Body& body) {
+double gained_at_first(const Pose& X_WA, const Pose& X_WB, double bend, const Body& body) {
     const auto axis_of = [](const Pose& pose) {
         return Vec3{pose.rows[0].z, pose.rows[1].z, pose.rows[2].z};
     };
@@ -36,8 +48,7 @@ double gained_at_first(const Pose& X_WA, const Pose& X_WB, const Body& body) {
     const double height = body.high_mm - body.low_mm;
     double at_once = s * length_of(height, across) / 4;
     if (body.is_cylinder && s <= 1.0) {
-        at_once =
-            std::min(at_once, s * std::max(height, across) / 4 + s * s * (height + across) / 4);
+        at_once = std::min(at_once, gained_by_cylinder(s, bend, height, across));
     }
     const Vec3 D = X_WB.translation - X_WA.translation;
     const double along = dot(D, tilt) / s;
@@ -84,7 +95,7 @@ double missed_mm(const Turning& t, const PieceExtent& piece) {
 // What the hull of a body gains that a ball rolls around, and with it the hull of all of that.
 double gained_mm(const Pose& X_WA, const Pose& X_WB, const Turning& t, const Body& body,
                  double ball_mm) {
-    const double first = gained_at_first(X_WA, X_WB, body);
+    const double first = gained_at_first(X_WA, X_WB, t.tilt_bend_rad, body);
     const double leans = body.radius_mm * t.tilt_bend_rad;
     const double anywhere = first + (bend_of_axis(t, body, Turning::kInf) + leans) / 8;
     // The point of the tool that is nearest to a place that matters is at most what is gained

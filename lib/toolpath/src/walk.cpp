@@ -154,9 +154,12 @@ Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccurac
       watch_(watch),
       told_(std::move(told)),
       place_(stock) {
-    constexpr double kShare = 0.1;
-    slack_mm_ = kShare * sampling.rotation_gain_mm;
-    sampling_.rotation_gain_mm -= slack_mm_;
+    // What steps gain less than they may, facets may be left out for: whole numbers of steps leave
+    // more than the least share, as a rule.
+    constexpr double kLeast = 0.02, kMost = 0.3;
+    gain_mm_ = sampling.rotation_gain_mm;
+    slack_mm_ = kMost * gain_mm_;
+    sampling_.rotation_gain_mm -= kLeast * gain_mm_;
     place_.add(watch.place);
 }
 
@@ -365,8 +368,8 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         Liberties liberties = liberties_of(samples.turning);
         // A rapid move is followed exactly, so that it meets nothing where a cut has been.
         if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
-            liberties.slack_mm = slack_mm_;
-            samples.bounds.gained_mm += slack_mm_;
+            liberties.slack_mm = std::clamp(gain_mm_ - samples.bounds.gained_mm, 0.0, slack_mm_);
+            samples.bounds.gained_mm += liberties.slack_mm;
         }
         worst.missed_mm = std::max(worst.missed_mm, samples.bounds.missed_mm);
         worst.gained_mm = std::max(worst.gained_mm, samples.bounds.gained_mm);

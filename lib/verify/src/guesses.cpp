@@ -59,6 +59,13 @@ void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& to
     if (needs_part && setup.not_simulated)
         log.doubt("not-simulated", "the program was not simulated: " + *setup.not_simulated);
     if (!needs_part || !is_simulated) return;
+    if (setup.setting_askew > 0.0) {
+        log.doubt("kinematics-guess",
+                  fmt::format("the part is turned by {:.6g} degrees on the table, which G54.4 "
+                              "corrects; the axes were taken to be where they are with a straight "
+                              "part, and so were moves without G54.4",
+                              setup.setting_askew));
+    }
     if (!setup.stock_assumption.empty())
         log.doubt("stock-guess", "stock: " + setup.stock_assumption);
     for (const auto& [number, facts] : setup.tools) {

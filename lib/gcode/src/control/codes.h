@@ -29,7 +29,7 @@ enum class Group : std::uint8_t {
     Scaling,
     Mirror,
     Polar,
-    Carried,      ///< G254, G255.
+    Carried,      ///< G254, G255, G54.2, G54.4.
     Face,         ///< G12.1, G13.1 and Haas's G112, G113.
     Cylinder,     ///< G7.1, G107.
     TiltedPlane,  ///< G68.2 and its kin: a frame.

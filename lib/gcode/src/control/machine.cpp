@@ -132,7 +132,7 @@ bool Machine::act(const Command& command) {
     if (const Code code = command.group(Group::NotSimulated); code != Code::None)
         return fail(Message::NotSimulated, span_of_g(command, code), {name_of(code)});
     motion_was_named_ = command.group(Group::Motion) != Code::None;
-    if (!check(command) || !check_plane(command)) return false;
+    if (!check(command) || !check_plane(command) || !check_carried(command)) return false;
     if (command.corner != 0 && !ends_in_corner(command)) {
         return fail(Message::CornerWord, command.corner_span, {corner_name(command.corner)});
     }
@@ -415,6 +415,8 @@ void Machine::set_units(bool inches) {
         v *= factor;
     for (std::size_t i = 0; state_.carried && i < 3; ++i)
         (*state_.carried)[i] *= factor;
+    for (double& v : state_.carried_home)
+        v *= factor;
     scale_origin(store.told_plane);
     state_.inches = inches;
 }
@@ -494,6 +496,8 @@ void Machine::finish() {
     end_face();
     end_plane();
     carry(std::nullopt);
+    state_.carried_home = {};
+    state_.table_offset = 0;
     state_.cylinder.reset();
     select_system(1);
     state_.plane = Plane::XY;

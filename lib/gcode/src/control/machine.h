@@ -76,8 +76,9 @@ public:
     bool first_length_in_inches() const { return state_.first_length_in_inches; }
     /// G43 or one of its kin came.
     bool uses_length_offsets() const { return uses_length_offsets_; }
-    /// See Interpretation.
+    // See Interpretation.
     bool asked_for_places() const { return asked_for_places_; }
+    double setting_askew() const { return setting_askew_; }
 
 private:
     void let_out(const Command& command);
@@ -213,6 +214,13 @@ private:
     bool straight_on_cylinder(const Axes& end, MoveKind kind, AxisMask mask);
     bool arc_on_cylinder(const Command& command, bool clockwise);
     bool carry_zero(const Command& command);
+    bool offset_table(const Command& command, Code code);
+    bool take_setting(const TableOffsets::One& one, const TableOffsets& all, std::string_view name,
+                      SourceSpan span);
+    const TableOffsets& table_offsets() const;
+    std::array<double, 3> carried_at(const Axes& stand) const;
+    void go_with_table(Axes& end, AxisMask mask);
+    bool check_carried(const Command& command);
     void carry(const std::optional<std::array<double, 3>>& shift);
     double rotary_way(std::size_t axis, double value, double at) const;
     bool turn_to_vector(const Command& command, Axes& end, AxisMask& mask);
@@ -256,6 +264,7 @@ private:
     bool motion_was_named_ = false;
     bool uses_length_offsets_ = false;
     bool asked_for_places_ = false;
+    double setting_askew_ = 0.0;
     bool ended_ = false;
     bool stopped_ = false;
 };

@@ -232,8 +232,7 @@ bool Machine::straight_as_told(const Command& command, MoveKind kind) {
     }
     if (command.corner != 0 && command.corner_size != 0.0) return hold_corner(command, end, mask);
     constexpr AxisMask kRotary = 1U << kA | 1U << kB | 1U << kC;
-    if (state_.carried && (mask & kRotary) != 0 && !machine)
-        return fail(Message::CarriedTurns, command.span);
+    if (!machine) go_with_table(end, mask);
     if (state_.face && (mask & kRotary) != 0 && !machine)
         return fail(Message::PlaneForbids, command.span, {"a rotary axis"});
     if (state_.cylinder && !machine && (mask & 1U << state_.cylinder->axis) != 0) {

@@ -94,8 +94,9 @@ Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMas
     double zero_x = state.zero_92[kX];
     double zero_y = state.zero_92[kY];
     trig::rotate(zero_x, zero_y, state.rotation);
-    out.zero = {mm * (g5x[kX] + zero_x), mm * (g5x[kY] + zero_y),
-                mm * (g5x[kZ] + state.zero_92[kZ])};
+    const auto& home = state.carried_home;
+    out.zero = {mm * (g5x[kX] + zero_x + home[kX]), mm * (g5x[kY] + zero_y + home[kY]),
+                mm * (g5x[kZ] + state.zero_92[kZ] + home[kZ])};
     out.rotation = state.rotation;
     out.frame = state.frame;
     out.in_machine = in_machine;
@@ -190,8 +191,10 @@ void Path::bind(int system, const WorkOffset& workpiece) {
 }
 
 void Path::bind(const Held& held) {
-    WorkOffset workpiece = zero_of(held.frame.work_offset, held.zero_92, held.frame.rotation,
-                                   held.frame.inches ? 25.4 : 1.0);
+    const double unit = held.frame.inches ? 25.4 : 1.0;
+    WorkOffset workpiece = zero_of(held.frame.work_offset, held.zero_92, held.frame.rotation, unit);
+    for (std::size_t i = 0; i < 3; ++i)
+        workpiece.origin[i] += unit * held.carried_home[i];
     workpiece.frame = held.origin_frame;
     bind(held.frame.system, workpiece);
 }
@@ -219,8 +222,8 @@ void Path::emit(const MachineState& state, const Place& from, const Place& to,
         let_out(motion_, frame, from, to, centre, plane_origin);
         return;
     }
-    held_.push_back(
-        {motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92, state.frame});
+    held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92,
+                     state.carried_home, state.frame});
     const bool cuts = motion_.kind != MoveKind::Rapid && start_of(motion_);
     if (cuts || held_.size() >= kMostHeld) bind(Held(held_.back()));
 }

@@ -98,6 +98,7 @@ private:
         Position centre;                    // of an arc
         std::optional<Place> plane_origin;  // of the tilted plane it lies in
         Axes zero_92{};
+        std::array<double, 3> carried_home{};
         OriginFrame origin_frame{};
     };
 

@@ -65,6 +65,10 @@ void Machine::take_coordinates(Coordinates coordinates) {
     if (!options_.joints) return set_knowledge(state_, Knowledge{kNothing, kNothing, kNothing});
     asked_for_places_ = true;
     Axes at = stand();
+    // Places of the tip are told as they are with the table at 0, and so is the zero on it.
+    const bool is_carried = state_.table_offset != 0;
+    if (is_carried && coordinates == Coordinates::Tip) state_.carried = state_.carried_home;
+    if (is_carried && coordinates != Coordinates::Tip) state_.carried = carried_at(at);
     if (coordinates == Coordinates::Tip) {
         const JointSolver::Stand found = options_.joints->stand_of(at, length_mm());
         std::ranges::copy(found.tip, at.begin());
@@ -324,41 +328,6 @@ bool Machine::orient(const Command& command) {
     const Axes end = turn(state_.position);
     if (end != state_.position) path_.straight(state_, end, kind, mask);
     resume(before);
-    return true;
-}
-
-/// The place stays, and has other numbers.
-void Machine::carry(const std::optional<std::array<double, 3>>& shift) {
-    if (shift == state_.carried) return;
-    const Axes machine = machine_position();
-    state_.carried = shift;
-    recompute_position(machine);
-}
-
-/// G254: the zero of the system goes with the table as its axes stand, X, Y and Z stay those of the
-/// machine. G255 ends it.
-bool Machine::carry_zero(const Command& command) {
-    const Code code = command.group(Group::Carried);
-    if (code == Code::None) return true;
-    carry(std::nullopt);
-    if (code == Code::G255) return true;
-    const SourceSpan span = span_of_g(command, code);
-    if (!options_.joints || !options_.joints->turns())
-        return stop_with(Message::TurningUntold, span, {name_of(code)});
-    if (state_.plane_frame || state_.coordinates == Coordinates::Tip)
-        return stop_with(Message::PlaneForbids, span, {name_of(code)});
-    if (!is_turned()) return true;
-    asked_for_places_ = true;
-    Axes zero = stand();
-    for (std::size_t i = 0; i < 3; ++i)
-        zero[i] = state_.work_offset[i] * state_.unit_mm();
-    const auto there =
-        options_.joints->joints_for({zero[kX], zero[kY], zero[kZ]}, zero, length_mm());
-    if (!there) return stop_with(Message::OutOfReach, span, {"the zero"});
-    std::array<double, 3> shift{};
-    for (std::size_t i = 0; i < 3; ++i)
-        shift[i] = ((*there)[i] - zero[i]) / state_.unit_mm();
-    carry(shift);
     return true;
 }
 

@@ -33,6 +33,7 @@ void Runner::run() {
     path_.finish();
     result_.uses_length_offsets = machine_.uses_length_offsets();
     result_.asked_for_places = machine_.asked_for_places();
+    result_.setting_askew = machine_.setting_askew();
     result_.stopped = ended_ && !result_.ended;
     if (!result_.ended && !ended_) {
         log_.add(rules_.strict ? Severity::Error : Severity::Note, Message::ProgramEndMissing,

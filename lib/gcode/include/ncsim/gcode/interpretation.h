@@ -60,6 +60,27 @@ struct TipControl {
     bool operator==(const TipControl&) const = default;
 };
 
+/// What a control has in its parameters of where parts are on the table: of G54.2 Pn, the dynamic
+/// fixture offset of Fanuc, or of G54.4 Pn, what the setting of a part is off.
+struct TableOffsets {
+    struct One {
+        /// From the zero of the coordinate system (of G54.2 as a rule the middle of the table) to
+        /// that of the part: machine coordinates, mm,
+        std::array<double, 3> offset{};
+        std::array<double, 3> at{};  ///< with the rotary axes A, B, C at these degrees.
+        /// Of G54.4: how the part is turned there about X, then Y, then Z, axes that stay; degrees.
+        std::array<double, 3> turns{};
+        bool operator==(const One&) const = default;
+    };
+    std::map<int, One> by_number;
+    /// Whether the tool goes along when the zero moves, with the code itself or with the table, or
+    /// stays and has other coordinates; empty: nobody told.
+    std::optional<bool> moves;
+    /// Rotary axes take turns about X and Y over, so that the tool does not lean on the part.
+    bool axes_take_turns = false;
+    bool operator==(const TableOffsets&) const = default;
+};
+
 /// What an absolute value of a rotary axis says. Increments are always the way itself.
 enum class RotaryWay : std::uint8_t {
     Linear,    ///< A place on a line that goes on: 350 to 10 is -340 (LinuxCNC, Heidenhain).
@@ -112,6 +133,7 @@ struct InterpreterOptions {
     std::shared_ptr<const JointSolver> joints;
     std::array<RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
     std::vector<RotaryClamp> clamps;
+    TableOffsets fixture_offsets, setting_errors;  ///< Of G54.2, of G54.4.
     FileReader read_file;
     FrameObserver observe_frame;
     Limits limits;
@@ -133,6 +155,9 @@ struct Interpretation {
     bool uses_length_offsets = false;  ///< G43 or one of its kin comes in it.
     /// Where joints that are not at 0 have the tip was asked for: the program goes on from there.
     bool asked_for_places = false;
+    /// By how many degrees a part was set up askew of which G54.4 spoke: under it the motions are
+    /// where they are told on the part, and the axes of the machine elsewhere.
+    double setting_askew = 0.0;
     /// Not a milling program we read, or stopped at a code that would misplace all that follows.
     bool refused = false;
     bool stopped = false;  ///< Stopped before its end, by a limit or a missing part.

@@ -34,6 +34,10 @@ public:
     virtual std::optional<Axes> joints_for(const Triple& tip, const Axes& joints,
                                            double length_mm) const = 0;
 
+    /// A direction with a length that is fixed to the table, as the machine has it with the joints
+    /// at `to`: with those at `from` it is `v`.
+    virtual Triple with_table(const Triple& v, const Axes& from, const Axes& to) const = 0;
+
     /// Which of several ways to take, of the joint that counts first.
     enum class Way : unsigned char { Told, Up, Down };
     /// The turns that give the tool the direction `axis`, of unit length, from where `joints`

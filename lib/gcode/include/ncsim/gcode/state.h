@@ -133,8 +133,13 @@ struct MachineState {
         bool operator==(const Cylinder&) const = default;
     };
     std::optional<Cylinder> cylinder;
-    /// G254: how far the zero of the system went with the table. Machine coordinates, active units.
+    /// G254, G54.2, G54.4: how far the zero of the system went with the table. Machine coordinates,
+    /// active units.
     std::optional<std::array<double, 3>> carried;
+    /// Of G54.2 and G54.4: where that is with all rotary axes at 0,
+    std::array<double, 3> carried_home{};
+    int table_offset = 0;           ///< and its number; 0: none.
+    bool is_setting_error = false;  ///< It is of G54.4.
 
     // Places
     Axes position{};     ///< Of the controlled point, program coordinates.

@@ -61,6 +61,9 @@
 //                                    # two ways to a direction the one with the joint that counts
 //                                    # first at 0 or above; "negative", "shortest" (default).
 //                                    # kinematics = ["tip", "axes"]: of LinuxCNC's G12.1 P0, P1
+//                                    // fixture_offsets, fixture_offset_moves, setting_errors,
+//                                    // setting_error_moves, setting_error_turns_axes: of Fanuc's
+//                                    // G54.2 and G54.4, see docs/dialect.md
 //     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), the
 //                                    # default; "shortest" (+20, roll-over), "positive", "sign"
 //                                    # (the size is the place, the sign the way)
@@ -116,6 +119,7 @@ struct MachineFile {
     /// Who is not asked whether they meet, and who is though they are neighbours.
     std::vector<verify::NamePair> ignored, asked;
     gcode::TipControl tip_control;
+    gcode::TableOffsets fixture_offsets, setting_errors;
     std::array<gcode::RotaryWay, 3> rotary_ways{};  ///< Of A, B and C.
     std::vector<gcode::RotaryClamp> clamps;
     /// Limits by tool number; the shape is not told here.

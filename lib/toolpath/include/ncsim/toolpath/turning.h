@@ -21,13 +21,15 @@
 // left is across w: (t' - t) (D_across - s u m), where t' - t is at most (√v2 - √v1)/(√v2 + √v1),
 // and s t (1-t) (u1 - u2) m. Add what the chord is off, as above.
 //
-// Of a cylinder, height and width do not count at once. Across the axis of the tool at t, x is s t
-// (1-t) |z1-z2| away from q, but for what the axis leans from m, s/2 at most: less than s/4 times
-// the height and s² times a quarter of the radius. Along it, it is s t (1-t) |u1-u2| away, with as
-// little more. So far it is beyond an end, the lower one, only if q, at the height (1-t) z1 + t z2,
-// is nearer to that than by this: then z1 is about 2 s t R at most, z2 2 s (1-t) R, and x no
-// farther away across than s² R/3. For s up to 1, s² (height + width)/4 is more than all of these:
-// the gain is no more than this and the larger of s/4 times the height and s/4 times the width.
+// Of a cylinder, height and width do not count at once. Let δ be the angle of its axis at t and m:
+// |t - 1/2| times the angle that it turns by, and what it bends. Then x is beside q by no more than
+// s t (1-t) (|z1-z2| + δ |u1-u2|) across the axis at t, and by s t (1-t) (|u1-u2| + δ |z1-z2|)
+// along it; t (1-t) δ is no more than a twentieth of that angle and a 32nd of the bend. Where x is
+// only beside the tool, the first is what is gained. It is beyond an end, the lower one, only if q,
+// at the height (1-t) z1 + t z2, is nearer to that than by the second: then z1 is less than s t (2R
+// + δ height), z2 less than s (1-t) times as much, and so is |z1-z2| by the larger of t and 1-t.
+// Which leaves of the first an amount of second order, t (1-t) times the larger one being less than
+// 0.149; it is at right angles to the second.
 //
 // Where the tool is a body rolled around by a ball (a ball nose: an axis; a corner radius: the
 // cylinder within the corner), the sum of a point of each, a ball turned is a ball: only the body

@@ -142,7 +142,8 @@ private:
     cda::Box stock_;
     ToolAccuracy accuracy_;
     SamplingOptions sampling_;
-    double slack_mm_;  // the share of the gain that facets may be left out for
+    double gain_mm_;   // that the hulls of turning tools may have,
+    double slack_mm_;  // and the most of it that facets are left out for
     RapidPath rapid_;
     Watch watch_;
     std::shared_ptr<const Kinematics> told_;

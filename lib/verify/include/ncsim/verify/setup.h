@@ -69,6 +69,8 @@ struct Setup {
     /// What of that is assumed nevertheless, in words: where the program tells places of the tip,
     /// and where it tells those of axes.
     std::string tip_guess, axes_guess = "A, B and C turn about the program origin";
+    /// By how many degrees the part is set up askew, which G54.4 corrects; 0: it is straight.
+    double setting_askew = 0.0;
     toolpath::ToolAccuracy accuracy;
     std::optional<cda::Box> stock;   ///< mm, W.
     double path_tolerance_mm = 0.0;  ///< How far a path may be missed; 0: nobody asks.
