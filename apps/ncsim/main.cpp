@@ -6,6 +6,7 @@
 #include "check.h"
 #include "console.h"
 #include "diff.h"
+#include "large_pages.h"
 #include "machine_command.h"
 #include "measure_command.h"
 #include "merge.h"
@@ -48,6 +49,7 @@ void keep_closed_streams_closed() {
 
 int main(int argc, char** argv) {
     using namespace ncsim::app;
+    prefer_large_pages(argv);
     try {
         keep_closed_streams_closed();
         Command command =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outcome.h"
 
+#include "ncsim/brep/measure.h"
+
 #include <algorithm>
 #include <string>
 
@@ -18,6 +20,7 @@ report::SolidFacts solid_facts(const simulation::Solid& of, double tool_toleranc
     for (const brep::Face& face : solid.part.faces)
         ++facts.kinds[face.surface.form.index()].second;
     facts.faces = solid.part.faces.size();
+    facts.volume_mm3 = brep::volume(solid.part);
     facts.miss_mm = solid.part.miss_mm;
     facts.facets_kept = solid.facets_kept;
     facts.facet_miss_mm = solid.part.facet_miss_mm;

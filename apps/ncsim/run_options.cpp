@@ -212,7 +212,7 @@ CLI::App* add_run(CLI::App& app, Options& options) {
         ->type_name("WHAT");
     run->add_option("--step-refine", o.step_refine,
                     "Where facets are too large for true surfaces, cut again with round tools four "
-                    "times as fine, up to N times [2]")
+                    "times as fine, up to N times [3]")
         ->check(CLI::Range(0, 4))
         ->type_name("N");
     run->add_flag("--step-strict", o.step_strict,

@@ -395,6 +395,46 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
     EXPECT_TRUE(check(checked, 1e-4).empty());
 }
 
+// A bore from the side of a bar: its mouth is a spline that closes in itself. It began with steps
+// of half a micrometre, and OpenCASCADE, which looks for curves on the bar at even steps of their
+// parameter, found it to cross itself.
+TEST(Recognise, SplinesThatCloseHaveStepsAsLongAllAround) {
+    const std::string moves =
+        "T1 M6\nG0 X10 Y12 Z100\nG0 B90\nG0 Z40\nG1 Z15\nG1 Z40\nG0 Z100\nG0 B0\n";
+    const Made made = make({"side_bore", moves, {}, 0.0, true}, 0.05);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    const Part& part = made.solid.part;
+    int closed = 0;
+    for (const Edge& edge : part.edges) {
+        const auto* spline = std::get_if<Spline>(&edge.curve);
+        if (!spline || edge.from != edge.to) continue;
+        ++closed;
+        const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+        std::vector<double> steps;
+        for (std::size_t i = 0; i + 1 < spline->knots.size(); ++i)
+            steps.push_back(cda::norm(track.at(spline->knots[i + 1] / spline->knots.back()) -
+                                      track.at(spline->knots[i] / spline->knots.back())));
+        const auto [shortest, longest] = std::ranges::minmax(steps);
+        EXPECT_GT(shortest, 0.1 * longest);
+    }
+    EXPECT_EQ(closed, 1);
+}
+
+// Points of two grooves as deep as each other, 16 um apart: the cones meet in a hyperbola as sharp
+// as a needle. What is far from its end lies behind there, and it was followed the wrong way.
+TEST(Recognise, ConesMeetBesideTheirPoints) {
+    const std::string program =
+        "(T1 D=6. CR=0. TAPER=30deg - chamfer mill)\n(STOCK/BLOCK,20.,12.,3.,-135.,-2.,3.)\n"
+        "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X139.4744 Y5.32 Z2\nG1 Z-0.75\nG1 X139.6222 Y5.5551\n"
+        "G1 X139.8108 Y5.7589\nG1 X140.0338 Y5.9245\nG1 X140.2834 Y6.0461\nG0 Z2\n"
+        "G0 X145.3128 Y5.1426\nG1 Z-0.75\nG1 X144.4198 Y5.7108\nG1 X143.4341 Y6.0965\n"
+        "G1 X142.3927 Y6.2853\nG1 X141.3343 Y6.2702\nG1 X140.2987 Y6.0518\nG0 Z2\nM30\n";
+    for (const double tolerance : {0.0125, 0.005}) {
+        const Made made = test::make_part(setup::job_of({"points.nc", program}), tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U) << tolerance;
+    }
+}
+
 // Two arcs that touch but for the rounding of their numbers. What they leave would be circles that
 // miss their common corner by almost a micrometre, and cross beside it.
 TEST(Recognise, ArcsEndInTheirCorners) {

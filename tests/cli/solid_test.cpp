@@ -111,6 +111,24 @@ TEST(Run, CutsAgainWhereFacetsAreTooLargeForTheSolid) {
     EXPECT_TRUE(contains(once.out, "of the planes are facets of round tools")) << once.out;
 }
 
+// The first finer cut has more facets than the one before, of the same places; the next one has
+// none.
+TEST(Run, CutsSmallPartsAgainThoughItDidNotHelpOnce) {
+    Folder folder;
+    folder.write("ring.nc",
+                 "G17 G21 G90 G94 G54\nG0 Z0.25\nX-0.5 Y0.\nZ0.1\nG01 Z0. F5.\n"
+                 "G02 X0. Y0.5 I0.5 J0. F2.5\nX0.5 Y0. I0. J-0.5\nX0. Y-0.5 I-0.5 J0.\n"
+                 "X-0.5 Y0. I0. J0.5\nG01 Z0.1 F5.\nG00 X0. Y0. Z0.25\n");
+    const auto run = [&](const std::string& times) {
+        return folder.run({"run", "ring.nc", "--draft", "--tolerance", "0.005", "--tool-tolerance",
+                           "0.05", "--step", "a.step", "--step-strict", "--step-refine", times});
+    };
+    const Ran once = run("1"), often = run("3");
+    EXPECT_EQ(once.exit_code, 2) << once.out;
+    EXPECT_EQ(often.exit_code, 0) << often.err;
+    EXPECT_TRUE(contains(often.out, "14 faces: 10 planes, 3 cylinders, 1 extrusion")) << often.out;
+}
+
 TEST(Run, TheWavesOfTheSampleAreWhole) {
     Folder folder;
     const Ran ran = folder.run({"run", std::string(NCSIM_SOURCE_DIR) + "/samples/wave.nc", "--step",

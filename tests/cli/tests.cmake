@@ -24,6 +24,7 @@ if(TARGET ncsim)
       hostile_text_test.cpp
       in_order_test.cpp
       isolate_test.cpp
+      large_pages_test.cpp
       machine_mesh_test.cpp
       machine_test.cpp
       measure_test.cpp

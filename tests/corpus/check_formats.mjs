@@ -5,8 +5,8 @@
 //
 // Runs ncsim on every program that simulates without faults, writes all formats, and has them read
 // by programs that nobody here wrote: OpenCASCADE (STEP), lib3mf, Coin (VRML), admesh (STL, and PLY
-// through assimp), the Khronos validator (glTF). Each must find the volume of the report
-// and closed surfaces. With --most, N programs evenly spread over all. Prints a line for
+// through assimp), the Khronos validator (glTF). Each must find the volume of the report, OpenCASCADE
+// that of the solid, and closed surfaces. With --most, N programs evenly spread over all. Prints a line for
 // each complaint and a table; exit code 1 if there is any.
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -88,12 +88,16 @@ for (const [i, program] of programs.entries()) {
   }
   const report = JSON.parse(readFileSync(`${stem}.json`, "utf8"));
   const { faces, shells } = report.part;
+  // The solid for CAD has true surfaces, and the volume within these.
+  const solid = report.step;
+  const moved = solid ? 1e-6 + Math.max(solid.edges_within_mm, solid.facets_within_mm) : 1e-4;
   if (faces === 0) tally["nothing left"] += 1;
   tally.written += 1;
   const lines = linesOf(readFileSync(`${stem}.glb`));
   writeFileSync(
     `${stem}.expect`,
-    `volume ${report.volume_mm3.part}\nlines ${lines.join(" ")}\nfaces 0\nsolids ${faces === 0 ? 0 : -shells}\nmoved 1e-4\n`,
+    `volume ${report.volume_mm3.part}\nlines ${lines.join(" ")}\nfaces 0\nsolids ${faces === 0 ? 0 : -shells}\n` +
+      `solid ${(solid ?? { volume_mm3: report.volume_mm3.part }).volume_mm3}\nmoved ${moved}\n`,
   );
 }
 

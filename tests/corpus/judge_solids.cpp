@@ -125,7 +125,7 @@ Made make(const std::string& path, const std::filesystem::path& step) {
     brep::keep_apart(facets);
     made.facet_faces = facets.faces.size();
     made.facet_bytes = step_of(facets, milled.provenance).size();
-    constexpr int kMostRefinements = 2;
+    constexpr int kMostRefinements = 3;
     const simulation::Solid solid =
         simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kMostRefinements);
     const brep::Part& part = solid.recognised.part;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid
-// closed solids, in millimetres, with the volume and the number of faces that the .expect file
-// beside it names. Each face becomes triangles, as programs draw it, and these have the volume,
-// too.
+// closed solids, in millimetres, with the volume (of "solid", where other formats have another one)
+// and the number of faces that the .expect file beside it names. Each face becomes triangles, as
+// programs draw it, and these have the volume, too.
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -37,7 +37,7 @@ Expectation read_expectation(const std::filesystem::path& path) {
     std::ifstream in(path);
     Expectation result;
     for (std::string word; in >> word;) {
-        if (word == "volume") in >> result.volume;
+        if (word == "volume" || word == "solid") in >> result.volume;
         if (word == "faces") in >> result.faces;
         if (word == "solids") in >> result.solids;
         if (word == "moved") in >> result.moved;

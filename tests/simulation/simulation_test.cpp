@@ -102,6 +102,37 @@ TEST(Simulation, ABoreIsOfTheCircleAtItsEnd) {
         EXPECT_EQ(flat.boundary->faces[i].origin, part.boundary->faces[i].origin);
 }
 
+// Rows in short moves, some of them sloping: what each line took is what it takes if moves are
+// taken away one by one.
+TEST(Simulation, EachLineOfAStraightWayIsToldWhatItTook) {
+    std::string text = "G21 G90 T1 M6 S8000 M3 F300\nG0 X-5. Y18. Z5.\nG1 Z-2.\n";
+    for (int row = 0; row < 3; ++row) {
+        text += "G91\n";
+        for (int i = 0; i < 40; ++i) {
+            const int slope = i / 10 % 2 == 0 ? 0 : row - 2;
+            text += "G1 X" + std::to_string(row % 2 == 0 ? 1.25 : -1.25) + " Z" +
+                    std::to_string(0.125 * slope) + "\n";
+        }
+        text += "G1 Y2.5\nG90\nG1 Z-2.5\n";
+    }
+    text += "G0 Z5.\nM30\n";
+    for (const std::string& tool : {kTool, std::string("(T1 D=6. CR=3. - ball end mill)\n"),
+                                    std::string("(T1 D=6. CR=1. - bullnose end mill)\n")}) {
+        SCOPED_TRACE(tool);
+        Plan plan = plan_of(tool + kStock + text);
+        plan.block_volumes = true;
+        const Simulation booked = simulate(plan);
+        plan.model = "cda-flat";
+        const Simulation measured = simulate(plan);
+        EXPECT_GT(measured.removed_by_block.size(), 100U);
+        for (const auto& [place, volume] : measured.removed_by_block) {
+            const auto found = booked.removed_by_block.find(place);
+            const double told = found == booked.removed_by_block.end() ? 0.0 : found->second;
+            EXPECT_NEAR(told, volume, 1e-9) << place.second;
+        }
+    }
+}
+
 // A slot in fifty short moves: floor and walls have a line that was no farther away than the tool
 // is wide, and there are a few faces of them, not fifty times as many.
 TEST(Simulation, AStraightWayInPiecesIsOfALineNearBy) {

@@ -176,8 +176,11 @@ Spline through(const Walk& walk, std::vector<Knot> knots) {
 
 }  // namespace
 
-std::optional<Spline> spline_between(const Form& a, const Form& b,
-                                     const std::vector<Vec3>& points) {
+namespace {
+
+// `away` is how much of the way is far enough from an end to tell its direction there.
+std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec3>& points,
+                             double away) {
     const Walk walk(a, b, points.front(), points.back());
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
@@ -186,7 +189,7 @@ std::optional<Spline> spline_between(const Form& a, const Form& b,
     // Corners of the polygon that are very near tell no direction.
     const auto far_from = [&](Vec3 p, auto first, auto last) {
         for (; first != last; ++first) {
-            if (norm(*first - p) > 0.2 * length) return *first;
+            if (norm(*first - p) > away * length) return *first;
         }
         return *(last - 1);
     };
@@ -202,8 +205,11 @@ std::optional<Spline> spline_between(const Form& a, const Form& b,
             knots.push_back(goal);
             return through(walk, std::move(knots));
         }
+        // What closes in itself begins at its end: that is ahead from half of the way on.
+        const bool is_ahead = norm(end - begin) > kLeastStep || passed > 0.5 * length;
+        const double most = is_ahead ? std::max(0.6 * rest, 4.0 * kLeastStep) : step;
         Knot next;
-        if (!walk.advance(at, std::min(step, std::max(0.6 * rest, 4.0 * kLeastStep)), next)) {
+        if (!walk.advance(at, std::min(step, most), next)) {
             step *= 0.5;
             continue;
         }
@@ -213,6 +219,16 @@ std::optional<Spline> spline_between(const Form& a, const Form& b,
         step *= 1.5;
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Spline> spline_between(const Form& a, const Form& b,
+                                     const std::vector<Vec3>& points) {
+    // Beside a sharp bend what is far away lies behind.
+    constexpr double kFar = 0.2, kNearer = 0.05;
+    auto spline = follow(a, b, points, kFar);
+    return spline ? spline : follow(a, b, points, kNearer);
 }
 
 }  // namespace ncsim::brep

@@ -7,13 +7,18 @@
 // distance) goes to whom it is born with, and away from whom it dies of: the divergence theorem for
 // each of them. Walls of boxes need not be counted, since neighbours have them in common.
 //
+// Where a cell stands for several steps that went straight on, what it takes is shared between them
+// (step_shares.h).
+//
 // Which cells are in a box is decided exactly, and so is who has the facet where planes coincide.
 // Areas are sums in doubles.
 #include "descent.h"
 #include "facet_region.h"
+#include "step_shares.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace ncsim::cda {
 
@@ -48,6 +53,7 @@ private:
     void split(const HalfBox& box, std::size_t axis, std::size_t begin, int fruitless,
                std::size_t parent_load, Last last);
     void settle(const HalfBox& box, std::size_t begin, Last last);
+    void share_out();
     void follow(const Plane& plane, double sign, const Local& self, Last last);
     bool takes_from(const Local& other, const Plane& plane, bool takes_same, bool takes_opposite);
     bool clip_to(const Plane& plane, std::span<const Plane> planes);
@@ -57,6 +63,8 @@ private:
 
     const AccountInput* input_ = nullptr;
     std::vector<Taken>* taken_ = nullptr;  // by turn; the first is nobody's
+    std::vector<StepShares> shares_;
+    std::vector<std::uint32_t> shares_of_turn_;  // index, or kNobody
     // The box at hand.
     std::vector<Plane> stock_, planes_;
     std::vector<Local> locals_;
@@ -77,9 +85,18 @@ void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingC
     taken_ = &taken;
     taken.assign(1, {});
     begin(tree, cells, input.cells);
+    shares_.clear();
+    shares_of_turn_.assign(1, kNobody);
     for (Item& item : items_) {
         const Origin origin = input.cells.origin(item.number);
-        if (taken.size() == 1 || taken.back().origin != origin) taken.push_back({origin, 0.0, {}});
+        const bool is_shared = item.cell->steps != nullptr;
+        if (taken.back().origin != origin || taken.size() == 1 || is_shared ||
+            shares_of_turn_.back() != kNobody) {
+            taken.push_back({origin, 0.0, {}});
+            shares_of_turn_.push_back(is_shared ? static_cast<std::uint32_t>(shares_.size())
+                                                : kNobody);
+            if (is_shared) shares_.emplace_back(*item.cell);
+        }
         item.turn = static_cast<std::uint32_t>(taken.size() - 1);
     }
     go_down(0, 0, items_.size(), {});
@@ -87,7 +104,25 @@ void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingC
         std::ranges::sort(turn.cells);
         turn.cells.erase(std::unique(turn.cells.begin(), turn.cells.end()), turn.cells.end());
     }
-    taken.erase(taken.begin());
+    share_out();
+}
+
+// What cells took that stand for steps goes to these. Nobody's turn goes.
+void BlockTree::Accounting::share_out() {
+    std::vector<Taken> all;
+    for (std::size_t turn = 1; turn < taken_->size(); ++turn) {
+        Taken& whole = (*taken_)[turn];
+        const std::uint32_t number = shares_of_turn_[turn];
+        if (number == kNobody) {
+            all.push_back(std::move(whole));
+            continue;
+        }
+        const StepShares& shares = shares_[number];
+        const std::vector<double> volumes = shares.of(whole.volume);
+        for (std::size_t step = 0; step < volumes.size(); ++step)
+            all.push_back({shares.origin(step), volumes[step], whole.cells, step});
+    }
+    taken_->swap(all);
 }
 
 // Items [begin, end) of the level above, in the order of time.
@@ -295,14 +330,27 @@ void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local&
         if (area > rounding && (taken.cells.empty() || taken.cells.back() != number))
             taken.cells.push_back(number);
     };
-    if (self.turn != kBefore) give(self.turn, self.number, facet_.area(), -1.0);
+    const auto shares_of = [&](std::uint32_t turn) {
+        const std::uint32_t shares = shares_of_turn_[turn];
+        return shares == kNobody ? nullptr : &shares_[shares];
+    };
+    if (self.turn != kBefore) {
+        const double area = facet_.area();
+        give(self.turn, self.number, area, -1.0);
+        if (StepShares* shares = shares_of(self.turn)) shares->is_born(plane, area);
+    }
     for (std::size_t i = begin_of_later; i < locals_.size(); ++i) {
         const Local& other = locals_[i];
         if (!takes_from(other, plane, !is_wall, is_wall)) continue;
         give(other.turn, other.number, facet_.take(cuts_), 1.0);
+        if (StepShares* shares = shares_of(other.turn))
+            shares->takes(plane, sign, facet_, facet_.taken());
         if (facet_.is_empty()) return;
     }
-    if (!last.is_nobody()) give(last.turn, last.number, facet_.area(), 1.0);
+    if (last.is_nobody()) return;
+    give(last.turn, last.number, facet_.area(), 1.0);
+    if (StepShares* shares = shares_of(last.turn))
+        shares->takes(plane, sign, facet_, facet_.polygons());
 }
 
 }  // namespace ncsim::cda

@@ -18,7 +18,8 @@ void Block::settle(const AccountInput& input, bool keeps_account) {
             for (const std::uint32_t number : turn.cells) {
                 const auto cell = std::ranges::lower_bound(
                     going_down, number, {}, [](const auto& w) { return w->incoming.number; });
-                taking.bounds.add((*cell)->cell.bounds);
+                taking.bounds.add(turn.step ? (*cell)->cell.steps->steps[*turn.step].bounds
+                                            : (*cell)->cell.bounds);
             }
             taken.emplace_back(turn.origin, taking);
         }

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <unordered_map>
@@ -60,6 +61,7 @@ private:
 struct IncomingCell {
     std::uint32_t number = 0;
     std::span<const Plane> planes;
+    const StraightSteps* steps = nullptr;  ///< As the cell has them.
     /// Twice the distance of the planes that are the family's, in their order; beyond everything
     /// where such a plane does not cut the stock.
     std::vector<double> facets;
@@ -102,6 +104,8 @@ struct Taken {
     /// Numbers of those that took something, ascending; of cells that took the same, one may stand
     /// for the others.
     std::vector<std::uint32_t> cells;
+    /// Where it is one of the steps that the only cell stands for.
+    std::optional<std::size_t> step = std::nullopt;
 };
 
 class BlockTree {

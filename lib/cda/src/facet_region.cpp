@@ -106,6 +106,7 @@ double FacetRegion::take(std::span<const Plane* const> cuts) {
     for (const Plane* cut : cuts)
         lines_.push_back(line_of(*cut));
     rest_.clear();
+    taken_.clear();
     double sum = 0.0;
     for (const Polygon& polygon : polygons_)
         sum += take(polygon);
@@ -137,6 +138,7 @@ double FacetRegion::take(Polygon polygon) {
                 break;
         }
     }
+    taken_.push_back(polygon);
     return flat_area(polygon);
 }
 

@@ -9,6 +9,7 @@
 #include "half_box.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -20,6 +21,19 @@ namespace ncsim::cda {
 /// Planes that are parallel to the facet are for the caller to decide, exactly.
 class FacetRegion {
 public:
+    struct Point {
+        double u = 0, v = 0;
+    };
+    /// a u + b v <= c
+    struct Line {
+        double a = 0, b = 0, c = 0;
+        double above(const Point& p) const { return a * p.u + b * p.v - c; }
+    };
+    /// Corners, counter-clockwise or not as the plane has it.
+    struct Polygon {
+        std::size_t first = 0, count = 0;
+    };
+
     /// The part of `plane` within a box; false if that is nothing.
     bool assign(const Plane& plane, const HalfBox& box);
     /// Keeps what lies below `cut`; false if nothing does.
@@ -32,25 +46,23 @@ public:
     double area() const;
     bool is_empty() const { return polygons_.empty(); }
 
-private:
-    struct Point {
-        double u = 0, v = 0;
-    };
-    // a u + b v <= c
-    struct Line {
-        double a = 0, b = 0, c = 0;
-        double above(const Point& p) const { return a * p.u + b * p.v - c; }
-    };
-    // Corners of a polygon, counter-clockwise or not as the plane has it.
-    struct Polygon {
-        std::size_t first = 0, count = 0;
-    };
-    enum class Where : std::uint8_t { Below, Above, Cut };
-
-    Line line_of(const Plane& cut) const;
+    /// What is left, and what was taken last. Valid until the next facet; a polygon may have no
+    /// area.
+    std::span<const Polygon> polygons() const { return polygons_; }
+    std::span<const Polygon> taken() const { return taken_; }
     std::span<const Point> corners(const Polygon& polygon) const {
         return std::span(points_).subspan(polygon.first, polygon.count);
     }
+    /// Where the facet meets a plane, in the coordinates of the corners; above() is what the normal
+    /// has of the distance.
+    Line line_of(const Plane& cut) const;
+    /// How much of `along`, a length times the normal of the facet, is that length times areas in
+    /// the coordinates of the corners.
+    double flattened(double along) const { return along / std::abs(n_[axes_[2]]); }
+
+private:
+    enum class Where : std::uint8_t { Below, Above, Cut };
+
     static Where where(std::span<const Point> corners, const Line& line);
     Polygon part(const Polygon& polygon, const Line& line, bool above);
     double flat_area(const Polygon& polygon) const;
@@ -62,7 +74,7 @@ private:
     double e_ = 0;
     double stretch_ = 1;  // of areas
     std::vector<Point> points_;
-    std::vector<Polygon> polygons_, rest_;
+    std::vector<Polygon> polygons_, rest_, taken_;
     std::vector<Line> lines_;
 };
 

@@ -44,6 +44,12 @@ bool has_its_normals(const Cell& cell) {
     return is_so;
 }
 
+bool tells_share_of(const Cell& cell, Origin origin) {
+    if (!cell.steps) return origin == cell.origin;
+    const auto& steps = cell.steps->steps;
+    return steps.front().origin <= origin && origin <= steps.back().origin;
+}
+
 }  // namespace
 
 void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
@@ -52,7 +58,10 @@ void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
     }
 }
 
-void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> covering) {
+void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> covering,
+                            std::span<const Cell> before) {
+    for (const Cell& cell : before)
+        take_in(cell, true);
     for (const Cell& cell : cells)
         take_in(cell);
     for (const Cell& cell : covering)
@@ -88,6 +97,7 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
         counts_.planes += d < kBeyond ? 1 : 0;
     taken->cell = cell;
     here.planes = taken->cell.planes;
+    here.steps = taken->cell.steps.get();
     const auto is_there = [](const Place& place, const IncomingCell& c) {
         bool is_so = true;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -107,14 +117,14 @@ bool TreeCda::take_in(const Cell& cell, bool covers) {
 }
 
 // Of the latest cells that wait for a block, those that show nowhere beside this one, which is
-// before them in rank, need not go down the tree. Where it is told what each origin took, only its
-// own.
+// before them in rank, need not go down the tree. Where it is told what each origin took, only
+// those whose share it can tell.
 void TreeCda::forget_within(Block& block, const Cell& covering) const {
     constexpr std::size_t kLatest = 256;
     auto& waiting = block.waiting;
     const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
     const auto is_within = [&](const auto& w) {
-        if (account_ && w->cell.origin != covering.origin) return false;
+        if (account_ && !tells_share_of(covering, w->cell.origin)) return false;
         return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
     };
     waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),

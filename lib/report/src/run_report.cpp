@@ -292,6 +292,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
         for (const auto& [kind, count] : run.solid->kinds)
             kinds[kind] = count;
         json["step"] = {{"faces", run.solid->faces},
+                        {"volume_mm3", tidy(run.solid->volume_mm3)},
                         {"surfaces", std::move(kinds)},
                         {"edges_within_mm", run.solid->miss_mm},
                         {"facets_kept", run.solid->facets_kept},

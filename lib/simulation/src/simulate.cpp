@@ -203,6 +203,7 @@ private:
     // Takes the cells of the step away. How much that was, mm³, if it is measured.
     double cut(const toolpath::Step& step, cda::Origin origin) {
         double removed = 0.0;
+        if (verifier_ && !step.straight.empty()) result_.part->subtract_step({}, {}, step.straight);
         for (const cda::RoundSweep& sweep : step.sweeps) {
             ++result_.hulls;
             result_.part->subtract_sweep(sweep);
@@ -228,11 +229,14 @@ private:
         // Steps near the stock are counted, by tiles as well, so what comes with another one waits
         // for the next.
         if (!step.is_near || !late_.empty())
-            late_.insert(late_.end(), step.covering.begin(), step.covering.end());
+            late_.insert(late_.end(), step.straight.begin(), step.straight.end());
         if (step.is_near) {
             result_.part->subtract_step(
-                step.cells, late_.empty() ? step.covering : std::span<const cda::Cell>(late_));
+                step.cells, step.covering,
+                late_.empty() ? step.straight : std::span<const cda::Cell>(late_));
             late_.clear();
+        } else {
+            late_.insert(late_.end(), step.covering.begin(), step.covering.end());
         }
         return removed;
     }

@@ -41,6 +41,10 @@ bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simul
            solid.facets_given_up > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
 }
 
+// Of so many facets another cut takes no time to speak of. Finer ones are more where they stay, and
+// so tell nothing of what the next cut does.
+constexpr std::size_t kCheap = 2'000;
+
 }  // namespace
 
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
@@ -51,7 +55,8 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
     Plan finer = plan;
     finer.keep_boundary = true;
     finer.keep_paths = finer.keep_carved = finer.block_volumes = finer.hull_times = false;
-    for (int i = 0; i < most_refinements && is_coarse; ++i) {
+    bool is_cheap = true;
+    for (int i = 0; i < most_refinements && is_coarse && (is_cheap || i < 2); ++i) {
         finer.tool_tolerance *= 0.25;
         finer.tolerance *= 0.25;
         Verification nothing;
@@ -59,8 +64,12 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         Simulation again = simulate(finer, survey, nothing, {});
         brep::Recognised solid = solid_of(finer, survey, again, tolerance_mm);
         is_coarse = are_facets_too_large(solid, again);
+        is_cheap = again.boundary->faces.size() <= kCheap;
         // What did not help once hardly ever does.
-        if (solid.facets_kept >= best.recognised.facets_kept) break;
+        if (solid.facets_kept >= best.recognised.facets_kept) {
+            if (!is_cheap) break;
+            continue;
+        }
         best = {std::move(solid), std::move(again.provenance), finer.tool_tolerance};
     }
     return best;

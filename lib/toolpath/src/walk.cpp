@@ -224,7 +224,7 @@ void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
     if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
     const Pose X_WT = Poses(told_.get(), motion).at(*end);
     trace(found->second, X_WT, X_WT, origin, {});
-    step({X_WT, X_WT, cells_, {}, sweeps_, is_near_, {}, {}});
+    step({X_WT, X_WT, cells_, {}, {}, sweeps_, is_near_, {}, {}});
 }
 
 // Does all it does in this motion stay out of what is wanted?
@@ -240,7 +240,7 @@ bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses
 }
 
 // Does a straight move go on as the one before did, on the lattice, no farther than the tool is
-// wide: nobody can tell more exactly where it cut? Where it does not, covering_ is what those
+// wide: nobody can tell more exactly where it cut? Where it does not, straight_ is what those
 // before it took together.
 void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
                  cda::Origin origin) {
@@ -248,34 +248,44 @@ void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, con
     const cda::LatticePoint from = lattice_.round(X_WA.translation);
     const cda::LatticePoint to = lattice_.round(X_WB.translation);
     const double way = norm(lattice_.to_mm(to - run_.start));
-    const bool goes_on = run_.steps > 0 && run_.tool == &tool && run_.end == from &&
+    const bool goes_on = !run_.ends.empty() && run_.tool == &tool && run_.ends.back() == from &&
                          way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
     if (!goes_on) {
         end_run();
-        run_ = {from, to, 0, &tool, cda::kStockOrigin};
+        run_ = {from, {}, {}, &tool, cda::kStockOrigin};
     }
-    run_.end = to;
-    ++run_.steps;
+    run_.ends.push_back(to);
+    run_.steps.push_back({origin, 1.0, cells_.empty() ? cda::Box{} : cells_[0].bounds});
     // What did not meet the stock has no number; whether it is wanted or not.
     if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) run_.origin = origin;
 }
 
 void Walk::end_run() {
-    const Run run = std::exchange(run_, {});
-    if (run.steps < 2 || run.origin == cda::kStockOrigin) return;
+    Run run = std::exchange(run_, {});
+    if (run.ends.size() < 2 || run.origin == cda::kStockOrigin) return;
+    const cda::LatticePoint way = run.ends.back() - run.start;
     const Pose X_WA{upright_, lattice_.to_mm(run.start)};
-    const Pose X_WB{upright_, lattice_.to_mm(run.end)};
+    const Pose X_WB{upright_, lattice_.to_mm(run.ends.back())};
     const cda::Box bounds = run.tool->bounds(X_WA, X_WB);
     if (!stock_.overlaps(bounds) || (wanted_ && !wanted_->overlaps(bounds))) return;
-    run.tool->cutter.trace(X_WA, X_WB, run.origin, covering_);
-    for (cda::Cell& cell : covering_) {
-        const std::int64_t rank = std::int64_t{cell.rank} - run.steps;
+    run.tool->cutter.trace(X_WA, X_WB, run.origin, straight_);
+    for (cda::Cell& cell : straight_) {
+        const std::int64_t rank = std::int64_t{cell.rank} - std::ssize(run.ends);
         cell.rank =
             static_cast<std::int32_t>(std::max<std::int64_t>(rank, cda::Cell::kFirstRank + 1));
     }
-    std::erase_if(covering_, [&](const cda::Cell& c) {
-        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, run.end - run.start);
+    std::erase_if(straight_, [&](const cda::Cell& c) {
+        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, way);
     });
+    // Of several pieces nobody knows by the place which was there first.
+    if (straight_.size() != 1 || run.tool->cutter.pieces() != 1) return;
+    const auto length = [&](const cda::LatticePoint& end) {
+        return norm(lattice_.to_mm(end - run.start));
+    };
+    for (std::size_t i = 0; i + 1 < run.ends.size(); ++i)
+        run.steps[i].end = length(run.ends[i]) / length(run.ends.back());
+    straight_[0].steps =
+        std::make_shared<const cda::StraightSteps>(cda::StraightSteps{way, std::move(run.steps)});
 }
 
 // Is the motion an arc about a middle that the tool may have within it all the way? Then it goes on
@@ -322,6 +332,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
     if (found == tools_.end() || !has_known_start(motion)) return {};
     Known& tool = found->second;
     covering_.clear();
+    straight_.clear();
     if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
         const Pose X_WA{upright_, linear_axes(linear->from)};
         const Pose X_WB{upright_, linear_axes(linear->to)};
@@ -331,7 +342,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         go_on(tool, motion, X_WA, X_WB, origin);
         Turning turning;
         turning.moved_mm = norm(X_WB.translation - X_WA.translation);
-        step({X_WA, X_WB, cells_, covering_, sweeps_, is_near_, {}, turning});
+        step({X_WA, X_WB, cells_, covering_, straight_, sweeps_, is_near_, {}, turning});
         return {};
     }
     const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
@@ -342,7 +353,7 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
         const Poses poses(told_.get(), motion);
         const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
         if (passes_by(tool, motion, poses, X_WA, X_WB)) {
-            step({X_WA, X_WB, {}, covering_, {}, false, {}, {}});
+            step({X_WA, X_WB, {}, covering_, straight_, {}, false, {}, {}});
             return {};
         }
     }
@@ -369,9 +380,10 @@ SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
             if (X_WA == X_WB) continue;
             trace(tool, X_WA, X_WB, origin, liberties);
             if (goes_round) close_round(cutter, X_WA, X_WB, origin);
-            step({X_WA, X_WB, cells_, covering_, sweeps_, is_near_, samples.bounds,
+            step({X_WA, X_WB, cells_, covering_, straight_, sweeps_, is_near_, samples.bounds,
                   samples.turning});
             covering_.clear();
+            straight_.clear();
         }
     };
 

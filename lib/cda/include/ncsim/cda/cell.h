@@ -3,6 +3,7 @@
 // A convex body as the kernel takes it in: halfspaces, and who made it.
 #pragma once
 
+#include "ncsim/cda/lattice.h"
 #include "ncsim/cda/origin.h"
 #include "ncsim/cda/plane.h"
 #include "ncsim/cda/vec.h"
@@ -23,6 +24,17 @@ struct FacetNormals {
     std::size_t size() const { return x.size(); }
 };
 
+/// What a body did step by step where one cell stands for all: it went straight on.
+struct StraightSteps {
+    struct Step {
+        Origin origin = kStockOrigin;
+        double end = 1.0;  ///< Of the step, as a share of the way: ascending to 1.
+        Box bounds;        ///< Of the hull of the step alone, mm; empty where that took nothing.
+    };
+    LatticePoint way;  ///< From the start of the first to the end of the last.
+    std::vector<Step> steps;
+};
+
 /// The intersection of halfspaces; bounded. Redundant planes are allowed, but none stands twice.
 /// `bounds` (mm) encloses it, not necessarily tightly; it is used to reject, never to decide.
 struct Cell {
@@ -37,6 +49,9 @@ struct Cell {
     /// Of the first planes, in their order; null if they are nobody else's. Who changes planes
     /// resets it.
     std::shared_ptr<const FacetNormals> normals;
+    /// Of the hull of a body that went straight on: whose share is what of it, for accounts. Its
+    /// first planes are those of the body, the others are along the way. Null: all is the origin's.
+    std::shared_ptr<const StraightSteps> steps = nullptr;
 };
 
 /// The box with the corners `min` and `max`, in lattice units.

@@ -79,7 +79,8 @@ public:
     using WorkpieceModel::subtract_unmeasured;
     /// The same without. Many cells at a time are shared between threads.
     void subtract_unmeasured(std::span<const Cell> cells) override;
-    void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {}) override;
+    void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
+                       std::span<const Cell> before = {}) override;
     std::optional<Box> wanted() const override;
     /// Lets no cell wait any longer.
     void settle() const;

@@ -144,8 +144,10 @@ public:
     /// others. When what waits is taken in depends on the number of steps then, not on their cells:
     /// who gets fewer of them makes of his share the same, to the last bit.
     /// `covering`: lie within what was taken away with these; who takes them in may forget the
-    /// others.
-    virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {}) {
+    /// others. `before`: within what was taken away before, likewise.
+    virtual void subtract_step(std::span<const Cell> cells, std::span<const Cell> covering = {},
+                               std::span<const Cell> before = {}) {
+        subtract_unmeasured(before);
         subtract_unmeasured(cells);
         subtract_unmeasured(covering);
     }

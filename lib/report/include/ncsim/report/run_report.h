@@ -26,6 +26,7 @@ struct SimplifiedFacts {
 /// What STEP was written with true surfaces.
 struct SolidFacts {
     std::size_t faces = 0;
+    double volume_mm3 = 0.0;  ///< Of the true surfaces.
     /// Of each kind, as many as there are, in the order of the list: "plane", "cylinder" …
     std::vector<std::pair<std::string, std::size_t>> kinds{};
     double miss_mm = 0.0;         ///< Of edges from surfaces, at most.

@@ -44,9 +44,11 @@ struct Step {
     /// none.
     std::span<const cda::Cell> cells;
     /// What this step took away together with those before it, in fewer cells, where it ends a
-    /// whole turn that leaves no core; and what those before it did that went straight on, no
-    /// farther than the tool is wide, where it does not. Some of that may not be wanted.
+    /// whole turn that leaves no core. Some of that may not be wanted.
     std::span<const cda::Cell> covering;
+    /// Likewise what those before it took that went straight on, no farther than the tool is wide,
+    /// where this one does not.
+    std::span<const cda::Cell> straight;
     /// Or of these, where the walk leaves round tools as they are.
     std::span<const cda::RoundSweep> sweeps;
     bool is_near = false;  ///< Is the stock near enough for cells?
@@ -72,7 +74,7 @@ public:
     /// From now on tools whose cutting pieces are cda::RoundSweep's are swept as they are, whatever
     /// the accuracy, where they stand upright and go straight ahead.
     void leave_round() { leaves_round_ = true; }
-    /// From now on no step has `covering`.
+    /// From now on no step has `covering` or `straight`.
     void tell_steps_alone() { covers_ = false; }
     /// Makes `tool` known under `number`; the first one of a number counts.
     const Cutter& add_tool(int number, const Tool& tool);
@@ -120,8 +122,9 @@ private:
     };
     // Straight moves in a row, one as the other.
     struct Run {
-        cda::LatticePoint start, end;
-        std::int32_t steps = 0;
+        cda::LatticePoint start;
+        std::vector<cda::LatticePoint> ends;
+        std::vector<cda::StraightSteps::Step> steps;
         Known* tool = nullptr;
         cda::Origin origin = cda::kStockOrigin;  // the last that met the stock, if one did
     };
@@ -153,6 +156,7 @@ private:
     bool covers_ = true;
     std::vector<cda::Cell> cells_;     // of one step, kept for its memory
     std::vector<cda::Cell> covering_;  // likewise
+    std::vector<cda::Cell> straight_;  // likewise
     Round round_;
     Run run_;
     std::vector<cda::RoundSweep> sweeps_;  // likewise
