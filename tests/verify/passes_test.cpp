@@ -16,7 +16,7 @@ using toolpath::Pose;
 
 struct Way {
     Pose from, to;
-    toolpath::Step step() const { return {from, to, {}, {}, {}, false, {}, {}}; }
+    toolpath::Step step() const { return {from, to, {}, {}, {}, {}, false, {}, {}}; }
 };
 
 Way way(Vec3 a, Vec3 b) {
