@@ -100,43 +100,50 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : TriangleTree(mesh, all_of
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh, std::vector<std::uint32_t> triangles)
     : mesh_(mesh), order_(std::move(triangles)) {
-    if (!order_.empty()) build(0, order_.size());
-}
-
-Vec3 TriangleTree::middle(std::uint32_t triangle) const {
-    const Corners c = corners_of(mesh_, triangle);
-    return (1.0 / 3.0) * (c[0] + c[1] + c[2]);
-}
-
-std::size_t TriangleTree::build(std::size_t begin, std::size_t end) {
-    const std::size_t number = nodes_.size();
-    Node node;
-    node.begin = begin;
-    node.end = end;
-    Box middles;
-    for (std::size_t i = begin; i < end; ++i) {
-        for (const Vec3& corner : corners_of(mesh_, order_[i]))
-            node.box.add(corner);
-        middles.add(middle(order_[i]));
+    if (order_.empty()) return;
+    std::vector<Placed> placed;
+    placed.reserve(order_.size());
+    for (const std::uint32_t t : order_) {
+        const Corners c = corners_of(mesh_, t);
+        placed.push_back({(1.0 / 3.0) * (c[0] + c[1] + c[2]), t});
     }
-    nodes_.push_back(node);
-    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    build(placed, 0, placed.size());
+}
+
+std::size_t TriangleTree::build(std::vector<Placed>& placed, std::size_t begin, std::size_t end) {
+    const std::size_t number = nodes_.size();
+    nodes_.push_back({{}, begin, end});
     if (end - begin <= kLeaf) {
-        std::sort(at(begin), at(end));
+        Box box;
+        for (std::size_t i = begin; i < end; ++i) {
+            order_[i] = placed[i].triangle;
+            for (const Vec3& corner : corners_of(mesh_, order_[i]))
+                box.add(corner);
+        }
+        std::sort(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  order_.begin() + static_cast<std::ptrdiff_t>(end));
+        nodes_[number].box = box;
         return number;
     }
+    Box middles;
+    for (std::size_t i = begin; i < end; ++i)
+        middles.add(placed[i].middle);
     const Vec3 size = middles.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::size_t half = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return placed.begin() + static_cast<std::ptrdiff_t>(i); };
     // By number where they are level: the same halves with every library.
-    std::nth_element(at(begin), at(half), at(end), [&](std::uint32_t s, std::uint32_t t) {
-        const double a = middle(s)[axis], b = middle(t)[axis];
-        return a < b || (a == b && s < t);
+    std::nth_element(at(begin), at(half), at(end), [&](const Placed& s, const Placed& t) {
+        const double a = s.middle[axis], b = t.middle[axis];
+        return a < b || (a == b && s.triangle < t.triangle);
     });
-    const std::size_t left = build(begin, half);
-    const std::size_t right = build(half, end);
-    nodes_[number].left = left;
-    nodes_[number].right = right;
+    const std::size_t left = build(placed, begin, half);
+    const std::size_t right = build(placed, half, end);
+    Node& node = nodes_[number];
+    node.left = left;
+    node.right = right;
+    node.box = nodes_[left].box;
+    node.box.add(nodes_[right].box);
     return number;
 }
 

@@ -70,8 +70,11 @@ private:
         std::size_t begin = 0, end = 0;   // in order_
         std::size_t left = 0, right = 0;  // nodes; 0: a leaf
     };
-    std::size_t build(std::size_t begin, std::size_t end);
-    Vec3 middle(std::uint32_t triangle) const;
+    struct Placed {
+        Vec3 middle;
+        std::uint32_t triangle;
+    };
+    std::size_t build(std::vector<Placed>& placed, std::size_t begin, std::size_t end);
     void search(std::size_t number, Vec3 p, Nearest& nearest) const;
 
     const TriangleMesh& mesh_;
