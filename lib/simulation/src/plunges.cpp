@@ -7,8 +7,11 @@
 #include "ncsim/toolpath/trace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <utility>
