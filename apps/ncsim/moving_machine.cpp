@@ -55,8 +55,10 @@ public:
         scene_.zero = outcome_.plan.placed->zero;
         scene_.seconds = course_.seconds;
         scene_.missed_mm = course_.missed_mm;
-        for (const simulation::LineTime& line : course_.lines)
-            scene_.lines.push_back({line.seconds, line.line});
+        // Of the program itself: scenes tell of no other files.
+        for (const simulation::LineTime& line : course_.lines) {
+            if (line.file == 0) scene_.lines.push_back({line.seconds, line.line});
+        }
         add_tools();
         return std::move(scene_);
     }

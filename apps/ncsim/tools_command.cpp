@@ -4,6 +4,7 @@
 #include "ncsim/report/tool_sheet.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/plunges.h"
 #include "ncsim/simulation/survey.h"
 
 #include "console.h"
@@ -34,11 +35,12 @@ int run(const ToolsOptions& options) {
     plan.job = setup::read_job(options, inputs);
     outputs.reserve(options.save_job);
     const simulation::Survey survey = simulation::survey(plan);
+    const report::Plunges plunges = simulation::plunges_of(plan);
     const setup::Job& job = plan.job;
     if (options.json) {
-        put_out(report::tool_sheet_json(job.program.name, survey, job.tools));
+        put_out(report::tool_sheet_json(job.program.name, survey, job.tools, plunges));
     } else {
-        put_text(report::tool_sheet(survey, job.tools), outputs.takes_standard_output());
+        put_text(report::tool_sheet(survey, job.tools, plunges), outputs.takes_standard_output());
     }
     print_findings(job.program, survey.diagnostics);
     outputs.write(options.save_job,

@@ -3,7 +3,15 @@
 // other_models PROGRAM…: systems that the thesis names (chapter 2) and ncsim does not use, on the
 // same hulls: a tree of BSP cells, voxels (OpenVDB), Boolean operations of a CAD kernel
 // (OpenCASCADE); the last two where their libraries are found. Rows as those of model_table.
+// other_models --picture PROGRAM FILE.png: the part in several models, side by side.
+#include "ncsim/cda/boundary.h"
 #include "ncsim/cda/cell.h"
+#include "ncsim/cda/tree.h"
+#include "ncsim/dexel/dexel.h"
+#include "ncsim/export/image.h"
+#include "ncsim/export/png.h"
+#include "ncsim/export/render.h"
+#include "ncsim/export/sheet.h"
 
 #include "hulls.h"
 #include "measure.h"
@@ -37,10 +45,12 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -280,8 +290,9 @@ void bsp(const Work& work) {
 }
 
 #ifdef NCSIM_HAS_OPENVDB
-void voxels(const Work& work, double size) {
-    using Grid = openvdb::FloatGrid;
+using Grid = openvdb::FloatGrid;
+
+Grid::Ptr voxel_part(const Work& work, double size) {
     openvdb::initialize();
     const auto transform = openvdb::math::Transform::createLinearTransform(size);
     const auto background = static_cast<float>(3.0 * size);
@@ -313,7 +324,6 @@ void voxels(const Work& work, double size) {
         }
         return grid;
     };
-    const double start = cpu_seconds();
     Grid::Ptr part = grid_of(box_body(work.stock), work.stock);
     for (std::size_t i = 0; i < work.bodies.size(); ++i) {
         // What of the tool is far above the stock is nobody's.
@@ -324,6 +334,39 @@ void voxels(const Work& work, double size) {
         }
         openvdb::tools::csgDifference(*part, *grid_of(work.bodies[i], box));
     }
+    return part;
+}
+
+// Its surface, two triangles a quad.
+cda::Boundary surface_of(const Grid& part) {
+    std::vector<openvdb::Vec3s> points;
+    std::vector<openvdb::Vec4I> quads;
+    openvdb::tools::volumeToMesh(part, points, quads);
+    cda::Boundary boundary;
+    boundary.shells = 1;
+    for (const openvdb::Vec3s& p : points) {
+        const openvdb::Vec3d q(p);
+        boundary.vertices.push_back({q.x(), q.y(), q.z()});
+    }
+    // Its quads have the material on their left.
+    for (const openvdb::Vec4I& q : quads) {
+        for (const auto& t : {std::array{q[0], q[2], q[1]}, std::array{q[0], q[3], q[2]}}) {
+            const auto& v = boundary.vertices;
+            const Vec3 across = cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
+            if (norm(across) == 0.0) continue;
+            cda::BoundaryFace face;
+            face.normal = normalized(across);
+            face.offset = dot(face.normal, v[t[0]]);
+            face.loops = {{t[0], t[1], t[2]}};
+            boundary.faces.push_back(std::move(face));
+        }
+    }
+    return boundary;
+}
+
+void voxels(const Work& work, double size) {
+    const double start = cpu_seconds();
+    const Grid::Ptr part = voxel_part(work, size);
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec4I> quads;
     openvdb::tools::volumeToMesh(*part, points, quads);
@@ -333,6 +376,40 @@ void voxels(const Work& work, double size) {
           openvdb::tools::levelSetVolume(*part), fmt::format("{} quads", quads.size()));
 }
 #endif
+
+// The same part in several models, from where the same camera stands.
+void picture(const std::string& program, const std::string& path) {
+    const Work work = work_of(bench::hulls_of(program), ~std::size_t{0});
+    constexpr double kSize = 0.05;  // mm
+    constexpr std::uint32_t kWidth = 480, kHeight = 400;
+    exporter::RenderOptions render;
+    render.width = kWidth;
+    render.height = kHeight;
+    render.camera = exporter::fit_camera(work.stock, exporter::View::Iso,
+                                         static_cast<double>(kWidth) / kHeight);
+    std::vector<exporter::LabelledImage> pictures;
+    const auto add = [&](const std::string& label, const cda::Boundary& boundary) {
+        pictures.push_back({label, exporter::render_boundary(boundary, {}, render)});
+    };
+    const bench::Hulls hulls = bench::hulls_of(program);
+    const auto cut = [&](const cda::WorkpieceModel& prototype) {
+        auto part = prototype.create(hulls.stock_cell(), hulls.lattice);
+        part->subtract_unmeasured(hulls.cells);
+        return part->boundary();
+    };
+    add("cda", cut(cda::TreeCda()));
+    using dexel::Directions;
+    using dexel::Mesher;
+    add("dexel, xyz", cut(dexel::Dexel({1, kSize, Directions::Three, Mesher::DualContouring})));
+    add("dexel, z", cut(dexel::Dexel({1, kSize, Directions::OnlyZ, Mesher::DualContouring})));
+    add("dexel, marching cubes",
+        cut(dexel::Dexel({1, kSize, Directions::Three, Mesher::MarchingCubes})));
+#ifdef NCSIM_HAS_OPENVDB
+    add("voxels (OpenVDB)", surface_of(*voxel_part(work, kSize)));
+#endif
+    std::ofstream file(path, std::ios::binary);
+    exporter::write_png(file, exporter::contact_sheet(pictures, {}));
+}
 
 #ifdef NCSIM_HAS_OCCT
 TopoDS_Shape solid_of(const Body& body) {
@@ -388,6 +465,10 @@ void cad_kernel(const Work& work) {
 int main(int argc, char** argv) {
     try {
         std::vector<std::string> names(argv + 1, argv + argc);
+        if (names.size() == 3 && names[0] == "--picture") {
+            picture(names[1], names[2]);
+            return 0;
+        }
         if (names.empty()) {
             names = {NCSIM_SOURCE_DIR "/samples/simple.nc", NCSIM_SOURCE_DIR "/samples/complex.nc",
                      "wave-100", "wave-900"};

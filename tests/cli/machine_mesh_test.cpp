@@ -257,7 +257,13 @@ TEST(Machine, RefusesMeshesThatItCannotTrust) {
         const Ran ran = folder.run({"machine", "m.toml"});
         EXPECT_EQ(ran.exit_code, 2) << mesh.substr(0, 100);
         EXPECT_NE(ran.err.find(message), std::string::npos) << ran.err << mesh.substr(0, 100);
+        // And where it is asked for.
+        EXPECT_NE(ran.err.find("m.toml:19:8: "), std::string::npos) << ran.err;
     }
+    folder.write("m.toml", kOneLink + "mesh = \"gone.stl\"\n");
+    const Ran gone = folder.run({"machine", "m.toml"});
+    EXPECT_EQ(gone.exit_code, 2);
+    EXPECT_NE(gone.err.find("m.toml:19:8: cannot read 'gone.stl'"), std::string::npos) << gone.err;
     folder.write("a.mesh", box_obj({0, 0, 0}, {1, 2, 1}));
     for (const auto& [more, code] :
          std::vector<std::pair<std::string, int>>{{"scale = 1\n", 0}, {"scale = 0\n", 2}}) {

@@ -80,7 +80,7 @@ if(TARGET ncsim AND NCSIM_THREE_JS)
   set_tests_properties(cli.install_browser_driver PROPERTIES
     FIXTURES_SETUP browser_driver TIMEOUT 300)
   add_test(NAME cli.a_click_on_a_face_selects_its_line
-    COMMAND node page.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM}
+    COMMAND node page.mjs $<TARGET_FILE:ncsim> ${NCSIM_CHROMIUM} ${PROJECT_SOURCE_DIR}/samples
     WORKING_DIRECTORY ${page_tools})
   set_tests_properties(cli.a_click_on_a_face_selects_its_line PROPERTIES
     FIXTURES_REQUIRED browser_driver TIMEOUT 120)

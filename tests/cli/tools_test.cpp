@@ -212,5 +212,44 @@ TEST(JobFile, TellsWhereAToolCameFromWhateverBytesStandThere) {
     EXPECT_TRUE(contains(ran.out, "T1        flat end mill D6 ")) << ran.out;
 }
 
+// Two moves along the tool of a cradle A with C on it that turn the part by the right hand, from
+// the impeller that comes with LinuxCNC; a move of a millimetre tells nothing, and one elsewhere.
+TEST(Tools, SayWhatMovesAtTiltedAnglesTellOfXYZ) {
+    Folder folder;
+    const std::string begin = "(T1 D=3. CR=1.5 - ball end mill)\nG21 G90 T1 M6 S1 M3 F100\n";
+    const std::string moves =
+        "G0 X16.339 Y-25.409 Z33.353 A-71.841 C-35.93\n"
+        "G0 X7.417 Y-13.098 Z28.366\nG1 X6.302 Y-11.56 Z27.743\nG1 X20 Y-13\n"
+        "G0 X13.646 Y-21.89 Z36.873 A-43.236 C-43.723\n"
+        "G0 X8.468 Y-16.476 Z28.905 A-43.236 C-43.723\n";
+    folder.write("tip.nc", begin + "M428\n" + moves + "M429\nM30\n");
+    const Ran ran = folder.run({"tools", "tip.nc"});
+    EXPECT_TRUE(contains(ran.out,
+                         "plunges   2 at tilted angles, along the tool of some machine or along Z\n"
+                         "  tip     2 along the tool of xyzac-trt\n"
+                         "  axes    0 along Z\n"))
+        << ran.out;
+    const json told = json::parse(folder.run({"tools", "tip.nc", "--json"}).out)["plunges"];
+    EXPECT_EQ(told, json::parse(R"({"moves": 2, "along_z": 0,
+                                    "tip": [{"machines": ["xyzac-trt"], "moves": 2}]})"));
+    // By G43.4, of a table that counts the other way: the part turns by -A, by -C.
+    folder.write("iso.nc", begin +
+                               "G43.4 H1\nG0 X0 Y0 Z0 A30 C0\nG1 Y-5 Z8.6602540378\n"
+                               "G0 X0 Y0 Z0\nM30\n");
+    EXPECT_TRUE(
+        contains(folder.run({"tools", "iso.nc"}).out,
+                 "  tip     2 along the tool of xyzac-trt with other signs, xyzab-table, 4axis-a"));
+    // Places of axes: down is Z, however the table stands.
+    folder.write("axes.nc", begin + "G0 X0 Y0 Z9 B90\nG1 Z-5\nG0 Z9\nB180\nG1 Z-5\nM30\n");
+    EXPECT_TRUE(contains(folder.run({"tools", "axes.nc"}).out, "  axes    3 along Z\n"));
+    folder.write("none.nc", begin + "G0 X0 Y0 Z9 B90\nG1 X-5\nY3 Z-20\nM30\n");
+    EXPECT_TRUE(contains(folder.run({"tools", "none.nc"}).out, "  tip     1 along the tool of "));
+    folder.write("mute.nc", begin + "G0 X0 Y0 Z9 B30\nG1 X-5\nY3 Z-20\nM30\n");
+    EXPECT_TRUE(contains(folder.run({"tools", "mute.nc"}).out,
+                         "plunges   none at tilted angles: no move tells what X, Y and Z are\n"));
+    folder.write("upright.nc", begin + "G0 X0 Y0 Z9 C30\nG1 Z-5\nM30\n");
+    EXPECT_FALSE(contains(folder.run({"tools", "upright.nc"}).out, "plunges"));
+}
+
 }  // namespace
 }  // namespace ncsim::cli_test

@@ -587,6 +587,24 @@ TEST(RotaryWay, OfASignAndAlwaysUp) {
               (std::vector<double>{90, 405, 405, 710}));
 }
 
+// It was off by the rounding of two ways, so that the second word was a turn of 1e-14 degrees, and
+// a whole one for an axis that always goes up.
+TEST(RotaryWay, APlaceThatIsNamedAgainIsNoMove) {
+    for (const RotaryWay way :
+         {RotaryWay::Linear, RotaryWay::Shortest, RotaryWay::Sign, RotaryWay::Positive}) {
+        for (const std::string from : {"C-345.249", "C345.249", "C0.1", "G91 C1234.567\nG90"}) {
+            for (const std::string to : {"C-43.723", "C43.723", "C0.3"}) {
+                const auto all = places(way, {from, to, to, to});
+                const double place = all[all.size() - 3];
+                EXPECT_EQ(all[all.size() - 2], place) << from << " " << to;
+                EXPECT_EQ(all[all.size() - 1], place) << from << " " << to;
+                if (way != RotaryWay::Linear) continue;
+                EXPECT_EQ(place, std::stod(to.substr(1)));
+            }
+        }
+    }
+}
+
 TEST(RotaryClamp, IsToldWhereAnAxisTurnsThatIsHeld) {
     InterpreterOptions options;
     options.clamps = {{'B', 10, 11}, {'C', 70, 71}};

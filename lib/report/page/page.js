@@ -99,6 +99,75 @@ function sharpEdges(corners, index, normals) {
   return geometry;
 }
 
+// A body for each link and each piece of a tool; where they are is told by the joints, which go
+// about the bed while the part, here, lies still.
+function makeMachine(told) {
+  const group = new THREE.Group();
+  const lines = bytes(told.lines, Uint32Array), tools = bytes(told.tools, Int32Array);
+  const values = bytes(told.values, Float32Array);
+  const bodies = told.bodies.map((body) => {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position",
+      new THREE.BufferAttribute(bytes(body.corners, Float32Array), 3));
+    geometry.computeVertexNormals();
+    geometry.computeBoundingSphere();
+    const [r, g, b] = body.colour;
+    const object = new THREE.Mesh(geometry,
+      new THREE.MeshLambertMaterial({ color: new THREE.Color(`rgb(${r},${g},${b})`) }));
+    object.matrixAutoUpdate = false;
+    group.add(object);
+    return object;
+  });
+
+  function jointMatrix([axis, turns, direction, through], stand) {
+    const along = new THREE.Vector3(...direction), at = new THREE.Vector3(...through);
+    if (!turns) {
+      along.multiplyScalar(stand[axis]);
+      return new THREE.Matrix4().makeTranslation(along.x, along.y, along.z);
+    }
+    return new THREE.Matrix4().makeTranslation(at.x, at.y, at.z)
+      .multiply(new THREE.Matrix4().makeRotationAxis(along, stand[axis] * Math.PI / 180))
+      .multiply(new THREE.Matrix4().makeTranslation(-at.x, -at.y, -at.z));
+  }
+  const movedBy = (joints, stand) =>
+    joints.reduce((m, joint) => m.multiply(jointMatrix(joint, stand)), new THREE.Matrix4());
+
+  // After the line, or the last one before it that moves; before all of them, after the first.
+  function indexOf(line) {
+    let i = 0;
+    while (i + 1 < lines.length && lines[i + 1] <= line) i += 1;
+    return i;
+  }
+  function show(line) {
+    const i = indexOf(line);
+    const stand = values.subarray(9 * i, 9 * i + 9);
+    const [x, y, z] = told.zero;
+    // Of inverses the last comes first: transposed turns, ways back.
+    let toPart = new THREE.Matrix4();
+    for (const joint of told.part_moved_by) {
+      const back = stand.slice();
+      back[joint[0]] = -stand[joint[0]];
+      toPart = jointMatrix(joint, back).multiply(toPart);
+    }
+    toPart = new THREE.Matrix4().makeTranslation(-x, -y, -z).multiply(toPart);
+    told.bodies.forEach((body, k) => {
+      bodies[k].visible = body.tool < 0 || body.tool === tools[i];
+      bodies[k].matrix.multiplyMatrices(toPart, movedBy(body.moved_by, stand));
+      bodies[k].matrixWorldNeedsUpdate = true;
+    });
+    return i;
+  }
+  // A point of a body, machine coordinates with all joints at 0, as the part has it now.
+  function place(name, x, y, z) {
+    const k = told.bodies.findIndex((body, i) => body.name === name && bodies[i].visible);
+    return new THREE.Vector3(x, y, z).applyMatrix4(bodies[k].matrix).toArray();
+  }
+  show(0);
+  group.updateMatrixWorld(true);
+  const sphere = new THREE.Box3().setFromObject(group).getBoundingSphere(new THREE.Sphere());
+  return { group, lines, show, place, sphere };
+}
+
 function makeView(holder, mesh) {
   const corners = bytes(mesh.vertices, Float32Array);
   const index = bytes(mesh.triangles, Uint32Array);
@@ -140,11 +209,22 @@ function makeView(holder, mesh) {
   const lamp = new THREE.DirectionalLight(0xffffff, 0.55);
   scene.add(lamp);
 
-  const sphere = geometry.boundingSphere;
-  const camera = new THREE.PerspectiveCamera(35, 1, sphere.radius / 100, sphere.radius * 100);
+  const machine = data.machine ? makeMachine(data.machine) : null;
+  let sphere = geometry.boundingSphere;
+  const camera = new THREE.PerspectiveCamera(35, 1, 1, 100);
   camera.up.set(0, 0, 1);
-  const target = sphere.center.clone();
-  let azimuth = -Math.PI / 3, height = Math.PI / 5, distance = 3.6 * sphere.radius;
+  const target = new THREE.Vector3();
+  let azimuth = -Math.PI / 3, height = Math.PI / 5, distance = 1;
+  // All of the machine, or the part alone.
+  function showMachine(shown) {
+    if (machine && shown) scene.add(machine.group);
+    if (machine && !shown) scene.remove(machine.group);
+    sphere = machine && shown ? machine.sphere : geometry.boundingSphere;
+    camera.near = geometry.boundingSphere.radius / 100;
+    camera.far = sphere.radius * 100;
+    target.copy(sphere.center);
+    distance = 3.6 * sphere.radius;
+  }
 
   const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setPixelRatio(window.devicePixelRatio);
@@ -213,10 +293,18 @@ function makeView(holder, mesh) {
   }, { passive: false });
   window.addEventListener("resize", draw);
 
+  showMachine(true);
   paint(0);
   draw();
   return {
-    highlight(line) { paint(line); draw(); },
+    highlight(line) {
+      paint(line);
+      if (machine && line > 0) this.stood(machine.show(line));
+      draw();
+    },
+    machine,
+    stood() {},
+    showMachine(shown) { showMachine(shown); draw(); },
     // Where a point of the part is on the page: for tests and for those who script it.
     project(x, y, z) {
       const p = new THREE.Vector3(x, y, z).project(camera);
@@ -235,5 +323,17 @@ if (holder && data.mesh) {
   } catch (error) {
     picked.textContent = `No view of the part here: ${error.message}`;
   }
+}
+const controls = document.getElementById("stand");
+if (controls && view && view.machine) {
+  const [shown, slider] = controls.querySelectorAll("input");
+  shown.addEventListener("change", () => view.showMachine(shown.checked));
+  slider.min = 0;
+  slider.max = view.machine.lines.length - 1;
+  slider.value = 0;
+  view.stood = (i) => { slider.value = i; };
+  slider.addEventListener("input", () => select(view.machine.lines[slider.value]));
+} else if (controls) {
+  controls.remove();
 }
 window.ncsim = { select, view, selected: () => selected };

@@ -86,6 +86,49 @@ Json mesh_json(const Look& look) {
             {"normals", base64(normals)}};
 }
 
+// Joints by their numbers: the place of the value, whether it turns, direction, a point.
+Json joints_json(const std::vector<MachineLook::Joint>& joints) {
+    Json all = Json::array();
+    for (const MachineLook::Joint& j : joints) {
+        const cda::Vec3 &d = j.direction, &p = j.through;
+        all.push_back({j.axis, j.turns, {d.x, d.y, d.z}, {p.x, p.y, p.z}});
+    }
+    return all;
+}
+
+Json machine_json(const MachineLook& machine) {
+    Json json;
+    json["bodies"] = Json::array();
+    for (const MachineLook::Body& body : machine.bodies) {
+        std::string corners;
+        for (const auto& triangle : body.mesh.triangles) {
+            for (const std::uint32_t corner : triangle) {
+                const cda::Vec3& v = body.mesh.vertices[corner];
+                for (const double c : {v.x, v.y, v.z})
+                    put_word(corners, static_cast<float>(c));
+            }
+        }
+        json["bodies"].push_back({{"name", one_line(body.name)},
+                                  {"colour", body.colour},
+                                  {"corners", base64(corners)},
+                                  {"moved_by", joints_json(body.moved_by)},
+                                  {"tool", body.tool}});
+    }
+    json["part_moved_by"] = joints_json(machine.part_moved_by);
+    json["zero"] = {machine.zero.x, machine.zero.y, machine.zero.z};
+    std::string lines, values, tools;
+    for (const auto& [line, stand] : machine.stands) {
+        put_word(lines, line);
+        for (const double value : stand.values)
+            put_word(values, static_cast<float>(value));
+        put_word(tools, stand.tool);
+    }
+    json["lines"] = base64(lines);
+    json["values"] = base64(values);
+    json["tools"] = base64(tools);
+    return json;
+}
+
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -122,6 +165,7 @@ Json data_json(const Checked& checked) {
     for (const auto& [line, volume] : removed)
         data["removed"][std::to_string(line)] = std::stod(fmt::format("{:.6g}", volume));
     if (!look.mesh.triangles.empty()) data["mesh"] = mesh_json(look);
+    if (look.machine) data["machine"] = machine_json(*look.machine);
     return data;
 }
 
@@ -273,6 +317,11 @@ void write_page(std::ostream& out, const Checked& checked) {
         body += "<main>\n<section><h2>Part</h2>";
         if (!checked.look->mesh.triangles.empty() && !kThreeScript.empty()) {
             body += "<div id=\"view\"></div>";
+            if (checked.look->machine) {
+                body +=
+                    "<p id=\"stand\"><label><input type=\"checkbox\" checked> machine</label>"
+                    "<input type=\"range\" aria-label=\"line\"></p>";
+            }
         }
         body +=
             "<p id=\"picked\"></p></section>\n"

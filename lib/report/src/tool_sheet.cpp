@@ -9,6 +9,7 @@
 #include "json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <set>
@@ -61,8 +62,9 @@ std::string shape_of(const std::vector<toolpath::ToolEntry>& described, const Pr
 
 class ToolSheet {
 public:
-    ToolSheet(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program)
-        : described_(described), program_(program) {}
+    ToolSheet(const std::vector<toolpath::ToolEntry>& described, const ProgramFacts& program,
+              const Plunges& plunges)
+        : described_(described), program_(program), plunges_(plunges) {}
 
     std::string text() {
         for (const int number : numbers_of(described_, program_))
@@ -75,6 +77,7 @@ public:
         } else {
             add("stock", "not told");
         }
+        if (plunges_.is_tilted) add_plunges();
         return std::move(text_);
     }
 
@@ -109,8 +112,23 @@ private:
         }
     }
 
+    void add_plunges() {
+        if (plunges_.moves == 0) {
+            add("plunges", "none at tilted angles: no move tells what X, Y and Z are");
+            return;
+        }
+        add("plunges", fmt::format("{} at tilted angles, along the tool of some machine or along Z",
+                                   plunges_.moves));
+        for (const Plunges::Tip& tip : plunges_.tip) {
+            add("  tip",
+                fmt::format("{} along the tool of {}", tip.moves, fmt::join(tip.machines, ", ")));
+        }
+        add("  axes", fmt::format("{} along Z", plunges_.along_z));
+    }
+
     const std::vector<toolpath::ToolEntry>& described_;
     const ProgramFacts& program_;
+    const Plunges& plunges_;
     std::string text_;
 };
 
@@ -140,12 +158,13 @@ Json told_json(toolpath::ToldBy by, gcode::SourceSpan span, const std::string& f
 }  // namespace
 
 std::string tool_sheet(const ProgramFacts& program,
-                       const std::vector<toolpath::ToolEntry>& described) {
-    return ToolSheet(described, program).text();
+                       const std::vector<toolpath::ToolEntry>& described, const Plunges& plunges) {
+    return ToolSheet(described, program, plunges).text();
 }
 
 std::string tool_sheet_json(const std::string& name, const ProgramFacts& program,
-                            const std::vector<toolpath::ToolEntry>& described) {
+                            const std::vector<toolpath::ToolEntry>& described,
+                            const Plunges& plunges) {
     Json tools = Json::array();
     for (const int number : numbers_of(described, program)) {
         Json tool{{"number", number}};
@@ -177,6 +196,13 @@ std::string tool_sheet_json(const std::string& name, const ProgramFacts& program
         json["stock"] = {{"min", {box.min.x, box.min.y, box.min.z}},
                          {"max", {box.max.x, box.max.y, box.max.z}},
                          {"told", told_json(stock.told_by, stock.span, stock.file, stock.text)}};
+    }
+    if (plunges.is_tilted) {
+        Json tip = Json::array();
+        for (const Plunges::Tip& t : plunges.tip)
+            tip.push_back({{"machines", t.machines}, {"moves", t.moves}});
+        json["plunges"] = {
+            {"moves", plunges.moves}, {"along_z", plunges.along_z}, {"tip", std::move(tip)}};
     }
     json["findings"] = findings_json(program.diagnostics);
     return to_text(json);

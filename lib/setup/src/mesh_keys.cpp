@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace ncsim::setup {
@@ -13,7 +15,12 @@ namespace ncsim::setup {
 void MeshKeys::take_mesh(const toml::node& node, const std::string& key) {
     if (mesh_at_) r_.fail(node, fmt::format("'{}': a mesh is told already", key));
     mesh_at_ = &node;
-    file_ = read_surface_file(seen_in(folder_, r_.text(node, key)), inputs_);
+    const std::string path = seen_in(folder_, r_.text(node, key));
+    try {
+        file_ = read_surface_file(path, inputs_);
+    } catch (const std::runtime_error& e) {
+        r_.fail(node, e.what());
+    }
 }
 
 void MeshKeys::take_scale(const toml::node& node, const std::string& key) {

@@ -217,7 +217,13 @@ private:
     }
 
     cda::TriangleMesh mesh_of(const XMLElement* e, UrdfLink& link) {
-        SurfaceFile file = read_surface_file(path_of(e, text(e, "filename")), inputs_);
+        const std::string path = path_of(e, text(e, "filename"));
+        SurfaceFile file;
+        try {
+            file = read_surface_file(path, inputs_);
+        } catch (const std::runtime_error& error) {
+            fail(e, error.what());
+        }
         const Vec3 scale = vector(e, "scale", {1, 1, 1});
         // Formats with a unit of their own are in mm by now.
         const double unit = file.has_unit ? 1.0 : kMillimetres;

@@ -14,6 +14,7 @@
 #include "ncsim/verify/verifier.h"
 
 #include "cut_free.h"
+#include "machine_look.h"
 #include "place_kinematics.h"
 #include "refine.h"
 
@@ -376,7 +377,10 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
         }
         checked.verdict =
             verifier.finish(survey.interpretation, simulation.part.get(), simulation.stock_volume);
-        if (questions.look) checked.look = look_at(plan, survey, simulation);
+        if (questions.look) {
+            checked.look = look_at(plan, survey, simulation);
+            checked.look->machine = machine_look(plan, survey, questions.machine);
+        }
     } else {
         // That a program does not end is known; the rules need not see each turn of its loop.
         if (survey.never_ends) plan.job.interpreter.limits.repeated_blocks /= 4;

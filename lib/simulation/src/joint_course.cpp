@@ -36,8 +36,9 @@ public:
             return;
         }
         take_tool(motion);
-        if (course_.lines.empty() || course_.lines.back().line != motion.span.line)
-            course_.lines.push_back({motion.span.line, course_.seconds});
+        const LineTime last = course_.lines.empty() ? LineTime{} : course_.lines.back();
+        if (last.line != motion.span.line || last.file != motion.file)
+            course_.lines.push_back({motion.span.line, motion.file, course_.seconds});
         gcode::Motion from_known = motion;
         if (!toolpath::has_known_start(motion)) {
             const gcode::Position end = *gcode::end_of(motion);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// node page.mjs <ncsim> <chromium> [<screenshot.png>]: makes the page of a program with a fault and
+// node page.mjs <ncsim> <chromium> <samples> [<screenshot.png>]: makes the page of a program with a fault and
 // uses it as a reader would: the part is drawn, a click on a face selects the line that cut it, a
 // click on a finding goes to its line, and nothing is loaded from anywhere.
 import { execFileSync } from "node:child_process";
@@ -9,7 +9,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const [ncsim, browserPath, screenshot] = process.argv.slice(2);
+const [ncsim, browserPath, samples, screenshot] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), "ncsim-page-"));
 let failures = 0;
 function expect(condition, message) {
@@ -104,6 +104,36 @@ try {
     "a picture is broken");
   expect(requests.every((url) => url.startsWith("file:") || url.startsWith("data:")) &&
     requests.filter((url) => url.startsWith("file:")).length === 1, `loaded: ${requests}`);
+  expect(errors.length === 0, `errors of the page: ${errors.join("; ")}`);
+  expect(await page.locator("#stand").count() === 0, "a machine that nobody told");
+
+  // With a machine: its tool's tip is, after a line, where that line says, as the part has it.
+  execFileSync(ncsim, ["check", join(samples, "five-axis.nc"), "--job",
+    join(samples, "five-axis.toml"), "--machine", join(samples, "machines", "trunnion.toml"),
+    "--html", "mill.html"], { cwd: folder, stdio: "ignore" });
+  await page.goto(`file://${join(folder, "mill.html")}`);
+  const tipAfter = (line) => page.evaluate((n) => {
+    window.ncsim.select(n);
+    const told = JSON.parse(document.getElementById("data").textContent).machine;
+    const tool = told.bodies.find((body) => body.name === "tool");
+    const raw = Uint8Array.from(atob(tool.corners), (c) => c.charCodeAt(0));
+    const lowest = new Float32Array(raw.buffer).reduce((z, c, i) => i % 3 === 2 ? Math.min(z, c) : z);
+    return window.ncsim.view.machine.place("tool", 0, 0, lowest);
+  }, line);
+  for (const [line, x, y, z] of [[83, -22, -38.105, 30], [84, -22, -38.105, -4],
+    [85, -18.894, -36.949, -5.044]]) {
+    const tip = await tipAfter(line);
+    const away = Math.hypot(tip[0] - x, tip[1] - y, tip[2] - z);
+    expect(away < 1e-3, `after line ${line} the tip is at ${tip}`);
+  }
+  const before = await page.evaluate(() => window.ncsim.selected());
+  await page.locator("#stand input[type=range]").press("ArrowRight");
+  expect(await page.evaluate(() => window.ncsim.selected()) === before + 1, "the next line");
+  // The cradle is between camera and part, so that a face of the part is seen without it alone.
+  await page.locator("#stand input[type=checkbox]").uncheck();
+  const at = await page.evaluate(() => window.ncsim.view.project(-38, -38, 0));
+  await page.mouse.click(at.x, at.y);
+  expect(await page.evaluate(() => window.ncsim.selected()) === 0, "the stock's corner is a face");
   expect(errors.length === 0, `errors of the page: ${errors.join("; ")}`);
   if (screenshot) await page.screenshot({ path: screenshot, fullPage: true });
 } finally {

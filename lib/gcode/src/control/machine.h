@@ -222,7 +222,7 @@ private:
     void go_with_table(Axes& end, AxisMask mask);
     bool check_carried(const Command& command);
     void carry(const std::optional<std::array<double, 3>>& shift);
-    double rotary_way(std::size_t axis, double value, double at) const;
+    double rotary_end(std::size_t axis, double value, double at) const;
     bool turn_to_vector(const Command& command, Axes& end, AxisMask& mask);
     bool stop_with(const MessageText& message, SourceSpan span,
                    std::initializer_list<std::string_view> arguments);

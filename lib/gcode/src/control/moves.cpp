@@ -133,7 +133,7 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
         mask |= 1U << i;
         if (i == kX && state_.lathe_diameter) value /= 2.0;
         end[i] = incremental ? at[i] + value : value;
-        if (is_rotary(i) && !incremental) end[i] = at[i] + rotary_way(i, value, at[i]);
+        if (is_rotary(i) && !incremental) end[i] = rotary_end(i, value, at[i]);
     }
     if (polar && !machine && !polar_ends(command, end, mask)) return false;
     if (machine) {
@@ -144,27 +144,25 @@ bool Machine::find_ends(const Command& command, Axes& end, AxisMask& mask) {
     return true;
 }
 
-/// How far a rotary axis goes from `at` to the place that `value` names.
-double Machine::rotary_way(std::size_t axis, double value, double at) const {
+/// Where a rotary axis stands that goes from `at` to the place that `value` names: that number, or
+/// it and whole turns. So a place that is named again is the same number, and no move.
+double Machine::rotary_end(std::size_t axis, double value, double at) const {
     constexpr double kTurn = 360.0;
-    // What is left of a way after whole turns: 0 to below 360.
-    const auto rest = [](double way) {
-        const double left = std::fmod(way, kTurn);
-        return left < 0.0 ? left + kTurn : left;
-    };
-    switch (options_.rotary_ways[axis - kA]) {
+    const RotaryWay way = options_.rotary_ways[axis - kA];
+    const double place = way == RotaryWay::Sign ? std::abs(value) : value;
+    const auto after = [place](double turns) { return place + kTurn * turns; };
+    // The first of them that is not below `at`.
+    double turns = std::ceil((at - place) / kTurn);
+    if (after(turns - 1) >= at) turns -= 1;
+    if (after(turns) < at) turns += 1;
+    switch (way) {
         case RotaryWay::Linear: break;
-        case RotaryWay::Shortest: {
-            const double up = rest(value - at);
-            return up > kTurn / 2 ? up - kTurn : up;
-        }
-        case RotaryWay::Sign: {
-            const double up = rest(std::abs(value) - at);
-            return std::signbit(value) && up != 0.0 ? up - kTurn : up;
-        }
-        case RotaryWay::Positive: return rest(value - at);
+        case RotaryWay::Shortest: return after(after(turns) - at > kTurn / 2 ? turns - 1 : turns);
+        case RotaryWay::Sign:
+            return after(std::signbit(value) && after(turns) != at ? turns - 1 : turns);
+        case RotaryWay::Positive: return after(turns);
     }
-    return value - at;
+    return value;
 }
 
 /// G16: the first axis word of the plane is a radius, the second an angle. "@" and "^" of

@@ -8,7 +8,10 @@
 #include "ncsim/verify/finding.h"
 #include "ncsim/verify/verdict.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +19,32 @@
 #include <vector>
 
 namespace ncsim::report {
+
+/// A machine as a page shows it, about the part.
+struct MachineLook {
+    /// As machine::Joint; `axis` is its place in Stand::values.
+    struct Joint {
+        std::size_t axis = 0;
+        bool turns = false;
+        cda::Vec3 direction, through;
+    };
+    struct Body {
+        std::string name;
+        std::array<std::uint8_t, 3> colour{};  ///< sRGB.
+        cda::TriangleMesh mesh;                ///< Machine coordinates with all joints at 0, mm.
+        std::vector<Joint> moved_by;           ///< From the bed on.
+        std::int32_t tool = -1;  ///< A piece of this tool of Stand; -1: of the machine.
+    };
+    /// Where the joints are at the end of a line of the program, and which tool is in the spindle.
+    struct Stand {
+        std::array<double, 9> values{};
+        std::int32_t tool = -1;
+    };
+    std::vector<Body> bodies;
+    std::vector<Joint> part_moved_by;
+    cda::Vec3 zero;                         ///< Of the program, with all joints at 0.
+    std::map<std::uint32_t, Stand> stands;  ///< By line; of one that is run often, the last time.
+};
 
 /// What a page shows beside the verdict.
 struct Look {
@@ -25,6 +54,7 @@ struct Look {
     /// Three for each triangle, in its corners: those of what its facet stands for. Unit.
     std::vector<cda::Vec3> normals;
     std::vector<std::pair<std::string, std::string>> pictures;  ///< Name and PNG.
+    std::optional<MachineLook> machine;  ///< Where one is told that has shapes, and moves.
 };
 
 /// A finding of a baseline that is not there any more.

@@ -29,6 +29,7 @@ struct ToolTime {
 /// A line of the program that moves, and when it begins.
 struct LineTime {
     std::uint32_t line = 0;
+    std::uint32_t file = 0;  ///< Index into Interpretation::files; 0 is the program itself.
     double seconds = 0.0;
 };
 
