@@ -5,11 +5,11 @@
 
 #include "support/oracle.h"
 #include "support/passes.h"
+#include "support/straight_ways.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -105,66 +105,12 @@ TEST(Account, OfOriginsWithManyCells) {
     }
 }
 
-// Bodies that go straight on in several steps, there and back and across: steps, and the cells that
-// stand for all steps of a way.
-struct StraightWay {
-    std::vector<Cell> steps;
-    Cell all;
-};
-std::vector<StraightWay> straight_ways(std::uint64_t seed, int count) {
-    Random random(seed);
-    std::vector<TranslationSweep> bodies;
-    for (int i = 0; i < 3; ++i) {
-        // Corners whose planes fit, and so do walls along the ways.
-        std::vector<LatticePoint> corners;
-        for (int k = 0; k < 12; ++k) {
-            const LatticePoint p = test::random_point(random, 90);
-            corners.push_back({1000 * p.x, 1000 * p.y, 1000 * p.z});
-        }
-        bodies.push_back(TranslationSweep::of(corners, kLattice).value());
-    }
-    std::vector<StraightWay> ways;
-    std::uint32_t origin = 0;
-    LatticePoint at = test::random_point(random, 250000);
-    for (int i = 0; i < count; ++i) {
-        if (random.one_in(3)) at = test::random_point(random, 250000);
-        const TranslationSweep& body = bodies[static_cast<std::size_t>(random.between(0, 2))];
-        const LatticePoint unit = test::random_point(random, 3);
-        const auto steps = random.between(2, 9);
-        std::vector<LatticePoint> ends{at};
-        for (int k = 0; k < steps; ++k) {
-            const auto times = random.between(1, 6000);
-            ends.push_back(ends.back() +
-                           LatticePoint{times * unit.x, times * unit.y, times * unit.z});
-        }
-        if (ends.back() == at) continue;
-        at = ends.back();
-        StraightWay way;
-        StraightSteps told{ends.back() - ends.front(), {}};
-        const auto length = [&](const LatticePoint& end) {
-            return norm(kLattice.to_mm(end - ends[0]));
-        };
-        for (std::size_t k = 1; k < ends.size(); ++k) {
-            way.steps.push_back(body(ends[k - 1], ends[k], Origin{++origin}));
-            way.steps.back().rank = 0;
-            told.steps.push_back(
-                {Origin{origin}, length(ends[k]) / length(ends.back()), way.steps.back().bounds});
-        }
-        told.steps.back().end = 1.0;
-        way.all = body(ends.front(), ends.back(), Origin{origin});
-        way.all.rank = -1;
-        way.all.steps = std::make_shared<const StraightSteps>(std::move(told));
-        ways.push_back(std::move(way));
-    }
-    return ways;
-}
-
 TEST(Account, OfStepsThatWentStraightOn) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
-        const std::vector<StraightWay> ways = straight_ways(seed, 20);
+        const std::vector<test::StraightWay> ways = test::straight_ways(seed, 20);
         std::vector<Cell> steps;
-        for (const StraightWay& way : ways)
+        for (const test::StraightWay& way : ways)
             steps.insert(steps.end(), way.steps.begin(), way.steps.end());
         const Account expected = measured(steps);
         for (const TreeParameters& parameters :
@@ -174,7 +120,7 @@ TEST(Account, OfStepsThatWentStraightOn) {
             TreeCda part(kStock, kLattice, parameters), alone(kStock, kLattice, parameters);
             part.keep_account();
             std::span<const Cell> before;
-            for (const StraightWay& way : ways) {
+            for (const test::StraightWay& way : ways) {
                 for (const Cell& step : way.steps) {
                     part.subtract_step(std::span(&step, 1), {}, std::exchange(before, {}));
                     alone.subtract_step(std::span(&step, 1));

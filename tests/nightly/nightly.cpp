@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // nightly [SCENES]: what takes too long for every test run. SCENES (100,000) random scenes of boxes
-// against unit cubes, a hundredth as many of oblique hulls against the flat aggregate, ten times as
+// against unit cubes, a hundredth as many of oblique hulls against the flat aggregate, as many of
+// bodies that go straight on, whose volumes are told step by step, ten times as
 // many points near the surfaces of a part of many hulls against the definition, and for each thirty
 // scenes a random NC program, of which STL and glTF must be closed surfaces in floats. Exit code 1
 // at the first thing that is wrong, with the seed that made it.
@@ -10,6 +11,7 @@
 
 #include "support/random_programs.h"
 #include "support/scene.h"
+#include "support/straight_ways.h"
 #include "support/written_mesh.h"
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <span>
 #include <sstream>
 
 namespace {
@@ -46,6 +49,34 @@ void hulls(std::uint64_t seed) {
                                           cda::Origin{static_cast<std::uint32_t>(i + 1)}));
     }
     test::check_hulls(cells, static_cast<std::uint32_t>(random.between(6, 200)));
+}
+
+// Whatever waits, and whoever asks when.
+void straight_ways(std::uint64_t seed) {
+    test::Random random(seed);
+    const cda::Cell stock = test::mm_box(-3, -3, -3, 3, 3, 3);
+    const auto batch = static_cast<std::uint32_t>(random.between(1, 60));
+    cda::TreeCda measured(stock, test::kLattice);
+    cda::TreeCda booked(stock, test::kLattice,
+                        {static_cast<std::uint32_t>(random.between(8, 120)), 1, batch});
+    booked.keep_account();
+    cda::Account taken;
+    std::vector<cda::Cell> before;
+    for (const test::StraightWay& way :
+         test::straight_ways(seed, static_cast<int>(random.between(1, 12)))) {
+        for (const cda::Cell& step : way.steps) {
+            taken[step.origin].volume = measured.subtract(step);
+            booked.subtract_step(std::span(&step, 1), {}, before);
+            before.clear();
+            if (random.one_in(40)) booked.settle();
+        }
+        before = {way.all};
+    }
+    booked.subtract_step({}, {}, before);
+    test::sound_boundary(booked, 216.0);
+    test::require(std::abs(booked.volume() - measured.volume()) <= 1e-9 * 216.0,
+                  "the volumes differ");
+    test::require_booked(booked.account(), taken, 216.0);
 }
 
 // Points of the lattice up to three units off surfaces, where rounding would show first.
@@ -121,6 +152,7 @@ int main(int argc, char** argv) {
     constexpr long kPointsAPart = 10000;
     all("boxes", scenes, boxes);
     all("hulls", scenes / 100, hulls);
+    all("straight ways", scenes / 100, straight_ways);
     all("programs", scenes / 30, programs);
     all("points (in ten thousands)", std::max(1L, 10 * scenes / kPointsAPart),
         [](std::uint64_t seed) { membership(seed, kPointsAPart); });

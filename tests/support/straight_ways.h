@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies that go straight on in several steps: the cells of the steps, and the one that stands for
+// all of them.
+#pragma once
+
+#include "ncsim/cda/hull.h"
+
+#include "support/random_shapes.h"
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace ncsim::test {
+
+/// What a body took that went straight on.
+struct StraightWay {
+    std::vector<cda::Cell> steps;
+    cda::Cell all;
+};
+/// Bodies on ways about the origin, one after the other, there and back and across. Origins are
+/// counted from 1.
+inline std::vector<StraightWay> straight_ways(std::uint64_t seed, int count) {
+    Random random(seed);
+    std::vector<cda::TranslationSweep> bodies;
+    for (int i = 0; i < 3; ++i) {
+        // Corners whose planes fit, and so do walls along the ways.
+        std::vector<cda::LatticePoint> corners;
+        for (int k = 0; k < 12; ++k) {
+            const cda::LatticePoint p = random_point(random, 90);
+            corners.push_back({1000 * p.x, 1000 * p.y, 1000 * p.z});
+        }
+        bodies.push_back(cda::TranslationSweep::of(corners, kLattice).value());
+    }
+    std::vector<StraightWay> ways;
+    std::uint32_t origin = 0;
+    cda::LatticePoint at = random_point(random, 250000);
+    for (int i = 0; i < count; ++i) {
+        if (random.one_in(3)) at = random_point(random, 250000);
+        const cda::TranslationSweep& body = bodies[static_cast<std::size_t>(random.between(0, 2))];
+        const cda::LatticePoint unit = random_point(random, 3);
+        const auto steps = random.between(2, 9);
+        std::vector<cda::LatticePoint> ends{at};
+        for (int k = 0; k < steps; ++k) {
+            const auto times = random.between(1, 6000);
+            ends.push_back(ends.back() +
+                           cda::LatticePoint{times * unit.x, times * unit.y, times * unit.z});
+        }
+        if (ends.back() == at) continue;
+        at = ends.back();
+        StraightWay way;
+        cda::StraightSteps told{ends.back() - ends.front(), {}};
+        const auto length = [&](const cda::LatticePoint& end) {
+            return norm(kLattice.to_mm(end - ends[0]));
+        };
+        for (std::size_t k = 1; k < ends.size(); ++k) {
+            way.steps.push_back(body(ends[k - 1], ends[k], cda::Origin{++origin}));
+            way.steps.back().rank = 0;
+            told.steps.push_back({cda::Origin{origin}, length(ends[k]) / length(ends.back()),
+                                  way.steps.back().bounds});
+        }
+        told.steps.back().end = 1.0;
+        way.all = body(ends.front(), ends.back(), cda::Origin{origin});
+        way.all.rank = -1;
+        way.all.steps = std::make_shared<const cda::StraightSteps>(std::move(told));
+        ways.push_back(std::move(way));
+    }
+    return ways;
+}
+
+}  // namespace ncsim::test
