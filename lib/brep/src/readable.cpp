@@ -3,6 +3,7 @@
 
 #include "none.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,6 +31,29 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
     const double widest =
         std::abs(dot(extrusion.along, extrusion.axis)) < kShallow ? kBeside : kOpposite;
     return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < widest;
+}
+
+// Does it pass near a pole of the sphere, more than a quarter around it? Readers lay such edges
+// down some hundredths of a millimetre from where they are, but for circles about the axis itself.
+bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
+    constexpr double kNear = 0.5, kQuarter = 0.0, kOne = 1e-9;
+    const auto* circle = std::get_if<Circle>(&edge.curve);
+    if (circle && cda::norm(cda::cross(circle->axis, frame.axis)) < kOne) return false;
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    double nearest = 1.0, least = 1.0;  // of the radius; cosine of the angle around
+    std::optional<Vec3> first;
+    for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0}) {
+        const Vec3 v = track.at(t) - sphere.centre;
+        const Vec3 out = v - dot(v, frame.axis) * frame.axis;
+        const double away = cda::norm(out);
+        nearest = std::min(nearest, away / sphere.radius);
+        // In a pole there is no direction.
+        if (away < 1e-6 * sphere.radius) continue;
+        const Vec3 direction = (1.0 / away) * out;
+        if (!first) first = direction;
+        least = std::min(least, dot(*first, direction));
+    }
+    return nearest < kNear && least < kQuarter;
 }
 
 // At the knot in the middle, where there is one.
@@ -66,16 +90,22 @@ bool halve_once(Part& part) {
     std::vector<std::uint32_t> second(part.edges.size(), kNone);
     for (const Face& face : part.faces) {
         const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
-        if (!extrusion) continue;
+        const auto* sphere = std::get_if<Sphere>(&face.surface.form);
+        if (!extrusion && !sphere) continue;
+        const auto is_wide = [&](const Edge& edge) {
+            return extrusion ? is_too_wide(*extrusion, part, edge)
+                             : passes_by_pole(*sphere, face.frame, part, edge);
+        };
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 const Edge edge = part.edges[use.edge];
-                if (use.edge >= second.size() || second[use.edge] != kNone ||
-                    !is_too_wide(*extrusion, part, edge))
+                if (use.edge >= second.size() || second[use.edge] != kNone || !is_wide(edge))
                     continue;
                 const auto* spline = std::get_if<Spline>(&edge.curve);
                 const auto halves = spline ? halves_of(*spline) : std::nullopt;
-                if (!halves && !std::holds_alternative<Ellipse>(edge.curve)) continue;
+                const bool is_round = std::holds_alternative<Ellipse>(edge.curve) ||
+                                      (sphere && std::holds_alternative<Circle>(edge.curve));
+                if (!halves && !is_round) continue;
                 any = true;
                 const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
                 const auto middle = static_cast<std::uint32_t>(part.vertices.size());

@@ -10,7 +10,8 @@ namespace ncsim::brep {
 /// Ellipses beside extrusions that go about half around them become two edges. Readers know such a
 /// surface by its parameters alone, and of an edge whose ends are half a turn apart not which way
 /// it goes. Beside shallow ones they become so many that none goes more than 37 degrees around, and
-/// so do splines, as far as they have knots.
+/// so do splines, as far as they have knots. Edges of spheres that pass near a pole go no more
+/// than a quarter around it.
 void halve_wide_edges(Part& part);
 
 }  // namespace ncsim::brep
