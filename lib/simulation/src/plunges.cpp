@@ -5,14 +5,13 @@
 #include "ncsim/machine/presets.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/trace.h"
+#include "ncsim/trig/angles.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <variant>
@@ -53,8 +52,7 @@ std::vector<Candidate> candidates_of(const Plan& plan) {
 }
 
 bool is_along(Vec3 way, Vec3 direction) {
-    const double sine = std::sin(kPlungeDegrees * std::numbers::pi / 180.0);
-    return norm(cross(way, direction)) <= sine * norm(way);
+    return norm(cross(way, direction)) <= trig::sin_cos(kPlungeDegrees).sin * norm(way);
 }
 
 class PlungeCount {

@@ -47,14 +47,14 @@ public:
     template <class Wants, class Take>
     void visit(const Wants& wants, const Take& take) const {
         if (nodes_.empty()) return;
-        std::vector<std::size_t> open{0};
-        while (!open.empty()) {
-            const Node& node = nodes_[open.back()];
-            open.pop_back();
+        // Halves of halves: one node waits for each level, of which there are 32 at most.
+        std::array<std::size_t, 40> open{};
+        for (std::size_t count = 1; count > 0;) {
+            const Node& node = nodes_[open[--count]];
             if (!wants(node.box)) continue;
             if (node.right != 0) {
-                open.push_back(node.right);
-                open.push_back(node.left);
+                open[count++] = node.right;
+                open[count++] = node.left;
                 continue;
             }
             for (std::size_t i = node.begin; i < node.end; ++i)
