@@ -12,7 +12,7 @@ set(layers
   "export:   cda brep trig"
   "report:   gcode toolpath machine cda verify"
   "setup:    gcode toolpath machine cda trig verify report"
-  "simulation: gcode toolpath machine cda dexel verify brep export report setup"
+  "simulation: gcode toolpath machine cda trig dexel verify brep export report setup"
   "app:      gcode toolpath machine cda verify brep export report setup simulation")
 
 # Where the files of a room are. Headers in the first folder are public, ncsim/ROOM/….
