@@ -538,6 +538,22 @@ TEST(Recognise, DomesHaveNoFacetsBesideThem) {
     EXPECT_FALSE(has_facet_beside<Dome>(make(golden, 0.05).solid.part));
 }
 
+// A wall was a facet, since a move of a tenth of a micrometre left two corners where its loop came
+// to one.
+TEST(Recognise, CornersThatAreApartByRoundingAreOne) {
+    const Made made = test::make_part(
+        setup::job_of({"letter.nc",
+                       "(T1 D=6. CR=0. TAPER=30deg - chamfer mill)\n"
+                       "(STOCK/BLOCK,20.,20.,3.,-40.,5.,3.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                       "G0 X45.3543 Y5 Z5\nG1 Z-0.75\nY3\nG0 Z5\nX45.3543 Y4.7723\nG1 Z-0.75\n"
+                       "X46.2022 Y5.5189\nX46.2021\nX46.5885 Y5.7985\nX47.0209 Y5.9997\n"
+                       "G0 Z5\nM30\n"}),
+        0.05, 0, true);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    Part checked = made.solid.part;
+    EXPECT_TRUE(check(checked, 1e-3).empty());
+}
+
 // They had 510, 370 and 163: what is thin gave up its neighbours, and these theirs; and a plane
 // that touches itself in one place gave up all that is around it.
 TEST(Recognise, WhatFailsInOnePlaceStaysThere) {

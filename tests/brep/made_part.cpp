@@ -2,6 +2,7 @@
 #include "brep/made_part.h"
 
 #include "ncsim/export/step.h"
+#include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
@@ -24,7 +25,7 @@ std::string program(const std::string& moves, bool is_bar) {
 
 }  // namespace
 
-Made make_part(setup::Job job, double tool_tolerance, unsigned threads) {
+Made make_part(setup::Job job, double tool_tolerance, unsigned threads, bool is_draft) {
     simulation::Plan plan;
     plan.job = std::move(job);
     plan.keep_boundary = true;
@@ -32,6 +33,10 @@ Made make_part(setup::Job job, double tool_tolerance, unsigned threads) {
     plan.threads = threads;
     const simulation::Survey survey = simulation::survey(plan);
     EXPECT_TRUE(survey.is_ready());
+    if (is_draft) {
+        plan.draft = true;
+        simulation::coarsen(plan, survey, true, true);
+    }
     simulation::Verification nothing;
     nothing.keep_cuts = true;
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});

@@ -19,7 +19,8 @@ struct Made {
     cda::Boundary boundary;
 };
 
-Made make_part(setup::Job job, double tool_tolerance, unsigned threads = 0);
+/// With `is_draft` moves in a row are joined where they are nearly straight.
+Made make_part(setup::Job job, double tool_tolerance, unsigned threads = 0, bool is_draft = false);
 
 /// Of a block of 80 x 60 x 20 with a corner in the zero and its top in Z20, or of a bar D60 x 20
 /// with its top in Z0. `moves` may call T1 flat D10, T2 drill D6 118 degrees, T3 ball D8, T4 bull

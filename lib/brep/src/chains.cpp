@@ -26,6 +26,8 @@ using cda::dot;
 using cda::norm;
 
 constexpr double kRounded = 2e-7;
+// By so much corners that are one may be off what is around them, mm.
+constexpr double kMostRounded = 1e-3;
 constexpr int kTip = -1;  // no number of edges
 
 // Where two forms touch in a circle, corners may be on both within what programs round, but off the
@@ -179,6 +181,36 @@ void Chains::solve() {
         solve_chain(chain);
 }
 
+std::pair<std::uint32_t, std::uint32_t> Chains::corners_of(const Chain& chain) const {
+    return std::minmax(mesh_.edges()[chain.edges.front()].from, mesh_.to(chain.edges.back()));
+}
+
+bool Chains::is_rounded_off(const Chain& chain) const {
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const auto is_on = [&](const Vertex& v, Vec3 p) {
+        return std::ranges::all_of(v.groups, [&](std::uint32_t g) {
+            const Form& form = groups_.form_of(g);
+            const bool is_pointed =
+                std::holds_alternative<Plane>(form) || std::holds_alternative<Cone>(form);
+            return is_pointed && !groups_.is_facet(g) &&
+                   std::abs(distance(form, p)) <= kMostRounded;
+        });
+    };
+    return norm(to.at - from.at) <= kTouchMm && is_on(from, to.at) && is_on(to, from.at);
+}
+
+bool Chains::join_corners(std::uint32_t group) {
+    bool any = false;
+    for (const Chain& chain : chains_) {
+        if ((chain.left != group && chain.right != group) || chain.edges.empty() ||
+            chain.is_flipped || chain.has_failed || chain.has_vanished || chain.from == chain.to ||
+            !is_rounded_off(chain))
+            continue;
+        any = joined_.insert(corners_of(chain)).second || any;
+    }
+    return any;
+}
+
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
@@ -186,7 +218,8 @@ void Chains::solve_chain(Chain& chain) {
     if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
     std::vector<Vec3> points = points_of(chain);
-    if (!is_loop && norm(to.at - from.at) <= kPoint) {
+    const bool is_joined = !chain.edges.empty() && joined_.contains(corners_of(chain));
+    if (!is_loop && (norm(to.at - from.at) <= kPoint || (is_joined && is_rounded_off(chain)))) {
         // A circle that ends where it begins, or nothing?
         if (norm(points[points.size() / 2] - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;

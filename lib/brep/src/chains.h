@@ -12,6 +12,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep {
@@ -57,6 +59,10 @@ public:
     void trace();
     /// Where any of these fail, edges are not tried.
     void solve();
+    /// Corners of this group that are apart by less than what programs round, each on all that is
+    /// around the other one but for that, are one from now on; of planes and cones alone, since
+    /// elsewhere a corner may be off by more along what touches. True: there are more of them.
+    bool join_corners(std::uint32_t group);
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -105,6 +111,8 @@ private:
     bool put(const Left& one, std::vector<Loop>& loops, bool has_both) const;
     bool solve_beside_facets(Vertex& v) const;
     double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
+    bool is_rounded_off(const Chain& chain) const;
+    std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
     void solve_chain(Chain& chain);
     void fail(Chain& chain) {
@@ -120,6 +128,7 @@ private:
     std::vector<Chain> chains_;
     std::vector<std::uint32_t> chain_of_;  // of each half-edge
     double mitred_mm_ = 0.0;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  // corners of the mesh
 };
 
 }  // namespace ncsim::brep

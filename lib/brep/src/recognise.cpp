@@ -63,6 +63,7 @@ public:
             if (are_many && round == kMostRoundsWithCorners && spent_[kCorners] == round)
                 return std::nullopt;
             failures_.clear();
+            has_joined_ = false;
             do
                 groups_.gather();
             while (groups_.unify() || groups_.give_up_rings());
@@ -78,7 +79,7 @@ public:
             const Patience patience = spent < kPatientRounds  ? Patience::Much
                                       : spent < kLastPatience ? Patience::Little
                                                               : Patience::None;
-            if (groups_.relabel(failures_, patience)) continue;
+            if (groups_.relabel(failures_, patience) || has_joined_) continue;
             if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
             const std::vector<bool> is_as_it_was = unmoved(part);
             find_unsound_facets(part, keep_apart(part), is_as_it_was);
@@ -164,6 +165,10 @@ private:
             if (!is_too_large(g, known[f]->measure.area) && !has_tiny_corner(part, part.faces[f]) &&
                 !KnownFaces::is_faulty(*known[f], part, f, tolerance, clear, miss))
                 continue;
+            if (chains_.join_corners(g)) {
+                has_joined_ = true;
+                continue;
+            }
             std::vector<std::uint32_t> around{g};
             if (!known[f]->fault_at.empty()) {
                 for (const auto& [loop, place] : known[f]->fault_at) {
@@ -459,6 +464,7 @@ private:
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
     KnownFaces known_;
+    bool has_joined_ = false;  // corners, in this round: no face was given up for them
 };
 
 // Adds what `from` has to `to`; the numbers of its faces there. Vertices and edges that are not
