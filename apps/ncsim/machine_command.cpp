@@ -4,6 +4,7 @@
 #include "ncsim/export/png.h"
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/machine_text.h"
+#include "ncsim/simulation/check.h"
 
 #include "console.h"
 #include "machine_picture.h"
@@ -93,6 +94,7 @@ int run(const MachineOptions& options) {
     const auto view = exporter::parse_view(options.view);
     if (!view) throw std::runtime_error(fmt::format("--view: '{}' is no view", options.view));
     setup::MachineFile file = setup::read_machine(options.machine, inputs);
+    simulation::bodies_of(file);  // refuses a mesh of which check cannot ask
     make_transparent(file, options.transparent);
     if (const std::string lost = setup::not_in_machine_toml(file);
         !options.save.empty() && !lost.empty()) {

@@ -177,6 +177,18 @@ TEST(ShapeOf, RefusesBodiesThatOverlap) {
     for (const auto& t : other.triangles)
         both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     EXPECT_THROW(shape_of(both, kLattice), std::invalid_argument);
+    // In pieces they may.
+    double volume = 0.0;
+    for (const ConvexPolytope& piece : convex_pieces(both, kLattice))
+        volume += piece.volume();
+    const double unit = kLattice.unit_mm;
+    EXPECT_NEAR(volume * unit * unit * unit, 64 + 27, 1e-9);
+    // Not if one of them is hollow: what is in the other would be there or not.
+    TriangleMesh inside_out = both;
+    for (std::size_t t = inside_out.triangles.size() - other.triangles.size();
+         t < inside_out.triangles.size(); ++t)
+        std::swap(inside_out.triangles[t][0], inside_out.triangles[t][1]);
+    EXPECT_THROW(convex_pieces(inside_out, kLattice), std::invalid_argument);
     // Apart, they are two bodies of one stock.
     for (std::size_t i = first; i < both.vertices.size(); ++i)
         both.vertices[i] = both.vertices[i] + Vec3{2, 2, 2};

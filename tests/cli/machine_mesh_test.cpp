@@ -275,5 +275,44 @@ TEST(Machine, RefusesMeshesThatItCannotTrust) {
               std::string::npos);
 }
 
+TEST(Machine, AMeshThatCrossesItselfIsRefusedOrItsHullIsTaken) {
+    Folder folder;
+    // A prism over an outline like an 8, the larger loop of which is the right way round.
+    folder.write(
+        "eight.obj",
+        "v 0 0 0\nv 40 0 0\nv 10 20 0\nv 20 20 0\nv 0 0 9\nv 40 0 9\nv 10 20 9\nv 20 20 9\n"
+        "f 3 2 1\nf 4 3 1\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\n"
+        "f 3 4 8\nf 3 8 7\nf 4 1 5\nf 4 5 8\n");
+    folder.write("box.obj", box_obj({-50, -50, -90}, {50, 50, -50}));
+    folder.write("p.nc", "G21 G90 G94 T1 M6\nG0 X0 Y0 Z5\nM2\n");
+    const auto asked = [&](const std::string& told, std::vector<std::string> command) {
+        folder.write("m.toml", kOneLink + told);
+        return folder.run(std::move(command));
+    };
+    const std::vector<std::string> machine{"machine", "m.toml"},
+        check{"check",   "p.nc",     "--machine", "m.toml",
+              "--stock", "10x10x10", "--tool",    "T1=flat:D6:L20"};
+    for (const auto& command : {machine, check}) {
+        const Ran crossed = asked("mesh = \"eight.obj\"\n", command);
+        EXPECT_EQ(crossed.exit_code, 2) << crossed.out << crossed.err;
+        EXPECT_NE(crossed.err.find("m.toml:19:8: the mesh of the link 'table': its surface crosses "
+                                   "itself"),
+                  std::string::npos)
+            << crossed.err;
+        const Ran fixture = asked(
+            "mesh = \"box.obj\"\n[[fixture]]\nname = \"vice\"\nmesh = "
+            "\"eight.obj\"\n",
+            command);
+        EXPECT_EQ(fixture.exit_code, 2);
+        EXPECT_NE(fixture.err.find("m.toml:22:8: the mesh of the fixture 'vice'"),
+                  std::string::npos)
+            << fixture.err;
+        const Ran hull = asked("mesh = \"eight.obj\"\nhull = true\n", command);
+        EXPECT_NE(hull.exit_code, 2) << hull.err;
+    }
+    EXPECT_NE(asked("hull = true\n", machine).err.find("'hull': there is no mesh"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace ncsim::cli_test

@@ -76,10 +76,14 @@ TEST(FreeCad, OfAHead) {
 
 TEST(FreeCad, SaysWhereItIsWrong) {
     for (const auto& [text, message] : std::map<std::string, std::string>{
-             {"{", "m.fcm: "},
-             {"[1, 2]", "m.fcm: expected 'machine'"},
-             {"{\"machine\": {\"axes\": 5}}", "m.fcm: machine: axes: expected a table"},
-             {"{\"machine\": {\"axes\": {}}}", "m.fcm: machine: axes: no axis X"},
+             {"{\n", "m.fcm:2: "},
+             {"[1, 2]", "m.fcm:1: expected 'machine'"},
+             {"\n{\"machine\": {\n\"axes\": 5}}", "m.fcm:3: machine: axes: expected a table"},
+             {"{\"machine\": {\n\"name\": \"a\",\n\"axes\": {}}}",
+              "m.fcm:3: machine: axes: no axis X"},
+             {"{\"machine\": {\n\"axes\": {\n\"X\": {\"role\": "
+              "\"head_linear\",\n\"joint\":\n{}}}}}",
+              "m.fcm:4: machine: axes: X: joint: expected 'axis'"},
              {machine_of(axis("Q", "table_rotary", "[1, 0, 0]")), "axes: Q: expected an axis"},
              {machine_of(axis("A", "table_linear", "[1, 0, 0]")), "A, B and C rotary"},
              {machine_of(axis("A", "robot", "[1, 0, 0]")), "expected table_linear"},

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 namespace ncsim::verify_test {
@@ -294,11 +295,16 @@ TEST(MachineCollision, ALengthThatLeavesNoToolIsADoubt) {
         doubts_of(verdict_of(kLength + program, setup_of(tilting()))).contains("length-offset"));
 }
 
-TEST(MachineCollision, AMeshThatCrossesItselfCountsAsItsHull) {
+TEST(MachineCollision, AMeshCountsAsItsHullWhereThatWasTold) {
     LinkBodies told = tilting();
     told.links[0].mesh =
         both(box({-100, -50, -350}, {100, 50, -310}), box({-100, -20, -340}, {100, 20, -330}));
     const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
+    // Bodies of one mesh may overlap.
+    const auto known = collisions(deep, setup_of(told));
+    ASSERT_EQ(known.size(), 1U);
+    EXPECT_EQ(known[0].certainty, Certainty::Certain);
+    told.links[0].as_hull = true;
     const auto found = collisions(deep, setup_of(told));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].certainty, Certainty::Within);
@@ -307,8 +313,8 @@ TEST(MachineCollision, AMeshThatCrossesItselfCountsAsItsHull) {
             .empty());
 }
 
-// A shell that looks inwards is no hole in nothing.
-TEST(MachineCollision, AShellThatIsInsideOutIsThere) {
+// A shell that looks inwards is no hole in nothing: refused, and there as a hull.
+TEST(MachineCollision, AShellThatIsInsideOutIsRefused) {
     LinkBodies told = tilting();
     cda::TriangleMesh cradle = box({-100, -50, -350}, {100, 50, -310});
     for (auto& t : cradle.triangles)
@@ -316,6 +322,8 @@ TEST(MachineCollision, AShellThatIsInsideOutIsThere) {
     // The rest of the link, far from all, is larger and looks outwards.
     told.links[0].mesh = both(box({-400, -400, -2000}, {400, 400, -1500}), cradle);
     const std::string deep = at_height(100) + at_height(kTouching - 5.0) + "G0 A180\n";
+    EXPECT_THROW(setup_of(told), std::runtime_error);
+    told.links[0].as_hull = true;
     EXPECT_FALSE(collisions(deep, setup_of(told)).empty());
 }
 

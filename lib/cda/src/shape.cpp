@@ -6,6 +6,7 @@
 // without gap or overlap, and all that can go wrong is which side a sliver belongs to.
 #include "ncsim/cda/shape.h"
 
+#include "ncsim/cda/check.h"
 #include "ncsim/cda/hull.h"
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/workpiece.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -335,6 +337,42 @@ private:
     double volume_ = 0.0;
 };
 
+// Those that hang together by corners.
+std::vector<TriangleMesh> surfaces_of(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> lead(mesh.vertices.size());
+    std::iota(lead.begin(), lead.end(), 0U);
+    const auto leader = [&lead](std::uint32_t v) {
+        while (lead[v] != v)
+            v = lead[v] = lead[lead[v]];
+        return v;
+    };
+    for (const auto& t : mesh.triangles) {
+        lead[leader(t[1])] = leader(t[0]);
+        lead[leader(t[2])] = leader(t[0]);
+    }
+    constexpr std::uint32_t kNone = 0xffffffffU;
+    std::vector<TriangleMesh> surfaces;
+    std::vector<std::uint32_t> surface(lead.size(), kNone), number(lead.size(), kNone);
+    for (const auto& t : mesh.triangles) {
+        std::uint32_t& at = surface[leader(t[0])];
+        if (at == kNone) {
+            at = static_cast<std::uint32_t>(surfaces.size());
+            surfaces.emplace_back();
+        }
+        TriangleMesh& into = surfaces[at];
+        auto corners = t;
+        for (std::uint32_t& v : corners) {
+            if (number[v] == kNone) {
+                number[v] = static_cast<std::uint32_t>(into.vertices.size());
+                into.vertices.push_back(mesh.vertices[v]);
+            }
+            v = number[v];
+        }
+        into.triangles.push_back(corners);
+    }
+    return surfaces;
+}
+
 Shape carve(const TriangleMesh& mesh, const Lattice& lattice, std::vector<ConvexPolytope>* kept) {
     Shape shape;
     shape.lattice = lattice;
@@ -397,8 +435,20 @@ Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice) {
 
 std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattice& lattice) {
     std::vector<ConvexPolytope> pieces;
-    carve(mesh, lattice, &pieces);
-    return pieces;
+    try {
+        carve(mesh, lattice, &pieces);
+        return pieces;
+    } catch (const std::invalid_argument&) {
+        // Bodies that overlap are none together and may be each by itself. What is hollow is not.
+        const std::vector<TriangleMesh> bodies = surfaces_of(mesh);
+        const bool are_bodies = std::ranges::all_of(
+            bodies, [](const TriangleMesh& body) { return volume(body) > 0.0; });
+        if (bodies.size() < 2 || !are_bodies) throw;
+        pieces.clear();
+        for (const TriangleMesh& body : bodies)
+            carve(body, lattice, &pieces);
+        return pieces;
+    }
 }
 
 std::unique_ptr<WorkpieceModel> create(const WorkpieceModel& prototype, const Shape& shape) {

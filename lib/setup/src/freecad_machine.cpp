@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,20 +23,121 @@ using nlohmann::json;
 
 constexpr double kLargest = 1e6;
 
+// Counts lines as they are read, each character once.
+class LineCount {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    LineCount(const char* at, std::size_t* line) : at_(at), line_(line) {}
+    reference operator*() const { return *at_; }
+    LineCount& operator++() {
+        if (*at_++ == '\n') ++*line_;
+        return *this;
+    }
+    LineCount operator++(int) {
+        const LineCount old = *this;
+        ++*this;
+        return old;
+    }
+    bool operator==(const LineCount& other) const { return at_ == other.at_; }
+
+private:
+    const char* at_;
+    std::size_t* line_;
+};
+
+// The line of each key of an object, by "machine: axes: X". Keys of what is in lists count as those
+// of the list, and the first of two counts. Those that are long or deep are of nothing that is
+// read, and no file is to grow by them.
+class KeyLines : public nlohmann::json_sax<json> {
+public:
+    explicit KeyLines(const std::string& text) {
+        json::sax_parse(LineCount(text.data(), &line_),
+                        LineCount(text.data() + text.size(), &line_), this);
+    }
+    // Or of the nearest key above.
+    std::size_t line_of(std::string path) const {
+        while (!path.empty()) {
+            const auto found = lines_.find(path);
+            if (found != lines_.end()) return found->second;
+            const std::size_t end = path.rfind(": ");
+            path.resize(end == std::string::npos ? 0 : end);
+        }
+        return 1;
+    }
+    // What did not parse, and where.
+    const std::string& fault() const { return fault_; }
+    std::size_t last_line() const { return line_; }
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override {
+        open_.push_back(open_.size() < kDeepest ? key_ : std::string());
+        return true;
+    }
+    bool key(string_t& name) override {
+        const std::string& above = open_.back();
+        key_ = above;
+        if (open_.size() > kDeepest || above.size() + name.size() > kLongest) return true;
+        if (!above.empty()) key_ += ": ";
+        key_ += name;
+        lines_.try_emplace(key_, line_);
+        return true;
+    }
+    bool end_object() override {
+        key_ = std::move(open_.back());
+        open_.pop_back();
+        return true;
+    }
+    bool start_array(std::size_t size) override { return start_object(size); }
+    bool end_array() override { return end_object(); }
+    bool parse_error(std::size_t, const std::string&, const json::exception& e) override {
+        fault_ = e.what();
+        return false;
+    }
+
+private:
+    static constexpr std::size_t kDeepest = 8, kLongest = 200;
+
+    std::size_t line_ = 1;
+    std::map<std::string, std::size_t> lines_;
+    std::vector<std::string> open_;  // paths of the objects and lists that are open
+    std::string key_;
+    std::string fault_;
+};
+
+// What messages need to know of the file.
+struct Source {
+    std::string name;
+    KeyLines lines;
+};
+
 // A value and how it is reached, for messages.
 class Node {
 public:
-    Node(const json& value, std::string name) : value_(value), name_(std::move(name)) {}
+    Node(const json& value, std::string path, const Source& source)
+        : value_(value), path_(std::move(path)), source_(source) {}
 
     [[noreturn]] void fail(std::string_view what) const {
-        throw std::runtime_error(fmt::format("{}: {}", name_, what));
+        throw std::runtime_error(fmt::format("{}:{}: {}{}{}", source_.name,
+                                             source_.lines.line_of(path_), path_,
+                                             path_.empty() ? "" : ": ", what));
     }
     bool has(const char* key) const {
         return value_.is_object() && value_.contains(key) && !value_[key].is_null();
     }
     Node operator[](const char* key) const {
         if (!has(key)) fail(fmt::format("expected '{}'", key));
-        return {value_[key], fmt::format("{}: {}", name_, key)};
+        return {value_[key], path_.empty() ? key : fmt::format("{}: {}", path_, key), source_};
     }
     double number() const {
         const double value = value_.is_number() ? value_.get<double>() : kLargest * 10;
@@ -47,14 +152,17 @@ public:
         if (!value_.is_array() || value_.size() != 3) fail("expected three numbers");
         Vec3 v;
         for (std::size_t i = 0; i < 3; ++i)
-            v[static_cast<int>(i)] = Node(value_[i], name_).number();
+            v[static_cast<int>(i)] = Node(value_[i], path_, source_).number();
         return v;
     }
     const json& value() const { return value_; }
+    // The first of a list, by the name of the list.
+    Node first() const { return {value_[0], path_, source_}; }
 
 private:
     const json& value_;
-    std::string name_;
+    std::string path_;
+    const Source& source_;
 };
 
 struct Axis {
@@ -130,14 +238,14 @@ machine::Chain chain_of(std::vector<Axis> axes) {
 }  // namespace
 
 MachineFile read_freecad_machine(const std::string& path, InputSet& inputs) {
-    const std::string name = name_of_input(path);
-    json root;
-    try {
-        root = json::parse(inputs.read(path, kMostSetUpBytes));
-    } catch (const json::exception& e) {
-        throw std::runtime_error(fmt::format("{}: {}", name, e.what()));
+    const std::string text = inputs.read(path, kMostSetUpBytes);
+    const Source source{name_of_input(path), KeyLines(text)};
+    if (!source.lines.fault().empty()) {
+        throw std::runtime_error(
+            fmt::format("{}:{}: {}", source.name, source.lines.last_line(), source.lines.fault()));
     }
-    const Node machine = Node(root, name)["machine"];
+    const json root = json::parse(text);
+    const Node machine = Node(root, "", source)["machine"];
     MachineFile file;
     if (machine.has("name")) file.machine.name = machine["name"].text();
     const bool inches = machine.has("units") && machine["units"].text() == "imperial";
@@ -147,7 +255,7 @@ MachineFile read_freecad_machine(const std::string& path, InputSet& inputs) {
     std::vector<Axis> axes;
     ToldKinematics kinematics;
     for (const auto& [letter, value] : told.value().items()) {
-        const Node node(value, fmt::format("{}: machine: axes: {}", name, letter));
+        const Node node(value, fmt::format("machine: axes: {}", letter), source);
         axes.push_back(axis_of(letter, node, unit));
         const Axis& axis = axes.back();
         if (axis.turns && !axis.is_placed) kinematics.untold_pivots += axis.letter;
@@ -179,7 +287,7 @@ MachineFile read_freecad_machine(const std::string& path, InputSet& inputs) {
     if (!machine.has("toolheads")) return file;
     const Node heads = machine["toolheads"];
     if (!heads.value().is_array() || heads.value().empty()) return file;
-    const Node head(heads.value()[0], fmt::format("{}: machine: toolheads", name));
+    const Node head = heads.first();
     const auto speed = [&head](const char* key) -> std::optional<double> {
         if (!head.has(key)) return std::nullopt;
         const double rpm = head[key].number();

@@ -12,7 +12,7 @@ namespace ncsim::setup {
 /// Axes with their roles, parents, joints, limits and rates; the spindle. Which way tables count is
 /// not written there: taken to be the right hand about the axis, and told as a guess; places of
 /// axes that are [0, 0, 0], which is what FreeCAD writes where nobody tells, are not told. Throws
-/// std::runtime_error, naming the file and the key, for what is no such file.
+/// std::runtime_error, naming the file, the line and the key, for what is no such file.
 MachineFile read_freecad_machine(const std::string& path, InputSet& inputs);
 
 }  // namespace ncsim::setup

@@ -279,6 +279,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
              {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
              {"mesh", [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); }},
              {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
+             {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
              {"colour",
               [&](const toml::node& n, const std::string& k) {
                   link.colour = colour_named(r_.text(n, k));
@@ -299,6 +300,8 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     if (auto file = mesh.finish()) {
         link.mesh = std::move(file->mesh);
         link.deflection_mm = file->deflection_mm;
+        link.mesh_at = mesh.place();
+        link.as_hull = mesh.as_hull();
     }
     if (link.name.empty() || link.name == kBed || find(link.name))
         r_.fail(node, "a link needs a name of its own, which is not \"bed\"");
@@ -475,6 +478,8 @@ std::vector<MachineBody> KinematicsReader::links_that(bool have_a_mesh) const {
         if (link.joint) body.joint = body.moved_by.joints.back();
         body.clearance_mm = link.clearance_mm;
         body.deflection_mm = link.deflection_mm;
+        body.mesh_at = link.mesh_at;
+        body.as_hull = link.as_hull;
         bodies.push_back(std::move(body));
     }
     return bodies;

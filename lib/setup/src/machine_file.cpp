@@ -68,6 +68,7 @@ verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, Inp
             {"mesh", take_mesh},
             {"stl", take_mesh},  // as it was called once
             {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
+            {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
             {"clearance",
              [&](const auto& n, const auto& k) { fixture.clearance_mm = r.not_negative(n, k); }},
             {"offset",
@@ -88,6 +89,8 @@ verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, Inp
     if (auto file = mesh.finish()) {
         fixture.mesh = std::move(file->mesh);
         fixture.deflection_mm = file->deflection_mm;
+        fixture.mesh_at = mesh.place();
+        fixture.as_hull = mesh.as_hull();
         for (const cda::Vec3& v : fixture.mesh.vertices)
             fixture.box.add(v);
     }

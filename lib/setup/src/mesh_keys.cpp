@@ -28,8 +28,14 @@ void MeshKeys::take_scale(const toml::node& node, const std::string& key) {
     scale_ = r_.positive(node, key);
 }
 
+void MeshKeys::take_hull(const toml::node& node, const std::string& key) {
+    hull_at_ = &node;
+    as_hull_ = r_.yes_or_no(node, key);
+}
+
 std::optional<SurfaceFile> MeshKeys::finish() {
     if (!mesh_at_) {
+        if (hull_at_) r_.fail(*hull_at_, "'hull': there is no mesh");
         if (scale_at_) r_.fail(*scale_at_, "'scale': there is no mesh");
         return std::nullopt;
     }

@@ -14,10 +14,8 @@ namespace {
 
 constexpr double kLargest = 1e6;
 
-std::runtime_error error_at(const std::string& name, const toml::source_region& where,
-                            const std::string& what) {
-    return std::runtime_error(
-        fmt::format("{}:{}:{}: {}", name, where.begin.line, where.begin.column, what));
+std::string place(const std::string& name, const toml::source_region& where) {
+    return fmt::format("{}:{}:{}", name, where.begin.line, where.begin.column);
 }
 
 }  // namespace
@@ -26,12 +24,16 @@ TomlReader::TomlReader(std::string name, const std::string& text) : name_(std::m
     try {
         root_ = toml::parse(std::string_view(text), std::string_view(name_));
     } catch (const toml::parse_error& e) {
-        throw error_at(name_, e.source(), std::string(e.description()));
+        throw std::runtime_error(fmt::format("{}: {}", place(name_, e.source()), e.description()));
     }
 }
 
+std::string TomlReader::place_of(const toml::node& node) const {
+    return place(name_, node.source());
+}
+
 void TomlReader::fail(const toml::node& node, const std::string& what) const {
-    throw error_at(name_, node.source(), what);
+    throw std::runtime_error(fmt::format("{}: {}", place_of(node), what));
 }
 
 double TomlReader::number(const toml::node& node, const std::string& key) const {

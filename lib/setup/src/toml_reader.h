@@ -29,6 +29,8 @@ public:
 
     // Each of these throws std::runtime_error where the node is something else. `key` names it in
     // messages, as "travel.x".
+    /// "mill.toml:12:1".
+    std::string place_of(const toml::node& node) const;
     [[noreturn]] void fail(const toml::node& node, const std::string& what) const;
     /// Finite, and no larger than a kilometre in mm.
     double number(const toml::node& node, const std::string& key) const;

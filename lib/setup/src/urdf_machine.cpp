@@ -55,6 +55,7 @@ struct UrdfLink {
     std::string name;
     cda::TriangleMesh mesh;  // in its own frame, mm
     double deflection_mm = 0.0;
+    const XMLElement* mesh_at = nullptr;     // the last of them
     const XMLElement* carried_by = nullptr;  // its joint
     std::size_t parent = 0;
     Pose X_of_parent;
@@ -90,8 +91,12 @@ public:
     }
 
 private:
+    std::string place_of(const XMLElement* at) const {
+        return fmt::format("{}:{}", name_, at->GetLineNum());
+    }
+
     [[noreturn]] void fail(const XMLElement* at, const std::string& what) const {
-        throw std::runtime_error(fmt::format("{}:{}: {}", name_, at->GetLineNum(), what));
+        throw std::runtime_error(fmt::format("{}: {}", place_of(at), what));
     }
 
     std::string text(const XMLElement* e, const char* key) const {
@@ -178,6 +183,7 @@ private:
             mesh = box(size);
         } else if (kind == "mesh") {
             mesh = mesh_of(shape, link);
+            link.mesh_at = shape;
         } else {
             fail(shape, fmt::format("<{}> is not read: <mesh> and <box> are", kind));
         }
@@ -441,6 +447,7 @@ private:
             body.moved_by = moved_by(i, X_MR);
             body.mesh = link.mesh;
             body.deflection_mm = link.deflection_mm;
+            body.mesh_at = place_of(link.mesh_at ? link.mesh_at : link.at);
             const Pose X = X_MR * link.X_placed;
             for (Vec3& p : body.mesh.vertices)
                 p = X * p;

@@ -259,9 +259,10 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
     verify::LinkBodies told;
     for (const auto* links : {&machine.bodies, &machine.other_links}) {
         for (const setup::MachineBody& link : *links)
-            told.links.push_back(
-                {link.link, link.mesh, link.moved_by, link.clearance_mm, link.deflection_mm});
+            told.links.push_back({link.link, link.mesh, link.moved_by, link.clearance_mm,
+                                  link.deflection_mm, link.mesh_at, link.as_hull});
     }
+    told.fixtures = machine.machine.fixtures;
     told.part_moved_by = machine.part_moved_by;
     told.tool_moved_by = machine.tool_moved_by;
     told.ignored = machine.ignored;

@@ -10,38 +10,40 @@ namespace ncsim::verify {
 
 namespace {
 
-// More take longer to divide than programs to check.
-constexpr std::size_t kMostTriangles = 50'000;
-
-RigidBody hull_of(const LinkBody& link) {
-    return {{ConvexPiece{link.mesh.vertices, {}, {}, false}}, link.deflection_mm};
+RigidBody pieces_of(const std::string& what, const std::string& told_at,
+                    const cda::TriangleMesh& mesh, double deflection_mm) {
+    try {
+        return body_in_pieces(mesh, deflection_mm);
+    } catch (const std::invalid_argument& why) {
+        throw std::runtime_error(told_at + ": the mesh of " + what + ": " + why.what() +
+                                 "; mend it, or let its hull stand for it (hull = true, in TOML)");
+    }
 }
 
 }  // namespace
 
-MachineBodies::MachineBodies(LinkBodies told)
-    : told_(std::move(told)), bodies_(told_.links.size()), taken_as_hull_(told_.links.size()) {
-    for (std::size_t i = 0; i < told_.links.size(); ++i) {
-        const cda::TriangleMesh& mesh = told_.links[i].mesh;
-        if (mesh.triangles.empty()) continue;
-        if (mesh.triangles.size() > kMostTriangles) {
-            taken_as_hull_[i] = "it has more than 50,000 triangles";
-        } else {
-            try {
-                bodies_[i] = std::make_unique<const RigidBody>(
-                    body_in_pieces(mesh, told_.links[i].deflection_mm));
-            } catch (const std::invalid_argument& why) {
-                taken_as_hull_[i] = why.what();
-            }
+MachineBodies::MachineBodies(LinkBodies told) : told_(std::move(told)) {
+    const auto add = [this](const std::string& what, const auto& from) {
+        Body body;
+        if (!from.mesh.triangles.empty()) {
+            body.why_hull = why_as_hull(from.mesh, from.as_hull);
+            body.shape = std::make_unique<const RigidBody>(
+                body.why_hull.empty() ? pieces_of(what, from.mesh_at, from.mesh, from.deflection_mm)
+                                      : hull_of(from.mesh, from.deflection_mm));
         }
-        if (!bodies_[i]) bodies_[i] = std::make_unique<const RigidBody>(hull_of(told_.links[i]));
-    }
+        return body;
+    };
+    for (const LinkBody& link : told_.links)
+        links_.push_back(add("the link '" + link.name + "'", link));
+    // Where they stand is another thing for each program, what they are is not.
+    for (const Fixture& fixture : told_.fixtures)
+        add("the fixture '" + fixture.name + "'", fixture);
 }
 
 MachineBodies::~MachineBodies() = default;
 
 bool MachineBodies::has_meshes() const {
-    return std::ranges::any_of(bodies_, [](const auto& body) { return body != nullptr; });
+    return std::ranges::any_of(links_, [](const Body& body) { return body.shape != nullptr; });
 }
 
 }  // namespace ncsim::verify

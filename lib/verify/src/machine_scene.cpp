@@ -50,17 +50,14 @@ ConvexPiece piece_of_tool(const toolpath::ToolPiece& told, toolpath::ToolAccurac
     return piece;
 }
 
+// What MachineBodies did not refuse.
 RigidBody body_of(const Fixture& fixture, Vec3 shift) {
     cda::TriangleMesh mesh = fixture.mesh;
     for (Vec3& p : mesh.vertices)
         p = p + shift;
-    if (!mesh.triangles.empty()) {
-        try {
-            return body_in_pieces(mesh, fixture.deflection_mm);
-        } catch (const std::invalid_argument&) {
-            return {{ConvexPiece{mesh.vertices, {}, {}, false}}, fixture.deflection_mm};
-        }
-    }
+    if (!why_as_hull(fixture.mesh, fixture.as_hull).empty())
+        return hull_of(mesh, fixture.deflection_mm);
+    if (!mesh.triangles.empty()) return body_in_pieces(mesh, fixture.deflection_mm);
     const Vec3 half = 0.5 * fixture.box.size();
     const cda::Lattice lattice = cda::Lattice::for_stock({-half, half});
     const cda::Cell cell = cda::box_cell(lattice.round(-half), lattice.round(half), lattice);
@@ -121,7 +118,8 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
     for (const Fixture& fixture : setup.machine.fixtures) {
         fixtures_.push_back(std::make_unique<const RigidBody>(body_of(fixture, zero_)));
         add({fixture.name, fmt::format("the fixture '{}'", fixture.name), told.part_moved_by,
-             fixtures_.back().get(), fixture.clearance_mm, false, false, false});
+             fixtures_.back().get(), fixture.clearance_mm, false, false, false,
+             why_as_hull(fixture.mesh, fixture.as_hull)});
     }
     // Then what is fixed to the part, at last what is fixed to the tool.
     const auto rank = [&told](const LinkBody& link) {
@@ -134,7 +132,8 @@ MachineScene::MachineScene(const Setup& setup, const Box& stock, const Share& sh
             const LinkBody& link = told.links[i];
             if (!setup.bodies->body(i) || rank(link) != wanted) continue;
             add({link.name, fmt::format("the link '{}'", link.name), link.moved_by,
-                 setup.bodies->body(i), link.clearance_mm, false, false, true});
+                 setup.bodies->body(i), link.clearance_mm, false, false, true,
+                 setup.bodies->why_hull(i)});
         }
     }
     add({"tool", "the tool", told.tool_moved_by, nullptr, 0.0, true, false, false});
@@ -281,15 +280,11 @@ void MachineScene::note(const Observation& seen, std::vector<MachineContact>& co
     contact.assumed = seen.assumed;
     contact.values = *seen.values;
     contact.point = seen.point;
-    for (std::size_t i = 0; i < setup_->bodies->told().links.size(); ++i) {
-        const std::string& why = setup_->bodies->taken_as_hull(i);
-        const std::string& name = setup_->bodies->told().links[i].name;
-        const bool is_one =
-            (members_[pair.observer].is_link && members_[pair.observer].name == name) ||
-            (members_[pair.body].is_link && members_[pair.body].name == name);
-        if (is_one && !why.empty())
-            contact.hulls.push_back(
-                fmt::format("the mesh of '{}' counts as its hull: {}", name, why));
+    for (const std::size_t i : {pair.observer, pair.body}) {
+        const Member& member = members_[i];
+        if (!member.why_hull.empty())
+            contact.hulls.push_back(fmt::format("the mesh of '{}' counts as its hull: {}",
+                                                member.name, member.why_hull));
     }
     const auto old = std::ranges::find_if(contacts, [&](const MachineContact& c) {
         return c.first == contact.first && c.second == contact.second;

@@ -62,6 +62,7 @@ private:
         const RigidBody* body = nullptr;  // null: the tool, the part
         double clearance_mm = 0.0;
         bool is_tool = false, is_part = false, is_link = false;
+        std::string why_hull{};  // why it counts as its hull; empty: it does not
     };
     struct Pair {
         std::size_t observer = 0, body = 0;  // of members_

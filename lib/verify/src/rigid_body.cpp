@@ -39,6 +39,17 @@ RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm) {
     return {std::move(pieces), 3.0 * lattice.unit_mm + deflection_mm};
 }
 
+std::string why_as_hull(const cda::TriangleMesh& mesh, bool told) {
+    constexpr std::size_t kMostTriangles = 50'000;  // more take longer to divide than programs
+    if (told) return "that was told";
+    if (mesh.triangles.size() > kMostTriangles) return "it has more than 50,000 triangles";
+    return {};
+}
+
+RigidBody hull_of(const cda::TriangleMesh& mesh, double deflection_mm) {
+    return {{ConvexPiece{mesh.vertices, {}, {}, false}}, deflection_mm};
+}
+
 RigidBody::RigidBody(std::vector<ConvexPiece> pieces, double accuracy_mm)
     : pieces_(std::move(pieces)), order_(pieces_.size()), accuracy_mm_(accuracy_mm) {
     for (const ConvexPiece& piece : pieces_) {

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ncsim::verify {
@@ -29,9 +30,13 @@ class RigidBody;
 /// A polytope that was made on `lattice` about `centre` (mm): outer and inner corners are its own.
 ConvexPiece piece_of(const cda::ConvexPolytope& polytope, const cda::Lattice& lattice,
                      cda::Vec3 centre);
-/// A body whose surface is that, within `deflection_mm`, in pieces that shape_of() cuts it into.
-/// Throws what that does.
+/// A body whose surface is that, within `deflection_mm`, in pieces that convex_pieces() cuts it
+/// into. Throws what that does.
 RigidBody body_in_pieces(const cda::TriangleMesh& mesh, double deflection_mm = 0.0);
+/// Why a mesh counts as its convex hull; empty: it does not.
+std::string why_as_hull(const cda::TriangleMesh& mesh, bool told);
+/// The convex hull of its corners, of which nothing is certainly there.
+RigidBody hull_of(const cda::TriangleMesh& mesh, double deflection_mm);
 
 class RigidBody {
 public:

@@ -39,9 +39,10 @@ struct Shape {
 Shape shape_of(const TriangleMesh& mesh, const Lattice& lattice);
 
 /// The inside of a closed surface, as shape_of() has it, in convex pieces: they fill it without gap
-/// or overlap, but for two units at its surface. A convex surface is one piece. Requires and throws
-/// what shape_of() does. At most as many pieces as planes of the surface cut each other; in parts
-/// with few curves far fewer than triangles.
+/// or overlap, but for two units at its surface. A convex surface is one piece. Bodies may overlap,
+/// and so do their pieces then; otherwise requires and throws what shape_of() does. At most as many
+/// pieces as planes of the surface cut each other; in parts with few curves far fewer than
+/// triangles.
 std::vector<ConvexPolytope> convex_pieces(const TriangleMesh& mesh, const Lattice& lattice);
 
 /// The shape as a workpiece of the model's kind.

@@ -24,6 +24,8 @@ struct MachineBody {
     machine::Chain moved_by;
     double clearance_mm = 0.0;   ///< All else is to stay this far away.
     double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
+    std::string mesh_at{};       ///< Where the mesh was told: "mill.toml:12:1".
+    bool as_hull = false;        ///< What it may meet is asked of its convex hull.
 };
 
 /// Its corners with the joints at `values`, machine coordinates.

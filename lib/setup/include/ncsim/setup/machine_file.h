@@ -85,6 +85,8 @@
 //     mesh = "cradle.stl"            # beside this file: STL, OBJ, VRML97, GLB, STEP; closed, as it
 //                                    # stands with all axes at 0
 //     scale = 1000                   # mm that a length of 1 is in STL, OBJ and VRML; default: 1
+//     hull = true                    # what it meets is asked of its convex hull: for a mesh that
+//                                    # crosses itself, which is refused else. A fixture's, too
 //     colour = "#c08040"
 //     clearance = 2                  # mm that all else is to stay away
 //     positive = "part"              # the part turns by the right hand; else "tool" (ISO 841)
