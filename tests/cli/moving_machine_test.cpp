@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -333,6 +334,46 @@ TEST(MovingMachine, ChangesToolsAndTurnsAllTheWay) {
         EXPECT_NE(vrml.find(text), std::string::npos) << text;
     }
     EXPECT_EQ(vrml.find("JOINT_A"), std::string::npos);
+}
+
+// The words of the page's last list of that name, little-endian.
+std::vector<std::uint32_t> words_of_page(const std::string& page, const std::string& name) {
+    const std::string key = "\"" + name + "\":\"";
+    const std::size_t at = page.rfind(key);
+    if (at == std::string::npos) return {};
+    const std::string kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<std::uint32_t> words;
+    std::uint32_t bits = 0, count = 0, byte = 0;
+    for (std::size_t i = at + key.size(); kDigits.find(page[i]) != std::string::npos; ++i) {
+        bits = bits << 6U | static_cast<std::uint32_t>(kDigits.find(page[i]));
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        if (byte % 4 == 0) words.push_back(0);
+        words.back() |= (bits >> count & 0xffU) << 8U * (byte++ % 4);
+    }
+    return words;
+}
+
+// Line 12 of a subprogram in another file is not line 12 of the program.
+TEST(MovingMachine, TellsNoLinesOfOtherFiles) {
+    Folder folder;
+    folder.write("a.ngc",
+                 "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,40.,40.,10.,20.,20.,10.)\n"
+                 "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG0 X0 Y0 Z40\n"
+                 "o<far> call\nG0 Z40\nM2\n");
+    folder.write("far.ngc", "o<far> sub\n\n\n\n\n\n\n\n\n\n\nG1 Z9 F300\nG1 X5\no<far> endsub\n");
+    const std::string machine = kSamples + "machines/trunnion.toml";
+    const Ran ran = folder.run(
+        {"run", "a.ngc", "--machine", machine, "--show-machine", "--gltf", "m.glb", "-q"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const Scene scene((folder.path() / "m.glb").string());
+    EXPECT_EQ(scene.times_of(9).size(), 1U);
+    EXPECT_EQ(scene.times_of(12).size() + scene.times_of(13).size(), 0U);
+    folder.run({"check", "a.ngc", "--machine", machine, "--html", "a.html"});
+    const std::vector<std::uint32_t> lines = words_of_page(folder.read("a.html"), "lines");
+    EXPECT_EQ(std::ranges::count(lines, 9U), 1);
+    EXPECT_EQ(std::ranges::count(lines, 12U) + std::ranges::count(lines, 13U), 0);
 }
 
 // The part stands still in pictures, or the machine does.
