@@ -26,8 +26,10 @@ using cda::TriangleTree;
 using cda::Vec3;
 using Triple = std::array<std::uint32_t, 3>;
 
-// Is there a triangle within `limit` of a point? Sometimes no where there is one, by rounding.
-bool is_within(const TriangleTree& tree, Vec3 p, double limit) {
+// Is there a triangle within `limit` of a point? Sometimes no where there is one, by rounding. One
+// that was near the last point often is near the next, too: `last` is asked first, and told.
+bool is_within(const TriangleTree& tree, Vec3 p, double limit, std::uint32_t& last) {
+    if (cda::distance(p, cda::corners_of(tree.mesh(), last)) <= limit) return true;
     bool found = false;
     tree.visit(
         [&](const cda::Box& box) {
@@ -38,7 +40,9 @@ bool is_within(const TriangleTree& tree, Vec3 p, double limit) {
             return !found;
         },
         [&](std::uint32_t t) {
-            found = found || cda::distance(p, cda::corners_of(tree.mesh(), t)) <= limit;
+            if (found || cda::distance(p, cda::corners_of(tree.mesh(), t)) > limit) return;
+            found = true;
+            last = t;
         });
     return found;
 }
@@ -52,10 +56,12 @@ struct Farthest {
 // are not.
 Farthest farthest(const std::vector<Vec3>& points, const TriangleTree& tree) {
     Farthest result;
+    std::uint32_t last = 0;
     for (const Vec3& p : points) {
-        if (is_within(tree, p, result.distance)) continue;
-        const double distance = tree.nearest(p).distance_mm;
-        if (distance > result.distance) result = {distance, p};
+        if (is_within(tree, p, result.distance, last)) continue;
+        const TriangleTree::Nearest nearest = tree.nearest(p);
+        if (nearest.distance_mm > result.distance) result = {nearest.distance_mm, p};
+        last = nearest.triangle;
     }
     return result;
 }
