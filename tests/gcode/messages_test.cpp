@@ -167,6 +167,8 @@ const std::vector<Case>& cases() {
         // Words and codes
         {By::Default, "G0 X1 E5",
          "1:7: warning: the word E means nothing here; it is left out [unknown-word]"},
+        {By::Default, "M3 S900 E5",
+         "1:9: warning: the word E means nothing here; it is left out [unknown-word]"},
         {By::Default, "T1 M6 T2",
          "1:7: note: T stands twice in this block; the first is changed to, the second waits "
          "[next-tool]"},
@@ -234,6 +236,13 @@ TEST(Messages, AreSaidInTheseWords) {
             all << line << '\n';
         EXPECT_TRUE(std::ranges::find(said, c.said) != said.end()) << c.said << "\nis not in\n"
                                                                    << all.str();
+    }
+}
+
+TEST(Messages, NothingIsSaidOfTheWordsOfAnaloguePorts) {
+    for (const char* program : {"M66 E0 L0", "M67 E1 Q5", "M68 E1 Q5"}) {
+        for (const std::string& line : said_of({By::Default, program, ""}))
+            EXPECT_EQ(line.find("word"), std::string::npos) << program << ": " << line;
     }
 }
 

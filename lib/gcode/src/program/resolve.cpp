@@ -198,6 +198,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
     command.corner = 0;
     command.has_angle = false;
     command.has_m = false;
+    bool takes_e = false;
     command.clamps.clear();
     command.has_others = false;
     unknown_g_ = false;
@@ -219,6 +220,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
         }
         if (word.letter == 'M') {
             command.has_m = true;
+            takes_e = takes_e || value == 66.0 || value == 67.0 || value == 68.0;  // analogue ports
             if (!take_m(word, value, command)) return false;
             continue;
         }
@@ -257,7 +259,7 @@ bool Resolver::resolve(const Block& block, Command& command) {
         command.value[i] = value;
     }
     command.axis_words = command.has_any(kAxisLetters) || command.has_angle;
-    if (command.has('E') && !rules_.strict && !is_allowed('E', command['E'])) {
+    if (command.has('E') && !takes_e && !rules_.strict && !is_allowed('E', command['E'])) {
         const Word* word = find_word(block, 'E');
         log_.add(Message::UnknownWord, word ? word->span : command.span, {"E"});
     }
