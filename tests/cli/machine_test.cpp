@@ -310,6 +310,25 @@ TEST(Machine, TheLengthOfAToolThatAHeadTurnsHasToBeTold) {
     EXPECT_FALSE(has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess"));
 }
 
+// LinuxCNC's 5axisgui.ngc drills so.
+TEST(Machine, AQuillOfAHeadThatTurnsIsADoubt) {
+    Folder folder;
+    folder.write("t.tbl", "T1 P1 Z80 D6\n");
+    const auto is_guess = [&](const char* machine, const std::string& more) {
+        folder.write("m.toml", machine + std::string("[offsets]\nG54 = [0, 0, 0]\n"));
+        folder.write("a.nc", hole(0, 0, "G0 " + more, "G0 B0 W0\n"));
+        folder.run(
+            {"check", "a.nc", "--machine", "m.toml", "--tool-table", "t.tbl", "--json", "v.json"});
+        return has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess");
+    };
+    const char* const kHead =
+        "preset = \"bridge-cb\"\npivot = { B = [0, 0, 150], C = [0, 0, 0] }\n";
+    const char* const kTable = "preset = \"4axis-b\"\npivot = { B = [0, 0, 0] }\n";
+    EXPECT_FALSE(is_guess(kHead, "B30"));
+    EXPECT_TRUE(is_guess(kHead, "B30 W-5"));
+    EXPECT_FALSE(is_guess(kTable, "B30 W-5"));
+}
+
 // Places of the tip are not those of the axes, which are looked at where they are known.
 TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
     Folder folder;

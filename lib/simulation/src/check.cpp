@@ -133,9 +133,10 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.rapid = rapid_path(questions);
     setup.kinematics = plan.placed;
     setup.bodies = questions.bodies ? questions.bodies : bodies_of(questions.machine);
-    setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns,
+    const AxesInUse axes{survey.turns, survey.moves_uvw};
+    setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, axes,
                                        !survey.interpretation.asked_for_places);
-    setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, survey.turns, false);
+    setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, axes, false);
     setup.setting_askew = survey.interpretation.setting_askew;
     setup.uses_length_offsets = survey.interpretation.uses_length_offsets;
     setup.cutting_tools = survey.cutting_tools;

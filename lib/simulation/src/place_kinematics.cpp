@@ -32,10 +32,20 @@ void place_kinematics(Plan& plan) {
         *plan.placed, seen.workpiece, plan.kinematics->travels, plan.kinematics->prefer);
 }
 
+namespace {
+
+// A rotary axis between the linear ones and the tool.
+bool has_turning_head(const machine::Chain& chain) {
+    return !chain.joints.empty() && chain.joints.back().turns;
+}
+
+}  // namespace
+
 std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiece,
-                             const std::array<bool, 3>& turns, bool of_tip) {
+                             const AxesInUse& axes, bool of_tip) {
     if (!plan.kinematics) return "A, B and C turn about the program origin";
     const setup::ToldKinematics& told = *plan.kinematics;
+    const auto& turns = axes.turns;
     std::vector<std::string> guesses;
     if (!told.guess.empty() && std::ranges::find(turns, true) != turns.end())
         guesses.push_back(told.guess);
@@ -59,6 +69,9 @@ std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiec
         guesses.push_back("the axes " + at_zero + " pass through the program zero");
     if (!of_tip && !work_zero(workpiece) && at_zero.empty())
         guesses.emplace_back("the program zero is that of the machine, from which axes are told");
+    // Of LinuxCNC's heads W goes along the tool as it is turned.
+    if (axes.uvw && has_turning_head(told.chain))
+        guesses.emplace_back("U, V and W go along X, Y and Z, whichever way the head is turned");
     std::string all;
     for (const std::string& guess : guesses)
         all += (all.empty() ? "" : "; ") + guess;

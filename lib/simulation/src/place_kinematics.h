@@ -19,9 +19,15 @@ std::optional<cda::Vec3> work_zero(const gcode::WorkOffset& workpiece);
 /// told where they lie are taken to pass through it.
 void place_kinematics(Plan& plan);
 
-/// What of the turning of `turns` (A, B, C) nobody told, in words, empty: nothing. `of_tip`: where
-/// the program tells places of the tip; then only directions count.
+/// Which axes stand elsewhere than at 0 in some move of a program.
+struct AxesInUse {
+    std::array<bool, 3> turns{};  ///< A, B, C.
+    bool uvw = false;
+};
+
+/// What of the way they go nobody told, in words, empty: nothing. `of_tip`: where the program tells
+/// places of the tip; then only directions count.
 std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiece,
-                             const std::array<bool, 3>& turns, bool of_tip);
+                             const AxesInUse& axes, bool of_tip);
 
 }  // namespace ncsim::simulation

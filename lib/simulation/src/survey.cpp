@@ -71,6 +71,7 @@ public:
         result_.turns[0] |= to->a.degrees() != 0.0;
         result_.turns[1] |= to->b.degrees() != 0.0;
         result_.turns[2] |= to->c.degrees() != 0.0;
+        result_.moves_uvw |= to->u.mm() != 0.0 || to->v.mm() != 0.0 || to->w.mm() != 0.0;
         const bool is_turned = to->a.degrees() != 0.0 || to->b.degrees() != 0.0 ||
                                to->c.degrees() != 0.0 || from->a.degrees() != 0.0 ||
                                from->b.degrees() != 0.0 || from->c.degrees() != 0.0;
@@ -345,11 +346,11 @@ struct Look {
 std::string rotation_of(const Plan& plan, const Survey& survey) {
     if (!plan.kinematics)
         return "assumed: A, B, C turn the tool about X, Y, Z through the program zero";
-    const gcode::WorkOffset& zero = survey.interpretation.workpiece;
     std::string text = "as the machine file tells";
     if (survey.uses_tip_control) text += ", X Y Z are the tip's under tip control";
     const bool by_tips = !survey.turns_under_axes && !survey.interpretation.asked_for_places;
-    const std::string guess = kinematics_guess(plan, zero, survey.turns, by_tips);
+    const std::string guess = kinematics_guess(plan, survey.interpretation.workpiece,
+                                               {survey.turns, survey.moves_uvw}, by_tips);
     return guess.empty() ? text : text + "; assumed: " + guess;
 }
 

@@ -22,6 +22,7 @@ struct Survey : report::ProgramFacts {
     /// It never tells Z: a plotter's, a laser's or an engraver's, of which only the path is known.
     bool is_flat() const { return untold[2]; }
     bool uses_tip_control = false;
+    bool moves_uvw = false;         ///< U, V or W stands elsewhere than at 0.
     bool turns_under_axes = false;  ///< Rotary axes stand elsewhere than at 0 without it.
     gcode::SourceSpan first_move;
     std::set<int> cutting_tools;
