@@ -4,12 +4,12 @@
 #include "ncsim/export/camera.h"
 #include "ncsim/export/render.h"
 #include "ncsim/export/sheet.h"
-#include "ncsim/machine/inverse.h"
 #include "ncsim/machine/relative.h"
 #include "ncsim/report/describe.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/machining_time.h"
 #include "ncsim/simulation/models.h"
+#include "ncsim/toolpath/joint_path.h"
 
 #include "machine_picture.h"
 #include "tool_body.h"
@@ -47,22 +47,9 @@ bool stands_on_machine(const Outcome& outcome) {
 
 // Where the joints stand after the last move, machine coordinates.
 machine::Values joints_of(const Outcome& outcome) {
-    machine::Values values{};
     const auto& last = outcome.simulation->last_move;
-    if (!last) return values;
-    const toolpath::Kinematics& placed = *outcome.plan.placed;
-    const gcode::Position& at = *gcode::end_of(*last);
-    values = toolpath::values_of(at);
-    const double length = last->length.mm();
-    if (last->coordinates == gcode::Coordinates::Tip) {
-        const auto found = machine::values_for(placed.chain.placed(placed.zero, length),
-                                               toolpath::linear_axes(at), values);
-        if (found) values = *found;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-        values[static_cast<std::size_t>(axis)] += placed.zero[axis];
-    values[2] += length;
-    return values;
+    if (!last) return {};
+    return toolpath::JointPath(*outcome.plan.placed, *last).at(1.0).value_or(machine::Values{});
 }
 
 // The links around the part, which stays where it is.

@@ -310,23 +310,83 @@ TEST(Machine, TheLengthOfAToolThatAHeadTurnsHasToBeTold) {
     EXPECT_FALSE(has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess"));
 }
 
-// LinuxCNC's 5axisgui.ngc drills so.
-TEST(Machine, AQuillOfAHeadThatTurnsIsADoubt) {
+const char* const kHead =
+    "preset = \"bridge-cb\"\npivot = { B = [0, 0, 150], C = [0, 0, 0] }\n"
+    "[offsets]\nG54 = [0, 0, 0]\n";
+const std::string kQuill = "along_tool = \"W\"\ncontrol = { at_start = \"tip\" }\n";
+
+// Into a block with the head leaning by 30 degrees to X, as LinuxCNC's 5axisgui.ngc drills.
+std::string leaning_hole(const std::string& drill) {
+    return "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+           "(FROM/0.,0.,50.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z50\n"
+           "G0 X15 Z25.980762 B-30\nG0 X3 Z5.196152\n" +
+           drill + "G0 X15 Z25.980762\nG0 B0\nM30\n";
+}
+const std::string kByW = "G1 W-18 F300\nG0 W0\n";
+const std::string kByXAndZ = "G1 X-6 Z-10.392305 F300\n";
+
+TEST(Machine, AWordAlongTheToolDrillsAsXAndZDo) {
     Folder folder;
     folder.write("t.tbl", "T1 P1 Z80 D6\n");
-    const auto is_guess = [&](const char* machine, const std::string& more) {
-        folder.write("m.toml", machine + std::string("[offsets]\nG54 = [0, 0, 0]\n"));
-        folder.write("a.nc", hole(0, 0, "G0 " + more, "G0 B0 W0\n"));
+    folder.write("m.toml", kQuill + kHead);
+    const std::vector<std::string> machine{"--machine", "m.toml"};
+    const double by_w = removed(folder, leaning_hole(kByW), machine);
+    const double by_x_and_z = removed(folder, leaning_hole(kByXAndZ), machine);
+    EXPECT_NEAR(by_w, kPi * 9 * 12, 0.012 * kPi * 9 * 12);
+    EXPECT_NEAR(by_w, by_x_and_z, 1e-6 * by_w);
+    // LinuxCNC's own kinematics, which tell the tip from the start.
+    folder.write("m.ini",
+                 "[KINS]\nKINEMATICS = 5axiskins coordinates=XYZBCW\n[HAL]\n"
+                 "HALCMD = setp 5axiskins.pivot-length 150\n");
+    EXPECT_NEAR(removed(folder, leaning_hole(kByW), {"--machine", "m.ini"}), by_w, 1e-6 * by_w);
+    // The same file as TOML.
+    EXPECT_EQ(folder.run({"machine", "m.ini", "--save", "saved.toml"}).exit_code, 0);
+    EXPECT_EQ(removed(folder, leaning_hole(kByW), {"--machine", "saved.toml"}),
+              removed(folder, leaning_hole(kByW), {"--machine", "m.ini"}));
+}
+
+TEST(Machine, UVAndWOfAHeadThatTurnsAreADoubtWhereNobodyTellsTheirWay) {
+    Folder folder;
+    folder.write("t.tbl", "T1 P1 Z80 D6\n");
+    const auto is_guess = [&](const std::string& machine, const std::string& program) {
+        folder.write("m.toml", machine);
+        folder.write("a.nc", program);
         folder.run(
             {"check", "a.nc", "--machine", "m.toml", "--tool-table", "t.tbl", "--json", "v.json"});
         return has(reasons(json::parse(folder.read("v.json"))), "kinematics-guess");
     };
-    const char* const kHead =
-        "preset = \"bridge-cb\"\npivot = { B = [0, 0, 150], C = [0, 0, 0] }\n";
-    const char* const kTable = "preset = \"4axis-b\"\npivot = { B = [0, 0, 0] }\n";
-    EXPECT_FALSE(is_guess(kHead, "B30"));
-    EXPECT_TRUE(is_guess(kHead, "B30 W-5"));
-    EXPECT_FALSE(is_guess(kTable, "B30 W-5"));
+    const std::string head = kHead;
+    const std::string tip = "control = { at_start = \"tip\" }\n";
+    EXPECT_FALSE(is_guess(head, leaning_hole(kByXAndZ)));
+    EXPECT_FALSE(is_guess(kQuill + head, leaning_hole(kByW)));
+    EXPECT_TRUE(is_guess(head, leaning_hole(kByW)));
+    EXPECT_TRUE(is_guess(tip + head, leaning_hole(kByW)));
+    EXPECT_TRUE(is_guess("along_tool = \"W\"\n" + head, leaning_hole(kByW))) << "without tip";
+    EXPECT_TRUE(is_guess(kQuill + head, leaning_hole("G0 U1\nG0 U0\n")));
+    EXPECT_TRUE(is_guess(kQuill + head, leaning_hole("G10 L20 P1 W5\n" + kByW)));
+    const std::string table =
+        "preset = \"4axis-b\"\npivot = { B = [0, 0, 0] }\n[offsets]\nG54 = [0, 0, 0]\n";
+    EXPECT_FALSE(is_guess(table, leaning_hole(kByW)));
+}
+
+// X of the machine goes by the sine, with the head, which stands 150 mm and the length of the tool
+// above the tip; and its place is told by the verdict.
+TEST(Machine, TravelsHoldForWhatMovesTheToolAlongItself) {
+    Folder folder;
+    folder.write("t.tbl", "T1 P1 Z80 D6\n");
+    folder.write("a.nc", leaning_hole("G1 W-18 F300\nG0 W200\nG0 W0\n"));
+    const double beside = 0.5 * (150 + 80);
+    for (const auto& [most, beyond] : {std::pair{103.5, false}, {102.5, true}}) {
+        folder.write("m.toml",
+                     kQuill + kHead + fmt::format("[travel]\nx = [-500, {}]\n", beside + most));
+        folder.run(
+            {"check", "a.nc", "--machine", "m.toml", "--tool-table", "t.tbl", "--json", "v.json"});
+        const json v = json::parse(folder.read("v.json"));
+        const bool is_beyond = std::ranges::any_of(
+            v["programs"][0]["findings"],
+            [](const json& finding) { return finding["rule"] == "over-travel"; });
+        EXPECT_EQ(is_beyond, beyond) << most;
+    }
 }
 
 // Places of the tip are not those of the axes, which are looked at where they are known.
@@ -378,6 +438,10 @@ TEST(Machine, AFileThatTellsNonsenseIsRefusedWithItsPlace) {
     };
     const std::vector<Case> cases{
         {"preset = \"robot\"\n", "m.toml:1:10: 'preset': no machine of this name"},
+        {"along_tool = \"Z\"\n", "m.toml:1:14: 'along_tool': expected \"U\", \"V\" or \"W\""},
+        {"along_tool = \"W\"\n", "m.toml:1:14: 'along_tool' needs to know how the machine turns"},
+        {"preset = \"bridge-cb\"\ncontrol = { at_start = \"nose\" }\n",
+         "m.toml:2:24: 'control.at_start': expected \"tip\" or \"axes\""},
         {"preset = 3\n", "m.toml:1:10: 'preset': expected a text"},
         {"pivot = { A = [0, 0, 0] }\n", "'pivot' belongs to a preset"},
         {"preset = \"4axis-a\"\npivot = { B = [0, 0, 0] }\n", "m.toml:2:"},

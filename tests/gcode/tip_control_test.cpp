@@ -58,6 +58,16 @@ TEST(TipControl, BeginsAndEndsWithTheWordsOfTheMachine) {
         EXPECT_TRUE(knows(made.moves[i].known_start)) << i;
 }
 
+TEST(TipControl, MayBeThereFromTheStart) {
+    TipControl from_start = told();
+    from_start.at_start = Coordinates::Tip;
+    const Made made = run("G0 X1 Y2 Z3\nG1 X4 A10\nG1 A0\nM429\nG1 X5\n", from_start);
+    ASSERT_EQ(made.moves.size(), 4U);
+    EXPECT_EQ(made.moves[0].coordinates, Coordinates::Tip);
+    EXPECT_EQ(made.moves[1].coordinates, Coordinates::Tip);
+    EXPECT_EQ(made.moves[3].coordinates, Coordinates::Axes);
+}
+
 TEST(TipControl, WordsThatNobodyToldStopTheProgram) {
     EXPECT_TRUE(run("G0 X1 Y2 Z3 A10\nM428\nG1 X4\n", {}).says("kinematics"));
     EXPECT_TRUE(run("G0 X1 Y2 Z3 A10\nM430\nG1 X4\n").says("kinematics"));

@@ -108,6 +108,23 @@ TEST(LinuxCnc, OfOtherKinematics) {
     EXPECT_FALSE(read("[KINS]\nKINEMATICS = trivkins coordinates=XYZA\n").kinematics);
 }
 
+// The first kinematics are there from the start; W of 5axiskins goes along the tool.
+TEST(LinuxCnc, WhatIsThereFromTheStart) {
+    using enum gcode::Coordinates;
+    const auto at_start = [](const std::string& kinematics) {
+        return read("[KINS]\nKINEMATICS = " + kinematics + "\n").tip_control.at_start;
+    };
+    EXPECT_EQ(at_start("5axiskins"), Tip);
+    EXPECT_EQ(at_start("5axiskins sparm=identityfirst"), Axes);
+    EXPECT_EQ(at_start("xyzac-trt-kins"), Tip);
+    EXPECT_EQ(at_start("xyzac-trt-kins sparm=identityfirst"), Axes);
+    EXPECT_EQ(at_start("xyzacb_trsrn"), Axes);
+    const MachineFile head = read("[KINS]\nKINEMATICS = 5axiskins\n");
+    ASSERT_TRUE(head.kinematics->chain.find('W'));
+    EXPECT_EQ(*head.kinematics->chain.find('W'), machine::along_tool('W'));
+    EXPECT_FALSE(read("[KINS]\nKINEMATICS = xyzac-trt-kins\n").kinematics->chain.find('W'));
+}
+
 TEST(LinuxCnc, InInches) {
     const MachineFile file = read(
         "[KINS]\nKINEMATICS = 5axiskins\n[TRAJ]\nLINEAR_UNITS = inch\n[HAL]\n"

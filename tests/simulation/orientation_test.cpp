@@ -102,7 +102,7 @@ TEST(Orientation, AnArcInAPlaneIsRoundOnThePart) {
     EXPECT_GT(samples.poses.size(), 50U);
     const gcode::FeatureFrame frame =
         gcode::turn_about(2, 30) * gcode::turn_about(0, 40) * gcode::turn_about(2, -20);
-    const cda::Box box = toolpath::extent_of_path(moves.back());
+    const cda::Box box = toolpath::extent_of_path(moves.back(), {nullptr, moves.back()});
     for (const Pose& pose : samples.poses) {
         const gcode::Triple p =
             frame.inward({pose.translation.x, pose.translation.y, pose.translation.z});

@@ -74,6 +74,45 @@ TEST(JointPath, BringsTheTipWhereItIsProgrammed) {
     }
 }
 
+// What W moves along the tool X, Y and Z of the machine do: it has no joint for that.
+TEST(JointPath, NoJointMovesAlongTheTool) {
+    Kinematics machine = machine_of("bridge-cb", {0, 20, -310});
+    machine.chain.joints.push_back(machine::along_tool('W'));
+    const machine::Chain placed = machine.chain.placed(machine.zero, 80.0);
+    for (const bool of_tip : {false, true}) {
+        Position from = place(1, 2, 3, 0, -30, 40), to = place(1, 2, 3, 0, -60, 70);
+        from.w = Length::from_mm(12), to.w = Length::from_mm(-15);
+        const Motion motion = straight(from, to, of_tip);
+        const JointPath path(machine, motion);
+        for (const double t : {0.0, 0.4, 1.0}) {
+            auto values = path.at(t);
+            ASSERT_TRUE(values);
+            EXPECT_EQ((*values)[8], 0.0);
+            for (int i = 0; i < 3; ++i)
+                (*values)[static_cast<std::size_t>(i)] -= machine.zero[i];
+            (*values)[2] -= 80.0;
+            const Vec3 tip = Poses(&machine, motion).at(between(from, to, t)).translation;
+            EXPECT_LT(norm(placed.pose(*values).translation - tip), 1e-8);
+        }
+    }
+}
+
+// Places of the joints as the inverse of LinuxCNC's 5axiskins has them (2.9), pivot 250.
+TEST(JointPath, AlongTheToolAsLinuxCncDoesIt) {
+    Kinematics machine = machine_of("bridge-cb", {0, 0, 250});
+    machine.zero = {};
+    machine.chain.joints.push_back(machine::along_tool('W'));
+    Position p = place(10, 20, 30, 0, -30, 45);
+    p.w = Length::from_mm(-10);
+    Motion motion = straight(p, p, true);
+    motion.length = {};
+    const auto values = JointPath(machine, motion).at(1.0);
+    ASSERT_TRUE(values);
+    EXPECT_NEAR((*values)[0], 94.852813742, 6e-10);
+    EXPECT_NEAR((*values)[1], 104.852813742, 6e-10);
+    EXPECT_NEAR((*values)[2], -12.153903092, 6e-10);
+}
+
 // Straight, on arcs, and with tip control, which bends the ways of all axes.
 TEST(JointPath, TheAxesKeepTheirBounds) {
     Random random(5);
@@ -82,12 +121,17 @@ TEST(JointPath, TheAxesKeepTheirBounds) {
         SCOPED_TRACE(i);
         constexpr std::string_view kNames[] = {"xyzac-trt", "xyzbc-trt", "bridge-cb",
                                                "head-b-table-c", "hmc-b"};
-        const Kinematics machine =
+        Kinematics machine =
             machine_of(kNames[i % 5], {random.within(-50, 50), random.within(-50, 50), -320});
+        if (random.one_in(3)) machine.chain.joints.push_back(machine::along_tool('W'));
         const auto any = [&] {
             const auto mm = [&] { return random.within(-80, 80); };
             const auto degrees = [&] { return random.within(-40, 40); };
-            return place(mm(), mm(), mm(), degrees(), degrees(), degrees());
+            Position p = place(mm(), mm(), mm(), degrees(), degrees(), degrees());
+            if (!random.one_in(3)) return p;
+            for (const auto axis : {&Position::u, &Position::v, &Position::w})
+                p.*axis = Length::from_mm(random.one_in(2) ? 0.0 : 0.3 * mm());
+            return p;
         };
         Motion motion = straight(any(), any(), !random.one_in(3));
         if (random.one_in(3)) {

@@ -2,6 +2,7 @@
 //
 // Machines that somebody told: the bounds of what hulls of their poses miss and gain.
 #include "ncsim/machine/presets.h"
+#include "ncsim/toolpath/extent.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/tool.h"
@@ -59,6 +60,7 @@ Kinematics random_machine(test::Random& random) {
         }
     }
     told.zero = {random.within(-30, 30), random.within(-30, 30), random.within(-30, 30)};
+    if (random.one_in(3)) told.chain.joints.push_back(machine::along_tool('W'));
     return told;
 }
 
@@ -84,9 +86,12 @@ double distance_to(const Pose& X_WT, const Cylinder& tool, Vec3 p) {
 
 Position between(const Position& a, const Position& b, double t) {
     const auto of = [t](double p, double q) { return p + t * (q - p); };
-    return at(of(a.x.mm(), b.x.mm()), of(a.y.mm(), b.y.mm()), of(a.z.mm(), b.z.mm()),
-              of(a.a.degrees(), b.a.degrees()), of(a.b.degrees(), b.b.degrees()),
-              of(a.c.degrees(), b.c.degrees()));
+    Position p = at(of(a.x.mm(), b.x.mm()), of(a.y.mm(), b.y.mm()), of(a.z.mm(), b.z.mm()),
+                    of(a.a.degrees(), b.a.degrees()), of(a.b.degrees(), b.b.degrees()),
+                    of(a.c.degrees(), b.c.degrees()));
+    for (const auto axis : {&Position::u, &Position::v, &Position::w})
+        p.*axis = Length::from_mm(of((a.*axis).mm(), (b.*axis).mm()));
+    return p;
 }
 
 struct Case {
@@ -107,10 +112,15 @@ struct Case {
             return at(of(n.x.mm(), way), of(n.y.mm(), way), of(n.z.mm(), way),
                       of(n.a.degrees(), turn), of(n.b.degrees(), turn), of(n.c.degrees(), turn));
         };
-        const Position from = somewhere(nullptr);
+        Position from = somewhere(nullptr), to = somewhere(&from);
+        if (random.one_in(3)) {
+            for (const auto axis : {&Position::u, &Position::v, &Position::w}) {
+                from.*axis = Length::from_mm(random.one_in(2) ? 0.0 : random.within(-20, 20));
+                to.*axis = random.one_in(2) ? from.*axis : Length::from_mm(random.within(-20, 20));
+            }
+        }
         const bool of_tip = random.one_in(2);
-        motion = line(from, somewhere(&from),
-                      of_tip ? gcode::Coordinates::Tip : gcode::Coordinates::Axes);
+        motion = line(from, to, of_tip ? gcode::Coordinates::Tip : gcode::Coordinates::Axes);
         motion.length = Length::from_mm(random.within(0, 80));
         tool = {random.within(0.5, 6), random.within(1, 40)};
         SamplingOptions coarse;
@@ -291,6 +301,61 @@ TEST(ToldMachine, AToolIsCutOffWhereItLeavesTheStock) {
     EXPECT_LT(top_of(of_axes, nullptr), 8.0);
 }
 
+// A head that leans by 30 degrees drills by W what another program drills by X and Z.
+TEST(ToldMachine, AWordAlongTheToolIsAMoveOfXAndZ) {
+    Kinematics told{*machine::preset("bridge-cb"), {5, 6, 7}};
+    for (machine::Joint& joint : told.chain.joints)
+        joint.through = {0, 0, 250};
+    told.chain.joints.push_back(machine::along_tool('W'));
+    const double s = 0.5, c = std::sqrt(0.75);
+    Position from = at(1, 2, 3, 0, -30, 0), to = from;
+    to.w = Length::from_mm(-10);
+    for (const auto mode : {gcode::Coordinates::Tip, gcode::Coordinates::Axes}) {
+        const gcode::Motion m = line(from, to, mode);
+        const Samples samples = sample(m, extent_of(flat_end_mill(6, 40)), {}, {}, &told);
+        ASSERT_EQ(samples.poses.size(), 2U);
+        EXPECT_EQ(samples.bounds, SampleBounds{});
+        const Vec3 way = samples.poses[1].translation - samples.poses[0].translation;
+        EXPECT_LT(norm(way - Vec3{-10 * s, 0, -10 * c}), 1e-12);
+        EXPECT_LT(norm(axis_of(samples.poses[1]) - Vec3{s, 0, c}), 1e-15);
+        const cda::Box box = extent_of_path(m, {&told, m});
+        if (mode == gcode::Coordinates::Axes) continue;
+        EXPECT_LT(norm(box.min - Vec3{1 - 10 * s, 2, 3 - 10 * c}), 1e-12);
+        EXPECT_EQ(box.max, (Vec3{1, 2, 3}));
+    }
+    // Of a table that is turned the spindle goes along the tool, too, and along no axis of the
+    // part.
+    const Kinematics table{*machine::preset("xyzac-trt"), {}};
+    Position at_90 = at(1, 2, 3, 90, 0, 0);
+    at_90.w = Length::from_mm(-10);
+    const Poses poses(&table, line(at_90, at_90, gcode::Coordinates::Tip));
+    EXPECT_EQ(poses.place(at_90), (Vec3{1, 2, 3}) - 10.0 * axis_of(poses.at(at_90)));
+}
+
+TEST(ToldMachine, TheExtentHoldsTheWayWhateverUVWDo) {
+    test::Random random(15);
+    for (int i = 0; i < 4'000; ++i) {
+        Case c(random);
+        const auto line = std::get<gcode::Linear>(c.motion.what);
+        if (random.one_in(2)) {
+            const gcode::Plane plane = random.one_in(3) ? gcode::Plane::UV : gcode::Plane::XY;
+            gcode::Arc arc{line.from, line.to, plane, {}, {}, 1, {}};
+            arc.centre_1 = Length::from_mm(random.within(-20, 20));
+            arc.centre_2 = Length::from_mm(random.within(-20, 20));
+            c.motion.what = arc;
+        }
+        c.motion.coordinates = gcode::Coordinates::Tip;
+        const Poses poses(&c.told, c.motion);
+        const cda::Box box = extent_of_path(c.motion, poses);
+        for (const Pose& pose : sample(c.motion, {}, {.max_steps = 40}, {}, &c.told).poses) {
+            for (int axis = 0; axis < 3; ++axis) {
+                ASSERT_GE(pose.translation[axis], box.min[axis] - 1e-9) << i;
+                ASSERT_LE(pose.translation[axis], box.max[axis] + 1e-9) << i;
+            }
+        }
+    }
+}
+
 TEST(ToldMachine, TheTipStaysInItsPlaceWhileTheTableTurns) {
     const Kinematics told{*machine::preset("xyzac-trt"), {}};
     const gcode::Motion turn =
@@ -319,7 +384,7 @@ TEST(ToldMachine, BothModesMeetInTheSamePoses) {
     test::Random random(13);
     for (int i = 0; i < 1000; ++i) {
         const Kinematics told = random_machine(random);
-        const Position p =
+        Position p =
             at(random.within(-50, 50), random.within(-50, 50), random.within(-50, 50),
                random.within(-180, 180), random.within(-180, 180), random.within(-180, 180));
         const gcode::Motion axes = line(p, p, gcode::Coordinates::Axes);
@@ -329,6 +394,12 @@ TEST(ToldMachine, BothModesMeetInTheSamePoses) {
         tip.y = Length::from_mm(X_WT.translation.y);
         tip.z = Length::from_mm(X_WT.translation.z);
         EXPECT_EQ(Poses(&told, line(tip, tip, gcode::Coordinates::Tip)).at(tip), X_WT);
+        // U, V and W move it by the same in both.
+        for (const auto axis : {&Position::u, &Position::v, &Position::w})
+            p.*axis = tip.*axis = Length::from_mm(random.within(-20, 20));
+        const Vec3 by_axes = Poses(&told, axes).at(p).translation;
+        const Vec3 by_tip = Poses(&told, line(tip, tip, gcode::Coordinates::Tip)).place(tip);
+        EXPECT_LT(norm(by_axes - by_tip), 1e-12 * (1.0 + norm(by_axes)));
     }
 }
 

@@ -56,7 +56,7 @@ TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
         const Motion m = arc(place(c1 + r0 * std::cos(a0), c2 + r0 * std::sin(a0), number(-9, 9)),
                              place(c1 + r1 * std::cos(a1), c2 + r1 * std::sin(a1), number(-9, 9)),
                              plane, c1, c2, turns == 0 ? 1 : turns);
-        const cda::Box exact = extent_of_path(m);
+        const cda::Box exact = extent_of_path(m, {nullptr, m});
         SamplingOptions fine;
         fine.chord_tolerance_mm = 1e-9;
         fine.max_steps = 20000;
@@ -74,11 +74,11 @@ TEST(ExtentOfPath, OfArcsAndSpiralsIsExact) {
 }
 
 TEST(ExtentOfPath, OfAQuarterAndAHundredThousandTurns) {
-    const cda::Box quarter =
-        extent_of_path(arc(at(10, 0, 0), at(0, 10, 0), gcode::Plane::XY, 0, 0, 1));
+    const auto extent_of = [](const Motion& m) { return extent_of_path(m, {nullptr, m}); };
+    const cda::Box quarter = extent_of(arc(at(10, 0, 0), at(0, 10, 0), gcode::Plane::XY, 0, 0, 1));
     EXPECT_EQ(quarter, (cda::Box{{0, 0, 0}, {10, 10, 0}}));
     const cda::Box many =
-        extent_of_path(arc(at(10, 0, 0), at(10, 0, -5), gcode::Plane::XY, 0, 0, -100000));
+        extent_of(arc(at(10, 0, 0), at(10, 0, -5), gcode::Plane::XY, 0, 0, -100000));
     EXPECT_EQ(many, (cda::Box{{-10, -10, -5}, {10, 10, 0}}));
 }
 

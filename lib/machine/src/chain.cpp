@@ -15,6 +15,8 @@ namespace {
 
 using Rows = std::array<Vec3, 3>;
 
+constexpr std::size_t kFirstSecond = 6;  // of U
+
 // About X, Y or Z what stays is exact, and a product with it is that of a plane rotation.
 Rows rotation(Vec3 u, double degrees) {
     const trig::SinCos q = trig::sin_cos(degrees);
@@ -89,6 +91,11 @@ const Joint* Chain::find(char letter) const {
     return found == joints.end() ? nullptr : &*found;
 }
 
+bool Chain::has_second_axes() const {
+    return std::ranges::any_of(
+        joints, [](const Joint& joint) { return *index_of(joint.letter) >= kFirstSecond; });
+}
+
 bool Chain::has_head() const {
     bool has_moved = false;
     for (const Joint& joint : joints) {
@@ -115,7 +122,6 @@ Chain Chain::placed(Vec3 zero, double length) const {
 }
 
 Pose Chain::pose(const Values& values) const {
-    constexpr std::size_t kFirstSecond = 6;  // of U
     Pose X_WT;
     int count = 0;
     bool is_least = true;
@@ -141,6 +147,26 @@ Pose Chain::pose(const Values& values) const {
     }
     if (!is_least) X_WT.rows = least_rotation_to(axis_of(X_WT));
     return X_WT;
+}
+
+Vec3 Chain::shift_of_second_axes(const Values& values) const {
+    Vec3 shift;
+    if (values[6] == 0.0 && values[7] == 0.0 && values[8] == 0.0) return shift;
+    for (auto next = joints.rbegin(); next != joints.rend(); ++next) {
+        const std::size_t i = *index_of(next->letter);
+        if (next->turns) {
+            shift = turned(*next, values[i], shift);
+        } else if (i >= kFirstSecond) {
+            shift = shifted(shift, next->direction, values[i]);
+        } else if (!find(kLetters[i + kFirstSecond])) {
+            shift = shifted(shift, next->direction, values[i + kFirstSecond]);
+        }
+    }
+    return shift;
+}
+
+Joint along_tool(char letter) {
+    return joint_of(letter, false, {0, 0, 1});
 }
 
 }  // namespace ncsim::machine

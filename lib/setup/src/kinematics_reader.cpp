@@ -77,6 +77,20 @@ void KinematicsReader::take_pivots(const toml::node& node, const std::string& ke
     }
 }
 
+void KinematicsReader::take_along_tool(const toml::node& node, const std::string& key) {
+    const std::string letter = r_.text(node, key);
+    if (letter != "U" && letter != "V" && letter != "W")
+        r_.fail(node, fmt::format("'{}': expected \"U\", \"V\" or \"W\"", key));
+    along_tool_ = Name{&node, letter};
+}
+
+Coordinates KinematicsReader::tip_or_axes(const toml::node& node, const std::string& key,
+                                          const std::string& mode) const {
+    if (mode != "tip" && mode != "axes")
+        r_.fail(node, fmt::format("'{}': expected \"tip\" or \"axes\"", key));
+    return mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
+}
+
 void KinematicsReader::take_control(const toml::node& node, const std::string& key) {
     control_node_ = &node;
     // One of the words that are known, of which not all can be simulated.
@@ -96,10 +110,7 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
             const auto number = m_code_named(name.str(), kFree);
             const std::string whole = fmt::format("{}.{}", k, name.str());
             if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
-            const std::string mode = r_.text(value, whole);
-            if (mode != "tip" && mode != "axes")
-                r_.fail(value, fmt::format("'{}': expected \"tip\" or \"axes\"", whole));
-            control_.m_codes[*number] = mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
+            control_.m_codes[*number] = tip_or_axes(value, whole, r_.text(value, whole));
         }
     };
     r_.each(
@@ -108,14 +119,14 @@ void KinematicsReader::take_control(const toml::node& node, const std::string& k
          {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
          {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
          {"tip_turns", choose("joints", "vector", [] {})},
+         {"at_start",
+          [this](const toml::node& n, const std::string& k) {
+              control_.at_start = tip_or_axes(n, k, r_.text(n, k));
+          }},
          {"kinematics",
           [this](const toml::node& n, const std::string& k) {
-              for (const std::string& mode : r_.texts(n, k)) {
-                  if (mode != "tip" && mode != "axes")
-                      r_.fail(n, fmt::format("'{}': expected \"tip\" or \"axes\"", k));
-                  control_.kinematics.push_back(mode == "tip" ? Coordinates::Tip
-                                                              : Coordinates::Axes);
-              }
+              for (const std::string& mode : r_.texts(n, k))
+                  control_.kinematics.push_back(tip_or_axes(n, k, mode));
           }},
          {"fixture_offsets",
           [this](const auto& n, const auto& k) {
@@ -431,6 +442,7 @@ ToldKinematics KinematicsReader::of_links() const {
 void KinematicsReader::finish(ToldKinematics& told) const {
     told.prefer = prefer_;
     if (assumed_) told.guess = assumed_->name;
+    if (along_tool_) told.chain.joints.push_back(machine::along_tool(along_tool_->name.front()));
     for (const auto& [letter, range] : travels_) {
         if (!turns(letter)) continue;
         if (!told.chain.find(letter))
@@ -508,6 +520,8 @@ std::optional<ToldKinematics> KinematicsReader::kinematics() const {
         return told;
     }
     if (assumed_) r_.fail(*assumed_->node, "'assumed' needs to know how the machine turns");
+    if (along_tool_)
+        r_.fail(*along_tool_->node, "'along_tool' needs to know how the machine turns");
     if (travels_node_)
         r_.fail(*travels_node_, "'travel' of a rotary axis needs to know how the machine turns");
     if (control_node_) {

@@ -29,6 +29,7 @@ public:
     void take_pivots(const toml::node& node, const std::string& key);
     void take_control(const toml::node& node, const std::string& key);
     void take_assumed(const toml::node& node, const std::string& key);
+    void take_along_tool(const toml::node& node, const std::string& key);
     void take_link(const toml::node& node, const std::string& key);
     void take_part(const toml::node& node, const std::string& key);
     void take_spindle_link(const toml::node& node, const std::string& key);
@@ -70,6 +71,8 @@ private:
         const toml::node* node;
         std::string name;
     };
+    gcode::Coordinates tip_or_axes(const toml::node& node, const std::string& key,
+                                   const std::string& mode) const;
     ToldKinematics of_preset() const;
     ToldKinematics of_links() const;
     std::vector<const Link*> way_up(const Name& from) const;
@@ -93,7 +96,7 @@ private:
     const toml::node* control_node_ = nullptr;
     gcode::TipControl control_;
     gcode::TableOffsets fixture_offsets_, setting_errors_;
-    std::optional<Name> assumed_;
+    std::optional<Name> assumed_, along_tool_;
     std::array<gcode::RotaryWay, 3> ways_{};  // of A, B and C
     std::vector<gcode::RotaryClamp> clamps_;
     machine::Travels travels_;

@@ -252,7 +252,8 @@ std::optional<machine::Chain> chain_of(const Configuration& c, const Entry& kine
         const std::string pin = name + ".pivot-length";
         const Vec3 pivot{0, 0, hal.is_set(pin) ? hal.value(pin) : 250.0};
         return chain_of(
-            {}, {joint_of('C', true, kZ, pivot), joint_of('B', true, kY, pivot, Positive::Part)});
+            {}, {joint_of('C', true, kZ, pivot), joint_of('B', true, kY, pivot, Positive::Part),
+                 machine::along_tool('W')});
     }
     if (name == "xyzacb_trsrn") return nutating_head(hal, name + "_kins");
     fail(kinematics,
@@ -311,10 +312,14 @@ MachineFile read_linuxcnc_machine(const std::string& path, InputSet& inputs) {
             joint.through = unit * joint.through;
         file.kinematics.emplace();
         file.kinematics->chain = std::move(*chain);
-        const bool first_is_tip = kinematics->value.find("identityfirst") == std::string::npos &&
-                                  kinematics->value.find("trt") != std::string::npos;
+        // What is chosen by 0 is chosen at the start.
+        const std::string& words = kinematics->value;
+        const bool first_is_tip = words.find("identityfirst") == std::string::npos &&
+                                  (words.find("trt") != std::string::npos ||
+                                   words.find("5axiskins") != std::string::npos);
         file.tip_control.kinematics = {Coordinates::Axes, Coordinates::Tip};
         if (first_is_tip) std::ranges::reverse(file.tip_control.kinematics);
+        file.tip_control.at_start = file.tip_control.kinematics.front();
     }
     for (const char letter : std::string_view("XYZABC")) {
         const std::string section = std::string("AXIS_") + letter;

@@ -190,6 +190,7 @@ MachineFile read_machine_file(const std::string& path, InputSet& inputs) {
             {"pivot", [&](const auto& n, const auto& k) { kinematics.take_pivots(n, k); }},
             {"control", [&](const auto& n, const auto& k) { kinematics.take_control(n, k); }},
             {"assumed", [&](const auto& n, const auto& k) { kinematics.take_assumed(n, k); }},
+            {"along_tool", [&](const auto& n, const auto& k) { kinematics.take_along_tool(n, k); }},
             {"way", [&](const auto& n, const auto& k) { kinematics.take_ways(n, k); }},
             {"clamps", [&](const auto& n, const auto& k) { kinematics.take_clamps(n, k); }},
             {"part", [&](const auto& n, const auto& k) { kinematics.take_part(n, k); }},

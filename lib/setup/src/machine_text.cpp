@@ -38,6 +38,11 @@ std::string_view name_of(Coordinates coordinates) {
     return coordinates == Coordinates::Tip ? "tip" : "axes";
 }
 
+// Its letter is told, and no link: it moves none.
+bool is_along_tool(const machine::Joint& joint) {
+    return !joint.turns && joint.letter <= 'W';
+}
+
 // The joints that turn before any moves straight carry the part; the nearest to it first.
 std::size_t count_of_part(const machine::Chain& chain) {
     const auto straight =
@@ -125,6 +130,7 @@ std::string control_toml(const MachineFile& file) {
     for (const Coordinates mode : control.kinematics)
         modes += fmt::format("{}\"{}\"", modes.empty() ? "" : ", ", name_of(mode));
     if (!modes.empty()) keys.push_back(fmt::format("kinematics = [{}]", modes));
+    if (control.at_start == Coordinates::Tip) keys.emplace_back("at_start = \"tip\"");
     if (control.by_length_word) keys.emplace_back("tip_frame = \"table\"");
     if (control.frame_at_zero) keys.emplace_back("tip_frame_at = \"zero\"");
     if (file.kinematics->prefer == machine::Prefer::StandUp)
@@ -172,6 +178,10 @@ std::string machine_sheet(const MachineFile& file) {
         for (const machine::Joint& joint : file.kinematics->chain.joints) {
             const bool carries_part = number++ < of_part;
             text += fmt::format("    {}  ", joint.letter);
+            if (is_along_tool(joint)) {
+                text += "moves the tip along the tool, by X, Y and Z\n";
+                continue;
+            }
             if (!joint.turns) {
                 text += fmt::format("moves along {}", vector(joint.direction));
                 const auto& travel =
@@ -205,6 +215,7 @@ std::string machine_sheet(const MachineFile& file) {
     for (const auto& [number, mode] : file.tip_control.m_codes)
         text += fmt::format("  M{}: X Y Z are the {}\n", number,
                             mode == Coordinates::Tip ? "tip" : "axes");
+    if (file.tip_control.at_start == Coordinates::Tip) text += "  at the start X Y Z are the tip\n";
     if (file.tip_control.by_length_word) text += "  G43.4: X Y Z are the tip\n";
     text += sheet_of("G54.2", file.fixture_offsets) + sheet_of("G54.4", file.setting_errors);
     for (const gcode::RotaryClamp& clamp : file.clamps)
@@ -249,6 +260,10 @@ std::string machine_toml(const MachineFile& file) {
             part = chain.joints[i].letter;
         }
         for (std::size_t i = of_part; i < chain.joints.size(); ++i) {
+            if (is_along_tool(chain.joints[i])) {
+                text += fmt::format("along_tool = \"{}\"\n", chain.joints[i].letter);
+                continue;
+            }
             add_link(links, file, chain.joints[i], tool == "bench" ? "" : tool);
             tool = chain.joints[i].letter;
         }

@@ -27,12 +27,12 @@ constexpr Size kInches[] = {{0.396875, "1/64in"}, {0.79375, "1/32in"}, {1.5875, 
 
 }  // namespace
 
-void ToolClues::take(const gcode::Motion& motion) {
+void ToolClues::take(const gcode::Motion& motion, const toolpath::Poses& poses) {
     const gcode::Position* from = start_of(motion);
     const gcode::Position* to = end_of(motion);
     if (!from || !to) return;
-    const cda::Vec3 a = toolpath::linear_axes(*from);
-    const cda::Vec3 b = toolpath::linear_axes(*to);
+    const cda::Vec3 a = poses.place(*from);
+    const cda::Vec3 b = poses.place(*to);
     const cda::Vec3 way = b - a;
     const double aside = trig::length_of(way.x, way.y);
     ++moves_;

@@ -133,7 +133,7 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.rapid = rapid_path(questions);
     setup.kinematics = plan.placed;
     setup.bodies = questions.bodies ? questions.bodies : bodies_of(questions.machine);
-    const AxesInUse axes{survey.turns, survey.moves_uvw};
+    const AxesInUse axes{survey.turns, survey.uvw, survey.uvw_of_tip};
     setup.tip_guess = kinematics_guess(plan, survey.interpretation.workpiece, axes,
                                        !survey.interpretation.asked_for_places);
     setup.axes_guess = kinematics_guess(plan, survey.interpretation.workpiece, axes, false);

@@ -68,10 +68,11 @@ public:
     }
 
 private:
-    static double length_of(const gcode::Motion& leg) {
+    double length_of(const gcode::Motion& leg) const {
         const auto* line = std::get_if<gcode::Linear>(&leg.what);
-        return line ? norm(toolpath::linear_axes(line->to) - toolpath::linear_axes(line->from))
-                    : 1.0;
+        if (!line) return 1.0;
+        const toolpath::Poses poses(&machine_, leg);
+        return norm(poses.place(line->to) - poses.place(line->from));
     }
 
     // As the report counts them, one by one.

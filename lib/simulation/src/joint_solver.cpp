@@ -85,9 +85,10 @@ private:
         return placed_.chain.placed(placed_.zero, length_mm);
     }
 
+    // U, V and W are at 0: X, Y and Z of the tip do not tell what these move it by.
     machine::Values in_W(const Axes& joints) const {
         machine::Values values{};
-        for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t i = 0; i <= gcode::kC; ++i)
             values[i] = joints[i] - origin_[i];
         return values;
     }

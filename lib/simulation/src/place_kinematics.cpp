@@ -34,9 +34,18 @@ void place_kinematics(Plan& plan) {
 
 namespace {
 
-// A rotary axis between the linear ones and the tool.
-bool has_turning_head(const machine::Chain& chain) {
-    return !chain.joints.empty() && chain.joints.back().turns;
+// Where U, V and W lead is told of tables, on which they go along X, Y and Z. Of a head that turns
+// only what its machine file tells is, and that under tip control.
+std::string guess_of_second_axes(const setup::ToldKinematics& told, const AxesInUse& axes) {
+    if (!told.chain.has_head()) return {};
+    bool as_told = false, as_axes = false;
+    for (std::size_t i = 0; i < axes.uvw.size(); ++i) {
+        const bool is_along_tool = told.chain.find("UVW"[i]) != nullptr;
+        as_axes |= !is_along_tool && (axes.uvw[i] || axes.uvw_of_tip[i]);
+        as_told |= is_along_tool && axes.uvw[i];
+    }
+    if (as_axes) return "U, V and W go along X, Y and Z, whichever way the head is turned";
+    return as_told ? "what goes along the tool does so without tip control, too" : std::string();
 }
 
 }  // namespace
@@ -69,9 +78,15 @@ std::string kinematics_guess(const Plan& plan, const gcode::WorkOffset& workpiec
         guesses.push_back("the axes " + at_zero + " pass through the program zero");
     if (!of_tip && !work_zero(workpiece) && at_zero.empty())
         guesses.emplace_back("the program zero is that of the machine, from which axes are told");
-    // Of LinuxCNC's heads W goes along the tool as it is turned.
-    if (axes.uvw && has_turning_head(told.chain))
-        guesses.emplace_back("U, V and W go along X, Y and Z, whichever way the head is turned");
+    if (std::string second = guess_of_second_axes(told, axes); !second.empty())
+        guesses.push_back(std::move(second));
+    for (std::size_t i = 0; i < axes.uvw.size(); ++i) {
+        const char letter = "UVW"[i];
+        if ((axes.uvw[i] || axes.uvw_of_tip[i]) && told.chain.find(letter) &&
+            workpiece.origin[gcode::kU + i] != 0.0)
+            guesses.push_back(std::string("the tool has gone along itself by nothing where ") +
+                              letter + " is 0 in the program");
+    }
     std::string all;
     for (const std::string& guess : guesses)
         all += (all.empty() ? "" : "; ") + guess;

@@ -22,7 +22,8 @@ void place_kinematics(Plan& plan);
 /// Which axes stand elsewhere than at 0 in some move of a program.
 struct AxesInUse {
     std::array<bool, 3> turns{};  ///< A, B, C.
-    bool uvw = false;
+    /// U, V and W: with X, Y and Z as places of the axes, and of the tip.
+    std::array<bool, 3> uvw{}, uvw_of_tip{};
 };
 
 /// What of the way they go nobody told, in words, empty: nothing. `of_tip`: where the program tells

@@ -71,12 +71,15 @@ public:
         result_.turns[0] |= to->a.degrees() != 0.0;
         result_.turns[1] |= to->b.degrees() != 0.0;
         result_.turns[2] |= to->c.degrees() != 0.0;
-        result_.moves_uvw |= to->u.mm() != 0.0 || to->v.mm() != 0.0 || to->w.mm() != 0.0;
         const bool is_turned = to->a.degrees() != 0.0 || to->b.degrees() != 0.0 ||
                                to->c.degrees() != 0.0 || from->a.degrees() != 0.0 ||
                                from->b.degrees() != 0.0 || from->c.degrees() != 0.0;
         const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
         result_.uses_tip_control |= of_tip;
+        std::array<bool, 3>& uvw = of_tip ? result_.uvw_of_tip : result_.uvw;
+        uvw[0] |= to->u.mm() != 0.0;
+        uvw[1] |= to->v.mm() != 0.0;
+        uvw[2] |= to->w.mm() != 0.0;
         result_.turns_under_axes |= is_turned && !of_tip;
         told_[0] |= motion.known_end.x;
         told_[1] |= motion.known_end.y;
@@ -92,7 +95,7 @@ public:
         }
         ToolTrack& track = track_of(motion);
         if (feed) result_.cutting_tools.insert(motion.tool);
-        if (feed) track.clues.take(motion);
+        if (feed) track.clues.take(motion, toolpath::Poses(told_machine_, motion));
         const toolpath::Samples samples = verify::coarse_samples(motion, told_machine_);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
             const cda::Vec3 p = samples.poses[i].translation;
@@ -349,8 +352,9 @@ std::string rotation_of(const Plan& plan, const Survey& survey) {
     std::string text = "as the machine file tells";
     if (survey.uses_tip_control) text += ", X Y Z are the tip's under tip control";
     const bool by_tips = !survey.turns_under_axes && !survey.interpretation.asked_for_places;
-    const std::string guess = kinematics_guess(plan, survey.interpretation.workpiece,
-                                               {survey.turns, survey.moves_uvw}, by_tips);
+    const std::string guess =
+        kinematics_guess(plan, survey.interpretation.workpiece,
+                         {survey.turns, survey.uvw, survey.uvw_of_tip}, by_tips);
     return guess.empty() ? text : text + "; assumed: " + guess;
 }
 

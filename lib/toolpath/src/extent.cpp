@@ -72,7 +72,7 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
     const Position* from = start_of(motion);
     const Position* to = end_of(motion);
     if (!from || !to) return box;
-    const machine::Chain chain = machine.chain.placed(machine.zero, motion.length.mm());
+    const Poses poses(&machine, motion);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     const Polar p = arc ? polar(*arc) : Polar{};
     const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
@@ -83,18 +83,24 @@ cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine
     const double steps = std::clamp(std::ceil(turn / kStep), 1.0, kMost);
     for (double i = 0.0; i <= steps; ++i) {
         const Position at = arc ? on_arc(*arc, p, i / steps) : between(*from, *to, i / steps);
-        const auto values = machine::values_for(chain, linear_axes(at), values_of(at));
+        machine::Values now = values_of(at);
+        for (const machine::Joint& joint : poses.chain()->joints) {
+            const std::size_t letter = *machine::index_of(joint.letter);
+            if (letter >= 6) now[letter] = 0.0;  // X, Y and Z move the tip by it
+        }
+        const auto values = machine::values_for(*poses.chain(), poses.at(at).translation, now);
         if (!values) return {};
         box.add(cda::Vec3{(*values)[0], (*values)[1], (*values)[2]});
     }
     return box;
 }
 
-cda::Box extent_of_path(const gcode::Motion& motion) {
+namespace {
+
+cda::Box extent_of_axes(const gcode::Motion& motion) {
     cda::Box box;
     const Position* from = start_of(motion);
     const Position* to = end_of(motion);
-    if (!from || !to) return box;
     box.add(linear_axes(*from));
     box.add(linear_axes(*to));
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
@@ -111,6 +117,40 @@ cda::Box extent_of_path(const gcode::Motion& motion) {
         }
     }
     return box;
+}
+
+gcode::Motion without_second_axes(const gcode::Motion& motion) {
+    gcode::Motion first = motion;
+    const auto still = [](Position& p) { p.u = p.v = p.w = gcode::Length(); };
+    if (auto* linear = std::get_if<gcode::Linear>(&first.what)) {
+        still(linear->from), still(linear->to);
+    } else if (auto* arc = std::get_if<gcode::Arc>(&first.what)) {
+        still(arc->from), still(arc->to);
+        if (arc->plane >= gcode::Plane::UV) first.what = gcode::Linear{arc->from, arc->to};
+    } else if (auto* spline = std::get_if<gcode::Spline>(&first.what)) {
+        still(spline->from), still(spline->to);
+    }
+    return first;
+}
+
+}  // namespace
+
+cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    if (!from || !to) return {};
+    const double reach = poses.of_tip() ? second_axes(*poses.chain(), motion).reach_mm : 0.0;
+    if (reach == 0.0) return extent_of_axes(motion);
+    const bool turns = from->a != to->a || from->b != to->b || from->c != to->c;
+    if (std::holds_alternative<gcode::Linear>(motion.what) && !turns) {
+        cda::Box box;
+        box.add(poses.place(*from));
+        box.add(poses.place(*to));
+        return box;
+    }
+    cda::Box box = extent_of_axes(without_second_axes(motion));
+    const cda::Vec3 margin{reach, reach, reach};
+    return {box.min - margin, box.max + margin};
 }
 
 }  // namespace ncsim::toolpath

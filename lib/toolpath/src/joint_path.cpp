@@ -20,14 +20,17 @@ using machine::Going;
 using machine::Values;
 
 struct JointPath::Course {
-    const Kinematics* machine = nullptr;
-    Chain placed;  // in W
-    bool of_tip = false;
+    Course(const Kinematics& kinematics, const gcode::Motion& motion)
+        : machine(&kinematics), poses(&kinematics, motion) {}
+
+    const Kinematics* machine;
+    Poses poses;          // and with them the chain in W
+    bool solves = false;  // X, Y and Z follow from where the tip is
     double length_mm = 0.0;
     Position from, to;
     const gcode::Arc* arc = nullptr;
     Polar polar;
-    // Of X, Y and Z of the program, for the whole: derivatives.
+    // Of the tip, where it is told, else of X, Y and Z, for the whole: derivatives.
     double speed = 0.0, bend = 0.0;
     // Of the chain, next to the part and next to the tool; both are joints that turn.
     Chain part_side, tool_side;
@@ -37,11 +40,6 @@ struct JointPath::Course {
 };
 
 namespace {
-
-// Of one that moves straight, but for what U, V and W add.
-double way_of(const Position& from, const Position& to) {
-    return norm(linear_axes(to) - linear_axes(from));
-}
 
 double size_of(gcode::Length from, gcode::Length to) {
     return std::abs((to - from).mm());
@@ -56,12 +54,11 @@ double steady_way(const Position& from, const Position& to) {
 }  // namespace
 
 JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
-    auto course = std::make_unique<Course>();
+    auto course = std::make_unique<Course>(machine, motion);
     Course& c = *course;
-    c.machine = &machine;
-    c.of_tip = motion.coordinates == gcode::Coordinates::Tip;
+    const Chain& chain = *c.poses.chain();
+    c.solves = c.poses.of_tip() || chain.has_second_axes();
     c.length_mm = motion.length.mm();
-    c.placed = machine.chain.placed(machine.zero, c.length_mm);
     c.from = *gcode::start_of(motion);
     c.to = *gcode::end_of(motion);
     c.arc = std::get_if<gcode::Arc>(&motion.what);
@@ -74,10 +71,22 @@ JointPath::JointPath(const Kinematics& machine, const gcode::Motion& motion) {
         c.speed = sweep * radius + change + steady_way(own.from, own.to);
         c.bend = sweep * sweep * radius + 2.0 * sweep * change;
     } else {
-        c.speed = way_of(c.from, c.to);
+        c.speed = norm(c.poses.steady_place(c.to) - c.poses.steady_place(c.from));
+    }
+    if (c.solves) {
+        // What U, V and W move the tip by turns with the axes.
+        const SecondAxes second = second_axes(chain, motion);
+        const auto turn = [](gcode::Angle a, gcode::Angle b) {
+            return trig::kRadiansPerDegree * std::abs((b - a).degrees());
+        };
+        const double turns =
+            turn(c.from.a, c.to.a) + turn(c.from.b, c.to.b) + turn(c.from.c, c.to.c);
+        c.speed += second.way_mm + turns * second.reach_mm;
+        c.bend += turns * (turns * second.reach_mm + 2.0 * second.way_mm);
     }
     bool has_moved = false, has_turned = false;
-    for (const machine::Joint& joint : c.placed.joints) {
+    for (const machine::Joint& joint : chain.joints) {
+        if (*machine::index_of(joint.letter) >= 6) continue;  // none of the machine's
         if (!joint.turns) {
             c.is_simple &= !has_turned;
             has_moved = true;
@@ -96,16 +105,17 @@ std::optional<Values> JointPath::at(double t) const {
     const Course& c = *course_;
     const Position position = c.at(t);
     Values values = values_of(position);
-    const Vec3 tip = linear_axes(position);
     for (std::size_t i = 6; i < values.size(); ++i)
         values[i] = 0.0;
-    if (c.of_tip) {
-        const auto found = machine::values_for(c.placed, tip, values);
+    if (c.solves) {
+        const Vec3 tip = c.poses.at(position).translation;
+        const auto found = machine::values_for(*c.poses.chain(), tip, values);
         if (!found) return std::nullopt;
         values = *found;
     } else {
+        const Vec3 axes = linear_axes(position);
         for (int i = 0; i < 3; ++i)
-            values[static_cast<std::size_t>(i)] = tip[i];
+            values[static_cast<std::size_t>(i)] = axes[i];
     }
     for (int i = 0; i < 3; ++i)
         values[static_cast<std::size_t>(i)] += c.machine->zero[i];
@@ -115,8 +125,8 @@ std::optional<Values> JointPath::at(double t) const {
 
 std::optional<Ball> JointPath::tip(double t0, double t1) const {
     const Course& c = *course_;
-    if (!c.of_tip) return std::nullopt;
-    const Vec3 a = linear_axes(c.at(t0)), b = linear_axes(c.at(t1));
+    if (!c.poses.of_tip()) return std::nullopt;
+    const Vec3 a = c.poses.place(c.at(t0)), b = c.poses.place(c.at(t1));
     const double part = t1 - t0;
     Ball ball;
     ball.centre = 0.5 * (a + b);
@@ -143,7 +153,7 @@ std::optional<Going> JointPath::going(double t0, const Values& from, double t1,
         going.all_speed = part * c.speed;
         going.bend = part * part * c.bend;
         for (std::size_t i = 0; i < 3; ++i)
-            going.speed[i] = c.arc ? going.all_speed : std::abs(to[i] - from[i]);
+            going.speed[i] = c.arc || c.solves ? going.all_speed : std::abs(to[i] - from[i]);
         return going;
     }
     if (!c.is_simple) return std::nullopt;

@@ -6,17 +6,18 @@
 namespace ncsim::toolpath {
 
 using cda::Vec3;
+using gcode::Position;
 
-Vec3 linear_axes(const gcode::Position& p) {
+Vec3 linear_axes(const Position& p) {
     return {(p.x + p.u).mm(), (p.y + p.v).mm(), (p.z + p.w).mm()};
 }
 
-machine::Values values_of(const gcode::Position& p) {
+machine::Values values_of(const Position& p) {
     return {p.x.mm(),      p.y.mm(), p.z.mm(), p.a.degrees(), p.b.degrees(),
             p.c.degrees(), p.u.mm(), p.v.mm(), p.w.mm()};
 }
 
-Pose pose_at(const gcode::Position& p) {
+Pose pose_at(const Position& p) {
     return machine::default_chain().pose(values_of(p));
 }
 
@@ -29,11 +30,24 @@ Poses::Poses(const Kinematics* told, const gcode::Motion& motion)
     }
 }
 
-Pose Poses::at(const gcode::Position& position) const {
+Pose Poses::at(const Position& position) const {
     if (!chain_) return pose_at(position);
     Pose X_WT = chain_->pose(values_of(position));
-    if (of_tip_) X_WT.translation = linear_axes(position);
+    if (of_tip_) X_WT.translation = place(position);
     return X_WT;
+}
+
+Vec3 Poses::place(const Position& position) const {
+    return of_tip_ ? steady_place(position) + shift(position) : linear_axes(position);
+}
+
+Vec3 Poses::steady_place(const Position& position) const {
+    if (!of_tip_) return linear_axes(position);
+    return {position.x.mm(), position.y.mm(), position.z.mm()};
+}
+
+Vec3 Poses::shift(const Position& position) const {
+    return of_tip_ ? chain_->shift_of_second_axes(values_of(position)) : Vec3{};
 }
 
 }  // namespace ncsim::toolpath

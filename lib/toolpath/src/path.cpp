@@ -89,6 +89,32 @@ Position on_arc(const gcode::Arc& arc, const Polar& p, double t) {
     return at;
 }
 
+SecondAxes second_axes(const machine::Chain& chain, const gcode::Motion& motion) {
+    SecondAxes second;
+    const Position* from = gcode::start_of(motion);
+    const Position* to = gcode::end_of(motion);
+    if (!from || !to) return second;
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const bool on_arc = arc && arc->plane >= gcode::Plane::UV;
+    // Other axes may turn between them: they are not at right angles.
+    bool is_along = !on_arc;
+    for (const auto axis : {&Position::u, &Position::v, &Position::w}) {
+        const double a = (from->*axis).mm(), b = (to->*axis).mm();
+        second.reach_mm += std::max(std::abs(a), std::abs(b));
+        second.way_mm += std::abs(b - a);
+        is_along &= axis == &Position::w || (a == 0.0 && b == 0.0);
+    }
+    if (second.reach_mm > 0.0)
+        second.along_tool = is_along && (chain.find('W') || !chain.has_head());
+    if (!on_arc) return second;
+    const Polar p = polar(*arc);
+    const double radius = std::max(p.start_radius, p.end_radius);
+    second.reach_mm += 4.0 * radius;
+    second.way_mm += 2.0 * (radius * trig::kRadiansPerDegree * std::abs(p.sweep_degrees) +
+                            std::abs(p.end_radius - p.start_radius));
+    return second;
+}
+
 bool SplineCurve::is_sound() const {
     const std::size_t n = m_.control_points.size();
     return degree_ >= 1 && n > static_cast<std::size_t>(degree_) &&

@@ -26,6 +26,14 @@ Polar polar(const gcode::Arc& arc);
 /// t from 0 to 1; the ends come out exactly. `p`: its polar().
 gcode::Position on_arc(const gcode::Arc& arc, const Polar& p, double t);
 
+/// What U, V and W do to the tip where X, Y and Z do not tell it themselves (Poses::shift()).
+struct SecondAxes {
+    double reach_mm = 0.0;   ///< They move it no farther, at any time of the motion.
+    double way_mm = 0.0;     ///< How far they go themselves, seen from what they are on.
+    bool along_tool = true;  ///< All the way: turns of the tool about itself change nothing.
+};
+SecondAxes second_axes(const machine::Chain& chain, const gcode::Motion& motion);
+
 /// A rational B-spline.
 class SplineCurve {
 public:

@@ -320,9 +320,11 @@ double distance_from_line(Vec3 p, Vec3 through, Vec3 direction) {
 
 // The joints are followed from the tool to the part; `bulge_mm` as above, `way_mm` that of the tip
 // against what does not turn.
-Turning turning_of(const Poses& poses, const Position& from, const Position& to, double bulge_mm,
-                   double way_mm, double radius_mm, const std::optional<cda::Box>& place) {
+Turning turning_of(const Poses& poses, const gcode::Motion& motion, double bulge_mm, double way_mm,
+                   double radius_mm, const std::optional<cda::Box>& place) {
     const machine::Chain& chain = *poses.chain();
+    const Position &from = *gcode::start_of(motion), &to = *gcode::end_of(motion);
+    const SecondAxes second = poses.of_tip() ? second_axes(chain, motion) : SecondAxes{};
     const machine::Values v0 = values_of(from), v1 = values_of(to);
     const auto of = [&chain](const machine::Values& v, const machine::Joint& joint) {
         const std::size_t i = *machine::index_of(joint.letter);
@@ -370,7 +372,8 @@ Turning turning_of(const Poses& poses, const Position& from, const Position& to,
         }
         // How far the tool's axis is from that of the joint, as the sine of the angle.
         const double lean = std::min(1.0, norm(cross(n, axis)) + t.tilt_rad);
-        const bool spins = poses.of_tip() && norm(cross(n, axis)) + t.tilt_rad == 0.0;
+        const bool spins =
+            poses.of_tip() && second.along_tool && norm(cross(n, axis)) + t.tilt_rad == 0.0;
         t.tilt_bend_rad += radians * (radians * lean + 2 * t.tilt_rad);
         t.tilt_rad += radians * lean;
         if (!spins) t.turn_rad += radians;
@@ -400,10 +403,11 @@ Turning turning_of(const Poses& poses, const Position& from, const Position& to,
     double tip_way = moved;
     const Pose start = poses.at(from), end = poses.at(to);
     if (poses.of_tip()) {
-        t.tip_mm = 0.0;
+        // It turns about where X, Y and Z tell, and its tip is as far from there as U, V and W say.
+        t.tip_mm = second.reach_mm;
         t.lean = 1.0;
-        t.moved_mm = 0.0;
-        tip_way = way_mm;
+        t.moved_mm = second.way_mm;
+        tip_way = way_mm + second.way_mm + t.turn_rad * second.reach_mm;
     } else {
         t.moved_mm = moved;
         tip_way += t.turn_rad * t.tip_mm;
@@ -442,13 +446,13 @@ Turning turning_of(const Poses& poses, const Position& from, const Position& to,
     return t;
 }
 
-Course course_of(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
-                 const std::optional<cda::Box>& place) {
+Course course_of(const gcode::Motion& motion, const gcode::Linear& m, const Poses& poses,
+                 const ToolExtent& tool, const std::optional<cda::Box>& place) {
     Course c;
-    const double way = norm(linear_axes(m.to) - linear_axes(m.from));
+    const double way = norm(poses.steady_place(m.to) - poses.steady_place(m.from));
     c.way_mm = way;
     if (poses.chain()) {
-        c.turning = turning_of(poses, m.from, m.to, 0.0, way, radius_of(tool), place);
+        c.turning = turning_of(poses, motion, 0.0, way, radius_of(tool), place);
     } else {
         const auto lowest_mm = [&m] {
             return std::min(linear_axes(m.from).z, linear_axes(m.to).z);
@@ -458,9 +462,10 @@ Course course_of(const gcode::Linear& m, const Poses& poses, const ToolExtent& t
     return c;
 }
 
-Samples sample_linear(const gcode::Linear& m, const Poses& poses, const ToolExtent& tool,
-                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
-    return sample_course(course_of(m, poses, tool, place), tool, options, poses,
+Samples sample_linear(const gcode::Motion& motion, const gcode::Linear& m, const Poses& poses,
+                      const ToolExtent& tool, const SamplingOptions& options,
+                      const std::optional<cda::Box>& place) {
+    return sample_course(course_of(motion, m, poses, tool, place), tool, options, poses,
                          [&m](double t) { return between(m.from, m.to, t); });
 }
 
@@ -471,12 +476,12 @@ Course course_of(const gcode::Motion& motion, const gcode::Arc& m, const Polar& 
     c.radius_mm = std::max(p.start_radius, p.end_radius);
     c.radius_change_mm = std::abs(p.end_radius - p.start_radius);
     const double way = c.radius_mm * c.sweep_rad + c.radius_change_mm +
-                       norm(linear_axes(m.to) - linear_axes(m.from));
+                       norm(poses.steady_place(m.to) - poses.steady_place(m.from));
     c.way_mm = way;
     if (poses.chain()) {
-        c.turning = turning_of(poses, m.from, m.to, 2 * c.radius_mm, way, radius_of(tool), place);
+        c.turning = turning_of(poses, motion, 2 * c.radius_mm, way, radius_of(tool), place);
     } else {
-        const auto lowest_mm = [&motion] { return extent_of_path(motion).min.z; };
+        const auto lowest_mm = [&] { return extent_of_path(motion, poses).min.z; };
         c.turning =
             turning_of(m.from, m.to, lowest_mm, 2 * c.radius_mm, way, radius_of(tool), place);
     }
@@ -500,10 +505,12 @@ double distance_to_chord(Vec3 p, Vec3 a, Vec3 b) {
     return norm(p - (a + t * ab));
 }
 
-Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExtent& tool,
-                      const SamplingOptions& options, const std::optional<cda::Box>& place) {
+Samples sample_spline(const gcode::Motion& motion, const gcode::Spline& m, const Poses& poses,
+                      const ToolExtent& tool, const SamplingOptions& options,
+                      const std::optional<cda::Box>& place) {
     const SplineCurve curve(m);
-    if (!curve.is_sound()) return sample_linear({m.from, m.to}, poses, tool, options, place);
+    if (!curve.is_sound())
+        return sample_linear(motion, {m.from, m.to}, poses, tool, options, place);
     Samples samples;
     samples.poses.push_back(poses.at(m.from));
     struct Piece {
@@ -520,11 +527,11 @@ Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExte
     while (!pending.empty()) {
         const Piece piece = pending.back();
         pending.pop_back();
-        const Vec3 a = linear_axes(curve.at(piece.from));
-        const Vec3 b = linear_axes(curve.at(piece.to));
+        const Vec3 a = poses.place(curve.at(piece.from));
+        const Vec3 b = poses.place(curve.at(piece.to));
         double off = 0.0;
         for (const double t : {0.25, 0.5, 0.75}) {
-            const Vec3 p = linear_axes(curve.at(lerp(piece.from, piece.to, t)));
+            const Vec3 p = poses.place(curve.at(lerp(piece.from, piece.to, t)));
             off = std::max(off, distance_to_chord(p, a, b));
         }
         const bool divide = piece.depth < kMinDepth ||
@@ -547,7 +554,7 @@ Samples sample_spline(const gcode::Spline& m, const Poses& poses, const ToolExte
 std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses, double reach_mm) {
     Course c;
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
-        c = course_of(*linear, poses, {}, {});
+        c = course_of(motion, *linear, poses, {}, {});
     } else if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
         c = course_of(motion, *arc, polar(*arc), poses, {}, {});
     } else {
@@ -555,8 +562,8 @@ std::optional<double> strays_mm(const gcode::Motion& motion, const Poses& poses,
     }
     // At any time one of the ends is no farther away than half of all it does.
     const Turning& t = c.turning;
-    const double way =
-        poses.of_tip() ? c.way_mm : std::max(c.way_mm, t.moved_mm) + t.turn_rad * t.tip_mm;
+    const double moved = poses.of_tip() ? c.way_mm + t.moved_mm : std::max(c.way_mm, t.moved_mm);
+    const double way = moved + t.turn_rad * t.tip_mm;
     return way / 2 + t.tilt_rad / 2 * reach_mm;
 }
 
@@ -564,13 +571,13 @@ Samples sample(const gcode::Motion& motion, const ToolExtent& tool, const Sampli
                const std::optional<cda::Box>& place, const Kinematics* told) {
     const Poses poses(told, motion);
     if (const auto* linear = std::get_if<gcode::Linear>(&motion.what)) {
-        return sample_linear(*linear, poses, tool, options, place);
+        return sample_linear(motion, *linear, poses, tool, options, place);
     }
     if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
         return sample_arc(motion, *arc, poses, tool, options, place);
     }
     if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
-        return sample_spline(*spline, poses, tool, options, place);
+        return sample_spline(motion, *spline, poses, tool, options, place);
     }
     return {};
 }

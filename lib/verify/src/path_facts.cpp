@@ -40,6 +40,18 @@ double smallest_radius(const gcode::Arc& told) {
     return std::min(radius(arc.from), radius(arc.to));
 }
 
+// Are X, Y and Z of the machine elsewhere than the program tells? Under tip control, and where a
+// letter of its own moves the tool along itself.
+bool hides_axes(const toolpath::Poses& poses, const gcode::Position& from,
+                const gcode::Position& to) {
+    if (poses.of_tip()) return true;
+    if (!poses.chain() || !poses.chain()->has_second_axes()) return false;
+    const auto is_away = [](const gcode::Position& p) {
+        return p.u != gcode::Length() || p.v != gcode::Length() || p.w != gcode::Length();
+    };
+    return is_away(from) || is_away(to);
+}
+
 }  // namespace
 
 PathFacts::PathFacts(const Setup& setup, const Box& stock) : setup_(setup) {
@@ -58,23 +70,26 @@ void PathFacts::set_frame(const gcode::ProgramFrame& frame) {
 void PathFacts::take(Move& move, const gcode::Position& from, const gcode::Position& to,
                      FindingLog& log) {
     const gcode::Motion& motion = *move.motion;
-    measure(move, from, to);
-    // Axes are elsewhere than the tip then.
-    move.is_tilted_tip = motion.coordinates == gcode::Coordinates::Tip && is_turned(motion);
+    const toolpath::Poses poses(setup_.kinematics.get(), motion);
+    measure(move, poses, from, to);
+    move.is_tilted_tip = hides_axes(poses, from, to) && is_turned(motion);
     move.way_before = way_;
     if (!move.is_tilted_tip) way_.add(move.path);
     move.way = way_;
     place_in_machine(move, log);
     move.passes_above = passes_above(motion, from, to);
-    look_at_length(move, from, to);
+    look_at_length(move, poses.place(from).z, poses.place(to).z);
 }
 
-void PathFacts::measure(Move& move, const gcode::Position& from, const gcode::Position& to) const {
+void PathFacts::measure(Move& move, const toolpath::Poses& poses, const gcode::Position& from,
+                        const gcode::Position& to) const {
     const gcode::Motion& motion = *move.motion;
     Box& path = move.path;
-    if (std::holds_alternative<gcode::Linear>(motion.what)) {
-        const Vec3 a = toolpath::linear_axes(from);
-        const Vec3 b = toolpath::linear_axes(to);
+    const bool turns = from.a != to.a || from.b != to.b || from.c != to.c;
+    const bool is_shifted = poses.shift(from) != Vec3{} || poses.shift(to) != Vec3{};
+    if (std::holds_alternative<gcode::Linear>(motion.what) && !(turns && is_shifted)) {
+        const Vec3 a = poses.place(from);
+        const Vec3 b = poses.place(to);
         move.length_mm = norm(b - a);
         move.enters = move.leaves = normalized(b - a);
     } else {
@@ -92,11 +107,11 @@ void PathFacts::measure(Move& move, const gcode::Position& from, const gcode::Po
             move.radius_mm = smallest_radius(*arc);
         }
     }
-    path = toolpath::extent_of_path(motion);
+    path = toolpath::extent_of_path(motion, poses);
     if (!toolpath::has_known_start(motion)) {
         move.length_mm = 0.0;
         path = {};
-        path.add(toolpath::linear_axes(to));
+        path.add(poses.place(to));
     }
 }
 
@@ -121,18 +136,16 @@ void PathFacts::place_in_machine(Move& move, FindingLog& log) const {
     }
 }
 
-void PathFacts::look_at_length(Move& move, const gcode::Position& from,
-                               const gcode::Position& to) const {
+void PathFacts::look_at_length(Move& move, double from_mm, double to_mm) const {
     const gcode::Motion& motion = *move.motion;
     move.length_register = frame_.length_register;
     move.length_told = frame_.length_told;
     move.length_offset = tool_offset_.z;
     move.tool_length = frame_.tool_length;
-    const double a = toolpath::linear_axes(from).z;
-    const double b = toolpath::linear_axes(to).z;
-    move.needs_length = !motion.machine_coordinates &&
-                        (motion.kind != MoveKind::Rapid || (motion.known_start.z && b < a) ||
-                         (!motion.known_start.z && motion.known_end.z));
+    move.needs_length =
+        !motion.machine_coordinates &&
+        (motion.kind != MoveKind::Rapid || (motion.known_start.z && to_mm < from_mm) ||
+         (!motion.known_start.z && motion.known_end.z));
 }
 
 // Meets it nothing, whatever is not told of where it comes from and where home is? The

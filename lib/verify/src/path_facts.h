@@ -27,9 +27,11 @@ public:
     ToolLength tool_length(const gcode::Motion& motion) const;
 
 private:
-    void measure(Move& move, const gcode::Position& from, const gcode::Position& to) const;
+    void measure(Move& move, const toolpath::Poses& poses, const gcode::Position& from,
+                 const gcode::Position& to) const;
     void place_in_machine(Move& move, FindingLog& log) const;
-    void look_at_length(Move& move, const gcode::Position& from, const gcode::Position& to) const;
+    /// Of one that goes from the one height of the tip to the other.
+    void look_at_length(Move& move, double from_mm, double to_mm) const;
     bool passes_above(const gcode::Motion& motion, const gcode::Position& from,
                       const gcode::Position& to) const;
 

@@ -42,6 +42,7 @@ Machine::Machine(const InterpreterOptions& options, const Rules& rules, Diagnost
         store.homes[i] = to_axes(options.homes[i]);
     state_.inches = options.default_units == DefaultUnits::Inches;
     state_.retract_to_r = options.starts_with_g99.value_or(rules.strict);
+    state_.chosen = state_.coordinates = options.tip_control.at_start;
     select_system(1);
     parameters_.view.state = &state_;
     parameters_.view.store = &control_.store;

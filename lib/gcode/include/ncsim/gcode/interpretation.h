@@ -56,7 +56,8 @@ struct TipControl {
     /// With G43.4, X Y Z turn with the table as it stands with its axes at 0, wherever they are at
     /// that time. Else that is not told.
     bool frame_at_zero = false;
-    std::vector<Coordinates> kinematics{};  ///< Of LinuxCNC's G12.1 Pn, by P.
+    std::vector<Coordinates> kinematics{};     ///< Of LinuxCNC's G12.1 Pn, by P.
+    Coordinates at_start = Coordinates::Axes;  ///< What X, Y and Z tell before any word.
     bool operator==(const TipControl&) const = default;
 };
 

@@ -48,6 +48,8 @@ struct Chain {
 
     /// The joint of this letter, null if there is none.
     const Joint* find(char letter) const;
+    /// Do U, V or W have one of their own? Such a one is no motor: see along_tool().
+    bool has_second_axes() const;
     /// Does one that turns stand behind one that moves straight: a head?
     bool has_head() const;
 
@@ -61,7 +63,14 @@ struct Chain {
     /// out, X_WT has the least rotation that takes z to the axis of the tool. For multiples of 90
     /// degrees about axes that are parallel to X, Y or Z the matrix is exact.
     Pose pose(const Values& values) const;
+
+    /// By how much U, V and W move the tip, as the part sees it, mm.
+    cda::Vec3 shift_of_second_axes(const Values& values) const;
 };
+
+/// A joint that is none of the machine's: the control moves X, Y and Z so that the tip goes along
+/// the tool by what is told of the letter, as LinuxCNC's 5axiskins does it for W. Next to the tool.
+Joint along_tool(char letter);
 
 /// Turns `p` by `degrees` about the axis of the joint, or moves it along by `value`.
 cda::Vec3 moved(const Joint& joint, double value, cda::Vec3 p);

@@ -61,12 +61,15 @@
 //                                    # two ways to a direction the one with the joint that counts
 //                                    # first at 0 or above; "negative", "shortest" (default).
 //                                    # kinematics = ["tip", "axes"]: of LinuxCNC's G12.1 P0, P1
+//                                    # at_start = "tip": before any of these words
 //                                    // fixture_offsets, fixture_offset_moves, setting_errors,
 //                                    // setting_error_moves, setting_error_turns_axes: of Fanuc's
 //                                    // G54.2 and G54.4, see docs/dialect.md
 //     way = { C = "shortest" }       # what C10 says where C stands at 350: "linear" (-340), the
 //                                    # default; "shortest" (+20, roll-over), "positive", "sign"
 //                                    # (the size is the place, the sign the way)
+//     along_tool = "W"               # W (or U, V) moves the tip along the tool, by X, Y and Z: as
+//                                    # LinuxCNC's 5axiskins does. No joint of its own
 //     assumed = "…"                  # what nobody told, in words: a doubt until it is taken out
 //     clamps = { B = ["M10", "M11"] }   # M10 holds B, M11 lets it go
 //     part = { link = "platter" }

@@ -6,6 +6,7 @@
 
 #include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/machine.h"
 
 #include <array>
 #include <cstddef>
@@ -18,8 +19,8 @@ namespace ncsim::setup {
 
 class ToolClues {
 public:
-    /// Takes a feed move whose start is known.
-    void take(const gcode::Motion& motion);
+    /// Takes a feed move whose start is known; `poses`: its own.
+    void take(const gcode::Motion& motion, const toolpath::Poses& poses);
 
     /// As --assume-tool reads it: "flat:D6", "ball:D1/8in". Moves that only go down are those of a
     /// drill; many that rise while they go aside, of a ball; short ones of little depth, of an

@@ -8,6 +8,7 @@
 #include "ncsim/report/facts.h"
 #include "ncsim/simulation/plan.h"
 
+#include <array>
 #include <set>
 #include <string>
 
@@ -22,7 +23,8 @@ struct Survey : report::ProgramFacts {
     /// It never tells Z: a plotter's, a laser's or an engraver's, of which only the path is known.
     bool is_flat() const { return untold[2]; }
     bool uses_tip_control = false;
-    bool moves_uvw = false;         ///< U, V or W stands elsewhere than at 0.
+    /// U, V, W stand elsewhere than at 0: without it, and with it.
+    std::array<bool, 3> uvw{}, uvw_of_tip{};
     bool turns_under_axes = false;  ///< Rotary axes stand elsewhere than at 0 without it.
     gcode::SourceSpan first_move;
     std::set<int> cutting_tools;

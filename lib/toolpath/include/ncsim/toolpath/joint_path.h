@@ -22,8 +22,8 @@ public:
     ~JointPath();
     JointPath(JointPath&&) noexcept;
 
-    /// In machine coordinates, as those of the spindle nose; t from 0 to 1. U, V and W are added to
-    /// X, Y and Z. Nothing where the axes cannot bring the tip there.
+    /// In machine coordinates, as those of the spindle nose; t from 0 to 1. What U, V and W move
+    /// the tip by, X, Y and Z do. Nothing where the axes cannot bring the tip there.
     std::optional<machine::Values> at(double t) const;
     /// From t0 to t1, where the joints are at `from` and `to`. Nothing of a machine whose linear
     /// axes have a rotary one between them, under tip control.

@@ -39,6 +39,13 @@ public:
     Poses(const Kinematics* told, const gcode::Motion& motion);
 
     Pose at(const gcode::Position& position) const;
+    /// Where the axes stand, X + U, Y + V, Z + W; or, under tip control, the tip: where X, Y and Z
+    /// tell, and from there what U, V and W move it by. mm.
+    cda::Vec3 place(const gcode::Position& position) const;
+    /// Of that, what does not turn with any axis: without U, V and W under tip control.
+    cda::Vec3 steady_place(const gcode::Position& position) const;
+    /// And what does: how far U, V and W move the tip under tip control.
+    cda::Vec3 shift(const gcode::Position& position) const;
     /// In W; null for the default one.
     const machine::Chain* chain() const { return chain_ ? &*chain_ : nullptr; }
     /// X, Y and Z are where the tip is in W, whatever turns.

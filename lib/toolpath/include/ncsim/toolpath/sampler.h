@@ -60,7 +60,8 @@ struct Samples {
 ///     one.
 ///
 /// Where the tip is programmed it goes straight in W (or on its arc), and the tool turns about it:
-/// θ²·reach/8, and turns of a round tool about its own axis count for nothing.
+/// θ²·reach/8, and turns of a round tool about its own axis count for nothing. U, V and W move it
+/// from there, by no more than ρ and on a way s in the frame that turns: (θ²(reach + ρ) + 2 θ s)/8.
 ///
 /// Splines: steps are halved until the curve lies within half the chord tolerance of each chord at
 /// a quarter, the half and three quarters of it: tested there, not proved between.

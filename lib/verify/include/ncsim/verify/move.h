@@ -66,7 +66,8 @@ struct Move {
     /// Of the controlled point, in machine coordinates with the tool length, if the machine tells
     /// where the work zero lies.
     std::optional<cda::Box> machine_path;
-    /// Tip control with rotary axes that are not at 0: X, Y and Z are not where the axes go.
+    /// Tip control with rotary axes that are not at 0, or a tool that W moves along itself: X, Y
+    /// and Z are not where the axes go.
     bool is_tilted_tip = false;
     /// Box of all paths up to here, and before this motion.
     cda::Box way, way_before;
