@@ -389,6 +389,45 @@ TEST(Machine, TravelsHoldForWhatMovesTheToolAlongItself) {
     }
 }
 
+// What a tool leaves at any angle that a machine holds it or the part at: cylinders and cones, with
+// nothing of its polygon.
+TEST(Machine, TheSolidOfATiltedCutHasTheSurfacesOfTheTool) {
+    Folder folder;
+    const auto step_of = [&](const std::string& machine, const std::string& program) {
+        folder.write("m.toml", machine);
+        folder.write("a.nc", program);
+        const Ran ran = folder.run({"run", "a.nc", "--machine", "m.toml", "--step", "a.step",
+                                    "--step-strict", "--report", "r.json", "-q"});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        return json::parse(folder.read("r.json"))["step"];
+    };
+    const auto counts = [](const json& step) {
+        return std::array{step["surfaces"]["plane"].get<int>(),
+                          step["surfaces"]["cylinder"].get<int>(), step["faces"].get<int>()};
+    };
+    const std::string head =
+        "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,60.,60.,40.,30.,30.,40.)\n"
+        "(FROM/0.,0.,60.)\nG21 G90 G17 G94\nT1 M6\nS5000 M3\nG43 H1\nG0 X0 Y0 Z60\n";
+    // A ring around what is left, 8.751108... mm deep in the middle: an arc in a tilted plane.
+    const json ring = step_of(
+        kTrt, head +
+                  "G68.2 X-0.878 Y-1.079 Z-0.857 I118.383 J36.188 K119.021\nG53.1\nG0 X0 Y0 Z40\n"
+                  "G0 X3.154 Y-5.159\nG0 Z6\nG1 Z-8.402 F300\nG3 X3.154 Y-5.159 I-4.902 J0\n"
+                  "G0 Z30\nG0 Z60\nG69\nM30\n");
+    EXPECT_EQ(counts(ring), (std::array{8, 2, 10}));
+    const double left =
+        144000.0 - std::acos(-1.0) * (7.902 * 7.902 - 1.902 * 1.902) * 8.75110872382084;
+    EXPECT_NEAR(ring["volume_mm3"].get<double>(), left, 1e-9 * left);
+    // Places of the axes, with the table at 30 degrees: a slot with two round ends.
+    const json slot = step_of(
+        "preset = \"4axis-a\"\npivot = { A = [0, 0, -20] }\n"
+        "[offsets]\nG54 = [0, 0, 0]\n",
+        head + "G0 A30\nG0 X-10 Y8\nG1 Z-9 F300\nG1 X10\nG0 Z60\nM30\n");
+    EXPECT_EQ(counts(slot), (std::array{9, 2, 11}));
+    // A head that leans and drills by W.
+    EXPECT_EQ(counts(step_of(kQuill + kHead, leaning_hole(kByW))), (std::array{7, 1, 8}));
+}
+
 // Places of the tip are not those of the axes, which are looked at where they are known.
 TEST(Machine, TravelsAreNotJudgedByPlacesOfTheTip) {
     Folder folder;

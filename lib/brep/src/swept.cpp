@@ -237,13 +237,53 @@ private:
     bool at_rest_ = false;
 };
 
-bool is_plain(const Position& p) {
-    const double angles[] = {p.a.degrees(), p.b.degrees(), p.c.degrees()};
-    const double lengths[] = {p.u.mm(), p.v.mm(), p.w.mm()};
-    for (int i = 0; i < 3; ++i) {
-        if (angles[i] != 0.0 || lengths[i] != 0.0) return false;
+// No rotary axis moves.
+bool is_still(const Position& from, const Position& to) {
+    return from.a == to.a && from.b == to.b && from.c == to.c;
+}
+
+// Nor do U, V and W, which stand at 0.
+bool is_plain(const Position& from, const Position& to) {
+    const auto is_at_0 = [](const Position& p) {
+        return p.u == gcode::Length() && p.v == gcode::Length() && p.w == gcode::Length();
+    };
+    return is_still(from, to) && is_at_0(from) && is_at_0(to);
+}
+
+// As X, Y and Z are told, seen from W, with the rotary axes as they stand at `p`. Nothing where the
+// linear axes are not at right angles then.
+std::optional<Pose> frame_of(const toolpath::Poses& poses, Position p) {
+    Pose X_WP;
+    p.x = p.y = p.z = gcode::Length();
+    X_WP.translation = poses.at(p).translation;
+    std::array<Vec3, 3> columns;
+    for (std::size_t i = 0; i < 3; ++i) {
+        Position unit = p;
+        unit.*(std::array{&Position::x, &Position::y, &Position::z}[i]) =
+            gcode::Length::from_mm(1.0);
+        columns[i] = poses.at(unit).translation - X_WP.translation;
     }
-    return true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        X_WP.rows[i] = {columns[0][axis], columns[1][axis], columns[2][axis]};
+        if (std::abs(norm(columns[i]) - 1.0) > kEqual ||
+            std::abs(dot(columns[i], columns[(i + 1) % 3])) > kEqual)
+            return std::nullopt;
+    }
+    return X_WP;
+}
+
+Pose pose_of(const gcode::FeatureFrame& frame) {
+    Pose X_WF;
+    const auto at = [&](double x, double y, double z) {
+        const gcode::Triple p = frame.outward({x, y, z});
+        return Vec3{p[0], p[1], p[2]};
+    };
+    X_WF.translation = at(0, 0, 0);
+    const Vec3 x = at(1, 0, 0) - X_WF.translation, y = at(0, 1, 0) - X_WF.translation,
+               z = at(0, 0, 1) - X_WF.translation;
+    X_WF.rows = {{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}};
+    return X_WF;
 }
 
 // How far apart, but for one coordinate.
@@ -266,8 +306,8 @@ struct Way {
     std::optional<Spiral> spiral;
 };
 
+// In the coordinates in which it is told.
 std::optional<Way> way_of(const gcode::Arc& arc) {
-    if (arc.tilted || !is_plain(arc.from) || !is_plain(arc.to)) return std::nullopt;
     constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     const auto plane = static_cast<std::size_t>(arc.plane);
     if (plane >= kAxes.size()) return std::nullopt;
@@ -322,19 +362,43 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     return way;
 }
 
+// The same in W.
+std::optional<Way> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
+    if (!is_plain(arc.from, arc.to)) return std::nullopt;
+    auto X_WP = frame_of(poses, arc.from);
+    std::optional<Way> way = X_WP ? way_of(gcode::in_own_frame(arc)) : std::nullopt;
+    if (!way) return std::nullopt;
+    if (arc.tilted) X_WP = *X_WP * pose_of(*arc.tilted);
+    if (X_WP->rows == Pose().rows && X_WP->translation == Vec3{}) return way;
+    const Pose turn{X_WP->rows, {}};
+    way->centre = *X_WP * way->centre;
+    way->fitted = *X_WP * way->fitted;
+    way->about = turn * way->about;
+    way->ahead = turn * way->ahead;
+    if (way->spiral) {
+        way->spiral->centre = *X_WP * way->spiral->centre;
+        way->spiral->axis = turn * way->spiral->axis;
+        way->spiral->ahead = turn * way->spiral->ahead;
+    }
+    return way;
+}
+
 }  // namespace
 
-std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool) {
+std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
+                                   const toolpath::Kinematics* told) {
     std::vector<Candidate> candidates;
     const Position* from = gcode::start_of(motion);
     const Position* to = gcode::end_of(motion);
     if (!from || !to) return candidates;
-    const Pose start = toolpath::pose_at(*from), end = toolpath::pose_at(*to);
-    const bool turns = start.rows != end.rows;
+    const toolpath::Poses poses(told, motion);
+    const Pose start = poses.at(*from), end = poses.at(*to);
+    // Turns of a tool about itself let it go straight where its tip is told.
+    const bool turns = poses.of_tip() ? start.rows != end.rows : !is_still(*from, *to);
     const Vec3 axis = axis_of(start);
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     std::optional<Way> way;
-    if (arc) way = way_of(*arc);
+    if (arc) way = way_of(*arc, poses);
     Sweeps sweeps(candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;

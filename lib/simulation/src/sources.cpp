@@ -31,7 +31,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)},
-             {brep::surfaces_of(motion, tool->second.tool),
+             {brep::surfaces_of(motion, tool->second.tool, plan.placed.get()),
               polygon + plan.tolerance + plan.join_tolerance + rounding});
     });
     gcode::InterpreterOptions silent = plan.job.interpreter;

@@ -6,6 +6,7 @@
 
 #include "ncsim/brep/surface.h"
 #include "ncsim/gcode/motion.h"
+#include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool.h"
 
@@ -39,8 +40,10 @@ struct Source {
 /// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals beside
 /// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more
 /// than a fifth of it for each radian, and rings that are thicker than wide, have no surface here.
-/// Of tools that turn, only those at rest.
-std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool);
+/// Of tools that turn, only those at rest. `told`: the machine that moves it, null for the default
+/// one; it may hold the tool or the part at any angle.
+std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
+                                   const toolpath::Kinematics* told);
 
 /// Six planes, or a cylinder and two of them; nothing of stock from a file, whose facets are what
 /// they are.
