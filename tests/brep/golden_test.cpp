@@ -284,6 +284,36 @@ TEST(Recognise, KnowsArcsWhoseEndsDifferInRadius) {
     }
 }
 
+// Nearly once around, by a tool that is small beside what is left of the turn. As of one that comes
+// near to where it started, all of it stayed facets.
+TEST(Recognise, KnowsSpiralsOfNearlyATurn) {
+    for (const bool is_left : {false, true}) {
+        const std::string side = is_left ? "32.18" : "27.82", end = is_left ? "27.82" : "32.18";
+        const Golden golden{"turn",
+                            "(T6 D=2. CR=0. - flat end mill)\nT6 M6\nG0 X65.9 Y" + side +
+                                " Z1\nG1 Z-4\n" + (is_left ? "G3" : "G2") + " X65.5 Y" + end +
+                                " I-25.9 J" + (is_left ? "-2.18" : "2.18") + "\nG0 Z5\n",
+                            {},
+                            0.0};
+        const double from = std::hypot(25.9, 2.18), to = std::hypot(25.5, 2.18);
+        const double swept = 2.0 * kPi - std::atan2(2.18, 25.9) - std::atan2(2.18, 25.5);
+        const double lead = (to - from) / swept;
+        double length = 0.0;
+        constexpr int kSteps = 1000;
+        for (int i = 0; i < kSteps; ++i)
+            length += swept / kSteps * std::hypot(from + (to - from) * (i + 0.5) / kSteps, lead);
+        const double left = kBlock - 4.0 * (2.0 * length + kPi);
+        for (const double tolerance : {0.05, 0.02}) {
+            SCOPED_TRACE(golden.moves + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 2, 0, 0, 0, 0, 0, 0, 2}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+        }
+    }
+}
+
 // Over squares of 0.02 mm, what the ball of 8 mm takes out, 6 deep, that passes within `distance`
 // of their middles.
 template <typename Distance>
