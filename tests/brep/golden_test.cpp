@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -624,6 +626,32 @@ TEST(Recognise, FinishingByABallLeavesNoFacets) {
             setup::job_of({"part.nc", test::random_part(test::kRasters + seed)}), 0.05);
         EXPECT_EQ(made.solid.facets_kept, 0U) << seed;
         EXPECT_EQ(made.solid.shells_kept, 0U) << seed;
+    }
+}
+
+// Nothing was drawn of a floor whose outline a deeper pocket touches from inside, along an arc of
+// both: it becomes two, on both sides of a line.
+TEST(Recognise, PlanesArePartedWhereAHoleTouchesTheirOutline) {
+    const auto corners_of = [](const Part& part, const Loop& loop) {
+        std::vector<std::uint32_t> corners;
+        for (const EdgeUse& use : loop)
+            corners.push_back(use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to);
+        std::ranges::sort(corners);
+        return corners;
+    };
+    const Made made = test::make_part(setup::job_of({"part.nc", test::random_part(80857)}), 0.05);
+    Part part = made.solid.part;
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    EXPECT_EQ(part.faces.size(), 35U);
+    EXPECT_TRUE(check(part, 1e-3).empty());
+    for (const Face& face : part.faces) {
+        for (std::size_t hole = 1; hole < face.loops.size(); ++hole) {
+            std::vector<std::uint32_t> common;
+            std::ranges::set_intersection(corners_of(part, face.loops.front()),
+                                          corners_of(part, face.loops[hole]),
+                                          std::back_inserter(common));
+            EXPECT_TRUE(common.empty());
+        }
     }
 }
 
