@@ -235,22 +235,6 @@ Face with(const Face& face, std::vector<Loop> loops) {
     return made;
 }
 
-// Does the outline go round the loop?
-bool goes_round(const Part& part, const Face& face, const Loop& outline, const Loop& loop) {
-    const Edge& edge = part.edges[loop.front().edge];
-    const Vec3 p = Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
-    const Vec3 x = face.frame.x, y = cross(face.frame.axis, x);
-    const auto points = points_along(part, with(face, {outline})).front();
-    bool is_inside = false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 a = points[i] - p, b = points[(i + 1) % points.size()] - p;
-        const double ax = dot(a, x), ay = dot(a, y), bx = dot(b, x), by = dot(b, y);
-        if ((ay > 0.0) != (by > 0.0) && (ax * by - bx * ay > 0.0) == (by > ay))
-            is_inside = !is_inside;
-    }
-    return is_inside;
-}
-
 // For each face that there is to be, its loops; the outline first. Nothing where that cannot be
 // told.
 std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
@@ -308,6 +292,35 @@ bool is_convex(const Part& part, const Face& face) {
 
 }  // namespace
 
+bool goes_round(const Part& part, const Face& face, const Loop& outline, const Loop& loop) {
+    const Edge& edge = part.edges[loop.front().edge];
+    const Vec3 p = Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.5);
+    const Vec3 x = face.frame.x, y = cross(face.frame.axis, x);
+    const auto points = points_along(part, with(face, {outline})).front();
+    bool is_inside = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 a = points[i] - p, b = points[(i + 1) % points.size()] - p;
+        const double ax = dot(a, x), ay = dot(a, y), bx = dot(b, x), by = dot(b, y);
+        if ((ay > 0.0) != (by > 0.0) && (ax * by - bx * ay > 0.0) == (by > ay))
+            is_inside = !is_inside;
+    }
+    return is_inside;
+}
+
+std::uint32_t add_beside(Part& part, std::uint32_t f, Face face) {
+    const auto number = static_cast<std::uint32_t>(part.faces.size());
+    part.faces.push_back(std::move(face));
+    const auto add_to = [&](Shell& shell) {
+        if (std::ranges::find(shell, f) != shell.end()) shell.push_back(number);
+    };
+    for (Solid& solid : part.solids) {
+        add_to(solid.outside);
+        for (Shell& shell : solid.voids)
+            add_to(shell);
+    }
+    return number;
+}
+
 std::vector<std::uint32_t> crossed_planes(const Part& part) {
     constexpr double kAnywhere = 1.0, kOfReaders = 2e-7;  // mm; where its edges are is known
     Numbers crossed;
@@ -340,17 +353,8 @@ std::vector<std::uint32_t> part_pinched_faces(Part& part) {
                 part.faces[f] = std::move(made);
                 continue;
             }
-            const auto number = static_cast<std::uint32_t>(part.faces.size());
-            part.faces.push_back(std::move(made));
+            add_beside(part, f, std::move(made));
             whole.push_back(f);
-            const auto add_beside = [&](Shell& shell) {
-                if (std::ranges::find(shell, f) != shell.end()) shell.push_back(number);
-            };
-            for (Solid& solid : part.solids) {
-                add_beside(solid.outside);
-                for (Shell& shell : solid.voids)
-                    add_beside(shell);
-            }
         }
     }
     return whole;

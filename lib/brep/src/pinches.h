@@ -21,6 +21,12 @@ bool join_touching_corners(Part& part, const std::vector<std::uint32_t>& faces, 
 /// face that was added: which one it was part of.
 std::vector<std::uint32_t> part_pinched_faces(Part& part);
 
+/// Does the outline of a plane go round the loop, which does not cross it?
+bool goes_round(const Part& part, const Face& face, const Loop& outline, const Loop& loop);
+
+/// Adds a face at the end, and to the shell that has the face `f`; its number.
+std::uint32_t add_beside(Part& part, std::uint32_t f, Face face);
+
 /// Planes with straight edges alone in which readers find a fault: their loops cross, or touch
 /// within 2e-7 mm, or go round the wrong way. O(n log n) likewise, and little where faces are
 /// convex.

@@ -19,6 +19,7 @@
 #include "chains.h"
 #include "facet_mesh.h"
 #include "groups.h"
+#include "horns.h"
 #include "known_faces.h"
 #include "nearly.h"
 #include "nesting.h"
@@ -563,6 +564,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
         result.part.solids.push_back(std::move(solid));
     }
     halve_wide_edges(result.part);
+    part_at_horns(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;

@@ -154,19 +154,23 @@ public:
         }
     }
 
-    // The same where both ends of the arc are not as far from the centre.
-    void spiral(const Element& e, const Spiral& way, Vec3 axis, bool is_level) {
+    // The same where both ends of the arc are not as far from the centre. `left` is half of what it
+    // leaves of a turn, radians.
+    void spiral(const Element& e, const Spiral& way, double left, Vec3 axis, bool is_level) {
         if (e.fillet > 0.0) return;
         if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, way.centre + e.height * axis, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
+            const double least = way.reach - std::numbers::pi * std::abs(way.lead);
+            // Where its ends are near each other, what lies beside the one lies beside the other.
+            constexpr double kFew = 5.0 * trig::kRadiansPerDegree;
+            if (left < kFew && left * least < 2.0 * e.radius) return;
             Spiral wall = way;
             wall.offset = e.radius;
             add(wall);
             wall.offset = -e.radius;
             // Nearer to the centre it has a cusp.
             constexpr double kLeastBend = 0.05;
-            const double least = way.reach - std::numbers::pi * std::abs(way.lead);
             if (least > (1.0 + kLeastBend) * e.radius) add(wall, false);
         }
     }
@@ -302,8 +306,10 @@ struct Way {
     double fitted_radius = 0.0;
     Vec3 ahead;         // unit, from the centre to the start
     double rise = 0.0;  // mm for each radian counter-clockwise
-    // Where the ends are not as far from the centre, instead of a circle.
+    // Where the ends are not as far from the centre, instead of a circle; and half of what it
+    // leaves of a turn, radians.
     std::optional<Spiral> spiral;
+    double left = 0.0;
 };
 
 // In the coordinates in which it is told.
@@ -351,11 +357,10 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     way.rise = (to[third] - from[third]) / (swept * trig::kRadiansPerDegree);
     const double growth = radius(to) - radius(from);
     if (std::abs(growth) <= kMostSpiral) return way;
-    // Of more, what lies beside one end may lie beside the other one.
-    constexpr double kMostSwept = 350.0, kMostGrowth = 0.2;
+    constexpr double kMostGrowth = 0.2;
     const double lead = growth / (swept * trig::kRadiansPerDegree);
-    if (std::abs(swept) > kMostSwept || std::abs(lead) > kMostGrowth * way.radius)
-        return std::nullopt;
+    if (std::abs(swept) > kTurn || std::abs(lead) > kMostGrowth * way.radius) return std::nullopt;
+    way.left = 0.5 * (kTurn - std::abs(swept)) * trig::kRadiansPerDegree;
     const auto middle = trig::sin_cos(0.5 * swept);
     const Vec3 ahead = middle.cos * way.ahead + middle.sin * cross(way.about, way.ahead);
     way.spiral = Spiral{way.centre, way.about, normalized(ahead), way.radius, lead, 0.0};
@@ -409,7 +414,7 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
             sweeps.set_at_rest(false);
             if (way && way->spiral) {
                 if (std::abs(dot(way->about, axis)) > 1.0 - kEqual)
-                    sweeps.spiral(e, *way->spiral, axis, way->is_level);
+                    sweeps.spiral(e, *way->spiral, way->left, axis, way->is_level);
             } else if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
                 sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
                 if (is_corner && !way->is_level)
