@@ -49,6 +49,7 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
         const auto source = sources.find(origin);
         if (source == sources.end()) continue;
         if (!source->second.candidates.empty()) facet.may_be_true = false;
+        if (source->second.leaves_unknown) facet.is_unknown = true;
         facet.error_mm = std::max(facet.error_mm, source->second.error_mm);
         const Candidate* better = best_of(shape_of(facet), source->second.candidates,
                                           source->second.error_mm, kMostTurn, best);
@@ -56,13 +57,38 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
     }
     if (chosen) facet.label = surfaces_.add(chosen->surface);
     facet.was_labelled = chosen != nullptr;
+    if (chosen) facet.is_unknown = false;
     return facet;
 }
 
+cda::DisjointSets FacetMesh::patches_of_kept() const {
+    cda::DisjointSets patches(facets_.size());
+    for (const HalfEdge& h : edges_) {
+        if (h.twin == kNone) continue;
+        const std::uint32_t other = edges_[h.twin].facet;
+        if (is_kept(facets_[h.facet]) && is_kept(facets_[other])) patches.unite(h.facet, other);
+    }
+    return patches;
+}
+
 std::size_t FacetMesh::given_up() const {
-    return static_cast<std::size_t>(std::ranges::count_if(facets_, [](const Facet& facet) {
-        return facet.was_labelled && facet.label == facet.own;
-    }));
+    cda::DisjointSets patches = patches_of_kept();
+    struct Patch {
+        std::size_t given_up = 0, unknown = 0;
+    };
+    std::vector<Patch> all(facets_.size());
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) {
+        const Facet& facet = facets_[i];
+        if (!is_kept(facet)) continue;
+        Patch& patch = all[patches.find(i)];
+        if (facet.is_unknown) ++patch.unknown;
+        if (facet.was_labelled) ++patch.given_up;
+    }
+    std::size_t count = 0;
+    for (const Patch& patch : all) {
+        if (patch.given_up > patch.unknown) count += patch.given_up;
+    }
+    return count;
 }
 
 void FacetMesh::link() {

@@ -7,6 +7,7 @@
 #include "ncsim/brep/facets.h"
 #include "ncsim/brep/surface.h"
 #include "ncsim/brep/swept.h"
+#include "ncsim/cda/disjoint_sets.h"
 
 #include "label.h"
 #include "none.h"
@@ -29,6 +30,7 @@ struct Facet {
     std::uint32_t label = 0;
     bool may_be_true = false;   ///< Its own plane is no approximation.
     bool was_labelled = false;  ///< With a surface of its motion.
+    bool is_unknown = false;    ///< With none, for its motion leaves others, too.
     bool is_final = false;      ///< It stays a facet.
     bool was_given_up = false;
 };
@@ -45,7 +47,9 @@ public:
 
     /// Faces do not meet two at an edge: nothing can be made of it.
     bool is_broken() const { return broken_; }
-    /// Facets that had a surface and have none any more.
+    /// Facets that had a surface and have none any more. Not those that hang together with at least
+    /// as many that nobody knows a surface for: finer ones are there, too, and keep theirs from
+    /// having one.
     std::size_t given_up() const;
 
     std::size_t size() const { return facets_.size(); }
@@ -81,6 +85,11 @@ private:
     FlatFace shape_of(const Facet& facet) const;
     Facet labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources);
     void link();
+    // Of a round tool, and not a piece of any of its surfaces.
+    bool is_kept(const Facet& facet) const {
+        return facet.label == facet.own && !facet.may_be_true;
+    }
+    cda::DisjointSets patches_of_kept() const;
 
     const Facets& source_;
     SurfaceSet surfaces_;

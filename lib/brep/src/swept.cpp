@@ -91,6 +91,10 @@ public:
 
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
 
+    /// Something of the motion has no surface here.
+    bool leaves_unknown() const { return leaves_unknown_; }
+    void leave_unknown() { leaves_unknown_ = true; }
+
     // The piece where it stands, as far as it looks that way.
     void rest(const Element& e, Vec3 tip, Vec3 axis) {
         const Vec3 at = tip + e.height * axis;
@@ -119,6 +123,8 @@ public:
             } else if (is_level) {
                 for (const double sign : {-1.0, 1.0})
                     add(Cylinder{at + (sign * e.radius) * side, d, e.fillet});
+            } else {
+                leave_unknown();
             }
         } else if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, at, axis);
@@ -139,7 +145,7 @@ public:
     void arc(const Element& e, Vec3 centre, Vec3 axis, double reach, bool is_level) {
         const Vec3 at = centre + e.height * axis;
         if (e.fillet > 0.0) {
-            if (!is_level) return;
+            if (!is_level) return leave_unknown();
             tube(at, axis, reach + e.radius, e.fillet);
             if (e.radius > kEqual && reach > e.radius) tube(at, axis, reach - e.radius, e.fillet);
         } else if (std::abs(e.rise()) <= kEqual) {
@@ -151,20 +157,24 @@ public:
             const double slope = e.widening() / e.rise();
             cone(at, axis, reach + e.radius, slope);
             if (reach > e.radius) cone(at, axis, reach - e.radius, -slope, false);
+        } else {
+            leave_unknown();
         }
     }
 
     // The same where both ends of the arc are not as far from the centre. `left` is half of what it
     // leaves of a turn, radians.
     void spiral(const Element& e, const Spiral& way, double left, Vec3 axis, bool is_level) {
-        if (e.fillet > 0.0) return;
+        if (e.fillet > 0.0) return leave_unknown();
         if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, way.centre + e.height * axis, axis);
-        } else if (std::abs(e.widening()) <= kEqual) {
+        } else if (std::abs(e.widening()) > kEqual) {
+            leave_unknown();
+        } else {
             const double least = way.reach - std::numbers::pi * std::abs(way.lead);
             // Where its ends are near each other, what lies beside the one lies beside the other.
             constexpr double kFew = 5.0 * trig::kRadiansPerDegree;
-            if (left < kFew && left * least < 2.0 * e.radius) return;
+            if (left < kFew && left * least < 2.0 * e.radius) return leave_unknown();
             Spiral wall = way;
             wall.offset = e.radius;
             add(wall);
@@ -192,10 +202,13 @@ public:
     // About an axis across the tool's: of its sides, which it passes upright.
     void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.fillet > 0.0) {
-            if (e.radius <= kEqual) tube(centre + e.height * axis, about, reach, e.fillet);
+            if (e.radius > kEqual) return leave_unknown();
+            tube(centre + e.height * axis, about, reach, e.fillet);
         } else if (std::abs(e.widening()) <= kEqual) {
             for (const double sign : {-1.0, 1.0})
                 add(Plane{centre + (sign * e.radius) * about, -sign * about}, false);
+        } else if (std::abs(e.rise()) > kEqual) {
+            leave_unknown();
         }
     }
 
@@ -214,6 +227,8 @@ private:
             add(Sphere{centre, minor});
         } else if (major > minor * (1.0 + 1e-6)) {
             add(Torus{centre, axis, major, minor});
+        } else if (!at_rest_) {
+            leave_unknown();
         }
     }
 
@@ -239,6 +254,7 @@ private:
 
     std::vector<Candidate>* into_;
     bool at_rest_ = false;
+    bool leaves_unknown_ = false;
 };
 
 // No rotary axis moves.
@@ -388,14 +404,32 @@ std::optional<Way> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
     return way;
 }
 
+// A piece of the profile on an arc.
+void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way, Vec3 axis) {
+    const bool is_about = std::abs(dot(way.about, axis)) > 1.0 - kEqual;
+    if (way.spiral) {
+        if (!is_about) return sweeps.leave_unknown();
+        sweeps.spiral(e, *way.spiral, way.left, axis, way.is_level);
+    } else if (is_about) {
+        sweeps.arc(e, way.centre, axis, way.radius, way.is_level);
+        if (is_corner && !way.is_level)
+            sweeps.rim_around(e, way.centre, axis, way.ahead, way.radius, way.rise);
+    } else if (way.is_level) {
+        sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
+        if (is_corner) sweeps.rim_across(e, way.fitted, axis, way.about, way.fitted_radius);
+    } else {
+        sweeps.leave_unknown();
+    }
+}
+
 }  // namespace
 
-std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
-                                   const toolpath::Kinematics* told) {
-    std::vector<Candidate> candidates;
+Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
+                   const toolpath::Kinematics* told) {
+    Source source;
     const Position* from = gcode::start_of(motion);
     const Position* to = gcode::end_of(motion);
-    if (!from || !to) return candidates;
+    if (!from || !to) return source;
     const toolpath::Poses poses(told, motion);
     const Pose start = poses.at(*from), end = poses.at(*to);
     // Turns of a tool about itself let it go straight where its tip is told.
@@ -404,7 +438,7 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     std::optional<Way> way;
     if (arc) way = way_of(*arc, poses);
-    Sweeps sweeps(candidates);
+    Sweeps sweeps(source.candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
         const std::vector<Element> elements = elements_of(piece);
@@ -412,19 +446,11 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
             const Element& e = elements[i];
             const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
             sweeps.set_at_rest(false);
-            if (way && way->spiral) {
-                if (std::abs(dot(way->about, axis)) > 1.0 - kEqual)
-                    sweeps.spiral(e, *way->spiral, way->left, axis, way->is_level);
-            } else if (way && std::abs(dot(way->about, axis)) > 1.0 - kEqual) {
-                sweeps.arc(e, way->centre, axis, way->radius, way->is_level);
-                if (is_corner && !way->is_level)
-                    sweeps.rim_around(e, way->centre, axis, way->ahead, way->radius, way->rise);
-            } else if (way && way->is_level) {
-                sweeps.arc_across(e, way->centre, axis, way->about, way->radius);
-                if (is_corner)
-                    sweeps.rim_across(e, way->fitted, axis, way->about, way->fitted_radius);
-            } else if (!turns && std::holds_alternative<gcode::Linear>(motion.what) &&
-                       start.translation != end.translation) {
+            if (way) {
+                sweep_arc(sweeps, e, is_corner, *way, axis);
+            } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
+                sweeps.leave_unknown();
+            } else if (start.translation != end.translation) {
                 const Vec3 d = normalized(end.translation - start.translation);
                 sweeps.line(e, start.translation, axis, d);
                 if (is_corner) sweeps.rim(e, start.translation, axis, d);
@@ -434,7 +460,8 @@ std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::
             sweeps.rest(e, end.translation, axis_of(end));
         }
     }
-    return candidates;
+    source.leaves_unknown = sweeps.leaves_unknown();
+    return source;
 }
 
 std::vector<Candidate> surfaces_of(const toolpath::Stock& stock) {

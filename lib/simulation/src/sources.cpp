@@ -4,6 +4,7 @@
 #include "join_moves.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ncsim::simulation {
@@ -18,7 +19,8 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const auto origin = static_cast<std::size_t>(face.origin);
         if (origin < is_there.size()) is_there[origin] = true;
     }
-    sink(cda::kStockOrigin, {brep::surfaces_of(*survey.stock), plan.tool_tolerance + rounding});
+    sink(cda::kStockOrigin,
+         {brep::surfaces_of(*survey.stock), plan.tool_tolerance + rounding, false});
     std::uint64_t motions = 0;
     std::size_t next = 1;
     MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
@@ -30,9 +32,9 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const auto cutter = simulation.cutters.find(motion.tool);
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
-        sink(cda::Origin{static_cast<std::uint32_t>(origin)},
-             {brep::surfaces_of(motion, tool->second.tool, plan.placed.get()),
-              polygon + plan.tolerance + plan.join_tolerance + rounding});
+        brep::Source source = brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
+        source.error_mm = polygon + plan.tolerance + plan.join_tolerance + rounding;
+        sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
     gcode::InterpreterOptions silent = plan.job.interpreter;
     silent.observe_frame = nullptr;

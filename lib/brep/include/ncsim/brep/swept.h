@@ -24,6 +24,8 @@ struct Candidate {
 struct Source {
     std::vector<Candidate> candidates;
     double error_mm = 0.0;
+    /// It may have left others, too: what fits none of them is what it is, however small.
+    bool leaves_unknown = false;
 };
 
 /// Of a tool that keeps its direction, by pieces of its profile:
@@ -41,9 +43,10 @@ struct Source {
 /// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more
 /// than a fifth of it for each radian, and rings that are thicker than wide, have no surface here.
 /// Of tools that turn, only those at rest. `told`: the machine that moves it, null for the default
-/// one; it may hold the tool or the part at any angle.
-std::vector<Candidate> surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
-                                   const toolpath::Kinematics* told);
+/// one; it may hold the tool or the part at any angle. What has no surface here is unknown. The
+/// error is for whoever knows it.
+Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
+                   const toolpath::Kinematics* told);
 
 /// Six planes, or a cylinder and two of them; nothing of stock from a file, whose facets are what
 /// they are.
