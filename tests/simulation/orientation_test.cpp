@@ -30,6 +30,8 @@ std::vector<Motion> moves_of(const std::string& program, const machine::Chain& c
                               "G0 X0 Y0 Z0\n" +
                                   program},
                              options);
+    plan.job.interpreter.tip_control.m_codes = {{428, gcode::Coordinates::Tip},
+                                                {429, gcode::Coordinates::Axes}};
     plan.kinematics.emplace();
     plan.kinematics->chain = chain;
     plan.kinematics->travels = travels;
@@ -89,6 +91,26 @@ TEST(Orientation, IsTheSameOnThePartOnEveryMachine) {
             const Pose before = toolpath::Poses(&placed, moves[i - 1]).at(*end_of(moves[i - 1]));
             const Pose after = toolpath::Poses(&placed, moves[i]).at(*start_of(moves[i]));
             EXPECT_LT(norm(before.translation - after.translation), 1e-9) << name << " " << i;
+        }
+    }
+}
+
+// What U, V and W move the tip by stays where it is, in both ways to tell a place.
+TEST(Orientation, TheTipStaysWhereItIsWhenTheModeChanges) {
+    machine::Chain quill = *machine::preset("bridge-cb");
+    for (machine::Joint& joint : quill.joints)
+        joint.through = {0, 0, 100};
+    quill.joints.push_back(machine::along_tool('W'));
+    for (const machine::Chain& chain : {*machine::preset("xyzbc-trt"), quill}) {
+        const auto moves = moves_of("G0 B30 C20 W5 U2\nM428\nG91 G1 Z1 F100\nM429\nG1 X1\n", chain);
+        const toolpath::Kinematics placed{chain, {}};
+        ASSERT_GE(moves.size(), 3U);
+        for (std::size_t i = moves.size() - 2; i < moves.size(); ++i) {
+            const Motion &before = moves[i - 1], &after = moves[i];
+            EXPECT_NE(before.coordinates, after.coordinates);
+            const Pose end = toolpath::Poses(&placed, before).at(*end_of(before));
+            const Pose start = toolpath::Poses(&placed, after).at(*start_of(after));
+            EXPECT_LT(norm(end.translation - start.translation), 1e-9) << i;
         }
     }
 }
