@@ -169,6 +169,11 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z0\nG18 G2 X26 Z-6 I6 K0\nG1 X44\nG2 X50 Z0 I0 K6\nG17\nG0 Z5\n",
          {9, 0, 0, 0, 0, 0, 2},
          kBlock - (1080.0 + 330.0 * kPi)},
+        // Down and up again in one arc: at its bottom is the disc.
+        {"dip_between",
+         "T1 M6\nG0 X20 Y30 Z0\nG18 G2 X32 Z0 I6 K8\nG17\nG0 Z5\n",
+         {9, 0, 0, 0, 0, 0, 2},
+         kBlock - (50.0 * kPi + 10.0 * (100.0 * std::asin(0.6) - 48.0))},
         {"drill",
          "T2 M6\nG0 X40 Y30 Z5\nG1 Z-10\nG0 Z5\n",
          {6, 1, 1, 0, 0},

@@ -8,6 +8,7 @@ ncsim_add_test(brep
     golden_test.cpp
     made_part.cpp
     mass_test.cpp
+    order_test.cpp
     random_parts.cpp
     section_test.cpp
     solids.cpp
