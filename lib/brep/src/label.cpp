@@ -75,25 +75,27 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
                          double most_turn, double& best) {
+    // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors. A
+    // surface that the tool went along is preferred to one where it only stood.
+    constexpr double kExact = -1.0, kAtRest = 0.05, kNoLess = 1e-9;
     const Candidate* chosen = nullptr;
+    const auto take = [&](const Candidate& candidate, double score) {
+        if (candidate.is_at_rest) score += kAtRest;
+        if (score >= best - kNoLess) return;
+        best = score;
+        chosen = &candidate;
+    };
     for (const Candidate& candidate : candidates) {
-        // A surface that the tool went along is preferred to one where it only stood.
-        constexpr double kAtRest = 0.05;
+        if (std::holds_alternative<Plane>(candidate.surface.form) &&
+            fits(face, candidate.surface, kFlat, kLevel))
+            take(candidate, kExact);
+    }
+    if (chosen) return chosen;
+    for (const Candidate& candidate : candidates) {
         double score = 0.0;
         const double slack =
             std::holds_alternative<Coil>(candidate.surface.form) ? kSlackOfCoils : kSlack;
-        if (!fits(face, candidate.surface, slack * error, most_turn, &score)) continue;
-        // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors.
-        constexpr double kExact = -1.0;
-        if (std::holds_alternative<Plane>(candidate.surface.form) &&
-            fits(face, candidate.surface, kFlat, kLevel)) {
-            score = kExact;
-        }
-        if (candidate.is_at_rest) score += kAtRest;
-        if (score < best - 1e-9) {
-            best = score;
-            chosen = &candidate;
-        }
+        if (fits(face, candidate.surface, slack * error, most_turn, &score)) take(candidate, score);
     }
     return chosen;
 }

@@ -22,7 +22,7 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-// Gauss-Legendre on (0, 1): exact for polynomials of degree 15.
+// Gauss and Legendre on (-1, 1): exact for polynomials of degree 15.
 constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
                                            0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
@@ -37,9 +37,21 @@ void integrate(const Track& track, const F& f) {
         for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
             for (const double sign : {-1.0, 1.0}) {
                 const double t = middle + sign * 0.5 * width * kAbscissae[k];
-                f(0.5 * width * kWeights[k], track.at(t), track.derivative(t));
+                const Track::Step step = track.step(t);
+                f(0.5 * width * kWeights[k], step.at, step.derivative);
             }
         }
+    }
+}
+
+// On planes what is integrated along a line is of degree 2, at most.
+template <typename F>
+void integrate_level(const Track& track, const F& f) {
+    if (!track.is_straight()) return integrate(track, f);
+    constexpr double kAbscissa = 0.5773502691896258;  // of degree 3
+    for (const double sign : {-1.0, 1.0}) {
+        const Track::Step step = track.step(0.5 + sign * 0.5 * kAbscissa);
+        f(0.5, step.at, step.derivative);
     }
 }
 
@@ -131,38 +143,46 @@ Measure around(const Part& part, const Face& face, const Axes& axes, const B& be
     Measure sum;
     constexpr double kAtTip = 1e-12;
     double turns = 0.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto for_angles = [&](const auto& take) {
+        for_edges(part, face, [&](const Track& track, double sign) {
+            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+                const Local p = axes(at);
+                const bool is_tip = p.away <= kAtTip;
+                take(p, is_tip ? 0.0 : sign * weight * turn(p, axes.turned(derivative)),
+                     weight * norm(derivative));
+            });
+        });
+    };
+    for_angles([&](const Local& p, double turned, double length) {
+        sum.length += length;
+        nearest = std::min(nearest, p.away);
+        if (turned == 0.0) return;
+        const Below b = below(p);
+        turns += turned;
+        sum.area -= turned * b.area;
+        sum.volume -= turned * b.volume / 3.0;
+    });
     // Where edges miss their ends, what is below all of a face that does not go round counts for
     // the angles of these gaps: it is left out, from where the first edge starts. Not where edges
-    // come near the axis, and may pass half a turn there.
+    // come near the axis, and may pass half a turn there. Cones have no radius, and begin at their
+    // apex.
     constexpr double kClearOfAxis = 0.1, kMostGaps = 0.1;  // of the radius; rad
-    std::optional<Local> start;
-    Below whole;
-    double nearest = std::numeric_limits<double>::infinity();
-    for_edges(part, face, [&](const Track& track, double sign) {
-        const Local begin = axes(track.at(0.0));
-        if (!start) start = begin;
-        nearest = std::min(nearest, begin.away);
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            const Local p = axes(at);
-            sum.length += weight * norm(derivative);
-            nearest = std::min(nearest, p.away);
-            if (p.away <= kAtTip) return;
-            const double turned = sign * weight * turn(p, axes.turned(derivative));
-            const Below b = below(p);
-            turns += turned;
-            sum.area -= turned * b.area;
-            sum.volume -= turned * b.volume / 3.0;
-            const double scale = start->away / p.away;
-            const Below level = below({scale * p.x, scale * p.y, start->z, start->away});
-            whole.area -= turned * level.area;
-            whole.volume -= turned * level.volume / 3.0;
-        });
-    });
-    // Cones have none, and begin at their apex.
+    constexpr double kNoGap = 1e-14;                       // rad
     const double radius = radius_of(face.surface.form);
-    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps) {
-        sum.area -= whole.area;
-        sum.volume -= whole.volume;
+    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps &&
+        std::abs(turns) > kNoGap) {
+        const EdgeUse& first = face.loops.front().front();
+        const Edge& edge = part.edges[first.edge];
+        const Local start =
+            axes(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.0));
+        for_angles([&](const Local& p, double turned, double) {
+            if (turned == 0.0) return;
+            const double scale = start.away / p.away;
+            const Below level = below({scale * p.x, scale * p.y, start.z, start.away});
+            sum.area += turned * level.area;
+            sum.volume += turned * level.volume / 3.0;
+        });
     }
     if (face.surface.is_hollow) sum.area = -sum.area;
     return sum;
@@ -182,40 +202,43 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
 // --- Domes ----------------------------------------------------------------------------------
 
 // Over the angle of the circle, between edges; over that of the arc, from where it is level with
-// its centre, by Gauss.
+// its centre. Of areas and moments by Gauss.
 class OnDome {
 public:
     OnDome(const Dome& dome, Vec3 apex) : dome_(dome), w_(dome.centre - apex) {}
 
-    // For each angle of the circle: of area, of three times the volume, and of four times volume
-    // times middle, as `moment` tells them.
-    struct Sum {
-        double area = 0.0, volume = 0.0;
-        Vec3 moment;
-    };
-    Sum below(const DomePlace& place) const {
-        constexpr double kPiece = 15.0;
-        const double degrees = place.degrees();
-        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
-        const double width = degrees / pieces;
+    // For each angle of the circle: of area, and of three times the volume.
+    Below below(const DomePlace& place) const {
+        constexpr double kPiece = 45.0;
         const Vec3 around = cross(dome_.axis, place.out);
-        Sum sum;
-        for (int i = 0; i < pieces; ++i) {
-            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-                for (const double sign : {-1.0, 1.0}) {
-                    const auto t = trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width);
-                    const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
-                    const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
-                    const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
-                    const Vec3 normal = (0.5 * width * kRadiansPerDegree * kWeights[k] *
-                                         dome_.reach * dome_.radius) *
-                                        cross(around, along);
-                    sum.area += width < 0.0 ? -norm(normal) : norm(normal);
-                    sum.volume += dot(at, normal);
-                    sum.moment = sum.moment + dot(at, normal) * at;
-                }
-            }
-        }
+        const double degrees = place.degrees(), per_degree = kRadiansPerDegree * per_radian();
+        Below sum;
+        in_pieces(degrees, kPiece, [&](double weight, const trig::SinCos& t) {
+            const double lean = t.sin * dot(around, dome_.ahead);
+            sum.area += (weight * per_degree) * std::sqrt(std::max(0.0, 1.0 - lean * lean));
+        });
+        // Of the normal, which is (cos t axis - sin t ahead) seen from around; with the radius from
+        // the centre of the arc it makes the same everywhere.
+        const Vec3 normal = place.sine * cross(around, dome_.axis) -
+                            (1.0 - place.cosine) * cross(around, dome_.ahead);
+        const double level = dome_.reach * dot(around, cross(dome_.axis, dome_.ahead));
+        sum.volume = per_radian() * (dot(w_ + dome_.radius * place.out, normal) +
+                                     level * degrees * kRadiansPerDegree);
+        return sum;
+    }
+
+    // Of four times volume times middle, as `moment` tells it.
+    Vec3 moment(const DomePlace& place) const {
+        constexpr double kPiece = 45.0;
+        const Vec3 around = cross(dome_.axis, place.out);
+        const double per_degree = kRadiansPerDegree * per_radian();
+        Vec3 sum;
+        in_pieces(place.degrees(), kPiece, [&](double weight, const trig::SinCos& t) {
+            const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
+            const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
+            const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
+            sum = sum + (weight * per_degree * dot(at, cross(around, along))) * at;
+        });
         return sum;
     }
 
@@ -230,45 +253,72 @@ public:
     }
 
 private:
+    double per_radian() const { return dome_.reach * dome_.radius; }
+
+    // From 0 on; weights are of degrees.
+    template <typename Take>
+    static void in_pieces(double degrees, double piece, const Take& take) {
+        const int pieces = static_cast<int>(std::abs(degrees) / piece) + 1;
+        const double width = degrees / pieces;
+        for (int i = 0; i < pieces; ++i) {
+            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+                for (const double sign : {-1.0, 1.0})
+                    take(0.5 * width * kWeights[k],
+                         trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width));
+            }
+        }
+    }
+
     Dome dome_;
     Vec3 w_;
 };
 
 // Over the angle of the circle against the way, between edges; over that of the way, from where it
-// counts, by Gauss.
+// counts. Of moments by Gauss.
 class OnCoil {
 public:
-    OnCoil(const Coil& coil, Vec3 apex) : coil_(coil), w_(coil.centre - apex) {}
+    OnCoil(const Coil& coil, Vec3 apex)
+        : coil_(coil), side_(cross(coil.axis, coil.ahead)), w_(coil.centre - apex) {}
 
-    // As on a dome.
-    using Sum = OnDome::Sum;
-    Sum below(const CoilPlace& place) const {
-        constexpr double kPiece = 15.0;
+    // As on a dome. Seen from the way the normal is the same everywhere: lead times what points
+    // out, less what goes along the way by reach up.
+    Below below(const CoilPlace& place) const {
+        const double out = dot(place.out, place.way), off = across(place);
+        const double cosine = dot(place.way, side_), sine = -dot(place.way, coil_.ahead);
+        const Vec3 up = sine * coil_.ahead + (1.0 - cosine) * side_;
+        const Vec3 way = sine * side_ - (1.0 - cosine) * coil_.ahead;
+        const double even = coil_.lead * (coil_.radius - coil_.reach * off) -
+                            out * coil_.reach * dot(w_, coil_.axis);
+        const double turn = place.turn;
+        const double steep = coil_.reach * out;
+        return {coil_.radius * std::sqrt(coil_.lead * coil_.lead + steep * steep) *
+                    (coil_.lead < 0.0 ? -turn : turn),
+                coil_.radius * (coil_.lead * dot(w_, out * way - off * up) + even * turn -
+                                0.5 * steep * coil_.lead * turn * turn)};
+    }
+
+    Vec3 moment(const CoilPlace& place) const {
+        constexpr double kPiece = 90.0;
         const double degrees = place.turn / kRadiansPerDegree;
         const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
         const double width = degrees / pieces;
-        const Vec3 side = cross(coil_.axis, coil_.ahead), beside = cross(coil_.axis, place.way);
-        const double out = dot(place.out, place.way), off = dot(place.out, beside);
-        Sum sum;
+        const double out = dot(place.out, place.way), off = across(place);
+        Vec3 sum;
         for (int i = 0; i < pieces; ++i) {
             for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
                 for (const double sign : {-1.0, 1.0}) {
                     const double at_degrees = (i + 0.5 + 0.5 * sign * kAbscissae[k]) * width;
                     const auto t = trig::sin_cos(at_degrees);
-                    const Vec3 up = t.cos * coil_.ahead + t.sin * side;
-                    const Vec3 way = t.cos * side - t.sin * coil_.ahead;
+                    const Vec3 up = t.cos * coil_.ahead + t.sin * side_;
+                    const Vec3 way = t.cos * side_ - t.sin * coil_.ahead;
                     const Vec3 outward = out * way - off * up;
                     const Vec3 at = w_ + coil_.reach * up +
                                     (coil_.lead * at_degrees * kRadiansPerDegree) * coil_.axis +
                                     coil_.radius * outward;
-                    const Vec3 normal =
-                        (0.5 * width * kRadiansPerDegree * kWeights[k] * coil_.radius) *
-                        cross(cross(coil_.axis, outward),
-                              coil_.reach * way + coil_.lead * coil_.axis);
-                    const bool is_back = (width < 0.0) != (coil_.lead < 0.0);
-                    sum.area += is_back ? -norm(normal) : norm(normal);
-                    sum.volume += dot(at, normal);
-                    sum.moment = sum.moment + dot(at, normal) * at;
+                    const Vec3 normal = coil_.lead * outward - (out * coil_.reach) * coil_.axis;
+                    sum = sum + (0.5 * width * kRadiansPerDegree * kWeights[k] * coil_.radius *
+                                 dot(at, normal)) *
+                                    at;
                 }
             }
         }
@@ -283,8 +333,12 @@ public:
     }
 
 private:
+    double across(const CoilPlace& place) const {
+        return dot(place.out, cross(coil_.axis, place.way));
+    }
+
     Coil coil_;
-    Vec3 w_;
+    Vec3 side_, w_;
 };
 
 // Over the angle of the way, between edges; over the height, from that of the centre.
@@ -293,12 +347,12 @@ public:
     OnSpiral(const Spiral& spiral, Vec3 apex) : spiral_(spiral), w_(spiral.centre - apex) {}
 
     // As on a dome.
-    using Sum = OnDome::Sum;
-    Sum below(const SpiralPlace& place) const {
-        const Vec3 start = w_ + (place.way - spiral_.centre) + spiral_.offset * place.out;
+    Below below(const SpiralPlace& place) const {
         const double area = place.speed * place.height;
-        const double volume = area * dot(start, place.out);
-        return {area, volume, volume * (start + (0.5 * place.height) * spiral_.axis)};
+        return {area, area * dot(start_of(place), place.out)};
+    }
+    Vec3 moment(const SpiralPlace& place) const {
+        return below(place).volume * (start_of(place) + (0.5 * place.height) * spiral_.axis);
     }
 
     // The angle that a step on the surface makes.
@@ -307,6 +361,10 @@ public:
     }
 
 private:
+    Vec3 start_of(const SpiralPlace& place) const {
+        return w_ + (place.way - spiral_.centre) + spiral_.offset * place.out;
+    }
+
     Spiral spiral_;
     Vec3 w_;
 };
@@ -339,7 +397,7 @@ template <typename Form, typename On>
 Vec3 moment_of_moved(const Part& part, const Face& face, const Form& form, const On& on) {
     Vec3 sum;
     for_moved(part, face, form, on, [&](double, double turned, const auto& place) {
-        sum = sum - turned * on.below(place).moment;
+        sum = sum - turned * on.moment(place);
     });
     return sum;
 }
@@ -348,7 +406,7 @@ Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Ve
     Measure sum;
     Vec3 twice;
     for_edges(part, face, [&](const Track& track, double sign) {
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+        integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
             sum.length += weight * norm(derivative);
             twice = twice + (sign * weight) * cross(at - plane.origin, derivative);
         });
@@ -361,29 +419,43 @@ Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Ve
 // --- Middles --------------------------------------------------------------------------------
 
 // The integral of w (w n) over a face, w from `apex`, n the form's normal: four times what the cone
-// over it has of volume times middle. Over the second parameter by Gauss, which is exact for
-// cylinders and cones.
+// over it has of volume times middle. Over the second parameter by Gauss.
 struct Profile {
     double radius, height;  // of the point
     double out, up;         // of the normal
     double per;             // area for each radian and unit of the parameter
 };
 
+Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) {
+    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
+    const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
+    const Vec3 n = f.out * away + f.up * axes.z;
+    return (f.per * dot(w, n)) * w;
+}
+
+// Upright, w (w n) grows evenly with the height, on cones with its cube: two points tell it.
 template <typename At>
-Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
+Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
+    constexpr double kAbscissa = 0.5773502691896258;  // of degree 3
+    Vec3 sum;
+    for (const double sign : {-1.0, 1.0})
+        sum =
+            sum + 0.5 * p.z * across_face(axes, apex, p, at(0.5 * (1.0 + sign * kAbscissa) * p.z));
+    return sum;
+}
+
+template <typename At>
+Vec3 around_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
                  const At& at) {
     Vec3 sum;
-    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
     const double width = (to - from) / pieces;
     for (int i = 0; i < pieces; ++i) {
         const double middle = from + (i + 0.5) * width;
         for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-            for (const double sign : {-1.0, 1.0}) {
-                const Profile f = at(middle + sign * 0.5 * width * kAbscissae[k]);
-                const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
-                const Vec3 n = f.out * away + f.up * axes.z;
-                sum = sum + (0.5 * width * kWeights[k] * f.per * dot(w, n)) * w;
-            }
+            for (const double sign : {-1.0, 1.0})
+                sum = sum + 0.5 * width * kWeights[k] *
+                                across_face(axes, apex, p,
+                                            at(middle + sign * 0.5 * width * kAbscissae[k]));
         }
     }
     return sum;
@@ -408,7 +480,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
         Vec3 sum;  // of w, over the face
         for_edges(part, face, [&](const Track& track, double sign) {
-            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
                 const Vec3 v = at - f->origin;
                 const double twice = sign * weight * dot(cross(v, derivative), f->normal);
                 sum = sum + twice * (0.5 * (f->origin - apex) + (1.0 / 3.0) * v);
@@ -420,7 +492,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
         const Axes axes(f->origin, face.frame);
         return quarter(around_axis(part, face, axes, [&](const Local& p) {
-            return across_face(axes, apex, p, 0.0, p.z, 1, [&](double h) {
+            return up_face(axes, apex, p, [&](double h) {
                 return Profile{f->radius, h, 1.0, 0.0, f->radius};
             });
         }));
@@ -429,7 +501,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const Axes axes(f->apex, face.frame);
         const double slant = std::sqrt(1.0 + f->slope * f->slope);
         return quarter(around_axis(part, face, axes, [&](const Local& p) {
-            return across_face(axes, apex, p, 0.0, p.z, 1, [&](double h) {
+            return up_face(axes, apex, p, [&](double h) {
                 return Profile{f->slope * h, h, 1.0 / slant, -f->slope / slant,
                                f->slope * h * slant};
             });
@@ -446,7 +518,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
         return quarter(around_axis(part, face, axes, [&](const Local& p) {
             const double to = trig::angle_of(p.away, p.z);
-            return across_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 4,
+            return around_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
                                [&](double angle) { return round(0.0, f->radius, angle); });
         }));
     }
@@ -471,7 +543,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     return quarter(around_axis(part, face, axes, [&](const Local& p) {
         double to = trig::angle_of(p.away - f.major, p.z);
         if (to < cut) to += 2.0 * kHalfTurn;
-        return across_face(axes, apex, p, cut, to, 6,
+        return around_face(axes, apex, p, cut, to, 4,
                            [&](double angle) { return round(f.major, f.minor, angle); });
     }));
 }
