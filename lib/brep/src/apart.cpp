@@ -5,6 +5,8 @@
 
 #include "none.h"
 #include "pinches.h"
+#include "spikes.h"
+#include "welds.h"
 
 #include <algorithm>
 #include <array>
@@ -191,119 +193,6 @@ private:
     std::vector<bool> is_flat_;
 };
 
-// Two straight edges one after the other, there and back, have nothing between them: they go, and
-// what is beyond them meets.
-class Spikes {
-public:
-    explicit Spikes(Part& part) : part_(part), faces_of_(part.edges.size()) {
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            for (const Loop& loop : part.faces[f].loops) {
-                for (const EdgeUse& use : loop)
-                    faces_of_[use.edge].push_back(f);
-            }
-            waiting_.push_back(f);
-        }
-    }
-
-    // True: something has gone.
-    bool take_out() {
-        bool any = false;
-        while (!waiting_.empty()) {
-            const std::uint32_t f = waiting_.back();
-            waiting_.pop_back();
-            while (take_one_out(f))
-                any = true;
-        }
-        return any;
-    }
-
-private:
-    bool take_one_out(std::uint32_t f) {
-        std::vector<Loop>& loops = part_.faces[f].loops;
-        for (std::size_t l = 0; l < loops.size(); ++l) {
-            for (std::size_t i = 0; i < loops[l].size(); ++i) {
-                const std::size_t next = (i + 1) % loops[l].size();
-                const EdgeUse there = loops[l][i], back = loops[l][next];
-                if (next == i || !are_spike(there, back)) continue;
-                Loop left;
-                for (std::size_t k = 0; k < loops[l].size(); ++k) {
-                    if (k != i && k != next) left.push_back(loops[l][k]);
-                }
-                loops[l] = left;
-                drop_if_empty(loops, l);
-                if (there.edge != back.edge) join(f, there, back);
-                return true;
-            }
-        }
-        return false;
-    }
-
-    static void drop_if_empty(std::vector<Loop>& loops, std::size_t l) {
-        if (loops[l].empty() && loops.size() > 1)
-            loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
-    }
-
-    bool are_spike(const EdgeUse& there, const EdgeUse& back) const {
-        const Edge &a = part_.edges[there.edge], &b = part_.edges[back.edge];
-        return std::holds_alternative<Line>(a.curve) && std::holds_alternative<Line>(b.curve) &&
-               (there.is_forward ? a.from : a.to) == (back.is_forward ? b.to : b.from) &&
-               (there.is_forward ? a.to : a.from) == (back.is_forward ? b.from : b.to);
-    }
-
-    // Who had `back` has `there`, against whom had that.
-    void join(std::uint32_t f, const EdgeUse& there, const EdgeUse& back) {
-        std::erase(faces_of_[there.edge], f);
-        std::erase(faces_of_[back.edge], f);
-        for (const std::uint32_t other : faces_of_[back.edge]) {
-            for (Loop& loop : part_.faces[other].loops) {
-                for (EdgeUse& use : loop) {
-                    if (use.edge == back.edge) use = there;
-                }
-            }
-            faces_of_[there.edge].push_back(other);
-        }
-        faces_of_[back.edge].clear();
-        const Numbers& beside = faces_of_[there.edge];
-        waiting_.insert(waiting_.end(), beside.begin(), beside.end());
-        if (beside.size() == 2 && beside[0] == beside[1]) join_over(beside[0], there.edge);
-    }
-
-    // A plane on both sides of the edge: two loops that have it become one, one becomes two.
-    void join_over(std::uint32_t f, std::uint32_t edge) {
-        if (!std::holds_alternative<Plane>(part_.faces[f].surface.form)) return;
-        std::vector<Loop>& loops = part_.faces[f].loops;
-        std::vector<std::array<std::size_t, 2>> uses;
-        for (std::size_t l = 0; l < loops.size(); ++l) {
-            for (std::size_t i = 0; i < loops[l].size(); ++i) {
-                if (loops[l][i].edge == edge) uses.push_back({l, i});
-            }
-        }
-        if (uses.size() != 2) return;
-        const auto [first, second] = std::pair(uses[0], uses[1]);
-        Loop& one = loops[first[0]];
-        std::ranges::rotate(one, one.begin() + static_cast<std::ptrdiff_t>(first[1]));
-        if (first[0] != second[0]) {
-            Loop& other = loops[second[0]];
-            std::ranges::rotate(other, other.begin() + static_cast<std::ptrdiff_t>(second[1]));
-            one.insert(one.end(), other.begin() + 1, other.end());
-            one.erase(one.begin());
-            other.clear();
-            drop_if_empty(loops, second[0]);
-            return;
-        }
-        const auto at = one.begin() + static_cast<std::ptrdiff_t>(second[1] - first[1]);
-        Loop rest(at + 1, one.end());
-        one.erase(at, one.end());
-        one.erase(one.begin());
-        if (!rest.empty()) loops.push_back(std::move(rest));
-        drop_if_empty(loops, first[0]);
-    }
-
-    Part& part_;
-    std::vector<Numbers> faces_of_;  // of each edge
-    Numbers waiting_;
-};
-
 // Holes that are nowhere larger than kLeast become points: a corner that pokes through a face by
 // less than readers can tell does not.
 class Pinholes {
@@ -426,30 +315,33 @@ void drop_empty(Part& part, Numbers& was) {
         renumber(solid.outside);
         for (Shell& shell : solid.voids)
             renumber(shell);
+        std::erase_if(solid.voids, &Shell::empty);
     }
     std::erase_if(part.faces, is_empty);
     was.resize(count);
 }
 
-void take_out_spikes(Part& part, Numbers& was) {
-    if (Spikes(part).take_out()) drop_empty(part, was);
-}
-
-void contract_short_edges(Part& part, Numbers& was) {
+// True: some have gone.
+bool contract_short_edges(Part& part) {
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
         const double length = length_of(part, part.edges[e]);
         if (length < kLeast) low.emplace_back(length, e);
     }
-    if (low.empty()) return;
+    if (low.empty()) return false;
     std::sort(low.begin(), low.end());
     Contraction contraction(part);
+    bool any = false;
     // What hung together by an edge may do so no longer when those around it have gone.
     while (std::erase_if(low, [&](const auto& edge) { return contraction.contract(edge.second); }) >
-           0) {
-    }
-    Spikes(part).take_out();
-    drop_empty(part, was);
+           0)
+        any = true;
+    return any;
+}
+
+// Those that stay, for what is beside them is not flat.
+void lengthen_short_edges(Part& part) {
+    const Contraction contraction(part);
     // One may bring another one's ends nearer.
     constexpr int kPasses = 3;
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -465,7 +357,8 @@ void contract_short_edges(Part& part, Numbers& was) {
 }
 
 // Two planes with all their edges in common have nothing between them.
-void empty_flat_pockets(Part& part) {
+bool empty_flat_pockets(Part& part) {
+    bool any = false;
     std::vector<Numbers> faces_of(part.edges.size());
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         for (const Loop& loop : part.faces[f].loops) {
@@ -491,36 +384,54 @@ void empty_flat_pockets(Part& part) {
         if (!are_one) continue;
         face.loops.front().clear();
         other.loops.front().clear();
+        any = true;
     }
+    return any;
 }
 
-// Of these faces.
-void part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Numbers& was) {
-    const bool any = join_touching_corners(part, faces, near_mm);
-    for (const std::uint32_t f : part_pinched_faces(part))
+// Of these faces. True: something has changed.
+bool part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Numbers& was) {
+    bool any = join_touching_corners(part, faces, near_mm);
+    // What runs there and back may not be shared out between the loops that a pinched one becomes.
+    any = take_out_spikes(part) || any;
+    drop_empty(part, was);
+    for (const std::uint32_t f : part_pinched_faces(part)) {
         was.push_back(was[f]);
-    Spikes(part).take_out();
+        any = true;
+    }
+    any = take_out_spikes(part) || any;
+    any = empty_flat_pockets(part) || any;
     drop_empty(part, was);
-    if (!any) return;
-    empty_flat_pockets(part);
-    drop_empty(part, was);
+    return any;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> keep_apart(Part& part) {
-    Numbers was(part.faces.size());
+    Numbers was(part.faces.size()), faces;
     std::iota(was.begin(), was.end(), 0U);
-    take_out_spikes(part, was);
-    Pinholes(part).close();
-    contract_short_edges(part, was);
-    Numbers faces(part.faces.size());
-    std::iota(faces.begin(), faces.end(), 0U);
-    part_where_they_touch(part, faces, kLeast, was);
-    // Simplified polyhedra are flat within that.
-    constexpr double kFlat = 1e-4;
-    if (const Numbers crossed = crossed_planes(part); !crossed.empty())
-        part_where_they_touch(part, crossed, kFlat, was);
+    // Each step may make room for another one.
+    constexpr int kMostRounds = 10;
+    for (int round = 0; round < kMostRounds; ++round) {
+        take_out_spikes(part);
+        drop_empty(part, was);
+        Pinholes(part).close();
+        contract_short_edges(part);
+        take_out_spikes(part);
+        drop_empty(part, was);
+        lengthen_short_edges(part);
+        faces.resize(part.faces.size());
+        std::iota(faces.begin(), faces.end(), 0U);
+        part_where_they_touch(part, faces, kLeast, was);
+        Numbers crossed = crossed_planes(part);
+        if (crossed.empty()) break;
+        // Simplified polyhedra are flat within that.
+        constexpr double kFlat = 1e-4;
+        if (part_where_they_touch(part, crossed, kFlat, was)) crossed = crossed_planes(part);
+        // Those that were made longer, too.
+        const bool is_last = round + 1 == kMostRounds;
+        if (is_last || !weld_short_edges(part, crossed, 1.5 * kLeast)) break;
+    }
     return was;
 }
 

@@ -260,6 +260,16 @@ std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
     return parts;
 }
 
+// Are its loops another outline than the first, or does that not go round?
+bool has_other_outline(const Part& part, const Face& face) {
+    if (face.loops.size() < 2) return false;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        const double area = measure(part, with(face, {face.loops[l]}), face.frame.origin).area;
+        if ((area > 0.0) != (l == 0)) return true;
+    }
+    return false;
+}
+
 bool is_straight(const Part& part, const Face& face) {
     return std::ranges::all_of(face.loops, [&](const Loop& loop) {
         return std::ranges::all_of(loop, [&](const EdgeUse& use) {
@@ -343,7 +353,8 @@ std::vector<std::uint32_t> part_pinched_faces(Part& part) {
     const auto count = static_cast<std::uint32_t>(part.faces.size());
     const auto is_pinched = [&](const Loop& loop) { return comes_back(part, loop); };
     for (std::uint32_t f = 0; f < count; ++f) {
-        if (!is_plane(part.faces[f]) || std::ranges::none_of(part.faces[f].loops, is_pinched))
+        if (!is_plane(part.faces[f]) || (std::ranges::none_of(part.faces[f].loops, is_pinched) &&
+                                         !has_other_outline(part, part.faces[f])))
             continue;
         std::vector<std::vector<Loop>> parts = parts_of(part, part.faces[f]);
         for (std::size_t i = 0; i < parts.size(); ++i) {
