@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -356,9 +357,7 @@ void lengthen_short_edges(Part& part) {
     }
 }
 
-// Two planes with all their edges in common have nothing between them.
-bool empty_flat_pockets(Part& part) {
-    bool any = false;
+std::vector<Numbers> faces_of_edges(const Part& part) {
     std::vector<Numbers> faces_of(part.edges.size());
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         for (const Loop& loop : part.faces[f].loops) {
@@ -366,25 +365,48 @@ bool empty_flat_pockets(Part& part) {
                 faces_of[use.edge].push_back(f);
         }
     }
-    const auto is_plain = [](const Face& face) {
-        return face.loops.size() == 1 && std::holds_alternative<Plane>(face.surface.form);
+    return faces_of;
+}
+
+// Is the other side of all edges of the loop, which are straight, a plane with no other edges?
+std::optional<std::uint32_t> lid_of(const Part& part, const std::vector<Numbers>& faces_of,
+                                    std::uint32_t f, const Loop& loop) {
+    if (loop.empty()) return std::nullopt;
+    const Numbers both = faces_of[loop.front().edge];
+    if (both.size() != 2 || both[0] == both[1]) return std::nullopt;
+    const std::uint32_t lid = both[0] == f ? both[1] : both[0];
+    const Face& face = part.faces[lid];
+    const bool is_lid = std::holds_alternative<Plane>(face.surface.form) &&
+                        face.loops.size() == 1 && face.loops.front().size() == loop.size() &&
+                        std::ranges::all_of(loop, [&](const EdgeUse& use) {
+                            return std::holds_alternative<Line>(part.edges[use.edge].curve) &&
+                                   faces_of[use.edge] == both;
+                        });
+    return is_lid ? std::optional(lid) : std::nullopt;
+}
+
+// Two planes with all their edges in common have nothing between them. Nor has a plane that is
+// crossed, between a hole that is not in it and what closes that.
+bool empty_flat_pockets(Part& part, const Numbers& crossed) {
+    bool any = false;
+    const std::vector<Numbers> faces_of = faces_of_edges(part);
+    const auto empty = [&](std::uint32_t f, std::size_t l) {
+        Face& face = part.faces[f];
+        if (!std::holds_alternative<Plane>(face.surface.form)) return;
+        const auto lid = lid_of(part, faces_of, f, face.loops[l]);
+        if (!lid) return;
+        face.loops[l].clear();
+        part.faces[*lid].loops.front().clear();
+        any = true;
     };
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        Face& face = part.faces[f];
-        if (!is_plain(face) || face.loops.front().empty()) continue;
-        const Numbers& both = faces_of[face.loops.front().front().edge];
-        if (both.size() != 2 || both[0] == both[1]) continue;
-        Face& other = part.faces[both[0] == f ? both[1] : both[0]];
-        const bool are_one = is_plain(other) &&
-                             other.loops.front().size() == face.loops.front().size() &&
-                             std::ranges::all_of(face.loops.front(), [&](const EdgeUse& use) {
-                                 return std::holds_alternative<Line>(part.edges[use.edge].curve) &&
-                                        faces_of[use.edge] == both;
-                             });
-        if (!are_one) continue;
-        face.loops.front().clear();
-        other.loops.front().clear();
-        any = true;
+        if (part.faces[f].loops.size() == 1) empty(f, 0);
+    }
+    for (const std::uint32_t f : crossed) {
+        std::vector<Loop>& loops = part.faces[f].loops;
+        for (std::size_t l = 1; l < loops.size(); ++l)
+            empty(f, l);
+        if (loops.size() > 1) std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
     }
     return any;
 }
@@ -400,7 +422,7 @@ bool part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Num
         any = true;
     }
     any = take_out_spikes(part) || any;
-    any = empty_flat_pockets(part) || any;
+    any = empty_flat_pockets(part, {}) || any;
     drop_empty(part, was);
     return any;
 }
@@ -428,9 +450,14 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
         // Simplified polyhedra are flat within that.
         constexpr double kFlat = 1e-4;
         if (part_where_they_touch(part, crossed, kFlat, was)) crossed = crossed_planes(part);
+        const bool had_pockets = empty_flat_pockets(part, crossed);
+        if (had_pockets) {
+            drop_empty(part, was);
+            crossed = crossed_planes(part);
+        }
         // Those that were made longer, too.
         const bool is_last = round + 1 == kMostRounds;
-        if (is_last || !weld_short_edges(part, crossed, 1.5 * kLeast)) break;
+        if (is_last || !(weld_short_edges(part, crossed, 1.5 * kLeast) || had_pockets)) break;
     }
     return was;
 }

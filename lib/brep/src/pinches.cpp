@@ -61,11 +61,9 @@ public:
         for (const std::uint32_t f : faces) {
             if (is_plane(part_.faces[f])) look_at(part_.faces[f]);
         }
-        for (auto& [edge, on] : on_) {
-            std::sort(on.begin(), on.end());
-            for (auto& at : on)
-                at.second = now(at.second);
-        }
+        for (auto& [edge, on] : on_)
+            become(on, now(part_.edges[edge].from), now(part_.edges[edge].to));
+        std::erase_if(on_, [](const auto& edge) { return edge.second.empty(); });
         for (Edge& edge : part_.edges) {
             edge.from = now(edge.from);
             edge.to = now(edge.to);
@@ -151,6 +149,18 @@ private:
         for (auto at = became_.find(v); at != became_.end(); at = became_.find(v))
             v = at->second;
         return v;
+    }
+
+    // What the corners on an edge with these ends have become, in order: some of them an end.
+    void become(std::vector<std::pair<double, std::uint32_t>>& on, std::uint32_t from,
+                std::uint32_t to) const {
+        std::sort(on.begin(), on.end());
+        for (auto& at : on)
+            at.second = now(at.second);
+        std::erase_if(
+            on, [&](const auto& at) { return from == to || at.second == from || at.second == to; });
+        const auto again = std::ranges::unique(on, {}, [](const auto& at) { return at.second; });
+        on.erase(again.begin(), again.end());
     }
 
     // Edges of other faces both ends of which have become one.
