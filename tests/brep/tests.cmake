@@ -11,7 +11,8 @@ ncsim_add_test(brep
     random_parts.cpp
     section_test.cpp
     solids.cpp
-    surface_test.cpp)
+    surface_test.cpp
+    tilted_parts.cpp)
 
 # OpenCASCADE judges them, too (export/tests.cmake has its reader).
 set(solids ${CMAKE_CURRENT_BINARY_DIR}/brep/solids)
@@ -61,7 +62,7 @@ set_tests_properties(brep.tilted_parts_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_tilted)
 set(tilted_facets ${CMAKE_CURRENT_BINARY_DIR}/brep/tilted_facets)
 add_test(NAME brep.write_tilted_facets COMMAND ncsim_brep_random ${tilted_facets} --faceted
-  --seeds 3000009 3000010 3000078 3000082)
+  --seeds 3000009 3000010 3000078 3000082 3000132)
 set_tests_properties(brep.write_tilted_facets PROPERTIES FIXTURES_SETUP brep_tilted_facets)
 add_test(NAME brep.tilted_facets_are_read_by_opencascade COMMAND ncsim_read_step ${tilted_facets})
 set_tests_properties(brep.tilted_facets_are_read_by_opencascade PROPERTIES

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brep/tilted_parts.h"
 
+#include "ncsim/machine/presets.h"
+#include "ncsim/setup/job.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -144,6 +147,17 @@ private:
 
 TiltedPart tilted_part(std::uint64_t seed) {
     return TiltedWriter(seed).write();
+}
+
+simulation::Plan plan_of(const TiltedPart& part, const std::string& name) {
+    simulation::Plan plan;
+    plan.job = setup::job_of({name, part.program});
+    plan.keep_boundary = true;
+    plan.kinematics.emplace();
+    plan.kinematics->chain = *machine::preset(part.machine);
+    plan.job.interpreter.tip_control.by_length_word = true;
+    plan.job.interpreter.tip_control.frame_at_zero = true;
+    return plan;
 }
 
 }  // namespace ncsim::brep::test

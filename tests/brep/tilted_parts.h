@@ -4,6 +4,8 @@
 // tables that were indexed, on machines that somebody told.
 #pragma once
 
+#include "ncsim/simulation/plan.h"
+
 #include <cstdint>
 #include <string>
 
@@ -16,5 +18,8 @@ struct TiltedPart {
 
 /// Always the same for a seed.
 TiltedPart tilted_part(std::uint64_t seed);
+
+/// To cut it on its machine, with the boundary kept.
+simulation::Plan plan_of(const TiltedPart& part, const std::string& name);
 
 }  // namespace ncsim::brep::test

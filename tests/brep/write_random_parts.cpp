@@ -7,7 +7,6 @@
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
-#include "ncsim/machine/presets.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
@@ -35,23 +34,20 @@ constexpr std::uint64_t kTilted = 3'000'000;
 
 // The program of a seed, on its machine.
 simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) {
-    TiltedPart part;
+    const std::string name = stem.filename().string() + ".nc";
+    std::ofstream out(stem.string() + ".nc");
     if (seed >= kTilted) {
-        part = tilted_part(seed);
-    } else {
-        part.program = random_part(seed);
+        const TiltedPart part = tilted_part(seed);
+        out << part.program;
+        std::ofstream(stem.string() + ".toml")
+            << "preset = \"" << part.machine << "\"\ncontrol = { tip_frame = \"table\" }\n";
+        return plan_of(part, name);
     }
-    std::ofstream(stem.string() + ".nc") << part.program;
+    const std::string program = random_part(seed);
+    out << program;
     simulation::Plan plan;
-    plan.job = setup::job_of({stem.filename().string() + ".nc", part.program});
+    plan.job = setup::job_of({name, program});
     plan.keep_boundary = true;
-    if (part.machine.empty()) return plan;
-    std::ofstream(stem.string() + ".toml")
-        << "preset = \"" << part.machine << "\"\ncontrol = { tip_frame = \"table\" }\n";
-    plan.kinematics.emplace();
-    plan.kinematics->chain = *machine::preset(part.machine);
-    plan.job.interpreter.tip_control.by_length_word = true;
-    plan.job.interpreter.tip_control.frame_at_zero = true;
     return plan;
 }
 

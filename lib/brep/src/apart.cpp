@@ -368,45 +368,65 @@ std::vector<Numbers> faces_of_edges(const Part& part) {
     return faces_of;
 }
 
-// Is the other side of all edges of the loop, which are straight, a plane with no other edges?
-std::optional<std::uint32_t> lid_of(const Part& part, const std::vector<Numbers>& faces_of,
-                                    std::uint32_t f, const Loop& loop) {
+// The loop of a plane that has the same edges, which are straight, as this loop.
+struct OtherSide {
+    std::uint32_t face;
+    std::size_t loop;
+};
+
+std::optional<OtherSide> other_side_of(const Part& part, const std::vector<Numbers>& faces_of,
+                                       std::uint32_t f, const Loop& loop) {
     if (loop.empty()) return std::nullopt;
     const Numbers both = faces_of[loop.front().edge];
     if (both.size() != 2 || both[0] == both[1]) return std::nullopt;
-    const std::uint32_t lid = both[0] == f ? both[1] : both[0];
-    const Face& face = part.faces[lid];
-    const bool is_lid = std::holds_alternative<Plane>(face.surface.form) &&
-                        face.loops.size() == 1 && face.loops.front().size() == loop.size() &&
-                        std::ranges::all_of(loop, [&](const EdgeUse& use) {
-                            return std::holds_alternative<Line>(part.edges[use.edge].curve) &&
-                                   faces_of[use.edge] == both;
-                        });
-    return is_lid ? std::optional(lid) : std::nullopt;
+    const std::uint32_t other = both[0] == f ? both[1] : both[0];
+    const Face& face = part.faces[other];
+    if (!std::holds_alternative<Plane>(face.surface.form)) return std::nullopt;
+    const auto has = [](const Loop& in, std::uint32_t edge) {
+        return std::ranges::find(in, edge, &EdgeUse::edge) != in.end();
+    };
+    const auto same =
+        std::ranges::find_if(face.loops, [&](const Loop& l) { return has(l, loop.front().edge); });
+    const bool is_same =
+        same != face.loops.end() && same->size() == loop.size() &&
+        std::ranges::all_of(loop, [&](const EdgeUse& use) {
+            return std::holds_alternative<Line>(part.edges[use.edge].curve) && has(*same, use.edge);
+        });
+    if (!is_same) return std::nullopt;
+    return OtherSide{other, static_cast<std::size_t>(same - face.loops.begin())};
 }
 
-// Two planes with all their edges in common have nothing between them. Nor has a plane that is
-// crossed, between a hole that is not in it and what closes that.
+// Two planes with all their edges in common have nothing between them. Nor has one with a hole that
+// another one closes, if either is crossed: if the hole is not in it, or what closes it is no wider
+// than a line.
 bool empty_flat_pockets(Part& part, const Numbers& crossed) {
     bool any = false;
     const std::vector<Numbers> faces_of = faces_of_edges(part);
-    const auto empty = [&](std::uint32_t f, std::size_t l) {
+    const auto empty = [&](std::uint32_t f, std::size_t l, bool may_be_hole) {
         Face& face = part.faces[f];
         if (!std::holds_alternative<Plane>(face.surface.form)) return;
-        const auto lid = lid_of(part, faces_of, f, face.loops[l]);
-        if (!lid) return;
+        const auto other = other_side_of(part, faces_of, f, face.loops[l]);
+        if (!other) return;
+        Face& beyond = part.faces[other->face];
+        const bool are_whole = face.loops.size() == 1 && beyond.loops.size() == 1;
+        // Not the outlines of two that have holes.
+        const bool is_hole =
+            (l > 0 && beyond.loops.size() == 1) || (other->loop > 0 && face.loops.size() == 1);
+        if (!are_whole && !(may_be_hole && is_hole)) return;
         face.loops[l].clear();
-        part.faces[*lid].loops.front().clear();
+        beyond.loops[other->loop].clear();
         any = true;
     };
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        if (part.faces[f].loops.size() == 1) empty(f, 0);
+        if (part.faces[f].loops.size() == 1) empty(f, 0, false);
     }
     for (const std::uint32_t f : crossed) {
-        std::vector<Loop>& loops = part.faces[f].loops;
-        for (std::size_t l = 1; l < loops.size(); ++l)
-            empty(f, l);
-        if (loops.size() > 1) std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
+        for (std::size_t l = 0; l < part.faces[f].loops.size(); ++l)
+            empty(f, l, true);
+    }
+    for (Face& face : part.faces) {
+        if (any && face.loops.size() > 1)
+            std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
     }
     return any;
 }
@@ -455,9 +475,12 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
             drop_empty(part, was);
             crossed = crossed_planes(part);
         }
-        // Those that were made longer, too.
-        const bool is_last = round + 1 == kMostRounds;
-        if (is_last || !(weld_short_edges(part, crossed, 1.5 * kLeast) || had_pockets)) break;
+        if (round + 1 == kMostRounds) break;
+        // Those that were made longer, too; and where that is not enough, farther apart.
+        const bool has_welded = std::ranges::any_of(
+            std::array{1.5 * kLeast, 3.0 * kLeast, kFlat},
+            [&](double near_mm) { return weld_short_edges(part, crossed, near_mm); });
+        if (!has_welded && !had_pockets) break;
     }
     return was;
 }
