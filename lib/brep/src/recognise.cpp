@@ -23,6 +23,7 @@
 #include "known_faces.h"
 #include "nearly.h"
 #include "nesting.h"
+#include "pinches.h"
 #include "readable.h"
 
 #include <algorithm>
@@ -85,7 +86,9 @@ public:
             if (groups_.relabel(failures_, patience) || has_joined_) continue;
             if (!failures_.empty() || !has_the_volume()) return std::nullopt;
             const std::vector<bool> is_as_it_was = unmoved(part);
-            find_unsound_facets(part, keep_apart(part), is_as_it_was);
+            const std::vector<std::uint32_t> was = keep_apart(part);
+            find_unsound_facets(part, was, is_as_it_was);
+            find_crossed_planes(part, was);
             if (failures_.empty()) return part;
             if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
         }
@@ -375,6 +378,19 @@ private:
             double miss = 0.0;
             if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
                 failures_.push_back({{group_of_face_[was[f]]}});
+        }
+    }
+
+    // What readers find crossed, of what may still become facets.
+    void find_crossed_planes(const Part& part, const std::vector<std::uint32_t>& was) {
+        for (const std::uint32_t f : crossed_planes(part)) {
+            const std::uint32_t g = group_of_face_[was[f]];
+            std::vector<std::uint32_t> around{g};
+            for (const auto& [n, shared] : groups_.neighbours(g))
+                around.push_back(n);
+            const bool may_go = std::ranges::any_of(
+                around, [&](std::uint32_t n) { return groups_[n].is_analytic; });
+            if (may_go) failures_.push_back({std::move(around)});
         }
     }
 
