@@ -121,6 +121,10 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->centre, f->axis, f->ahead};
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
+        const Passage start = f->sweep->at(0.0);
+        return {start.tip, start.axis, across(start.axis)};
+    }
     const auto& plane = std::get<Plane>(face.surface.form);
     const EdgeUse& use = face.loops.front().front();
     const Edge& edge = part.edges[use.edge];

@@ -34,6 +34,14 @@ double turn_from(const FlatFace& face, const Surface& surface, double most) {
     return sum / corners;
 }
 
+// Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does.
+bool is_beyond_end(const Form& form, Vec3 p, double most) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return false;
+    const double t = place_on(*envelope, p).t;
+    return std::abs(t - std::clamp(t, 0.0, 1.0)) * envelope->sweep->length_mm() > most;
+}
+
 }  // namespace
 
 double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<const Vec3> points,
@@ -80,9 +88,12 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
         // A surface that the tool went along is preferred to one where it only stood.
         constexpr double kAtRest = 0.05;
         double score = 0.0;
+        if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid})) continue;
         const double slack =
             std::holds_alternative<Coil>(candidate.surface.form) ? kSlackOfCoils : kSlack;
-        if (!fits(face, candidate.surface, slack * error, most_turn, &score)) continue;
+        if (!fits(face, candidate.surface, slack * error, most_turn, &score) ||
+            is_beyond_end(candidate.surface.form, face.centroid, error))
+            continue;
         // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors.
         constexpr double kExact = -1.0;
         if (std::holds_alternative<Plane>(candidate.surface.form) &&

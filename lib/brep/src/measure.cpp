@@ -311,6 +311,79 @@ private:
     Vec3 w_;
 };
 
+// Over the time, between edges; around the way, from below the tool, by the angle of the normal,
+// which may turn fast where a ring goes nearly level: in pieces as small as it takes.
+class OnEnvelope {
+public:
+    OnEnvelope(const Envelope& envelope, Vec3 apex) : sweep_(*envelope.sweep), apex_(apex) {}
+
+    // As on a dome.
+    using Sum = OnDome::Sum;
+    Sum below(const Aspect& place) const {
+        constexpr double kBelow = 180.0;
+        constexpr int kDepth = 16;
+        const Around at = brep::around(sweep_, place.passage);
+        const double degrees = degrees_around(at, at.centre + place.normal);
+        const auto whole = piece(place, at, kBelow, degrees);
+        return in_pieces(place, at, kBelow, degrees, whole, kDepth);
+    }
+
+    // How much time a step on the surface takes, backwards.
+    static double turn(const Aspect& place, Vec3 step) {
+        return place.bend != 0.0 ? dot(place.drift, step) / place.bend : 0.0;
+    }
+
+private:
+    static Sum plus(const Sum& a, const Sum& b) {
+        return {a.area + b.area, a.volume + b.volume, a.moment + b.moment};
+    }
+
+    Sum in_pieces(const Aspect& place, const Around& at, double from, double to, const Sum& whole,
+                  int depth) const {
+        constexpr double kSame = 1e-11;
+        const double middle = 0.5 * (from + to);
+        const Sum first = piece(place, at, from, middle), second = piece(place, at, middle, to);
+        const Sum sum = plus(first, second);
+        if (depth == 0 || std::abs(sum.area - whole.area) <= kSame * std::abs(sum.area)) return sum;
+        return plus(in_pieces(place, at, from, middle, first, depth - 1),
+                    in_pieces(place, at, middle, to, second, depth - 1));
+    }
+
+    Sum piece(const Aspect& place, const Around& at, double from, double to) const {
+        const double ring = sweep_.fillet().ring, radius = sweep_.fillet().radius;
+        const double width = to - from;
+        Sum sum;
+        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+            for (const double sign : {-1.0, 1.0}) {
+                const auto angle = trig::sin_cos(from + 0.5 * (1.0 + sign * kAbscissae[k]) * width);
+                const Vec3 n = angle.cos * at.up + angle.sin * at.side;
+                const Vec3 on = angle.cos * at.side - angle.sin * at.up;
+                Vec3 pace = radius * on;  // of the point, for each radian
+                Vec3 p = at.centre + radius * n;
+                if (ring > 0.0) {
+                    const Vec3 axis = place.passage.axis;
+                    const Vec3 level = n - dot(n, axis) * axis;
+                    const double length = norm(level);
+                    const Vec3 round = (1.0 / length) * cross(axis, level);
+                    pace = pace + (ring * dot(on, round) / length) * round;
+                    p = p + (ring / length) * level;
+                }
+                const Aspect there = aspect_at(sweep_, place.passage, p);
+                const double ahead = there.bend / norm(there.drift);
+                const double area =
+                    0.5 * width * kRadiansPerDegree * kWeights[k] * norm(pace) * ahead;
+                const Vec3 w = p - apex_;
+                const double volume = area * dot(w, n);
+                sum = plus(sum, {area, volume, volume * w});
+            }
+        }
+        return sum;
+    }
+
+    const Sweep& sweep_;
+    Vec3 apex_;
+};
+
 template <typename Form, typename On, typename Take>
 void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
                const Take& take) {
@@ -465,6 +538,8 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnEnvelope(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -540,6 +615,8 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
         return measure_moved(part, face, *f, OnCoil(*f, apex));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return measure_moved(part, face, *f, OnSpiral(*f, apex));
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form))
+        return measure_moved(part, face, *f, OnEnvelope(*f, apex));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

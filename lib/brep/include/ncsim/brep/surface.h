@@ -3,6 +3,7 @@
 // The surfaces that a round tool leaves on a part: what CAD knows as such. mm, frame W.
 #pragma once
 
+#include "ncsim/brep/envelope.h"
 #include "ncsim/cda/vec.h"
 
 #include <array>
@@ -10,8 +11,6 @@
 #include <variant>
 
 namespace ncsim::brep {
-
-using cda::Vec3;
 
 struct Plane {
     Vec3 origin, normal;  ///< Any point of it; unit.
@@ -89,8 +88,8 @@ struct Helicoid {
     bool operator==(const Helicoid&) const = default;
 };
 
-using Form =
-    std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Spiral, Helicoid>;
+using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Spiral,
+                          Envelope, Helicoid, Characteristic, Trail>;
 
 /// A form, and on which side of it the material is.
 struct Surface {
@@ -112,8 +111,9 @@ Vec3 outward(const Surface& surface, Vec3 p);
 bool is_same(const Surface& a, const Surface& b, double tolerance_mm);
 
 /// What forms are called, by their index; of those that faces may lie on.
-inline constexpr std::array<std::string_view, 9> kForms{
-    "plane", "cylinder", "cone", "sphere", "torus", "extrusion", "dome", "coil", "spiral"};
+inline constexpr std::array<std::string_view, 10> kForms{"plane",  "cylinder",  "cone", "sphere",
+                                                         "torus",  "extrusion", "dome", "coil",
+                                                         "spiral", "envelope"};
 /// The largest radius of curvature; 0 for planes, and for cones, which have any.
 double radius_of(const Form& form);
 
