@@ -157,7 +157,7 @@ TEST(Features, ABossAndABar) {
 // The floor of a helix is no surface that is known here: it is told, and nothing is made of it.
 TEST(Features, FacetsAreCountedAndNotMeasured) {
     const Features f =
-        measured("ramp", "T3 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG2 X60 Y30 I20 J0 Z-6\nG0 Z5\n");
+        measured("ramp", "T5 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG2 X60 Y30 I20 J0 Z-4\nG0 Z5\n");
     EXPECT_GT(f.facets, 0U);
     EXPECT_GT(f.facet_area, 10.0);
     for (const Floor& floor : f.floors)

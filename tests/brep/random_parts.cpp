@@ -13,7 +13,8 @@ namespace {
 
 class Writer {
 public:
-    explicit Writer(std::uint64_t seed) : random_(seed), has_helices_(seed >= kWithHelices) {}
+    explicit Writer(std::uint64_t seed)
+        : random_(seed), has_helices_(seed >= kWithHelices), has_slopes_(seed >= kWithSlopes) {}
 
     std::string write() {
         text_ =
@@ -24,7 +25,7 @@ public:
             "(STOCK/BLOCK,80.,60.,15.,0.,0.,15.)\nG21 G90 G17\n";
         // Of some programs numbers are round, so that much coincides.
         grid_ = pick(0, 2) == 0 ? 1 : pick(0, 1) == 0 ? 500 : 5000;
-        const int operations = pick(2, 9);
+        const int operations = has_slopes_ ? pick(1, 4) : pick(2, 9);
         for (int i = 0; i < operations; ++i)
             operation();
         return text_ + "M30\n";
@@ -42,10 +43,10 @@ private:
     void line(const std::string& text) { text_ += text + "\n"; }
 
     void operation() {
-        const int tool = has_helices_ ? pick(1, 2) : pick(1, 7);
+        const int tool = has_slopes_ ? pick(2, 4) : has_helices_ ? pick(1, 2) : pick(1, 7);
         line(fmt::format("T{} M6 S5000 M3", tool));
         x_ = length(0, 80), y_ = length(0, 60);
-        is_ramp_ = pick(0, 2) == 0;
+        is_ramp_ = has_slopes_ || pick(0, 2) == 0;
         const double depth = tool == 5 ? length(1, 4) : tool > 5 ? length(2, 20) : length(1, 8);
         line(fmt::format("G0 X{:.3f} Y{:.3f} Z5", x_, y_));
         line(fmt::format("G1 Z{:.3f} F300", -depth));
@@ -95,7 +96,7 @@ private:
 
     std::mt19937_64 random_;
     std::string text_;
-    bool has_helices_;
+    bool has_helices_, has_slopes_;
     int grid_ = 1;  // µm
     double x_ = 0.0, y_ = 0.0, z_ = 0.0;
     bool is_ramp_ = false;  // straight moves go up and down
@@ -147,7 +148,7 @@ private:
 }  // namespace
 
 std::string random_part(std::uint64_t seed) {
-    return seed >= kRasters ? Raster(seed).write() : Writer(seed).write();
+    return seed >= kRasters && seed < kWithSlopes ? Raster(seed).write() : Writer(seed).write();
 }
 
 }  // namespace ncsim::brep::test

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Programs at random of what most programs are made of: level lines, flat arcs and holes, by end
-// mills, balls, bull noses, V-cutters and drills; some of helices by end mills; and some that
-// finish waves with a ball.
+// mills, balls, bull noses, V-cutters and drills; some of helices by end mills; some that finish
+// waves with a ball; and some of slopes and helices by balls and bull noses.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,8 @@ namespace ncsim::brep::test {
 inline constexpr std::uint64_t kWithHelices = 1'000'000;
 /// And from here on of finishing by a ball in rows.
 inline constexpr std::uint64_t kRasters = 2'000'000;
+/// And from here on of the three kinds of end mills, lines and arcs up and down.
+inline constexpr std::uint64_t kWithSlopes = 3'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.
 std::string random_part(std::uint64_t seed);

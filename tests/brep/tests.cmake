@@ -4,6 +4,7 @@ ncsim_add_test(brep
   SOURCES
     apart_test.cpp
     check_test.cpp
+    envelope_test.cpp
     features_test.cpp
     golden_test.cpp
     made_part.cpp
@@ -44,6 +45,14 @@ set_tests_properties(brep.write_parts_with_helices PROPERTIES FIXTURES_SETUP bre
 add_test(NAME brep.parts_with_helices_are_read_by_opencascade COMMAND ncsim_read_step ${helices})
 set_tests_properties(brep.parts_with_helices_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_helices)
+
+# Of slopes and helices by balls and bull noses.
+set(slopes ${CMAKE_CURRENT_BINARY_DIR}/brep/slopes)
+add_test(NAME brep.write_parts_with_slopes COMMAND ncsim_brep_random ${slopes} 12 3000000)
+set_tests_properties(brep.write_parts_with_slopes PROPERTIES FIXTURES_SETUP brep_slopes)
+add_test(NAME brep.parts_with_slopes_are_read_by_opencascade COMMAND ncsim_read_step ${slopes})
+set_tests_properties(brep.parts_with_slopes_are_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_slopes)
 
 # And of finishing by a ball.
 set(rasters ${CMAKE_CURRENT_BINARY_DIR}/brep/rasters)

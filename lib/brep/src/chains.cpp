@@ -251,7 +251,9 @@ void Chains::solve_chain(Chain& chain) {
         // Where they touch, what crosses both tells where.
         const std::optional<Form> touching = touch(a, b);
         const Form& second = touching ? *touching : b;
-        const Form& first = std::holds_alternative<Coil>(a) && touching ? b : a;
+        const bool is_moved =
+            std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);
+        const Form& first = is_moved && touching ? b : a;
         auto spline = spline_between(first, second, points);
         // Where facets are large, corners of the polygon may lie beyond its true ends.
         if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))

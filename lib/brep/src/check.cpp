@@ -3,7 +3,8 @@
 // Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
 // is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
 // front, those of extrusions along their lines; other cylinders and rings become rings of paper; of
-// spheres the point opposite the face is where the map has none; of coils both angles are lengths.
+// spheres the point opposite the face is where the map has none; of coils both angles are lengths,
+// as are of envelopes the angle around the way and the time.
 #include "ncsim/brep/check.h"
 
 #include "ncsim/brep/measure.h"
@@ -93,6 +94,13 @@ public:
         if (const auto* s = std::get_if<Spiral>(form_)) {
             const SpiralPlace place = place_on(*s, at);
             return {(s->reach + s->offset) * place.turn, place.height};
+        }
+        if (const auto* e = std::get_if<Envelope>(form_)) {
+            const Sweep& sweep = *e->sweep;
+            const Aspect place = place_on(*e, at);
+            const double degrees = degrees_around(brep::around(sweep, place.passage), place.foot);
+            const double reach = sweep.fillet().ring + sweep.fillet().radius;
+            return {reach * degrees * kRadiansPerDegree, sweep.length_mm() * place.t};
         }
         const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))

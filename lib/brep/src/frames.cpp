@@ -113,6 +113,10 @@ Frame frame_for(const Part& part, const Face& face) {
         return {f->centre, f->axis, f->ahead};
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
+        const Passage start = f->sweep->at(0.0);
+        return {start.tip, start.axis, across(start.axis)};
+    }
     const auto loops = points_along(part, face);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
         return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};

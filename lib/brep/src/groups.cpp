@@ -234,7 +234,8 @@ bool Groups::give_up_rings() {
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const bool may_not = std::holds_alternative<Torus>(form_of(g)) ||
                              std::holds_alternative<Coil>(form_of(g)) ||
-                             std::holds_alternative<Dome>(form_of(g)) || is_flat_ramp(g);
+                             std::holds_alternative<Dome>(form_of(g)) ||
+                             std::holds_alternative<Envelope>(form_of(g)) || is_flat_ramp(g);
         if (!groups_[g].is_analytic || !may_not) continue;
         const bool is_beside = std::ranges::any_of(
             neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });

@@ -22,8 +22,10 @@ constexpr double kSlackOfCoils = 2.0;
 // How far a facet turns away from the surface: in its middle, or, where that is off the surface
 // (of a ring: the bottom of a round groove), on average over its corners.
 double turn_from(const FlatFace& face, const Surface& surface, double most) {
+    const auto [off_by, gradient] = off(surface.form, face.centroid);
+    if (std::abs(off_by) <= most)
+        return norm(face.normal - (surface.is_hollow ? -gradient : gradient));
     const auto at = [&](Vec3 p) { return norm(face.normal - outward(surface, p)); };
-    if (std::abs(distance(surface.form, face.centroid)) <= most) return at(face.centroid);
     double sum = 0.0, corners = 0.0;
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop) {
@@ -32,6 +34,14 @@ double turn_from(const FlatFace& face, const Surface& surface, double most) {
         }
     }
     return sum / corners;
+}
+
+// Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does.
+bool is_beyond_end(const Form& form, Vec3 p, double most) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return false;
+    const double t = place_on(*envelope, p).t;
+    return std::abs(t - std::clamp(t, 0.0, 1.0)) * envelope->sweep->length_mm() > most;
 }
 
 }  // namespace
@@ -91,11 +101,23 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
             take(candidate, kExact);
     }
     if (chosen) return chosen;
-    for (const Candidate& candidate : candidates) {
-        double score = 0.0;
-        const double slack =
-            std::holds_alternative<Coil>(candidate.surface.form) ? kSlackOfCoils : kSlack;
-        if (fits(face, candidate.surface, slack * error, most_turn, &score)) take(candidate, score);
+    // The score is no less than the turn: what turns away farther is not looked at any more. Those
+    // last on which points are looked for.
+    for (const bool are_moved : {false, true}) {
+        for (const Candidate& candidate : candidates) {
+            const Form& form = candidate.surface.form;
+            const bool is_coil = std::holds_alternative<Coil>(form);
+            const bool is_moved = is_coil || std::holds_alternative<Dome>(form) ||
+                                  std::holds_alternative<Envelope>(form);
+            if (is_moved != are_moved) continue;
+            if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
+                continue;
+            double score = 0.0;
+            const double slack = is_coil ? kSlackOfCoils : kSlack;
+            if (fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score) &&
+                !is_beyond_end(form, face.centroid, error))
+                take(candidate, score);
+        }
     }
     return chosen;
 }

@@ -4,6 +4,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "axes.h"
+#include "below_moved.h"
 
 #include <algorithm>
 #include <array>
@@ -21,12 +22,6 @@ namespace {
 using cda::cross;
 using cda::dot;
 using cda::norm;
-
-// Gauss and Legendre on (-1, 1): exact for polynomials of degree 15.
-constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
-                                           0.7966664774136267, 0.9602898564975363};
-constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                         0.1012285362903763};
 
 template <typename F>
 void integrate(const Track& track, const F& f) {
@@ -54,13 +49,6 @@ void integrate_level(const Track& track, const F& f) {
         f(0.5, step.at, step.derivative);
     }
 }
-
-// Integrals over the second parameter from a fixed start to where a point is: of the area, and of
-// the volume of the cone from a point -w, in the frame of the surface, three times. What is left
-// is an integral along the edges, over the angle around the axis (Green).
-struct Below {
-    double area = 0.0, volume = 0.0;
-};
 
 struct BelowCylinder {
     double radius;
@@ -199,175 +187,7 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
     return sum / (2.0 * std::numbers::pi);
 }
 
-// --- Domes ----------------------------------------------------------------------------------
-
-// Over the angle of the circle, between edges; over that of the arc, from where it is level with
-// its centre. Of areas and moments by Gauss.
-class OnDome {
-public:
-    OnDome(const Dome& dome, Vec3 apex) : dome_(dome), w_(dome.centre - apex) {}
-
-    // For each angle of the circle: of area, and of three times the volume.
-    Below below(const DomePlace& place) const {
-        constexpr double kPiece = 45.0;
-        const Vec3 around = cross(dome_.axis, place.out);
-        const double degrees = place.degrees(), per_degree = kRadiansPerDegree * per_radian();
-        Below sum;
-        in_pieces(degrees, kPiece, [&](double weight, const trig::SinCos& t) {
-            const double lean = t.sin * dot(around, dome_.ahead);
-            sum.area += (weight * per_degree) * std::sqrt(std::max(0.0, 1.0 - lean * lean));
-        });
-        // Of the normal, which is (cos t axis - sin t ahead) seen from around; with the radius from
-        // the centre of the arc it makes the same everywhere.
-        const Vec3 normal = place.sine * cross(around, dome_.axis) -
-                            (1.0 - place.cosine) * cross(around, dome_.ahead);
-        const double level = dome_.reach * dot(around, cross(dome_.axis, dome_.ahead));
-        sum.volume = per_radian() * (dot(w_ + dome_.radius * place.out, normal) +
-                                     level * degrees * kRadiansPerDegree);
-        return sum;
-    }
-
-    // Of four times volume times middle, as `moment` tells it.
-    Vec3 moment(const DomePlace& place) const {
-        constexpr double kPiece = 45.0;
-        const Vec3 around = cross(dome_.axis, place.out);
-        const double per_degree = kRadiansPerDegree * per_radian();
-        Vec3 sum;
-        in_pieces(place.degrees(), kPiece, [&](double weight, const trig::SinCos& t) {
-            const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
-            const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
-            const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
-            sum = sum + (weight * per_degree * dot(at, cross(around, along))) * at;
-        });
-        return sum;
-    }
-
-    // The angle of the circle that a step on the surface makes. None where it is not known, in the
-    // corners of the half.
-    double turn(const DomePlace& place, Vec3 step) const {
-        const Vec3 around = cross(dome_.axis, place.out);
-        const Vec3 across_arc = cross(place.along, cross(around, place.along));
-        constexpr double kNowhere = 1e-12;
-        const double slope = dot(around, across_arc);
-        return slope > kNowhere ? dot(step, across_arc) / (dome_.radius * slope) : 0.0;
-    }
-
-private:
-    double per_radian() const { return dome_.reach * dome_.radius; }
-
-    // From 0 on; weights are of degrees.
-    template <typename Take>
-    static void in_pieces(double degrees, double piece, const Take& take) {
-        const int pieces = static_cast<int>(std::abs(degrees) / piece) + 1;
-        const double width = degrees / pieces;
-        for (int i = 0; i < pieces; ++i) {
-            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-                for (const double sign : {-1.0, 1.0})
-                    take(0.5 * width * kWeights[k],
-                         trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width));
-            }
-        }
-    }
-
-    Dome dome_;
-    Vec3 w_;
-};
-
-// Over the angle of the circle against the way, between edges; over that of the way, from where it
-// counts. Of moments by Gauss.
-class OnCoil {
-public:
-    OnCoil(const Coil& coil, Vec3 apex)
-        : coil_(coil), side_(cross(coil.axis, coil.ahead)), w_(coil.centre - apex) {}
-
-    // As on a dome. Seen from the way the normal is the same everywhere: lead times what points
-    // out, less what goes along the way by reach up.
-    Below below(const CoilPlace& place) const {
-        const double out = dot(place.out, place.way), off = across(place);
-        const double cosine = dot(place.way, side_), sine = -dot(place.way, coil_.ahead);
-        const Vec3 up = sine * coil_.ahead + (1.0 - cosine) * side_;
-        const Vec3 way = sine * side_ - (1.0 - cosine) * coil_.ahead;
-        const double even = coil_.lead * (coil_.radius - coil_.reach * off) -
-                            out * coil_.reach * dot(w_, coil_.axis);
-        const double turn = place.turn;
-        const double steep = coil_.reach * out;
-        return {coil_.radius * std::sqrt(coil_.lead * coil_.lead + steep * steep) *
-                    (coil_.lead < 0.0 ? -turn : turn),
-                coil_.radius * (coil_.lead * dot(w_, out * way - off * up) + even * turn -
-                                0.5 * steep * coil_.lead * turn * turn)};
-    }
-
-    Vec3 moment(const CoilPlace& place) const {
-        constexpr double kPiece = 90.0;
-        const double degrees = place.turn / kRadiansPerDegree;
-        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
-        const double width = degrees / pieces;
-        const double out = dot(place.out, place.way), off = across(place);
-        Vec3 sum;
-        for (int i = 0; i < pieces; ++i) {
-            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-                for (const double sign : {-1.0, 1.0}) {
-                    const double at_degrees = (i + 0.5 + 0.5 * sign * kAbscissae[k]) * width;
-                    const auto t = trig::sin_cos(at_degrees);
-                    const Vec3 up = t.cos * coil_.ahead + t.sin * side_;
-                    const Vec3 way = t.cos * side_ - t.sin * coil_.ahead;
-                    const Vec3 outward = out * way - off * up;
-                    const Vec3 at = w_ + coil_.reach * up +
-                                    (coil_.lead * at_degrees * kRadiansPerDegree) * coil_.axis +
-                                    coil_.radius * outward;
-                    const Vec3 normal = coil_.lead * outward - (out * coil_.reach) * coil_.axis;
-                    sum = sum + (0.5 * width * kRadiansPerDegree * kWeights[k] * coil_.radius *
-                                 dot(at, normal)) *
-                                    at;
-                }
-            }
-        }
-        return sum;
-    }
-
-    // The angle of the circle against the way that a step on the surface makes.
-    double turn(const CoilPlace& place, Vec3 step) const {
-        const Vec3 around = cross(coil_.axis, place.out);
-        const double along = dot(step, coil_.axis) / coil_.lead;
-        return dot(step - (along * coil_.reach) * place.way, around) / coil_.radius - along;
-    }
-
-private:
-    double across(const CoilPlace& place) const {
-        return dot(place.out, cross(coil_.axis, place.way));
-    }
-
-    Coil coil_;
-    Vec3 side_, w_;
-};
-
-// Over the angle of the way, between edges; over the height, from that of the centre.
-class OnSpiral {
-public:
-    OnSpiral(const Spiral& spiral, Vec3 apex) : spiral_(spiral), w_(spiral.centre - apex) {}
-
-    // As on a dome.
-    Below below(const SpiralPlace& place) const {
-        const double area = place.speed * place.height;
-        return {area, area * dot(start_of(place), place.out)};
-    }
-    Vec3 moment(const SpiralPlace& place) const {
-        return below(place).volume * (start_of(place) + (0.5 * place.height) * spiral_.axis);
-    }
-
-    // The angle that a step on the surface makes.
-    static double turn(const SpiralPlace& place, Vec3 step) {
-        return dot(step, place.along) / place.speed;
-    }
-
-private:
-    Vec3 start_of(const SpiralPlace& place) const {
-        return w_ + (place.way - spiral_.centre) + spiral_.offset * place.out;
-    }
-
-    Spiral spiral_;
-    Vec3 w_;
-};
+// --- What circles and tools pass ------------------------------------------------------------
 
 template <typename Form, typename On, typename Take>
 void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
@@ -537,6 +357,8 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnEnvelope(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -612,6 +434,8 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
         return measure_moved(part, face, *f, OnCoil(*f, apex));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return measure_moved(part, face, *f, OnSpiral(*f, apex));
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form))
+        return measure_moved(part, face, *f, OnEnvelope(*f, apex));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

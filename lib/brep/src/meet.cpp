@@ -126,6 +126,34 @@ std::optional<Curve> meet(const Spiral& spiral, const Form& other) {
     return std::nullopt;
 }
 
+// All lines in one direction.
+std::optional<Vec3> ruling_of(const Form& form) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return f->axis;
+    if (const auto* f = std::get_if<Extrusion>(&form)) return f->along;
+    if (const auto* f = std::get_if<Envelope>(&form)) {
+        const auto* way = std::get_if<StraightWay>(&f->sweep->way());
+        if (way) return normalized(way->along);
+    }
+    return std::nullopt;
+}
+
+// Of an envelope and another form: where a ball stood, and where a straight one is met along its
+// lines.
+std::optional<Curve> meet(const Envelope& envelope, const Form& other) {
+    if (const auto along = ruling_of(envelope)) {
+        const auto* plane = std::get_if<Plane>(&other);
+        const auto beside = ruling_of(other);
+        if ((plane && is_across(plane->normal, *along)) || (beside && is_parallel(*beside, *along)))
+            return Line{};
+    }
+    const Fillet& fillet = envelope.sweep->fillet();
+    if (fillet.ring > 0.0) return std::nullopt;
+    const auto touching = touch(envelope, other);
+    const auto* across = touching ? std::get_if<Plane>(&*touching) : nullptr;
+    if (!across) return std::nullopt;
+    return Circle{across->origin, across->normal, fillet.radius};
+}
+
 bool is_ruled(const Form& form) {
     return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
            std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
@@ -137,6 +165,8 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
     if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
     if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
+    if (const auto* envelope = std::get_if<Envelope>(&a)) return meet(*envelope, b);
+    if (const auto* envelope = std::get_if<Envelope>(&b)) return meet(*envelope, a);
     if (const auto* spiral = std::get_if<Spiral>(&a)) return meet(*spiral, b);
     if (const auto* spiral = std::get_if<Spiral>(&b)) return meet(*spiral, a);
     if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);

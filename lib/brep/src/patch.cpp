@@ -4,6 +4,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "around.h"
+#include "envelope_patch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,6 +171,8 @@ Patch patch_of(const Part& part, const Face& face) {
         return patch_of_coil(part, face, *coil);
     if (const auto* spiral = std::get_if<Spiral>(&face.surface.form))
         return patch_of_spiral(part, face, *spiral);
+    if (const auto* envelope = std::get_if<Envelope>(&face.surface.form))
+        return patch_of_envelope(part, face, *envelope);
     return patch_of_dome(part, face, std::get<Dome>(face.surface.form));
 }
 

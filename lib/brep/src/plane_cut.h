@@ -61,7 +61,10 @@ private:
     void cut(const Dome& f);
     void cut(const Coil& f);
     static void cut(const Spiral&) {}  // nothing is known of it
+    void cut(const Envelope&) {}
     void cut(const Helicoid&) {}
+    void cut(const Characteristic&) {}
+    void cut(const Trail&) {}
     void add(const CutBranch& branch);
 
     CutPlane plane_;

@@ -30,6 +30,19 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
     return edge.from != edge.to && dot(out(edge.from), out(edge.to)) < widest;
 }
 
+// Does the way turn by more than a third of a right angle between its ends, or come back? Readers
+// integrate along long edges on splines roughly.
+bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
+    const auto ahead = [&](Vec3 p) {
+        return around(*envelope.sweep, place_on(envelope, p).passage).ahead;
+    };
+    constexpr double kWidest = 0.5;
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const Vec3 first = ahead(part.vertices[edge.from]);
+    return dot(first, ahead(track.at(0.5))) < kWidest ||
+           dot(first, ahead(part.vertices[edge.to])) < kWidest;
+}
+
 // Does it pass near a pole of the sphere, more than a quarter around it? Readers lay such edges
 // down some hundredths of a millimetre from where they are, but for circles about the axis itself.
 bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, const Edge& edge) {
@@ -60,8 +73,10 @@ bool halve_once(Part& part) {
     for (const Face& face : part.faces) {
         const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
         const auto* sphere = std::get_if<Sphere>(&face.surface.form);
-        if (!extrusion && !sphere) continue;
+        const auto* envelope = std::get_if<Envelope>(&face.surface.form);
+        if (!extrusion && !sphere && !envelope) continue;
         const auto is_wide = [&](const Edge& edge) {
+            if (envelope) return is_too_wide(*envelope, part, edge);
             if (extrusion)
                 return !std::holds_alternative<Circle>(edge.curve) &&
                        is_too_wide(*extrusion, part, edge);

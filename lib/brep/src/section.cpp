@@ -10,6 +10,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "crossings.h"
+#include "cut_walk.h"
 #include "none.h"
 #include "plane_cut.h"
 
@@ -224,6 +225,8 @@ private:
                 std::holds_alternative<Cylinder>(form) || std::holds_alternative<Extrusion>(form);
             if (is_ruled && (!is_below || !is_above)) return true;
         }
+        if (const auto* envelope = std::get_if<Envelope>(&form))
+            return cut_step_by_step(face, *envelope, events);
         const PlaneCut cut(form, lifted_);
         if (!cut.is_known()) return events.empty() && !may_be_cut(form);
         if (cut.branches() == 0) return events.empty();
@@ -247,8 +250,62 @@ private:
             return std::abs(plane_.height(f->centre)) < f->major + f->minor;
         if (const auto* f = std::get_if<Dome>(&form))
             return std::abs(plane_.height(f->centre)) < f->reach + f->radius;
-        if (std::holds_alternative<Coil>(form) || std::holds_alternative<Spiral>(form)) return true;
-        return false;
+        return std::holds_alternative<Coil>(form) || std::holds_alternative<Spiral>(form);
+    }
+
+    // From each edge by which the cut comes in to one by which it goes out. Where it meets no edge,
+    // the face may be deeper than these, if any of it is.
+    bool cut_step_by_step(const Face& face, const Envelope& envelope,
+                          const std::vector<Event>& events) {
+        if (events.empty()) return !may_be_deeper(face, envelope);
+        std::vector<const Event*> ends;
+        std::vector<Vec3> end_points;
+        for (const Event& event : events) {
+            if (event.starts) continue;
+            ends.push_back(&event);
+            end_points.push_back(event.above);
+        }
+        for (const Event& begin : events) {
+            if (!begin.starts) continue;
+            const auto walk = walk_along_cut(face.surface, lifted_, begin.above, end_points);
+            if (!walk) return false;
+            const Event& end = *ends[walk->end];
+            Made made{{}, begin.crossing, end.crossing};
+            FlatChords chords;
+            for (const Vec3& p : walk->between)
+                chords.between.push_back(sheet_(p));
+            made.piece = {sheet_(begin.at), sheet_(end.at), std::move(chords), face.origin,
+                          face.is_facet};
+            keep(face, made);
+        }
+        return true;
+    }
+
+    bool may_be_deeper(const Face& face, const Envelope& envelope) const {
+        const Sweep& sweep = *envelope.sweep;
+        double begin = 1e9, end = -1e9, first = 360.0, last = 0.0;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Vec3 p = part_.vertices[part_.edges[use.edge].from];
+                const Aspect place = place_on(envelope, p);
+                const double degrees = degrees_around(around(sweep, place.passage), place.foot);
+                begin = std::min(begin, place.t);
+                end = std::max(end, place.t);
+                first = std::min(first, degrees);
+                last = std::max(last, degrees);
+            }
+        }
+        constexpr int kPieces = 32;
+        bool is_below = false, is_above = false;
+        for (int i = 0; i <= kPieces; ++i) {
+            const Passage passage = sweep.at(begin + (end - begin) * i / kPieces);
+            for (int k = 0; k <= kPieces; ++k) {
+                const double degrees = first + (last - first) * k / kPieces;
+                const double height = lifted_.height(point_around(sweep, passage, degrees));
+                (height > 0.0 ? is_above : is_below) = true;
+            }
+        }
+        return is_below && is_above;
     }
 
     bool pair(const Face& face, const PlaneCut& cut, const PlaneCut& exact, std::size_t branch,

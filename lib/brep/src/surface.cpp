@@ -3,6 +3,8 @@
 
 #include "ncsim/trig/angles.h"
 
+#include "ellipse.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -35,44 +37,6 @@ struct Opening {
     explicit Opening(double slope) : cos{1.0 / std::sqrt(1.0 + slope * slope)}, sin{slope * cos} {}
     double cos, sin;
 };
-
-// The point of an ellipse about the origin, with half axes `a` >= `b` along X and Y, that is
-// nearest to (x, y). By Newton's method for the one parameter t for which (x a² / (t + a²), y b² /
-// (t + b²)) lies on it (Eberly, Distance from a Point to an Ellipse, 2013), from where it goes up
-// only.
-struct EllipseFoot {
-    double distance = 0.0;    // negative inside
-    double x = 0.0, y = 0.0;  // normal, unit, outwards
-};
-
-EllipseFoot foot_on_ellipse(double a, double b, double x, double y) {
-    const double u = std::abs(x), v = std::abs(y), a2 = a * a, b2 = b * b;
-    double px = 0.0, py = 0.0;
-    if (v * b2 <= 1e-30 * a2 * a && u * a <= a2 - b2) {
-        px = a2 * u / (a2 - b2);
-        py = b * std::sqrt(std::max(0.0, 1.0 - px * px / a2));
-    } else {
-        double t = std::max(a * u - a2, b * v - b2);
-        constexpr int kEllipseSteps = 100;
-        for (int step = 0; step < kEllipseSteps; ++step) {
-            const double p = a * u / (t + a2), q = b * v / (t + b2);
-            const double f = p * p + q * q - 1.0;
-            const double slope = -2.0 * (p * p / (t + a2) + q * q / (t + b2));
-            const double next = t - f / slope;
-            if (!(next > t)) break;
-            t = next;
-        }
-        px = a2 * u / (t + a2);
-        py = b2 * v / (t + b2);
-    }
-    const double nx = px / a2, ny = py / b2;
-    const double length = std::sqrt(nx * nx + ny * ny);
-    EllipseFoot foot{0.0, nx / length, ny / length};
-    foot.distance = (u - px) * foot.x + (v - py) * foot.y;
-    if (x < 0.0) foot.x = -foot.x;
-    if (y < 0.0) foot.y = -foot.y;
-    return foot;
-}
 
 // An elliptic cylinder seen along its rulings.
 struct AlongRulings {
@@ -150,6 +114,17 @@ struct Distance {
         const BesideHelix at(f, p);
         return at.off / norm(at.slope);
     }
+    double operator()(const Envelope& f) const { return place_on(f, p).off; }
+    double operator()(const Characteristic& f) const {
+        const Aspect aspect = aspect_at(*f.of.sweep, f.t, p);
+        const double slope = norm(aspect.drift);
+        return slope > 0.0 ? aspect.rate / slope : 0.0;
+    }
+    double operator()(const Trail& f) const {
+        const Aspect aspect = place_on(f.of, p);
+        const double slope = norm(gradient_of_rise(*f.of.sweep, aspect));
+        return slope > 0.0 ? (dot(aspect.normal, aspect.passage.axis) - f.rise) / slope : 0.0;
+    }
 };
 
 struct Gradient {
@@ -175,6 +150,47 @@ struct Gradient {
     Vec3 operator()(const Coil& f) const { return normal_at(f, place_on(f, p)); }
     Vec3 operator()(const Spiral& f) const { return place_on(f, p).out; }
     Vec3 operator()(const Helicoid& f) const { return normalized(BesideHelix(f, p).slope); }
+    Vec3 operator()(const Envelope& f) const { return place_on(f, p).normal; }
+    Vec3 operator()(const Characteristic& f) const {
+        return normalized(aspect_at(*f.of.sweep, f.t, p).drift);
+    }
+    Vec3 operator()(const Trail& f) const {
+        return normalized(gradient_of_rise(*f.of.sweep, place_on(f.of, p)));
+    }
+};
+
+struct Both {
+    Vec3 p;
+    Off operator()(const Extrusion& f) const {
+        const AlongRulings seen(f);
+        const EllipseFoot foot = seen.foot(f, p);
+        return {foot.distance, foot.x * seen.x + foot.y * seen.y};
+    }
+    Off operator()(const Dome& f) const {
+        const DomePlace place = place_on(f, p);
+        return with_sign(p - point_at(f, place), normal_at(f, place));
+    }
+    Off operator()(const Coil& f) const {
+        const CoilPlace place = place_on(f, p);
+        return with_sign(p - place.centre - f.radius * place.out, normal_at(f, place));
+    }
+    Off operator()(const Spiral& f) const {
+        const SpiralPlace place = place_on(f, p);
+        return {dot(p - place.way, place.out) - f.offset, place.out};
+    }
+    Off operator()(const Envelope& f) const {
+        const Aspect aspect = place_on(f, p);
+        return {aspect.off, aspect.normal};
+    }
+    template <typename F>
+    Off operator()(const F& f) const {
+        return {Distance{p}(f), Gradient{p}(f)};
+    }
+
+private:
+    static Off with_sign(Vec3 off, Vec3 normal) {
+        return {dot(off, normal) < 0.0 ? -norm(off) : norm(off), normal};
+    }
 };
 
 bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
@@ -232,6 +248,9 @@ struct Same {
                dot(a.ahead, b.ahead) > 0.0 && std::abs(a.lead - b.lead) <= tolerance / kReach &&
                polar(a.centre, a.axis, b.centre).radius <= tolerance;
     }
+    bool operator()(const Envelope& a, const Envelope& b) const {
+        return brep::is_same(a, b, tolerance);
+    }
     template <typename A, typename B>
     bool operator()(const A&, const B&) const {
         return false;
@@ -239,6 +258,10 @@ struct Same {
 };
 
 }  // namespace
+
+Off off(const Form& form, Vec3 p) {
+    return std::visit(Both{p}, form);
+}
 
 double distance(const Form& form, Vec3 p) {
     return std::visit(Distance{p}, form);
@@ -265,6 +288,7 @@ double radius_of(const Form& form) {
     if (const auto* f = std::get_if<Dome>(&form)) return f->reach + f->radius;
     if (const auto* f = std::get_if<Coil>(&form)) return f->reach + f->radius;
     if (const auto* f = std::get_if<Spiral>(&form)) return f->reach + f->offset;
+    if (const auto* f = std::get_if<Envelope>(&form)) return largest_radius(*f->sweep);
     return 0.0;
 }
 

@@ -51,7 +51,18 @@ struct Key {
     double operator()(const Spiral& f) const {
         return place(f.centre, f.axis) + 0.7 * f.reach + 0.3 * f.offset + along(f.axis) + f.lead;
     }
+    // Of lines whatever piece of them it is, of other ways whichever end it starts from.
+    double operator()(const Envelope& f) const {
+        const Sweep& sweep = *f.sweep;
+        const Around first = around(sweep, sweep.at(0.0)), last = around(sweep, sweep.at(1.0));
+        const double own = 0.7 * sweep.fillet().radius + 0.3 * sweep.fillet().ring;
+        if (std::holds_alternative<StraightWay>(sweep.way()))
+            return place(first.centre, first.ahead) + own + along(first.ahead);
+        return own + 0.5 * dot(first.centre + last.centre, kAskew);
+    }
     double operator()(const Helicoid& f) const { return place(f.centre, f.axis) + f.lead; }
+    double operator()(const Characteristic& f) const { return (*this)(f.of) + f.t; }
+    double operator()(const Trail& f) const { return (*this)(f.of) + f.rise; }
 };
 
 }  // namespace

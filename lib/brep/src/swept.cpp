@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace ncsim::brep {
 
@@ -29,6 +31,8 @@ constexpr double kEqual = 1e-9;
 constexpr double kFlattest = 1e-3;
 // Programs round: an arc may end so much nearer to its centre than it starts.
 constexpr double kMostSpiral = 4e-3;
+// Facets of what a rim passes are no farther from it, mm.
+constexpr double kBesideRim = 0.5;
 
 // --- Profiles -----------------------------------------------------------------------------
 
@@ -86,6 +90,19 @@ std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
 
 // --- Sweeps -------------------------------------------------------------------------------
 
+// Of so many as long as each other.
+RoundWay piece_of(const RoundWay& way, int i, int pieces) {
+    if (pieces == 1) return way;
+    const double width = way.swept / pieces, begin = i * width;
+    const auto angle = trig::sin_cos(begin / trig::kRadiansPerDegree);
+    RoundWay piece = way;
+    piece.centre = way.centre + (way.lead * begin) * way.about;
+    piece.ahead = angle.cos * way.ahead + angle.sin * cross(way.about, way.ahead);
+    piece.reach = way.reach + way.growth * begin;
+    piece.swept = width;
+    return piece;
+}
+
 class Sweeps {
 public:
     explicit Sweeps(std::vector<Candidate>& into) : into_(&into) {}
@@ -128,7 +145,7 @@ public:
                 for (const double sign : {-1.0, 1.0})
                     add(Cylinder{at + (sign * e.radius) * side, d, e.fillet});
             } else {
-                leave_unknown();
+                envelope(e, StraightWay{tip, d, axis});
             }
         } else if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, at, axis);
@@ -146,10 +163,11 @@ public:
     }
 
     // About `centre`, at the height of the tip, at `reach` from it.
-    void arc(const Element& e, Vec3 centre, Vec3 axis, double reach, bool is_level) {
-        const Vec3 at = centre + e.height * axis;
+    void arc(const Element& e, const RoundWay& way, bool is_level) {
+        const Vec3 axis = way.axis, at = way.centre + e.height * axis;
+        const double reach = way.reach;
         if (e.fillet > 0.0) {
-            if (!is_level) return leave_unknown();
+            if (!is_level) return envelope(e, way);
             tube(at, axis, reach + e.radius, e.fillet);
             if (e.radius > kEqual && reach > e.radius) tube(at, axis, reach - e.radius, e.fillet);
         } else if (std::abs(e.rise()) <= kEqual) {
@@ -166,6 +184,23 @@ public:
             if (reach > e.radius) cone(at, axis, reach - e.radius, -slope, false);
         } else {
             leave_unknown();
+        }
+    }
+
+    // What is round about a circle, on any way. Where that comes back to itself, what it leaves
+    // last touches the tool where it ends, and what it left first crosses it there: these are
+    // apart, as halves of turns.
+    void envelope(const Element& e, const ToolWay& way) {
+        if (e.fillet <= 0.0) return leave_unknown();
+        constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
+        const auto* round = std::get_if<RoundWay>(&way);
+        const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
+        const int pieces = turns > kNearlyBack ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
+        for (int i = 0; i < pieces; ++i) {
+            const ToolWay piece = round ? ToolWay(piece_of(*round, i, pieces)) : way;
+            auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, e.fillet}, piece);
+            if (!has_around(*sweep)) return leave_unknown();
+            add(Envelope{std::move(sweep)});
         }
     }
 
@@ -193,10 +228,22 @@ public:
     }
 
     // The same on a helix.
-    void rim_around(const Element& e, Vec3 start, Vec3 axis, Vec3 ahead, double reach,
-                    double lead) {
-        if (e.radius <= kEqual || reach <= kEqual || std::abs(lead) <= kEqual) return;
-        add(Coil{start + e.height * axis, axis, ahead, reach, e.radius, lead});
+    void rim_around(const Element& e, const RoundWay& way, double lead) {
+        if (e.radius <= kEqual || way.reach <= kEqual || std::abs(lead) <= kEqual) return;
+        const Vec3 start = way.centre + e.height * way.axis;
+        add(Coil{start, way.axis, way.ahead, way.reach, e.radius, lead});
+        // Its other turns pass near whatever is level.
+        Vec3 beyond;
+        for (int i = 0; i < 3; ++i) {
+            const double level = std::sqrt(std::max(0.0, 1.0 - way.axis[i] * way.axis[i]));
+            beyond[i] = (way.reach + e.radius) * level + kBesideRim;
+        }
+        cda::Box box;
+        for (const Vec3 end : {start, start + (way.lead * way.swept) * way.about}) {
+            box.add(end + beyond);
+            box.add(end - beyond);
+        }
+        into_->back().place = box;
     }
 
     // The same on an arc about an axis across the tool's.
@@ -341,8 +388,9 @@ struct Way {
     bool is_level = true;
     Vec3 fitted;  // the centre so that both ends are as far from it
     double fitted_radius = 0.0;
-    Vec3 ahead;         // unit, from the centre to the start
-    double rise = 0.0;  // mm for each radian counter-clockwise
+    Vec3 ahead;          // unit, from the centre to the start
+    double rise = 0.0;   // mm for each radian counter-clockwise
+    double swept = 0.0;  // radians, counter-clockwise
     // Where the ends are not as far from the centre, instead of a circle; and half of what it
     // leaves of a turn, radians.
     std::optional<Spiral> spiral;
@@ -391,7 +439,8 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     if (is_left && swept <= kNoAngle) swept += kTurn;
     if (!is_left && swept >= -kNoAngle) swept -= kTurn;
     swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
-    way.rise = (to[third] - from[third]) / (swept * trig::kRadiansPerDegree);
+    way.swept = swept * trig::kRadiansPerDegree;
+    way.rise = (to[third] - from[third]) / way.swept;
     const double growth = radius(to) - radius(from);
     if (std::abs(growth) <= kMostSpiral) return way;
     constexpr double kMostGrowth = 0.2;
@@ -429,13 +478,14 @@ std::optional<Way> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
 void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way, Vec3 axis) {
     const double along = std::abs(dot(way.about, axis));
     const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
+    const RoundWay round{way.centre, way.about, way.ahead, way.radius,
+                         0.0,        way.rise,  way.swept, axis};
     if (way.spiral) {
         if (!is_about) return sweeps.leave_unknown();
         sweeps.spiral(e, *way.spiral, way.left, axis, way.is_level);
     } else if (is_about) {
-        sweeps.arc(e, way.centre, axis, way.radius, way.is_level);
-        if (is_corner && !way.is_level)
-            sweeps.rim_around(e, way.centre, axis, way.ahead, way.radius, way.rise);
+        sweeps.arc(e, round, way.is_level);
+        if (is_corner && !way.is_level) sweeps.rim_around(e, round, way.rise);
     } else if (way.is_level) {
         sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
         if (is_across) sweeps.level_across(e, way.fitted, axis, way.fitted_radius);

@@ -490,8 +490,10 @@ private:
     Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
     Entity surface_of(const brep::Coil&, const brep::Face& face) { return patch(face); }
     Entity surface_of(const brep::Spiral&, const brep::Face& face) { return patch(face); }
-    Entity surface_of(const brep::Helicoid&, const brep::Face&) {
-        throw std::logic_error("faces do not lie on helicoids");
+    Entity surface_of(const brep::Envelope&, const brep::Face& face) { return patch(face); }
+    template <typename Other>
+    Entity surface_of(const Other&, const brep::Face&) {
+        throw std::logic_error("faces do not lie on what crosses surfaces");
     }
     Entity patch(const brep::Face& face) {
         const brep::Patch patch = brep::patch_of(part_, face);

@@ -3,6 +3,7 @@
 // The surfaces that a round tool leaves on a part: what CAD knows as such. mm, frame W.
 #pragma once
 
+#include "ncsim/brep/envelope.h"
 #include "ncsim/cda/vec.h"
 
 #include <array>
@@ -10,8 +11,6 @@
 #include <variant>
 
 namespace ncsim::brep {
-
-using cda::Vec3;
 
 struct Plane {
     Vec3 origin, normal;  ///< Any point of it; unit.
@@ -89,8 +88,8 @@ struct Helicoid {
     bool operator==(const Helicoid&) const = default;
 };
 
-using Form =
-    std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Spiral, Helicoid>;
+using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Spiral,
+                          Envelope, Helicoid, Characteristic, Trail>;
 
 /// A form, and on which side of it the material is.
 struct Surface {
@@ -105,6 +104,12 @@ struct Surface {
 double distance(const Form& form, Vec3 p);
 /// Unit gradient of distance(); zero where there is none (on an axis, in a centre).
 Vec3 gradient(const Form& form, Vec3 p);
+/// Both at once: on what moves a point is looked for, which costs the most.
+struct Off {
+    double distance = 0.0;
+    Vec3 gradient;
+};
+Off off(const Form& form, Vec3 p);
 /// Unit, out of the material.
 Vec3 outward(const Surface& surface, Vec3 p);
 
@@ -112,8 +117,9 @@ Vec3 outward(const Surface& surface, Vec3 p);
 bool is_same(const Surface& a, const Surface& b, double tolerance_mm);
 
 /// What forms are called, by their index; of those that faces may lie on.
-inline constexpr std::array<std::string_view, 9> kForms{
-    "plane", "cylinder", "cone", "sphere", "torus", "extrusion", "dome", "coil", "spiral"};
+inline constexpr std::array<std::string_view, 10> kForms{"plane",  "cylinder",  "cone", "sphere",
+                                                         "torus",  "extrusion", "dome", "coil",
+                                                         "spiral", "envelope"};
 /// The largest radius of curvature; 0 for planes, and for cones, which have any.
 double radius_of(const Form& form);
 

@@ -5,11 +5,13 @@
 #pragma once
 
 #include "ncsim/brep/surface.h"
+#include "ncsim/cda/vec.h"
 #include "ncsim/gcode/motion.h"
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool.h"
 
+#include <optional>
 #include <vector>
 
 namespace ncsim::brep {
@@ -17,6 +19,8 @@ namespace ncsim::brep {
 struct Candidate {
     Surface surface;
     bool is_at_rest = false;  ///< Of the tool in its first or last pose.
+    /// Where it is, nearly, of surfaces that go on and come back: what is elsewhere is none of it.
+    std::optional<cda::Box> place{};
 };
 
 /// Whose facets approximate one of the candidates, and how well: no corner is farther from it than
@@ -37,9 +41,9 @@ struct Source {
 /// | disc | plane, if it is level | plane | plane, if it is level |
 /// | upright | 2 planes | cylinder | 2 cylinders, also of helices |
 /// | sloping | 2 planes | cone | 2 cones, if it is level |
-/// | rounded | 2 cylinders, if it is level | ring | 2 rings, if it is level |
-/// | ball | cylinder | sphere | ring, in any plane |
-/// | corner | extrusion, if it is not level | | coil, if it is a helix; dome, in upright planes |
+/// | rounded | 2 cylinders, if it is level; else an envelope | ring | 2 rings; of helices envelopes
+/// | | ball | cylinder | sphere | ring, in any plane; of helices envelopes | | corner | extrusion,
+/// if it is not level | | coil, if it is a helix; dome, in upright planes |
 ///
 /// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals beside
 /// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more

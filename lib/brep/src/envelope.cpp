@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// With D the distance from the element at the time t and n its gradient, the envelope is where
+// D = 0 and its derivative by t is 0, too. That derivative is -n V, V the velocity that the point
+// would have if it were fixed to the tool. So all is told by normals, by how elements bend, and by
+// the first two derivatives of the way; the spin of the tool about its axis counts for nothing.
+#include "ncsim/brep/envelope.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "ellipse.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using trig::kRadiansPerDegree;
+
+namespace {
+
+// Lengths that are equal but for rounding, mm.
+constexpr double kNoLength = 1e-9;
+
+Passage passage(const StraightWay& way, double t) {
+    return {way.from + t * way.along, way.along, {}, way.axis, {}, {}};
+}
+
+Passage passage(const RoundWay& way, double t) {
+    const double w = t * way.swept;
+    const auto angle = trig::sin_cos(w / kRadiansPerDegree);
+    const Vec3 side = cross(way.about, way.ahead);
+    const Vec3 up = angle.cos * way.ahead + angle.sin * side;
+    const Vec3 on = angle.cos * side - angle.sin * way.ahead;
+    const double reach = way.reach + way.growth * w;
+    Passage p;
+    p.tip = way.centre + reach * up + (way.lead * w) * way.about;
+    p.speed = way.swept * (way.growth * up + reach * on + way.lead * way.about);
+    p.change = (way.swept * way.swept) * (2.0 * way.growth * on - reach * up);
+    p.axis = way.axis;
+    return p;
+}
+
+std::size_t samples_for(const StraightWay&) {
+    return 2;
+}
+std::size_t samples_for(const RoundWay& way) {
+    constexpr double kStep = 5.0;  // degrees
+    return 9 + static_cast<std::size_t>(std::abs(way.swept) / kRadiansPerDegree / kStep);
+}
+
+Vec3 level(Vec3 v, Vec3 axis) {
+    return v - dot(v, axis) * axis;
+}
+
+// The centre of the ring.
+Vec3 middle_of(const Sweep& sweep, const Passage& passage) {
+    return passage.tip + sweep.fillet().height * passage.axis;
+}
+
+// Along a straight way the silhouette of the ring is an ellipse, and the radius is added all around
+// it.
+Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
+    const Fillet& fillet = sweep.fillet();
+    const double length = norm(way.along), lean = dot(way.along, way.axis);
+    const Vec3 ahead = ((lean < 0.0 ? -1.0 : 1.0) / length) * way.along;
+    const Vec3 x = normalized(cross(way.axis, ahead)), y = cross(ahead, x);
+    const Vec3 start = way.from + fillet.height * way.axis, v = p - start;
+    const EllipseFoot foot =
+        foot_on_ellipse(fillet.ring, fillet.ring * std::abs(lean) / length, dot(v, x), dot(v, y));
+    const Vec3 normal = foot.x * x + foot.y * y;
+    const Vec3 centre =
+        v - foot.distance * normal - fillet.ring * normalized(level(normal, way.axis));
+    Aspect aspect = aspect_at(sweep, dot(centre, way.along) / (length * length), p);
+    aspect.off = foot.distance - fillet.radius;
+    aspect.normal = normal;
+    aspect.foot = p - aspect.off * normal;
+    return aspect;
+}
+
+// Samples that are nearer than those beside them: the nearest ones.
+struct Nearest {
+    static constexpr std::size_t kMost = 4;
+    std::array<std::size_t, kMost> sample{};
+    std::array<double, kMost> off{};
+    std::size_t count = 0;
+    double least = std::numeric_limits<double>::infinity();
+    void take(std::size_t i, double how_far) {
+        least = std::min(least, how_far);
+        if (count < kMost) {
+            sample[count] = i;
+            off[count++] = how_far;
+            return;
+        }
+        const auto farthest = std::ranges::max_element(off);
+        if (how_far >= *farthest) return;
+        sample[static_cast<std::size_t>(farthest - off.begin())] = i;
+        *farthest = how_far;
+    }
+};
+
+Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
+    const Fillet& fillet = sweep.fillet();
+    const auto& samples = sweep.samples();
+    const auto off = [&](const Passage& at) {
+        const Vec3 v = p - at.tip;
+        const double height = dot(v, at.axis);
+        const double beyond = std::sqrt(std::max(0.0, dot(v, v) - height * height)) - fillet.ring;
+        const double above = height - fillet.height;
+        return std::sqrt(beyond * beyond + above * above);
+    };
+    Nearest nearest;
+    double before = std::numeric_limits<double>::infinity(), here = off(samples.front());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double after =
+            i + 1 < samples.size() ? off(samples[i + 1]) : std::numeric_limits<double>::infinity();
+        if (here <= before && here < after) nearest.take(i, here);
+        before = here;
+        here = after;
+    }
+    // As far from all of them.
+    if (nearest.count == 0) nearest.take(0, here);
+    return nearest;
+}
+
+// Newton's method, or downhill where it would go up; between times before and after the nearest
+// one, as soon as such are known.
+Aspect nearest_from(const Sweep& sweep, std::size_t sample, Vec3 p) {
+    constexpr int kMostSteps = 40;
+    constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
+    const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
+    double before = -kAnyTime, after = kAnyTime;
+    Aspect aspect = aspect_at(sweep, static_cast<double>(sample) * longest, p);
+    for (int i = 0; i < kMostSteps; ++i) {
+        const double t = aspect.t;
+        (aspect.rate > 0.0 ? after : before) = t;
+        const double downhill = aspect.rate > 0.0 ? -longest : longest;
+        const double step = aspect.bend > 0.0 ? -aspect.rate / aspect.bend : downhill;
+        double next = t + std::clamp(step, -longest, longest);
+        if (!(std::abs(next - t) > kNoTime)) break;
+        const bool is_between = next > before && next < after;
+        if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
+        aspect = aspect_at(sweep, next, p);
+    }
+    return aspect;
+}
+
+}  // namespace
+
+Sweep::Sweep(const Fillet& fillet, const ToolWay& way) : fillet_(fillet), way_(way) {
+    const std::size_t count =
+        std::visit([](const auto& which) { return samples_for(which); }, way_);
+    for (std::size_t i = 0; i < count; ++i) {
+        samples_.push_back(at(static_cast<double>(i) / static_cast<double>(count - 1)));
+        if (i > 0) length_ += norm(samples_[i].tip - samples_[i - 1].tip);
+    }
+}
+
+Passage Sweep::at(double t) const {
+    return std::visit([t](const auto& way) { return passage(way, t); }, way_);
+}
+
+Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
+    Aspect aspect = aspect_at(sweep, sweep.at(t), p);
+    aspect.t = t;
+    return aspect;
+}
+
+Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
+    const Fillet& fillet = sweep.fillet();
+    Aspect aspect;
+    aspect.passage = at;
+    const Vec3 v = p - at.tip;
+    const double height = dot(v, at.axis);
+    const Vec3 away = v - height * at.axis;
+    const double radius = norm(away);
+    const Vec3 out = radius > 0.0 ? (1.0 / radius) * away : Vec3{};
+    const double beyond = radius - fillet.ring, above = height - fillet.height;
+    const double far = std::sqrt(beyond * beyond + above * above);
+    if (!(far > 0.0)) return aspect;
+    const double cosine = beyond / far, sine = above / far;
+    const Vec3 n = cosine * out + sine * at.axis;
+    aspect.off = far - fillet.radius;
+    aspect.normal = n;
+    aspect.foot = p - aspect.off * n;
+    const Vec3 spin = cross(at.axis, at.turn), spin_up = cross(at.axis, at.bend);
+    const Vec3 speed = at.speed + cross(spin, v);
+    const Vec3 change = at.change + cross(spin_up, v) - cross(spin, at.speed);
+    // How the normal changes with the point: along the profile, and around the axis.
+    Vec3 turned = (1.0 / far) * (speed - dot(speed, n) * n);
+    if (fillet.ring > 0.0) {
+        const Vec3 along = cosine * at.axis - sine * out, round = cross(at.axis, out);
+        turned = (dot(speed, along) / far) * along;
+        if (radius > 0.0) turned = turned + (dot(speed, round) * cosine / radius) * round;
+    }
+    aspect.drift = cross(spin, n) - turned;
+    aspect.rate = -dot(n, speed);
+    aspect.bend = -dot(aspect.drift, speed) - dot(n, change);
+    return aspect;
+}
+
+Aspect place_on(const Envelope& envelope, Vec3 p) {
+    const Sweep& sweep = *envelope.sweep;
+    if (const auto* straight = std::get_if<StraightWay>(&sweep.way()))
+        return nearest_on(sweep, *straight, p);
+    // Where the way comes back, some other time may be as near at a sample and nearer between: no
+    // nearer than half a step of the way. Beyond its ends it counts for less the farther that is.
+    constexpr double kBeyondEnd = 0.25;
+    const Nearest nearest = nearest_samples(sweep, p);
+    const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
+    std::optional<Aspect> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < nearest.count; ++k) {
+        if (nearest.off[k] > nearest.least + half) continue;
+        const Aspect aspect = nearest_from(sweep, nearest.sample[k], p);
+        double off = aspect.off;
+        if (const double end = std::clamp(aspect.t, 0.0, 1.0);
+            nearest.count > 1 && aspect.t != end) {
+            const double beyond = std::abs(aspect.t - end) * sweep.length_mm();
+            off = aspect_at(sweep, end, p).off + kBeyondEnd * beyond;
+        }
+        if (off >= least) continue;
+        least = off;
+        best = aspect;
+    }
+    return *best;
+}
+
+Vec3 gradient_of_time(const Aspect& aspect) {
+    return aspect.bend != 0.0 ? (-1.0 / aspect.bend) * aspect.drift : Vec3{};
+}
+
+Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
+    const Passage& at = aspect.passage;
+    const Vec3 n = aspect.normal;
+    const double rise = dot(n, at.axis), far = aspect.off + sweep.fillet().radius;
+    const Vec3 along = at.axis - rise * n;
+    const double with_time = dot(aspect.drift, at.axis) + dot(n, at.turn);
+    return (1.0 / far) * along + with_time * gradient_of_time(aspect);
+}
+
+Around around(const Sweep& sweep, const Passage& passage) {
+    Around at;
+    at.centre = middle_of(sweep, passage);
+    at.ahead = normalized(passage.speed + sweep.fillet().height * passage.turn);
+    at.up = normalized(level(passage.axis, at.ahead));
+    at.side = cross(at.ahead, at.up);
+    return at;
+}
+
+double degrees_around(const Around& at, Vec3 p) {
+    const Vec3 v = p - at.centre;
+    const double degrees = trig::angle_of(dot(v, at.up), dot(v, at.side));
+    return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
+Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
+    const Around at = around(sweep, passage);
+    const auto angle = trig::sin_cos(degrees);
+    const Vec3 n = angle.cos * at.up + angle.sin * at.side;
+    const Fillet& fillet = sweep.fillet();
+    const Vec3 ring = fillet.ring > 0.0 ? fillet.ring * normalized(level(n, passage.axis)) : Vec3{};
+    return at.centre + ring + fillet.radius * n;
+}
+
+// The angle of the point grows with that of its normal, which is on the same side of up and down.
+Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
+    constexpr double kHalf = 180.0;
+    if (sweep.fillet().ring <= 0.0 || degrees == kHalf)
+        return point_with_normal(sweep, passage, degrees);
+    const Around at = around(sweep, passage);
+    double low = degrees < kHalf ? 0.0 : kHalf, high = low + kHalf;
+    constexpr int kHalvings = 60;
+    constexpr double kNoAngle = 1e-14;
+    // By secants (Illinois), and halves where these are slow.
+    const auto off = [&](double normal) {
+        return degrees_around(at, point_with_normal(sweep, passage, normal)) - degrees;
+    };
+    double below = (low == 0.0 ? 0.0 : kHalf) - degrees, above = below + kHalf;
+    double normal = degrees;
+    for (int i = 0; i < kHalvings && high - low > kNoAngle * kHalf; ++i) {
+        normal = i % 3 == 2 ? 0.5 * (low + high) : low - below * (high - low) / (above - below);
+        if (!(normal > low && normal < high)) normal = 0.5 * (low + high);
+        const double value = off(normal);
+        if (value == 0.0) break;
+        (value < 0.0 ? low : high) = normal;
+        (value < 0.0 ? below : above) = value;
+    }
+    return point_with_normal(sweep, passage, normal);
+}
+
+bool has_around(const Sweep& sweep) {
+    constexpr double kSteepest = 0.999;
+    return std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
+        const Vec3 way = at.speed + sweep.fillet().height * at.turn;
+        return norm(way) > kNoLength && std::abs(dot(way, at.axis)) < kSteepest * norm(way);
+    });
+}
+
+double largest_radius(const Sweep& sweep) {
+    const Fillet& fillet = sweep.fillet();
+    if (const auto* round = std::get_if<RoundWay>(&sweep.way()))
+        return round->reach + fillet.ring + fillet.radius;
+    const Passage start = sweep.at(0.0);
+    const double lean = std::abs(dot(start.axis, normalized(start.speed)));
+    return fillet.ring / lean + fillet.radius;
+}
+
+bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
+    const Fillet &one = a.sweep->fillet(), &other = b.sweep->fillet();
+    const auto near = [&](double u, double v) { return std::abs(u - v) <= tolerance_mm; };
+    if (!near(one.ring, other.ring) || !near(one.radius, other.radius)) return false;
+    constexpr double kPart = 100.0;  // mm: so far do directions count
+    const auto first = around(*a.sweep, a.sweep->at(0.0));
+    const Passage last = b.sweep->at(1.0);
+    if (norm(cross(a.sweep->at(0.0).axis, last.axis)) > tolerance_mm / kPart) return false;
+    const auto* line = std::get_if<StraightWay>(&a.sweep->way());
+    if (line && std::holds_alternative<StraightWay>(b.sweep->way())) {
+        const auto second = around(*b.sweep, b.sweep->at(0.0));
+        return norm(cross(first.ahead, second.ahead)) <= tolerance_mm / kPart &&
+               norm(level(second.centre - first.centre, first.ahead)) <= tolerance_mm;
+    }
+    if (a.sweep->way().index() != b.sweep->way().index()) return false;
+    // There and back is the same.
+    const Vec3 start = middle_of(*b.sweep, b.sweep->at(0.0));
+    const bool is_back =
+        norm(middle_of(*a.sweep, a.sweep->at(1.0)) - start) < norm(first.centre - start);
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const Passage p = a.sweep->at(t), q = b.sweep->at(is_back ? 1.0 - t : t);
+        if (norm(middle_of(*a.sweep, p) - middle_of(*b.sweep, q)) > tolerance_mm ||
+            norm(p.axis - q.axis) > tolerance_mm / kPart)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Envelopes against what they are made of: the tool at many times, and differences of points.
+#include "ncsim/brep/envelope.h"
+
+#include "ncsim/brep/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <random>
+
+namespace ncsim::brep {
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+class Dice {
+public:
+    double from(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random_);
+    }
+    Vec3 direction() { return normalized({from(-1, 1), from(-1, 1), from(-1, 1)}); }
+    Vec3 point() { return {from(-9, 9), from(-9, 9), from(-9, 9)}; }
+
+private:
+    std::mt19937_64 random_{11};
+};
+
+// Balls and bull noses: lines that are neither level nor too steep, and helices and spirals, wider
+// than the tool, whose axis may lean.
+Envelope random_envelope(Dice& dice) {
+    for (;;) {
+        const bool is_ball = dice.from(0, 1) < 0.4;
+        const Fillet fillet{is_ball ? 0.0 : dice.from(0.5, 4.0), dice.from(0.0, 3.0),
+                            dice.from(0.5, 3.0)};
+        const Vec3 axis = dice.direction();
+        ToolWay way;
+        if (!is_ball && dice.from(0, 1) < 0.5) {
+            way = StraightWay{dice.point(), dice.from(2.0, 30.0) * dice.direction(), axis};
+        } else {
+            RoundWay round;
+            round.centre = dice.point();
+            round.about = dice.from(0, 1) < 0.5 ? axis : dice.direction();
+            round.ahead = across(round.about);
+            round.reach = 1.5 * (fillet.ring + fillet.radius) + dice.from(0.0, 10.0);
+            round.growth = dice.from(0, 1) < 0.5 ? 0.0 : dice.from(-0.3, 0.3);
+            round.lead = dice.from(0.1, 1.0);
+            round.swept = dice.from(0.3, 6.0) * (dice.from(-1, 1) < 0.0 ? -1.0 : 1.0);
+            round.axis = axis;
+            way = round;
+        }
+        Envelope envelope{std::make_shared<Sweep>(fillet, way)};
+        const auto is_usual = [&](const Passage& at) {
+            const double lean = std::abs(dot(normalized(at.speed), at.axis));
+            return lean < 0.95 && (fillet.ring == 0.0 || lean > 0.05);
+        };
+        if (std::ranges::all_of(envelope.sweep->samples(), is_usual)) return envelope;
+    }
+}
+
+// Of all times.
+double least_off(const Sweep& sweep, Vec3 p) {
+    double least = std::numeric_limits<double>::infinity();
+    constexpr int kTimes = 2000;
+    for (int k = 0; k <= kTimes; ++k)
+        least = std::min(least, aspect_at(sweep, double(k) / kTimes, p).off);
+    return least;
+}
+
+// Of points to which the tool does not come.
+TEST(Envelope, HasItsPlacesNormalsAndDistances) {
+    Dice dice;
+    int seen = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Envelope envelope = random_envelope(dice);
+        const Sweep& sweep = *envelope.sweep;
+        const double t = dice.from(0.05, 0.95), degrees = dice.from(100.0, 260.0);
+        const auto point = [&](double time, double angle) {
+            return point_around(sweep, sweep.at(time), angle);
+        };
+        const Vec3 p = point(t, degrees);
+        if (least_off(sweep, p) < -1e-6) continue;
+        ++seen;
+        constexpr double kTime = 1e-5, kAngle = 1e-3;
+        const Vec3 u = point(t, degrees + kAngle) - point(t, degrees - kAngle);
+        const Vec3 v = point(t + kTime, degrees) - point(t - kTime, degrees);
+        const Vec3 n = normalized(cross(u, v));
+        const Aspect place = place_on(envelope, p);
+        EXPECT_NEAR(place.off, 0.0, 1e-11);
+        EXPECT_NEAR(norm(place.normal - n), 0.0, 1e-5);
+        EXPECT_NEAR(place.t, t, 1e-9);
+        EXPECT_NEAR(place.rate, 0.0, 1e-9 * sweep.length_mm());
+        EXPECT_NEAR(degrees_around(around(sweep, place.passage), p), degrees, 1e-8);
+        const double off = dice.from(-0.05, 0.05);
+        EXPECT_NEAR(distance(envelope, p + off * n), off, 1e-6);
+        // What crosses it there.
+        EXPECT_NEAR(distance(Characteristic{envelope, t}, p), 0.0, 1e-10);
+        EXPECT_NEAR(distance(Trail{envelope, dot(n, place.passage.axis)}, p), 0.0, 1e-3);
+        EXPECT_LT(std::abs(dot(gradient(Characteristic{envelope, t}, p), place.normal)), 1e-6);
+    }
+    EXPECT_GT(seen, 1000);
+}
+
+TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
+    Dice dice;
+    for (int i = 0; i < 300; ++i) {
+        const Envelope envelope = random_envelope(dice);
+        const Sweep& sweep = *envelope.sweep;
+        const Vec3 p = point_around(sweep, sweep.at(dice.from(0.1, 0.9)), dice.from(120.0, 240.0)) +
+                       0.3 * dice.direction();
+        const double least = least_off(sweep, p);
+        if (least < -0.05) continue;
+        const Aspect place = place_on(envelope, p);
+        if (place.t < 0.0 || place.t > 1.0) continue;
+        EXPECT_NEAR(place.off, least, 1e-3);
+        EXPECT_LE(place.off, least + 1e-9);
+    }
+}
+
+// Both by differences.
+TEST(Envelope, WhatCrossesItHasItsGradient) {
+    Dice dice;
+    constexpr double kStep = 1e-6;
+    for (int i = 0; i < 500; ++i) {
+        const Envelope envelope = random_envelope(dice);
+        const Sweep& sweep = *envelope.sweep;
+        const Vec3 p = point_around(sweep, sweep.at(dice.from(0.1, 0.9)), dice.from(120.0, 240.0)) +
+                       0.01 * dice.direction();
+        const auto value = [&](Vec3 at) {
+            const Aspect aspect = place_on(envelope, at);
+            return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};
+        };
+        const Aspect aspect = place_on(envelope, p);
+        const Vec3 time = gradient_of_time(aspect), rise = gradient_of_rise(sweep, aspect);
+        for (int k = 0; k < 3; ++k) {
+            Vec3 step;
+            step[k] = kStep;
+            const Vec3 slope = (0.5 / kStep) * (value(p + step) - value(p - step));
+            EXPECT_NEAR(slope.x, aspect.normal[k], 1e-5);
+            EXPECT_NEAR(slope.y, time[k], 1e-4 * (1.0 + norm(time)));
+            EXPECT_NEAR(slope.z, rise[k], 1e-4 * (1.0 + norm(rise)));
+        }
+    }
+}
+
+TEST(Envelope, OfLinesIsTheSameWhateverPieceItIs) {
+    const Fillet bull{4.0, 2.0, 2.0};
+    const Vec3 up{0, 0, 1};
+    const auto of = [&](Vec3 from, Vec3 along) {
+        return Surface{Envelope{std::make_shared<Sweep>(bull, StraightWay{from, along, up})}, true};
+    };
+    const Surface first = of({1, 2, 3}, {10, 0, -2});
+    EXPECT_TRUE(is_same(first, of({21, 2, -1}, {5, 0, -1}), 1e-9));
+    EXPECT_TRUE(is_same(first, of({11, 2, 1}, {-10, 0, 2}), 1e-9));
+    EXPECT_FALSE(is_same(first, of({11, 2, 1.001}, {-10, 0, 2}), 1e-4));
+    EXPECT_FALSE(is_same(first, of({1, 2, 3}, {10, 0.01, -2}), 1e-4));
+}
+
+TEST(Envelope, OfArcsIsTheSameThereAndBack) {
+    RoundWay way{{1, 2, 3}, {0, 0, 1}, {1, 0, 0}, 10.0, 0.0, -0.5, std::numbers::pi, {0, 0, 1}};
+    const Fillet ball{0.0, 3.0, 3.0};
+    const auto of = [&](const RoundWay& round) {
+        return Surface{Envelope{std::make_shared<Sweep>(ball, round)}, true};
+    };
+    const Surface first = of(way);
+    RoundWay back = way;
+    back.centre.z += way.lead * way.swept;
+    back.ahead = -way.ahead;
+    back.swept = -way.swept;
+    EXPECT_TRUE(is_same(first, of(back), 1e-9));
+    back.centre.z += 1e-3;
+    EXPECT_FALSE(is_same(first, of(back), 1e-4));
+}
+
+}  // namespace
+}  // namespace ncsim::brep
