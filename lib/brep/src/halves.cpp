@@ -12,7 +12,7 @@ namespace ncsim::brep {
 namespace {
 
 // At the knot in the middle, where there is one.
-std::optional<Halves> halves_of(const Spline& spline) {
+std::optional<Halves> spline_in_two(const Spline& spline) {
     const std::size_t knots = spline.knots.size();
     if (knots < 3) return std::nullopt;
     const std::size_t middle = knots / 2;
@@ -40,9 +40,9 @@ std::optional<Halves> halves_of(const Spline& spline) {
 
 }  // namespace
 
-std::optional<Halves> halves_of(const Part& part, const Edge& edge) {
+std::optional<Halves> edge_in_two(const Part& part, const Edge& edge) {
     if (std::holds_alternative<Line>(edge.curve)) return std::nullopt;
-    if (const auto* spline = std::get_if<Spline>(&edge.curve)) return halves_of(*spline);
+    if (const auto* spline = std::get_if<Spline>(&edge.curve)) return spline_in_two(*spline);
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
     return Halves{track.at(0.5), edge.curve, edge.curve};
 }
@@ -52,7 +52,7 @@ Halving::Halving(Part& part) : part_(part), second_(part.edges.size(), kNone) {}
 bool Halving::halve(std::uint32_t number) {
     if (number >= second_.size() || second_[number] != kNone) return false;
     const Edge edge = part_.edges[number];
-    auto halves = halves_of(part_, edge);
+    auto halves = edge_in_two(part_, edge);
     if (!halves) return false;
     const auto middle = static_cast<std::uint32_t>(part_.vertices.size());
     part_.vertices.push_back(halves->middle);

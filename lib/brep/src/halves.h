@@ -19,7 +19,7 @@ struct Halves {
 
 /// Of circles and ellipses half of the angle each; splines end at the knot in the middle. Nothing
 /// of lines, and of splines that have no knot inside.
-std::optional<Halves> halves_of(const Part& part, const Edge& edge);
+std::optional<Halves> edge_in_two(const Part& part, const Edge& edge);
 
 /// Halves edges of a part, in all of its loops at once: between the first of them and finish() the
 /// loops are those from before. New vertices and edges are added at the end.

@@ -176,19 +176,19 @@ private:
 };
 
 // Where a line may end on a loop.
-struct Place {
+struct CutEnd {
     Vec3 at;
     std::size_t use = 0;     // which begins there, or
     bool is_middle = false;  // has it in its middle
 };
 
 // The corners of a loop but the first one, and the middles of its round edges if these count, too.
-std::vector<Place> places_on(const Part& part, const Loop& loop, bool has_middles) {
-    std::vector<Place> places;
+std::vector<CutEnd> places_on(const Part& part, const Loop& loop, bool has_middles) {
+    std::vector<CutEnd> places;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         if (i > 0) places.push_back({part.vertices[departs_from(part, loop[i])], i});
         if (!has_middles) continue;
-        if (const auto halves = halves_of(part, part.edges[loop[i].edge]))
+        if (const auto halves = edge_in_two(part, part.edges[loop[i].edge]))
             places.push_back({halves->middle, i, true});
     }
     return places;
@@ -196,7 +196,7 @@ std::vector<Place> places_on(const Part& part, const Loop& loop, bool has_middle
 
 // The line along which a plane becomes two: from the outline to the hole.
 struct Cut {
-    Place from, to;
+    CutEnd from, to;
 };
 
 std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& outline,
@@ -204,9 +204,9 @@ std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& 
     const Drawing drawing(part, face);
     std::optional<Cut> best;
     double shortest = std::numeric_limits<double>::infinity();
-    const std::vector<Place> ends = places_on(part, hole, has_middles);
-    for (const Place& from : places_on(part, outline, has_middles)) {
-        for (const Place& to : ends) {
+    const std::vector<CutEnd> ends = places_on(part, hole, has_middles);
+    for (const CutEnd& from : places_on(part, outline, has_middles)) {
+        for (const CutEnd& to : ends) {
             const double length = norm(to.at - from.at);
             if (length >= shortest || !drawing.is_clear(from.at, to.at)) continue;
             shortest = length;

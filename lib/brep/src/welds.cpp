@@ -32,7 +32,7 @@ std::vector<bool> flat_corners(const Part& part) {
 }
 
 // Of a plane: without edges that are points, and without loops of which nothing is left but one.
-void drop_points(Part& part, Face& face) {
+void drop_edges_of_no_length(Part& part, Face& face) {
     bool any = false;
     for (Loop& loop : face.loops) {
         any = std::erase_if(loop,
@@ -93,7 +93,7 @@ bool weld_short_edges(Part& part, const std::vector<std::uint32_t>& faces, doubl
         edge.to = same.find(edge.to);
     }
     for (Face& face : part.faces) {
-        if (std::holds_alternative<Plane>(face.surface.form)) drop_points(part, face);
+        if (std::holds_alternative<Plane>(face.surface.form)) drop_edges_of_no_length(part, face);
     }
     return true;
 }
