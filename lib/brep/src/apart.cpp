@@ -368,6 +368,23 @@ std::vector<Numbers> faces_of_edges(const Part& part) {
     return faces_of;
 }
 
+// Planes whose edges are all so short that readers lose them, and then hang together with nothing.
+Numbers planes_of_no_size(const Part& part) {
+    constexpr double kNoSize = 3.0 * kLeast;
+    Numbers found;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const Face& face = part.faces[f];
+        const bool are_short = std::ranges::all_of(face.loops, [&](const Loop& loop) {
+            return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+                const Edge& edge = part.edges[use.edge];
+                return std::holds_alternative<Line>(edge.curve) && length_of(part, edge) < kNoSize;
+            });
+        });
+        if (are_short && std::holds_alternative<Plane>(face.surface.form)) found.push_back(f);
+    }
+    return found;
+}
+
 // The loop of a plane that has the same edges, which are straight, as this loop.
 struct OtherSide {
     std::uint32_t face;
@@ -466,6 +483,8 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
         std::iota(faces.begin(), faces.end(), 0U);
         part_where_they_touch(part, faces, kLeast, was);
         Numbers crossed = crossed_planes(part);
+        for (const std::uint32_t f : planes_of_no_size(part))
+            crossed.push_back(f);
         if (crossed.empty()) break;
         // Simplified polyhedra are flat within that.
         constexpr double kFlat = 1e-4;
