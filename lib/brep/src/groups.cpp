@@ -240,10 +240,18 @@ bool Groups::give_up_rings() {
                              std::holds_alternative<Dome>(form_of(g)) ||
                              std::holds_alternative<Envelope>(form_of(g)) || is_flat_ramp(g);
         if (!groups_[g].is_analytic || !may_not) continue;
-        const bool is_beside = std::ranges::any_of(
-            neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
+        bool is_beside = false, is_unknown = false;
+        for (const auto& [n, shared] : neighbours(g)) {
+            is_beside = is_beside || is_facet(n);
+            is_unknown = is_unknown || (is_facet(n) && mesh_[groups_[n].facets.front()].is_unknown);
+        }
         if (!is_beside) continue;
-        give_up(g, false);
+        if (is_unknown && std::holds_alternative<Envelope>(form_of(g))) {
+            for (const std::uint32_t i : groups_[g].facets)
+                mesh_.leave_unknown(i);
+        } else {
+            give_up(g, false);
+        }
         any = true;
     }
     return any;
