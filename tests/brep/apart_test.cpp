@@ -2,6 +2,11 @@
 #include "ncsim/brep/apart.h"
 
 #include "ncsim/brep/check.h"
+#include "ncsim/export/simplify.h"
+#include "ncsim/export/step.h"
+#include "ncsim/simulation/simulate.h"
+
+#include "brep/tilted_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +68,22 @@ TEST(KeepApart, AHoleThatCanBeSeenStays) {
     Part part = part_of(1e-2);
     EXPECT_EQ(part.faces[1].loops.size(), 2U);
     EXPECT_TRUE(check(part, 1e-6).empty());
+}
+
+// What was between two faces around a corner of both had vanished, and each kept an edge from that
+// corner to itself.
+TEST(Facets, NoLoopComesToACornerTwiceInARow) {
+    simulation::Plan plan = test::plan_of(test::tilted_part(3000160), "part.nc");
+    const simulation::Survey survey = simulation::survey(plan);
+    const simulation::Simulation milled = simulation::simulate(plan, survey, {}, {});
+    const exporter::Simplified flat =
+        exporter::simplify(*milled.boundary, exporter::kStepTolerance);
+    for (const cda::BoundaryFace& face : flat.boundary.faces) {
+        for (const auto& loop : face.loops) {
+            EXPECT_EQ(std::ranges::adjacent_find(loop), loop.end());
+            EXPECT_NE(loop.front(), loop.back());
+        }
+    }
 }
 
 }  // namespace

@@ -273,6 +273,32 @@ TEST(Apart, TakesOutWhatHasNoWidth) {
     EXPECT_EQ(part.faces.size(), 6U);
 }
 
+// Within the lid there is another one, between a side of it and two short edges: both have a side
+// of their own there, with nothing of the lid between.
+TEST(Apart, ClosesSlitsBetweenAnOutlineAndAHole) {
+    Part part = post({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    const EdgeUse side = part.faces[4].loops.front().front();
+    const auto ends = std::pair(part.edges[side.edge].from, part.edges[side.edge].to);
+    const auto [from, to] = side.is_forward ? ends : std::pair(ends.second, ends.first);
+    const auto tip = static_cast<std::uint32_t>(part.vertices.size());
+    part.vertices.push_back({5, 3, 5});
+    const auto first = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.insert(part.edges.end(),
+                      {{from, to, Line{}}, {to, tip, Line{}}, {tip, from, Line{}}});
+    Face within = part.faces[4];
+    within.loops = {{{first, true}, {first + 1, true}, {first + 2, true}}};
+    part.faces[4].loops.push_back({{first, false}, {first + 2, false}, {first + 1, false}});
+    part.solids.front().outside.push_back(static_cast<std::uint32_t>(part.faces.size()));
+    part.faces.push_back(within);
+    EXPECT_NE(told(check(part, 1e-4)), "");
+    keep_apart(part);
+    EXPECT_EQ(told(check(part, 1e-4)), "");
+    EXPECT_EQ(part.faces.size(), 7U);
+    EXPECT_EQ(part.faces[4].loops.size(), 1U);
+    EXPECT_EQ(part.faces[4].loops.front().size(), 5U);
+    EXPECT_NEAR(volume(part), 500.0, 1e-9);
+}
+
 std::string told_of_readers(Part& part) {
     for (const Solid& solid : part.solids)
         EXPECT_EQ(solid.outside.size(), part.faces.size());

@@ -99,11 +99,12 @@ std::vector<Golden> goldens() {
          "T5 M6\nG0 X-10 Y-3 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
          {7, 0, 0, 0, 0},
          kBlock - 40.0},
-        // Two rings whose walls touch in one line: none of the three strips between is there.
+        // Two rings whose walls touch in one line: none of the three strips between is there. The
+        // upper floor, which runs out between them, is two planes.
         {"touching_rings",
          "T1 M6\nG0 X52 Y30 Z1\nG1 Z-3\nG2 X52 Y30 I-12\nG0 Z5\nG0 X47 Y25\nG1 Z-6\nG2 X47 Y25 "
          "I-7\nG0 Z5\n",
-         {9, 3, 0, 0, 0},
+         {10, 3, 0, 0, 0},
          kBlock - 1275.0 * kPi},
         // Of the wall of 0.4 um between both rings facets leave a fin here and there, which goes.
         {"ring_beside_ring",
@@ -169,6 +170,11 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z0\nG18 G2 X26 Z-6 I6 K0\nG1 X44\nG2 X50 Z0 I0 K6\nG17\nG0 Z5\n",
          {9, 0, 0, 0, 0, 0, 2},
          kBlock - (1080.0 + 330.0 * kPi)},
+        // Down and up again in one arc: at its bottom is the disc.
+        {"dip_between",
+         "T1 M6\nG0 X20 Y30 Z0\nG18 G2 X32 Z0 I6 K8\nG17\nG0 Z5\n",
+         {9, 0, 0, 0, 0, 0, 2},
+         kBlock - (50.0 * kPi + 10.0 * (100.0 * std::asin(0.6) - 48.0))},
         {"drill",
          "T2 M6\nG0 X40 Y30 Z5\nG1 Z-10\nG0 Z5\n",
          {6, 1, 1, 0, 0},
@@ -824,6 +830,22 @@ TEST(Recognise, PlanesArePartedWhereAHoleTouchesTheirOutline) {
             EXPECT_TRUE(common.empty());
         }
     }
+}
+
+// Neither the floor's outline nor its hole has another corner than the one where they touch, so a
+// round edge of each is halved.
+TEST(Recognise, PlanesArePartedWhereRoundEdgesTouch) {
+    Made made = test::make_part(
+        "ring", "T1 M6\nG0 X30 Y30 Z5\nG1 Z-4\nG3 X30 Y30 I10 J0\nG1 Z-8\nG1 X38\nG0 Z5\n");
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    EXPECT_TRUE(check(made.solid.part, 1e-6).empty());
+    const auto is_floor = [](const Face& face) {
+        const auto* plane = std::get_if<Plane>(&face.surface.form);
+        return plane && plane->normal.z > 0.5 && std::abs(plane->origin.z + 4.0) < 1e-6;
+    };
+    EXPECT_EQ(std::ranges::count_if(made.solid.part.faces, is_floor), 2);
+    for (const Face& face : made.solid.part.faces)
+        EXPECT_TRUE(!is_floor(face) || face.loops.size() == 1);
 }
 
 TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {

@@ -111,7 +111,7 @@ TEST(Mass, KnowsWhereThePiecesOfASplineEnd) {
     face.surface = {Plane{{0, 0, 0}, {0, 0, 1}}, false};
     face.frame = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
     face.loops = {{{1, true}, {0, false}}};
-    const Track track(spline, part.vertices[0], part.vertices[1]);
+    const Track track(part.edges[0].curve, part.vertices[0], part.vertices[1]);
     // Between 0.2 and 0.26 of it is the short piece.
     double area = 0.0;
     const auto add = [&](double begin, double end) {

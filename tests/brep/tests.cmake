@@ -9,10 +9,12 @@ ncsim_add_test(brep
     golden_test.cpp
     made_part.cpp
     mass_test.cpp
+    order_test.cpp
     random_parts.cpp
     section_test.cpp
     solids.cpp
-    surface_test.cpp)
+    surface_test.cpp
+    tilted_parts.cpp)
 
 # OpenCASCADE judges them, too (export/tests.cmake has its reader).
 set(solids ${CMAKE_CURRENT_BINARY_DIR}/brep/solids)
@@ -26,7 +28,8 @@ set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQ
 
 # Parts of random programs likewise; more of them by hand: ncsim_brep_random <folder> 1000.
 set(random ${CMAKE_CURRENT_BINARY_DIR}/brep/random)
-add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/random_parts.cpp)
+add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/random_parts.cpp
+  brep/tilted_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation fmt::fmt-header-only
   ncsim_build_flags)
@@ -66,6 +69,23 @@ add_test(NAME brep.write_rasters COMMAND ncsim_brep_random ${rasters} 24 2000000
 set_tests_properties(brep.write_rasters PROPERTIES FIXTURES_SETUP brep_rasters)
 add_test(NAME brep.rasters_are_read_by_opencascade COMMAND ncsim_read_step ${rasters})
 set_tests_properties(brep.rasters_are_read_by_opencascade PROPERTIES FIXTURES_REQUIRED brep_rasters)
+
+# And of tools and parts that lean on machines of all kinds, where many facets stay; the same as
+# facets alone.
+set(tilted ${CMAKE_CURRENT_BINARY_DIR}/brep/tilted)
+add_test(NAME brep.write_tilted_parts COMMAND ncsim_brep_random ${tilted}
+  --seeds 3000010 3000012 3000014 3000019)
+set_tests_properties(brep.write_tilted_parts PROPERTIES FIXTURES_SETUP brep_tilted)
+add_test(NAME brep.tilted_parts_are_read_by_opencascade COMMAND ncsim_read_step ${tilted})
+set_tests_properties(brep.tilted_parts_are_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_tilted)
+set(tilted_facets ${CMAKE_CURRENT_BINARY_DIR}/brep/tilted_facets)
+add_test(NAME brep.write_tilted_facets COMMAND ncsim_brep_random ${tilted_facets} --faceted
+  --seeds 3000009 3000010 3000078 3000082 3000132)
+set_tests_properties(brep.write_tilted_facets PROPERTIES FIXTURES_SETUP brep_tilted_facets)
+add_test(NAME brep.tilted_facets_are_read_by_opencascade COMMAND ncsim_read_step ${tilted_facets})
+set_tests_properties(brep.tilted_facets_are_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_tilted_facets)
 
 # And those in which OpenCASCADE once found a fault that the first ones do not have:
 # 60438 a ramp leaves the block in a flat ellipse, of which nothing was drawn, 70744 a wall in a spline;

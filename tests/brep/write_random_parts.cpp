@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// write_random_parts <folder> <count> [first], or <folder> --seeds <seed>...: parts of random
-// programs as STEP, with what ncsim_read_step is to find; says how many have facets.
+// write_random_parts <folder> [--faceted] <count> [first], or <folder> [--faceted] --seeds
+// <seed>...: parts of random programs as STEP, with what ncsim_read_step is to find; says how many
+// have facets. Seeds from 3000000 on lean the tool or the part; --faceted: facets alone.
+#include "ncsim/brep/apart.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
 #include "brep/random_parts.h"
+#include "brep/tilted_parts.h"
 
 #include <fmt/format.h>
 
@@ -26,18 +30,46 @@ namespace ncsim::brep::test {
 
 namespace {
 
-// How many of its faces are facets.
-std::size_t write(const std::filesystem::path& stem, const std::string& text) {
-    std::ofstream(stem.string() + ".nc") << text;
+constexpr std::uint64_t kTilted = 3'000'000;
+
+// The program of a seed, on its machine.
+simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) {
+    const std::string name = stem.filename().string() + ".nc";
+    std::ofstream out(stem.string() + ".nc");
+    if (seed >= kTilted) {
+        const TiltedPart part = tilted_part(seed);
+        out << part.program;
+        std::ofstream(stem.string() + ".toml")
+            << "preset = \"" << part.machine << "\"\ncontrol = { tip_frame = \"table\" }\n";
+        return plan_of(part, name);
+    }
+    const std::string program = random_part(seed);
+    out << program;
     simulation::Plan plan;
-    plan.job = setup::job_of({stem.filename().string() + ".nc", text});
+    plan.job = setup::job_of({name, program});
     plan.keep_boundary = true;
+    return plan;
+}
+
+Recognised facets_of(const simulation::Simulation& milled) {
+    const exporter::Simplified flat =
+        exporter::simplify(*milled.boundary, exporter::kStepTolerance);
+    Recognised solid{faceted(flat.boundary, flat.origins)};
+    keep_apart(solid.part);
+    return solid;
+}
+
+// How many of its faces are facets.
+std::size_t write(const std::filesystem::path& stem, std::uint64_t seed, bool is_faceted) {
+    simulation::Plan plan = plan_of(stem, seed);
     const simulation::Survey survey = simulation::survey(plan);
     if (!survey.is_ready()) throw std::runtime_error(simulation::reason_against(survey));
     simulation::Verification nothing;
     nothing.keep_cuts = true;
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
-    const Recognised solid = simulation::solid_of(plan, survey, milled, exporter::kStepTolerance);
+    const Recognised solid =
+        is_faceted ? facets_of(milled)
+                   : simulation::solid_of(plan, survey, milled, exporter::kStepTolerance);
     std::ofstream out(stem.string() + ".step", std::ios::binary);
     exporter::write_step_solid(out, solid.part, milled.provenance);
     // What edges miss moves faces, and OpenCASCADE integrates over splines less exactly.
@@ -60,17 +92,20 @@ int main(int argc, char** argv) {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
         const auto number = [&](int i) { return std::strtoull(argv[i], nullptr, 10); };
+        const bool is_faceted = std::string_view(argv[2]) == "--faceted";
+        const int next = is_faceted ? 3 : 2;
+        if (next >= argc) return EXIT_FAILURE;
         std::vector<std::uint64_t> seeds;
-        if (std::string_view(argv[2]) == "--seeds") {
-            for (int i = 3; i < argc; ++i)
+        if (std::string_view(argv[next]) == "--seeds") {
+            for (int i = next + 1; i < argc; ++i)
                 seeds.push_back(number(i));
         } else {
-            seeds.resize(number(2));
-            std::iota(seeds.begin(), seeds.end(), argc > 3 ? number(3) : 0);
+            seeds.resize(number(next));
+            std::iota(seeds.begin(), seeds.end(), argc > next + 1 ? number(next + 1) : 0);
         }
         std::size_t whole = 0;
         for (const std::uint64_t seed : seeds) {
-            const auto facets = write(folder / fmt::format("{:06}", seed), random_part(seed));
+            const auto facets = write(folder / fmt::format("{:06}", seed), seed, is_faceted);
             if (facets == 0) ++whole;
             if (facets != 0) std::cout << seed << ": " << facets << " facets\n";
         }

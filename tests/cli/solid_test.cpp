@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace ncsim::cli_test {
 namespace {
@@ -33,6 +34,19 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     EXPECT_EQ(flat.exit_code, 0) << flat.err;
     EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 0U);
     EXPECT_GT(ncsim::test::count(folder.read("a.step"), "ADVANCED_FACE("), 20U);
+}
+
+// At the first cut: finer ones cost more than all the rest.
+TEST(Run, SolidsOfTheSamplesHaveNoFacets) {
+    Folder folder;
+    for (const auto& [sample, tolerance] :
+         {std::pair("simple", "0.05"), {"complex", "0.05"}, {"complex", "0.1"}, {"wave", "0.05"}}) {
+        const Ran ran =
+            folder.run({"run", std::string(NCSIM_SOURCE_DIR) + "/samples/" + sample + ".nc",
+                        "--tool-tolerance", tolerance, "--step", "a.step", "--step-strict",
+                        "--step-refine", "0"});
+        EXPECT_EQ(ran.exit_code, 0) << sample << tolerance << ran.err << ran.out;
+    }
 }
 
 TEST(Run, CutsThePartOpenInLinesAndArcs) {

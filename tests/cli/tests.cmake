@@ -25,6 +25,7 @@ if(TARGET ncsim)
       in_order_test.cpp
       isolate_test.cpp
       large_pages_test.cpp
+      machine_command_test.cpp
       machine_mesh_test.cpp
       machine_test.cpp
       measure_test.cpp

@@ -5,12 +5,15 @@
 
 #include "none.h"
 #include "pinches.h"
+#include "spikes.h"
+#include "welds.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -191,119 +194,6 @@ private:
     std::vector<bool> is_flat_;
 };
 
-// Two straight edges one after the other, there and back, have nothing between them: they go, and
-// what is beyond them meets.
-class Spikes {
-public:
-    explicit Spikes(Part& part) : part_(part), faces_of_(part.edges.size()) {
-        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            for (const Loop& loop : part.faces[f].loops) {
-                for (const EdgeUse& use : loop)
-                    faces_of_[use.edge].push_back(f);
-            }
-            waiting_.push_back(f);
-        }
-    }
-
-    // True: something has gone.
-    bool take_out() {
-        bool any = false;
-        while (!waiting_.empty()) {
-            const std::uint32_t f = waiting_.back();
-            waiting_.pop_back();
-            while (take_one_out(f))
-                any = true;
-        }
-        return any;
-    }
-
-private:
-    bool take_one_out(std::uint32_t f) {
-        std::vector<Loop>& loops = part_.faces[f].loops;
-        for (std::size_t l = 0; l < loops.size(); ++l) {
-            for (std::size_t i = 0; i < loops[l].size(); ++i) {
-                const std::size_t next = (i + 1) % loops[l].size();
-                const EdgeUse there = loops[l][i], back = loops[l][next];
-                if (next == i || !are_spike(there, back)) continue;
-                Loop left;
-                for (std::size_t k = 0; k < loops[l].size(); ++k) {
-                    if (k != i && k != next) left.push_back(loops[l][k]);
-                }
-                loops[l] = left;
-                drop_if_empty(loops, l);
-                if (there.edge != back.edge) join(f, there, back);
-                return true;
-            }
-        }
-        return false;
-    }
-
-    static void drop_if_empty(std::vector<Loop>& loops, std::size_t l) {
-        if (loops[l].empty() && loops.size() > 1)
-            loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(l));
-    }
-
-    bool are_spike(const EdgeUse& there, const EdgeUse& back) const {
-        const Edge &a = part_.edges[there.edge], &b = part_.edges[back.edge];
-        return std::holds_alternative<Line>(a.curve) && std::holds_alternative<Line>(b.curve) &&
-               (there.is_forward ? a.from : a.to) == (back.is_forward ? b.to : b.from) &&
-               (there.is_forward ? a.to : a.from) == (back.is_forward ? b.from : b.to);
-    }
-
-    // Who had `back` has `there`, against whom had that.
-    void join(std::uint32_t f, const EdgeUse& there, const EdgeUse& back) {
-        std::erase(faces_of_[there.edge], f);
-        std::erase(faces_of_[back.edge], f);
-        for (const std::uint32_t other : faces_of_[back.edge]) {
-            for (Loop& loop : part_.faces[other].loops) {
-                for (EdgeUse& use : loop) {
-                    if (use.edge == back.edge) use = there;
-                }
-            }
-            faces_of_[there.edge].push_back(other);
-        }
-        faces_of_[back.edge].clear();
-        const Numbers& beside = faces_of_[there.edge];
-        waiting_.insert(waiting_.end(), beside.begin(), beside.end());
-        if (beside.size() == 2 && beside[0] == beside[1]) join_over(beside[0], there.edge);
-    }
-
-    // A plane on both sides of the edge: two loops that have it become one, one becomes two.
-    void join_over(std::uint32_t f, std::uint32_t edge) {
-        if (!std::holds_alternative<Plane>(part_.faces[f].surface.form)) return;
-        std::vector<Loop>& loops = part_.faces[f].loops;
-        std::vector<std::array<std::size_t, 2>> uses;
-        for (std::size_t l = 0; l < loops.size(); ++l) {
-            for (std::size_t i = 0; i < loops[l].size(); ++i) {
-                if (loops[l][i].edge == edge) uses.push_back({l, i});
-            }
-        }
-        if (uses.size() != 2) return;
-        const auto [first, second] = std::pair(uses[0], uses[1]);
-        Loop& one = loops[first[0]];
-        std::ranges::rotate(one, one.begin() + static_cast<std::ptrdiff_t>(first[1]));
-        if (first[0] != second[0]) {
-            Loop& other = loops[second[0]];
-            std::ranges::rotate(other, other.begin() + static_cast<std::ptrdiff_t>(second[1]));
-            one.insert(one.end(), other.begin() + 1, other.end());
-            one.erase(one.begin());
-            other.clear();
-            drop_if_empty(loops, second[0]);
-            return;
-        }
-        const auto at = one.begin() + static_cast<std::ptrdiff_t>(second[1] - first[1]);
-        Loop rest(at + 1, one.end());
-        one.erase(at, one.end());
-        one.erase(one.begin());
-        if (!rest.empty()) loops.push_back(std::move(rest));
-        drop_if_empty(loops, first[0]);
-    }
-
-    Part& part_;
-    std::vector<Numbers> faces_of_;  // of each edge
-    Numbers waiting_;
-};
-
 // Holes that are nowhere larger than kLeast become points: a corner that pokes through a face by
 // less than readers can tell does not.
 class Pinholes {
@@ -426,30 +316,33 @@ void drop_empty(Part& part, Numbers& was) {
         renumber(solid.outside);
         for (Shell& shell : solid.voids)
             renumber(shell);
+        std::erase_if(solid.voids, &Shell::empty);
     }
     std::erase_if(part.faces, is_empty);
     was.resize(count);
 }
 
-void take_out_spikes(Part& part, Numbers& was) {
-    if (Spikes(part).take_out()) drop_empty(part, was);
-}
-
-void contract_short_edges(Part& part, Numbers& was) {
+// True: some have gone.
+bool contract_short_edges(Part& part) {
     std::vector<std::pair<double, std::uint32_t>> low;
     for (std::uint32_t e = 0; e < part.edges.size(); ++e) {
         const double length = length_of(part, part.edges[e]);
         if (length < kLeast) low.emplace_back(length, e);
     }
-    if (low.empty()) return;
+    if (low.empty()) return false;
     std::sort(low.begin(), low.end());
     Contraction contraction(part);
+    bool any = false;
     // What hung together by an edge may do so no longer when those around it have gone.
     while (std::erase_if(low, [&](const auto& edge) { return contraction.contract(edge.second); }) >
-           0) {
-    }
-    Spikes(part).take_out();
-    drop_empty(part, was);
+           0)
+        any = true;
+    return any;
+}
+
+// Those that stay, for what is beside them is not flat.
+void lengthen_short_edges(Part& part) {
+    const Contraction contraction(part);
     // One may bring another one's ends nearer.
     constexpr int kPasses = 3;
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -464,8 +357,7 @@ void contract_short_edges(Part& part, Numbers& was) {
     }
 }
 
-// Two planes with all their edges in common have nothing between them.
-void empty_flat_pockets(Part& part) {
+std::vector<Numbers> faces_of_edges(const Part& part) {
     std::vector<Numbers> faces_of(part.edges.size());
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         for (const Loop& loop : part.faces[f].loops) {
@@ -473,54 +365,123 @@ void empty_flat_pockets(Part& part) {
                 faces_of[use.edge].push_back(f);
         }
     }
-    const auto is_plain = [](const Face& face) {
-        return face.loops.size() == 1 && std::holds_alternative<Plane>(face.surface.form);
-    };
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        Face& face = part.faces[f];
-        if (!is_plain(face) || face.loops.front().empty()) continue;
-        const Numbers& both = faces_of[face.loops.front().front().edge];
-        if (both.size() != 2 || both[0] == both[1]) continue;
-        Face& other = part.faces[both[0] == f ? both[1] : both[0]];
-        const bool are_one = is_plain(other) &&
-                             other.loops.front().size() == face.loops.front().size() &&
-                             std::ranges::all_of(face.loops.front(), [&](const EdgeUse& use) {
-                                 return std::holds_alternative<Line>(part.edges[use.edge].curve) &&
-                                        faces_of[use.edge] == both;
-                             });
-        if (!are_one) continue;
-        face.loops.front().clear();
-        other.loops.front().clear();
-    }
+    return faces_of;
 }
 
-// Of these faces.
-void part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Numbers& was) {
-    const bool any = join_touching_corners(part, faces, near_mm);
-    for (const std::uint32_t f : part_pinched_faces(part))
+// The loop of a plane that has the same edges, which are straight, as this loop.
+struct OtherSide {
+    std::uint32_t face;
+    std::size_t loop;
+};
+
+std::optional<OtherSide> other_side_of(const Part& part, const std::vector<Numbers>& faces_of,
+                                       std::uint32_t f, const Loop& loop) {
+    if (loop.empty()) return std::nullopt;
+    const Numbers both = faces_of[loop.front().edge];
+    if (both.size() != 2 || both[0] == both[1]) return std::nullopt;
+    const std::uint32_t other = both[0] == f ? both[1] : both[0];
+    const Face& face = part.faces[other];
+    if (!std::holds_alternative<Plane>(face.surface.form)) return std::nullopt;
+    const auto has = [](const Loop& in, std::uint32_t edge) {
+        return std::ranges::find(in, edge, &EdgeUse::edge) != in.end();
+    };
+    const auto same =
+        std::ranges::find_if(face.loops, [&](const Loop& l) { return has(l, loop.front().edge); });
+    const bool is_same =
+        same != face.loops.end() && same->size() == loop.size() &&
+        std::ranges::all_of(loop, [&](const EdgeUse& use) {
+            return std::holds_alternative<Line>(part.edges[use.edge].curve) && has(*same, use.edge);
+        });
+    if (!is_same) return std::nullopt;
+    return OtherSide{other, static_cast<std::size_t>(same - face.loops.begin())};
+}
+
+// Two planes with all their edges in common have nothing between them. Nor has one with a hole that
+// another one closes, if either is crossed: if the hole is not in it, or what closes it is no wider
+// than a line.
+bool empty_flat_pockets(Part& part, const Numbers& crossed) {
+    bool any = false;
+    const std::vector<Numbers> faces_of = faces_of_edges(part);
+    const auto empty = [&](std::uint32_t f, std::size_t l, bool may_be_hole) {
+        Face& face = part.faces[f];
+        if (!std::holds_alternative<Plane>(face.surface.form)) return;
+        const auto other = other_side_of(part, faces_of, f, face.loops[l]);
+        if (!other) return;
+        Face& beyond = part.faces[other->face];
+        const bool are_whole = face.loops.size() == 1 && beyond.loops.size() == 1;
+        // Not the outlines of two that have holes.
+        const bool is_hole =
+            (l > 0 && beyond.loops.size() == 1) || (other->loop > 0 && face.loops.size() == 1);
+        if (!are_whole && !(may_be_hole && is_hole)) return;
+        face.loops[l].clear();
+        beyond.loops[other->loop].clear();
+        any = true;
+    };
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        if (part.faces[f].loops.size() == 1) empty(f, 0, false);
+    }
+    for (const std::uint32_t f : crossed) {
+        for (std::size_t l = 0; l < part.faces[f].loops.size(); ++l)
+            empty(f, l, true);
+    }
+    for (Face& face : part.faces) {
+        if (any && face.loops.size() > 1)
+            std::erase_if(face.loops, [](const Loop& loop) { return loop.empty(); });
+    }
+    return any;
+}
+
+// Of these faces. True: something has changed.
+bool part_where_they_touch(Part& part, const Numbers& faces, double near_mm, Numbers& was) {
+    bool any = join_touching_corners(part, faces, near_mm);
+    // What runs there and back may not be shared out between the loops that a pinched one becomes.
+    any = take_out_spikes(part) || any;
+    drop_empty(part, was);
+    for (const std::uint32_t f : part_pinched_faces(part)) {
         was.push_back(was[f]);
-    Spikes(part).take_out();
+        any = true;
+    }
+    any = take_out_spikes(part) || any;
+    any = empty_flat_pockets(part, {}) || any;
     drop_empty(part, was);
-    if (!any) return;
-    empty_flat_pockets(part);
-    drop_empty(part, was);
+    return any;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> keep_apart(Part& part) {
-    Numbers was(part.faces.size());
+    Numbers was(part.faces.size()), faces;
     std::iota(was.begin(), was.end(), 0U);
-    take_out_spikes(part, was);
-    Pinholes(part).close();
-    contract_short_edges(part, was);
-    Numbers faces(part.faces.size());
-    std::iota(faces.begin(), faces.end(), 0U);
-    part_where_they_touch(part, faces, kLeast, was);
-    // Simplified polyhedra are flat within that.
-    constexpr double kFlat = 1e-4;
-    if (const Numbers crossed = crossed_planes(part); !crossed.empty())
-        part_where_they_touch(part, crossed, kFlat, was);
+    // Each step may make room for another one.
+    constexpr int kMostRounds = 10;
+    for (int round = 0; round < kMostRounds; ++round) {
+        take_out_spikes(part);
+        drop_empty(part, was);
+        Pinholes(part).close();
+        contract_short_edges(part);
+        take_out_spikes(part);
+        drop_empty(part, was);
+        lengthen_short_edges(part);
+        faces.resize(part.faces.size());
+        std::iota(faces.begin(), faces.end(), 0U);
+        part_where_they_touch(part, faces, kLeast, was);
+        Numbers crossed = crossed_planes(part);
+        if (crossed.empty()) break;
+        // Simplified polyhedra are flat within that.
+        constexpr double kFlat = 1e-4;
+        if (part_where_they_touch(part, crossed, kFlat, was)) crossed = crossed_planes(part);
+        const bool had_pockets = empty_flat_pockets(part, crossed);
+        if (had_pockets) {
+            drop_empty(part, was);
+            crossed = crossed_planes(part);
+        }
+        if (round + 1 == kMostRounds) break;
+        // Those that were made longer, too; and where that is not enough, farther apart.
+        const bool has_welded = std::ranges::any_of(
+            std::array{1.5 * kLeast, 3.0 * kLeast, kFlat},
+            [&](double near_mm) { return weld_short_edges(part, crossed, near_mm); });
+        if (!has_welded && !had_pockets) break;
+    }
     return was;
 }
 

@@ -161,8 +161,11 @@ void Chains::solve() {
     for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
          ++i) {
         bool has_failed = !solve_vertex(vertices_[i]);
-        if ((has_failed || is_bend_elsewhere(vertices_[i])) && split(i, spokes_at(vertices_[i])))
-            has_failed = false;
+        if (has_failed || is_bend_elsewhere(vertices_[i])) {
+            const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
+            const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
+            if (!is_ahead && split(i, spokes)) has_failed = false;
+        }
         Vertex& v = vertices_[i];
         v.has_failed = has_failed;
         if (v.has_failed) failures_.push_back({v.groups, true});

@@ -78,7 +78,9 @@ private:
     bool is_tip(std::uint32_t h) const;
     bool is_bend(std::uint32_t h, const std::vector<int>& degree) const;
     double reach(const std::vector<std::uint32_t>& around) const;
-    bool solve_vertex(Vertex& v) const;
+    /// It may be as far from where it was, or from one of the ways `beside`, as corners of polygons
+    /// are from true ones.
+    bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside = {}) const;
     bool is_above(std::uint32_t ramp, Vec3 p) const;
     void move_to_ellipse(Vertex& v, Vec3 start) const;
     bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
@@ -93,19 +95,31 @@ private:
     std::vector<Spoke> spokes_at(const Vertex& v) const;
     bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
     bool is_bend_elsewhere(const Vertex& v) const;
+    bool is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const;
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
     void bend(std::uint32_t number);
     void pass_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
+    /// Of each vertex, those that meet there, where they are not more than three.
+    using ChainsAt = std::vector<std::array<std::uint32_t, 3>>;
+    /// The faces around a chain, and the chains at both of its ends.
+    struct Crossing {
+        std::uint32_t left, right, behind = kNone, ahead = kNone;  ///< Groups.
+        std::uint32_t from_left = kNone, from_right = kNone, to_left = kNone, to_right = kNone;
+    };
+    std::optional<Crossing> crossing_at(std::uint32_t number, const ChainsAt& at) const;
+    bool are_walls(const std::vector<std::uint32_t>& groups) const;
     bool flip_reversed();
-    bool flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at);
+    bool is_reversed(const Chain& chain) const;
+    bool flip(std::uint32_t number, ChainsAt& at, int most);
     Vec3 way_of(const Chain& chain) const;
     /// A use that has no place yet.
     struct Left {
         std::uint32_t group;
         EdgeUse use;
     };
+    void take_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const;
     void put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
                      std::vector<Left>& left) const;
     bool put(const Left& one, std::vector<Loop>& loops, bool has_both) const;

@@ -324,8 +324,11 @@ std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
         const auto* level = std::get_if<Plane>(form);
         if (!level) continue;
         std::vector<LevelCircle> circles;
+        std::vector<const Plane*> walls;
         for (const Form* other : forms) {
-            if (const auto* f = std::get_if<Dome>(other)) {
+            if (const auto* wall = std::get_if<Plane>(other)) {
+                if (is_across(wall->normal, level->normal)) walls.push_back(wall);
+            } else if (const auto* f = std::get_if<Dome>(other)) {
                 if (is_parallel(f->axis, level->normal))
                     circles.push_back({centre_at_height(*f, level->origin), f->radius, true});
             } else if (const auto* coil = std::get_if<Coil>(other)) {
@@ -348,6 +351,12 @@ std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
                 if ((!a.moves && !b.moves) || d < kApart) continue;
                 if (near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius)))
                     planes.push_back(Plane{a.centre, normalized(cross(level->normal, apart))});
+            }
+            for (const Plane* wall : walls) {
+                if (circles[i].moves &&
+                    near(std::abs(distance(*wall, circles[i].centre)), circles[i].radius))
+                    planes.push_back(
+                        Plane{circles[i].centre, normalized(cross(level->normal, wall->normal))});
             }
         }
     }

@@ -22,8 +22,8 @@ std::optional<Form> touch(const Form& a, const Form& b);
 std::optional<Form> corner_of_dome(std::span<const Form* const> forms);
 
 /// Where circles in which upright forms meet a level plane touch, one of them of an extrusion, a
-/// dome or a coil, the forms cross elsewhere: planes through both centres, across the circles
-/// there.
+/// dome or a coil, or such a circle and an upright plane, the forms cross elsewhere: planes through
+/// both centres, or across the wall, across the circles there.
 std::vector<Form> touches_in_level(std::span<const Form* const> forms);
 
 /// Do two forms share an axis, so that they meet in circles, a straight line, or an ellipse? Then

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -35,6 +36,18 @@ bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
         return true;
     }
     return false;
+}
+
+// Of a point from the lines between these, mm.
+double distance_from(const std::vector<Vec3>& points, Vec3 p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec3 from = points[i - 1], along = points[i] - from;
+        const double square = dot(along, along);
+        const double t = square > 0.0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0.0;
+        least = std::min(least, norm(p - from - t * along));
+    }
+    return least;
 }
 
 }  // namespace
@@ -80,7 +93,7 @@ std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
     return std::nullopt;
 }
 
-bool Chains::solve_vertex(Vertex& v) const {
+bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside) const {
     const Vec3 start = v.at;
     if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
         return solve_beside_facets(v);
@@ -126,7 +139,10 @@ bool Chains::solve_vertex(Vertex& v) const {
     }
     move_to_ellipse(v, start);
     v.miss = farthest(numbers, v.at);
-    const bool is_lost = !(v.miss <= kTouchMm) || norm(v.at - start) > reach(v.groups);
+    double off = norm(v.at - start);
+    for (const std::vector<Vec3>& way : beside)
+        off = std::min(off, distance_from(way, v.at));
+    const bool is_lost = !(v.miss <= kTouchMm) || off > reach(v.groups);
     if (!is_lost) return true;
     // Planes that were made to meet within less than anybody sees.
     v.at = start;

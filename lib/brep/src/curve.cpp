@@ -66,15 +66,15 @@ Hermite hermite(const Spline& spline, const Place& place) {
 
 }  // namespace
 
-Track::Track(const Curve& curve, Vec3 from, Vec3 to) : curve_(curve), from_(from), to_(to) {
-    if (const auto* c = std::get_if<Circle>(&curve_)) {
+Track::Track(const Curve& curve, Vec3 from, Vec3 to) : curve_(&curve), from_(from), to_(to) {
+    if (const auto* c = std::get_if<Circle>(curve_)) {
         // About the foot of the start on the axis: what misses the circle goes round beside it.
         centre_ = c->centre + dot(from - c->centre, c->axis) * c->axis;
         x_ = from - centre_;
         y_ = cross(c->axis, x_);
         const Vec3 end = to - centre_;
         sweep_ = as_sweep(from == to ? 360.0 : angle_of(dot(end, x_), dot(end, y_)));
-    } else if (const auto* e = std::get_if<Ellipse>(&curve_)) {
+    } else if (const auto* e = std::get_if<Ellipse>(curve_)) {
         centre_ = e->centre;
         const Vec3 minor = cross(e->axis, e->major);
         x_ = e->major_radius * e->major;
@@ -88,43 +88,32 @@ Track::Track(const Curve& curve, Vec3 from, Vec3 to) : curve_(curve), from_(from
     }
 }
 
-Vec3 Track::at(double t) const {
-    if (std::holds_alternative<Line>(curve_)) return from_ + t * (to_ - from_);
-    if (const auto* spline = std::get_if<Spline>(&curve_)) {
-        const Place place = place_in(*spline, t);
-        const Hermite h = hermite(*spline, place);
-        const double s = place.s, r = 1.0 - s;
-        return (r * r * (1.0 + 2.0 * s)) * h.p0 + (s * r * r) * h.d0 +
-               (s * s * (3.0 - 2.0 * s)) * h.p1 + (-s * s * r) * h.d1;
-    }
-    const auto angle = sin_cos(start_ + t * sweep_);
-    return centre_ + angle.cos * x_ + angle.sin * y_;
-}
-
-Vec3 Track::derivative(double t) const {
-    if (std::holds_alternative<Line>(curve_)) return to_ - from_;
-    if (const auto* spline = std::get_if<Spline>(&curve_)) {
+Track::Step Track::step(double t) const {
+    if (is_straight()) return {from_ + t * (to_ - from_), to_ - from_};
+    if (const auto* spline = std::get_if<Spline>(curve_)) {
         const Place place = place_in(*spline, t);
         const Hermite h = hermite(*spline, place);
         const double s = place.s, r = 1.0 - s;
         const Vec3 by_s = (6.0 * s * r) * (h.p1 - h.p0) + (r * r - 2.0 * s * r) * h.d0 +
                           (s * s - 2.0 * s * r) * h.d1;
-        return ((spline->knots.back() - spline->knots.front()) / place.width) * by_s;
+        return {(r * r * (1.0 + 2.0 * s)) * h.p0 + (s * r * r) * h.d0 +
+                    (s * s * (3.0 - 2.0 * s)) * h.p1 + (-s * s * r) * h.d1,
+                ((spline->knots.back() - spline->knots.front()) / place.width) * by_s};
     }
     const auto angle = sin_cos(start_ + t * sweep_);
     const double turn = sweep_ * kRadiansPerDegree;
-    return turn * (angle.cos * y_ - angle.sin * x_);
+    return {centre_ + angle.cos * x_ + angle.sin * y_, turn * (angle.cos * y_ - angle.sin * x_)};
 }
 
 std::size_t Track::pieces() const {
-    if (std::holds_alternative<Line>(curve_)) return 1;
-    if (const auto* spline = std::get_if<Spline>(&curve_)) return spline->knots.size() - 1;
+    if (is_straight()) return 1;
+    if (const auto* spline = std::get_if<Spline>(curve_)) return spline->knots.size() - 1;
     constexpr double kPiece = 15.0;
     return static_cast<std::size_t>(sweep_ / kPiece) + 1;
 }
 
 double Track::start_of(std::size_t i) const {
-    if (const auto* spline = std::get_if<Spline>(&curve_)) {
+    if (const auto* spline = std::get_if<Spline>(curve_)) {
         const auto& k = spline->knots;
         return (k[i] - k.front()) / (k.back() - k.front());
     }

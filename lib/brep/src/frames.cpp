@@ -46,6 +46,19 @@ std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
     return axis;
 }
 
+// How near the loops come to an axis, as Round tells it.
+double nearest_to(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
+    double least = 1.0;  // squared
+    for (const auto& points : loops) {
+        for (const Vec3& p : points) {
+            const Vec3 v = p - origin;
+            const double height = dot(v, axis), square = dot(v, v);
+            if (square > 0.0) least = std::min(least, 1.0 - height * height / square);
+        }
+    }
+    return std::sqrt(std::max(0.0, least));
+}
+
 // The axis of a sphere: as far from the loops as may be, and not through the face.
 Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
     const Vec3 up{0, 0, 1};
@@ -61,12 +74,26 @@ Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
     Vec3 best = up;
     double farthest = 0.0;
     for (const Vec3& axis : axes) {
-        const Round round = round_of(loops, centre, axis, across(axis));
-        if (round.goes_round || round.nearest <= farthest + 1e-3) continue;
-        farthest = round.nearest;
+        const double nearest = nearest_to(loops, centre, axis);
+        if (nearest <= farthest + 1e-3 || round_of(loops, centre, axis, across(axis)).goes_round)
+            continue;
+        farthest = nearest;
         best = axis;
     }
     return best;
+}
+
+// From the start of its first edge, along that if it is straight.
+Frame frame_of_plane(const Part& part, const Face& face, const Plane& plane) {
+    const EdgeUse& use = face.loops.front().front();
+    const Edge& edge = part.edges[use.edge];
+    const Vec3 start = part.vertices[use.is_forward ? edge.from : edge.to];
+    Vec3 along = across(plane.normal);
+    if (std::holds_alternative<Line>(edge.curve) && edge.from != edge.to) {
+        const Vec3 v = part.vertices[edge.to] - part.vertices[edge.from];
+        along = normalized(v - dot(v, plane.normal) * plane.normal);
+    }
+    return {start, plane.normal, along};
 }
 
 }  // namespace
@@ -80,6 +107,16 @@ bool has_tip(const Part& part, const Face& face) {
 }
 
 Frame frame_for(const Part& part, const Face& face) {
+    if (const auto* plane = std::get_if<Plane>(&face.surface.form))
+        return frame_of_plane(part, face, *plane);
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
+        const Passage start = f->sweep->at(0.0);
+        return {start.tip, start.axis, across(start.axis)};
+    }
     const auto loops = points_along(part, face);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
         return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};
@@ -108,33 +145,14 @@ Frame frame_for(const Part& part, const Face& face) {
         }
         return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
     }
-    if (const auto* f = std::get_if<Dome>(&face.surface.form)) {
-        // About the centre of the circle wherever it is.
-        auto seen = loops;
-        for (auto& points : seen) {
-            for (Vec3& p : points)
-                p = p - f->reach * place_on(*f, p).up;
-        }
-        return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
+    const auto& f = std::get<Dome>(face.surface.form);
+    // About the centre of the circle wherever it is.
+    auto seen = loops;
+    for (auto& points : seen) {
+        for (Vec3& p : points)
+            p = p - f.reach * place_on(f, p).up;
     }
-    if (const auto* f = std::get_if<Coil>(&face.surface.form))
-        return {f->centre, f->axis, f->ahead};
-    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
-        return {f->centre, f->axis, f->ahead};
-    if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
-        const Passage start = f->sweep->at(0.0);
-        return {start.tip, start.axis, across(start.axis)};
-    }
-    const auto& plane = std::get<Plane>(face.surface.form);
-    const EdgeUse& use = face.loops.front().front();
-    const Edge& edge = part.edges[use.edge];
-    const Vec3 start = part.vertices[use.is_forward ? edge.from : edge.to];
-    Vec3 along = across(plane.normal);
-    if (std::holds_alternative<Line>(edge.curve) && edge.from != edge.to) {
-        const Vec3 v = part.vertices[edge.to] - part.vertices[edge.from];
-        along = normalized(v - dot(v, plane.normal) * plane.normal);
-    }
-    return {start, plane.normal, along};
+    return {f.centre, f.axis, x_axis(seen, f.centre, f.axis)};
 }
 
 }  // namespace ncsim::brep

@@ -4,6 +4,7 @@
 #include "ncsim/brep/frames.h"
 
 #include "around.h"
+#include "halves.h"
 #include "pinches.h"
 
 #include <algorithm>
@@ -174,25 +175,42 @@ private:
     std::vector<std::vector<Drawn>> loops_;
 };
 
-// Two loops that begin in one corner become the outlines on both sides of a line between two other
-// corners of theirs: where use `i` of the one and use `j` of the other begin.
+// Where a line may end on a loop.
+struct CutEnd {
+    Vec3 at;
+    std::size_t use = 0;     // which begins there, or
+    bool is_middle = false;  // has it in its middle
+};
+
+// The corners of a loop but the first one, and the middles of its round edges if these count, too.
+std::vector<CutEnd> places_on(const Part& part, const Loop& loop, bool has_middles) {
+    std::vector<CutEnd> places;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (i > 0) places.push_back({part.vertices[departs_from(part, loop[i])], i});
+        if (!has_middles) continue;
+        if (const auto halves = edge_in_two(part, part.edges[loop[i].edge]))
+            places.push_back({halves->middle, i, true});
+    }
+    return places;
+}
+
+// The line along which a plane becomes two: from the outline to the hole.
 struct Cut {
-    std::size_t i = 0, j = 0;
+    CutEnd from, to;
 };
 
 std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& outline,
-                                const Loop& hole) {
+                                const Loop& hole, bool has_middles) {
     const Drawing drawing(part, face);
     std::optional<Cut> best;
     double shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < outline.size(); ++i) {
-        const Vec3 from = part.vertices[departs_from(part, outline[i])];
-        for (std::size_t j = 1; j < hole.size(); ++j) {
-            const Vec3 to = part.vertices[departs_from(part, hole[j])];
-            const double length = norm(to - from);
-            if (length >= shortest || !drawing.is_clear(from, to)) continue;
+    const std::vector<CutEnd> ends = places_on(part, hole, has_middles);
+    for (const CutEnd& from : places_on(part, outline, has_middles)) {
+        for (const CutEnd& to : ends) {
+            const double length = norm(to.at - from.at);
+            if (length >= shortest || !drawing.is_clear(from.at, to.at)) continue;
             shortest = length;
-            best = {i, j};
+            best = {from, to};
         }
     }
     return best;
@@ -212,21 +230,31 @@ Loop joined_along(const Loop& one, std::size_t i, const EdgeUse& edge, const Loo
     return loop;
 }
 
-// True: it has become two.
-bool part_at_horn(Part& part, std::uint32_t f) {
+enum class Parted : std::uint8_t { Not, ByHalves, ByALine };
+
+// By halves: its edges have become more, and it has corners now between which there is a line.
+Parted part_at_horn(Part& part, std::uint32_t f) {
     const Face face = part.faces[f];
     const auto horn = horn_of(part, face);
-    if (!horn) return false;
+    if (!horn) return Parted::Not;
     const Loop outline = from_use(face.loops.front(), horn->of_outline);
     const Loop hole = from_use(face.loops[horn->hole], horn->of_hole);
-    const auto cut = shortest_cut(part, face, outline, hole);
-    if (!cut) return false;
+    const auto cut = shortest_cut(part, face, outline, hole, false);
+    if (!cut) {
+        const auto other = shortest_cut(part, face, outline, hole, true);
+        if (!other) return Parted::Not;
+        Halving halving(part);
+        if (other->from.is_middle) halving.halve(outline[other->from.use].edge);
+        if (other->to.is_middle) halving.halve(hole[other->to.use].edge);
+        halving.finish();
+        return Parted::ByHalves;
+    }
+    const std::size_t i = cut->from.use, j = cut->to.use;
     const auto edge = static_cast<std::uint32_t>(part.edges.size());
-    part.edges.push_back(
-        {departs_from(part, outline[cut->i]), departs_from(part, hole[cut->j]), Line{}});
+    part.edges.push_back({departs_from(part, outline[i]), departs_from(part, hole[j]), Line{}});
     Face one = face, other = face;
-    one.loops = {joined_along(outline, cut->i, {edge, true}, hole, cut->j)};
-    other.loops = {joined_along(hole, cut->j, {edge, false}, outline, cut->i)};
+    one.loops = {joined_along(outline, i, {edge, true}, hole, j)};
+    other.loops = {joined_along(hole, j, {edge, false}, outline, i)};
     for (std::size_t l = 1; l < face.loops.size(); ++l) {
         if (l == horn->hole) continue;
         Face& around = goes_round(part, one, one.loops.front(), face.loops[l]) ? one : other;
@@ -236,7 +264,7 @@ bool part_at_horn(Part& part, std::uint32_t f) {
     other.frame = frame_for(part, other);
     part.faces[f] = std::move(one);
     add_beside(part, f, std::move(other));
-    return true;
+    return Parted::ByALine;
 }
 
 }  // namespace
@@ -246,7 +274,13 @@ void part_at_horns(Part& part) {
     for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
         const bool may_have = std::holds_alternative<Plane>(part.faces[f].surface.form) &&
                               part.faces[f].loops.size() > 1;
-        while (may_have && part_at_horn(part, f)) {
+        if (!may_have) continue;
+        // Where the halves do not help, they do not help again.
+        bool has_halves = false;
+        for (Parted parted = part_at_horn(part, f); parted != Parted::Not;
+             parted = part_at_horn(part, f)) {
+            if (parted == Parted::ByHalves && has_halves) break;
+            has_halves = parted == Parted::ByHalves;
         }
     }
 }

@@ -10,8 +10,9 @@ namespace ncsim::brep {
 /// Planes whose outline a hole touches from inside, in a corner of both, along arcs that bend to
 /// one side: readers lay chords through both, which cross near the corner, and may draw nothing.
 /// Each becomes two faces on both sides of the shortest line between a corner of the outline and
-/// one of the hole that has the plane on both sides; where there is none, or both have more corners
-/// in common, it stays. New faces and edges are added at the end, the faces to the shell that has
+/// one of the hole that has the plane on both sides; where there is none, from or to the middle of
+/// a round edge, which becomes two. Where both have more corners in common, or no line lies in the
+/// plane, it stays. New faces and edges are added at the end, the faces to the shell that has
 /// the plane. O(n log n) for n edges where nothing touches; where something does, O(n^2) for the
 /// edges of the plane each time.
 void part_at_horns(Part& part);

@@ -19,8 +19,11 @@ namespace ncsim::brep {
 
 class KnownFaces {
 public:
+    /// Measures are from `apex`.
+    explicit KnownFaces(Vec3 apex) : apex_(apex) {}
+
     struct Known {
-        Measure measure;  ///< About the origin of its frame.
+        Measure measure;  ///< From the apex.
         /// Of the last check: within what, was anything found, and what do its edges miss?
         std::optional<double> tolerance_mm;
         bool is_faulty = false;
@@ -51,6 +54,7 @@ public:
                           double clear_mm, double& miss_mm);
 
 private:
+    Vec3 apex_;
     std::unordered_map<std::uint32_t, Known> known_;
 };
 

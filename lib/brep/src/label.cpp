@@ -22,8 +22,10 @@ constexpr double kSlackOfCoils = 2.0;
 // How far a facet turns away from the surface: in its middle, or, where that is off the surface
 // (of a ring: the bottom of a round groove), on average over its corners.
 double turn_from(const FlatFace& face, const Surface& surface, double most) {
+    const auto [off_by, gradient] = off(surface.form, face.centroid);
+    if (std::abs(off_by) <= most)
+        return norm(face.normal - (surface.is_hollow ? -gradient : gradient));
     const auto at = [&](Vec3 p) { return norm(face.normal - outward(surface, p)); };
-    if (std::abs(distance(surface.form, face.centroid)) <= most) return at(face.centroid);
     double sum = 0.0, corners = 0.0;
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop) {
@@ -83,27 +85,38 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
                          double most_turn, double& best) {
+    // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors. A
+    // surface that the tool went along is preferred to one where it only stood.
+    constexpr double kExact = -1.0, kAtRest = 0.05, kNoLess = 1e-9;
     const Candidate* chosen = nullptr;
-    for (const Candidate& candidate : candidates) {
-        // A surface that the tool went along is preferred to one where it only stood.
-        constexpr double kAtRest = 0.05;
-        double score = 0.0;
-        if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid})) continue;
-        const double slack =
-            std::holds_alternative<Coil>(candidate.surface.form) ? kSlackOfCoils : kSlack;
-        if (!fits(face, candidate.surface, slack * error, most_turn, &score) ||
-            is_beyond_end(candidate.surface.form, face.centroid, error))
-            continue;
-        // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors.
-        constexpr double kExact = -1.0;
-        if (std::holds_alternative<Plane>(candidate.surface.form) &&
-            fits(face, candidate.surface, kFlat, kLevel)) {
-            score = kExact;
-        }
+    const auto take = [&](const Candidate& candidate, double score) {
         if (candidate.is_at_rest) score += kAtRest;
-        if (score < best - 1e-9) {
-            best = score;
-            chosen = &candidate;
+        if (score >= best - kNoLess) return;
+        best = score;
+        chosen = &candidate;
+    };
+    for (const Candidate& candidate : candidates) {
+        if (std::holds_alternative<Plane>(candidate.surface.form) &&
+            fits(face, candidate.surface, kFlat, kLevel))
+            take(candidate, kExact);
+    }
+    if (chosen) return chosen;
+    // The score is no less than the turn: what turns away farther is not looked at any more. Those
+    // last on which points are looked for.
+    for (const bool are_moved : {false, true}) {
+        for (const Candidate& candidate : candidates) {
+            const Form& form = candidate.surface.form;
+            const bool is_coil = std::holds_alternative<Coil>(form);
+            const bool is_moved = is_coil || std::holds_alternative<Dome>(form) ||
+                                  std::holds_alternative<Envelope>(form);
+            if (is_moved != are_moved) continue;
+            if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
+                continue;
+            double score = 0.0;
+            const double slack = is_coil ? kSlackOfCoils : kSlack;
+            if (fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score) &&
+                !is_beyond_end(form, face.centroid, error))
+                take(candidate, score);
         }
     }
     return chosen;

@@ -19,20 +19,20 @@ struct ChainUse {
 
 }  // namespace
 
-// Out of the loops that had it, into those that it is between now.
-void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
-                         std::vector<Left>& left) const {
-    const Chain& chain = chains_[number];
-    std::vector<std::uint32_t> before;
-    if (!chain.is_made) {
-        const std::uint32_t h = chain.edges.front();
-        before = {groups_.group_at(h), groups_.group_beyond(h)};
-    }
-    for (const std::uint32_t g : before) {
+// Out of the loops that had it.
+void Chains::take_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all) const {
+    const std::uint32_t h = chains_[number].edges.front();
+    for (const std::uint32_t g : {groups_.group_at(h), groups_.group_beyond(h)}) {
         for (Loop& loop : all[g])
             std::erase_if(loop, [&](const EdgeUse& use) { return use.edge == number; });
         std::erase_if(all[g], [](const Loop& loop) { return loop.empty(); });
     }
+}
+
+// Into those that it is between now.
+void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& all,
+                         std::vector<Left>& left) const {
+    const Chain& chain = chains_[number];
     if (chain.has_vanished) return;
     for (const auto& [g, is_forward] :
          {std::pair(chain.left, true), std::pair(chain.right, false)}) {
@@ -44,7 +44,7 @@ void Chains::put_flipped(std::uint32_t number, std::vector<std::vector<Loop>>& a
             }
             continue;
         }
-        if (!put({g, {number, is_forward}}, all[g], true) && chain.is_made)
+        if (!put({g, {number, is_forward}}, all[g], true))
             left.push_back({g, {number, is_forward}});
     }
 }
@@ -95,6 +95,9 @@ std::vector<std::vector<Loop>> Chains::loops() const {
             if (seen[2 * use.chain + (use.is_forward ? 0 : 1)]) break;
         }
         if (!loop.empty()) all[g].push_back(std::move(loop));
+    }
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        if (chains_[c].is_flipped && !chains_[c].is_made) take_flipped(c, all);
     }
     std::vector<Left> left;
     for (const bool goes_on : {true, false}) {

@@ -4,6 +4,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "axes.h"
+#include "below_moved.h"
 
 #include <algorithm>
 #include <array>
@@ -22,12 +23,6 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-// Gauss-Legendre on (0, 1): exact for polynomials of degree 15.
-constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
-                                           0.7966664774136267, 0.9602898564975363};
-constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                         0.1012285362903763};
-
 template <typename F>
 void integrate(const Track& track, const F& f) {
     const std::size_t pieces = track.pieces();
@@ -37,18 +32,23 @@ void integrate(const Track& track, const F& f) {
         for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
             for (const double sign : {-1.0, 1.0}) {
                 const double t = middle + sign * 0.5 * width * kAbscissae[k];
-                f(0.5 * width * kWeights[k], track.at(t), track.derivative(t));
+                const Track::Step step = track.step(t);
+                f(0.5 * width * kWeights[k], step.at, step.derivative);
             }
         }
     }
 }
 
-// Integrals over the second parameter from a fixed start to where a point is: of the area, and of
-// the volume of the cone from a point -w, in the frame of the surface, three times. What is left
-// is an integral along the edges, over the angle around the axis (Green).
-struct Below {
-    double area = 0.0, volume = 0.0;
-};
+// On planes what is integrated along a line is of degree 2, at most.
+template <typename F>
+void integrate_level(const Track& track, const F& f) {
+    if (!track.is_straight()) return integrate(track, f);
+    constexpr double kAbscissa = 0.5773502691896258;  // of degree 3
+    for (const double sign : {-1.0, 1.0}) {
+        const Track::Step step = track.step(0.5 + sign * 0.5 * kAbscissa);
+        f(0.5, step.at, step.derivative);
+    }
+}
 
 struct BelowCylinder {
     double radius;
@@ -131,38 +131,46 @@ Measure around(const Part& part, const Face& face, const Axes& axes, const B& be
     Measure sum;
     constexpr double kAtTip = 1e-12;
     double turns = 0.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto for_angles = [&](const auto& take) {
+        for_edges(part, face, [&](const Track& track, double sign) {
+            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+                const Local p = axes(at);
+                const bool is_tip = p.away <= kAtTip;
+                take(p, is_tip ? 0.0 : sign * weight * turn(p, axes.turned(derivative)),
+                     weight * norm(derivative));
+            });
+        });
+    };
+    for_angles([&](const Local& p, double turned, double length) {
+        sum.length += length;
+        nearest = std::min(nearest, p.away);
+        if (turned == 0.0) return;
+        const Below b = below(p);
+        turns += turned;
+        sum.area -= turned * b.area;
+        sum.volume -= turned * b.volume / 3.0;
+    });
     // Where edges miss their ends, what is below all of a face that does not go round counts for
     // the angles of these gaps: it is left out, from where the first edge starts. Not where edges
-    // come near the axis, and may pass half a turn there.
+    // come near the axis, and may pass half a turn there. Cones have no radius, and begin at their
+    // apex.
     constexpr double kClearOfAxis = 0.1, kMostGaps = 0.1;  // of the radius; rad
-    std::optional<Local> start;
-    Below whole;
-    double nearest = std::numeric_limits<double>::infinity();
-    for_edges(part, face, [&](const Track& track, double sign) {
-        const Local begin = axes(track.at(0.0));
-        if (!start) start = begin;
-        nearest = std::min(nearest, begin.away);
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            const Local p = axes(at);
-            sum.length += weight * norm(derivative);
-            nearest = std::min(nearest, p.away);
-            if (p.away <= kAtTip) return;
-            const double turned = sign * weight * turn(p, axes.turned(derivative));
-            const Below b = below(p);
-            turns += turned;
-            sum.area -= turned * b.area;
-            sum.volume -= turned * b.volume / 3.0;
-            const double scale = start->away / p.away;
-            const Below level = below({scale * p.x, scale * p.y, start->z, start->away});
-            whole.area -= turned * level.area;
-            whole.volume -= turned * level.volume / 3.0;
-        });
-    });
-    // Cones have none, and begin at their apex.
+    constexpr double kNoGap = 1e-14;                       // rad
     const double radius = radius_of(face.surface.form);
-    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps) {
-        sum.area -= whole.area;
-        sum.volume -= whole.volume;
+    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps &&
+        std::abs(turns) > kNoGap) {
+        const EdgeUse& first = face.loops.front().front();
+        const Edge& edge = part.edges[first.edge];
+        const Local start =
+            axes(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.0));
+        for_angles([&](const Local& p, double turned, double) {
+            if (turned == 0.0) return;
+            const double scale = start.away / p.away;
+            const Below level = below({scale * p.x, scale * p.y, start.z, start.away});
+            sum.area += turned * level.area;
+            sum.volume += turned * level.volume / 3.0;
+        });
     }
     if (face.surface.is_hollow) sum.area = -sum.area;
     return sum;
@@ -179,210 +187,7 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
     return sum / (2.0 * std::numbers::pi);
 }
 
-// --- Domes ----------------------------------------------------------------------------------
-
-// Over the angle of the circle, between edges; over that of the arc, from where it is level with
-// its centre, by Gauss.
-class OnDome {
-public:
-    OnDome(const Dome& dome, Vec3 apex) : dome_(dome), w_(dome.centre - apex) {}
-
-    // For each angle of the circle: of area, of three times the volume, and of four times volume
-    // times middle, as `moment` tells them.
-    struct Sum {
-        double area = 0.0, volume = 0.0;
-        Vec3 moment;
-    };
-    Sum below(const DomePlace& place) const {
-        constexpr double kPiece = 15.0;
-        const double degrees = place.degrees();
-        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
-        const double width = degrees / pieces;
-        const Vec3 around = cross(dome_.axis, place.out);
-        Sum sum;
-        for (int i = 0; i < pieces; ++i) {
-            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-                for (const double sign : {-1.0, 1.0}) {
-                    const auto t = trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width);
-                    const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
-                    const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
-                    const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
-                    const Vec3 normal = (0.5 * width * kRadiansPerDegree * kWeights[k] *
-                                         dome_.reach * dome_.radius) *
-                                        cross(around, along);
-                    sum.area += width < 0.0 ? -norm(normal) : norm(normal);
-                    sum.volume += dot(at, normal);
-                    sum.moment = sum.moment + dot(at, normal) * at;
-                }
-            }
-        }
-        return sum;
-    }
-
-    // The angle of the circle that a step on the surface makes. None where it is not known, in the
-    // corners of the half.
-    double turn(const DomePlace& place, Vec3 step) const {
-        const Vec3 around = cross(dome_.axis, place.out);
-        const Vec3 across_arc = cross(place.along, cross(around, place.along));
-        constexpr double kNowhere = 1e-12;
-        const double slope = dot(around, across_arc);
-        return slope > kNowhere ? dot(step, across_arc) / (dome_.radius * slope) : 0.0;
-    }
-
-private:
-    Dome dome_;
-    Vec3 w_;
-};
-
-// Over the angle of the circle against the way, between edges; over that of the way, from where it
-// counts, by Gauss.
-class OnCoil {
-public:
-    OnCoil(const Coil& coil, Vec3 apex) : coil_(coil), w_(coil.centre - apex) {}
-
-    // As on a dome.
-    using Sum = OnDome::Sum;
-    Sum below(const CoilPlace& place) const {
-        constexpr double kPiece = 15.0;
-        const double degrees = place.turn / kRadiansPerDegree;
-        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
-        const double width = degrees / pieces;
-        const Vec3 side = cross(coil_.axis, coil_.ahead), beside = cross(coil_.axis, place.way);
-        const double out = dot(place.out, place.way), off = dot(place.out, beside);
-        Sum sum;
-        for (int i = 0; i < pieces; ++i) {
-            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-                for (const double sign : {-1.0, 1.0}) {
-                    const double at_degrees = (i + 0.5 + 0.5 * sign * kAbscissae[k]) * width;
-                    const auto t = trig::sin_cos(at_degrees);
-                    const Vec3 up = t.cos * coil_.ahead + t.sin * side;
-                    const Vec3 way = t.cos * side - t.sin * coil_.ahead;
-                    const Vec3 outward = out * way - off * up;
-                    const Vec3 at = w_ + coil_.reach * up +
-                                    (coil_.lead * at_degrees * kRadiansPerDegree) * coil_.axis +
-                                    coil_.radius * outward;
-                    const Vec3 normal =
-                        (0.5 * width * kRadiansPerDegree * kWeights[k] * coil_.radius) *
-                        cross(cross(coil_.axis, outward),
-                              coil_.reach * way + coil_.lead * coil_.axis);
-                    const bool is_back = (width < 0.0) != (coil_.lead < 0.0);
-                    sum.area += is_back ? -norm(normal) : norm(normal);
-                    sum.volume += dot(at, normal);
-                    sum.moment = sum.moment + dot(at, normal) * at;
-                }
-            }
-        }
-        return sum;
-    }
-
-    // The angle of the circle against the way that a step on the surface makes.
-    double turn(const CoilPlace& place, Vec3 step) const {
-        const Vec3 around = cross(coil_.axis, place.out);
-        const double along = dot(step, coil_.axis) / coil_.lead;
-        return dot(step - (along * coil_.reach) * place.way, around) / coil_.radius - along;
-    }
-
-private:
-    Coil coil_;
-    Vec3 w_;
-};
-
-// Over the angle of the way, between edges; over the height, from that of the centre.
-class OnSpiral {
-public:
-    OnSpiral(const Spiral& spiral, Vec3 apex) : spiral_(spiral), w_(spiral.centre - apex) {}
-
-    // As on a dome.
-    using Sum = OnDome::Sum;
-    Sum below(const SpiralPlace& place) const {
-        const Vec3 start = w_ + (place.way - spiral_.centre) + spiral_.offset * place.out;
-        const double area = place.speed * place.height;
-        const double volume = area * dot(start, place.out);
-        return {area, volume, volume * (start + (0.5 * place.height) * spiral_.axis)};
-    }
-
-    // The angle that a step on the surface makes.
-    static double turn(const SpiralPlace& place, Vec3 step) {
-        return dot(step, place.along) / place.speed;
-    }
-
-private:
-    Spiral spiral_;
-    Vec3 w_;
-};
-
-// Over the time, between edges; around the way, from below the tool, by the angle of the normal,
-// which may turn fast where a ring goes nearly level: in pieces as small as it takes.
-class OnEnvelope {
-public:
-    OnEnvelope(const Envelope& envelope, Vec3 apex) : sweep_(*envelope.sweep), apex_(apex) {}
-
-    // As on a dome.
-    using Sum = OnDome::Sum;
-    Sum below(const Aspect& place) const {
-        constexpr double kBelow = 180.0;
-        constexpr int kDepth = 16;
-        const Around at = brep::around(sweep_, place.passage);
-        const double degrees = degrees_around(at, at.centre + place.normal);
-        const auto whole = piece(place, at, kBelow, degrees);
-        return in_pieces(place, at, kBelow, degrees, whole, kDepth);
-    }
-
-    // How much time a step on the surface takes, backwards.
-    static double turn(const Aspect& place, Vec3 step) {
-        return place.bend != 0.0 ? dot(place.drift, step) / place.bend : 0.0;
-    }
-
-private:
-    static Sum plus(const Sum& a, const Sum& b) {
-        return {a.area + b.area, a.volume + b.volume, a.moment + b.moment};
-    }
-
-    Sum in_pieces(const Aspect& place, const Around& at, double from, double to, const Sum& whole,
-                  int depth) const {
-        constexpr double kSame = 1e-11;
-        const double middle = 0.5 * (from + to);
-        const Sum first = piece(place, at, from, middle), second = piece(place, at, middle, to);
-        const Sum sum = plus(first, second);
-        if (depth == 0 || std::abs(sum.area - whole.area) <= kSame * std::abs(sum.area)) return sum;
-        return plus(in_pieces(place, at, from, middle, first, depth - 1),
-                    in_pieces(place, at, middle, to, second, depth - 1));
-    }
-
-    Sum piece(const Aspect& place, const Around& at, double from, double to) const {
-        const double ring = sweep_.fillet().ring, radius = sweep_.fillet().radius;
-        const double width = to - from;
-        Sum sum;
-        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-            for (const double sign : {-1.0, 1.0}) {
-                const auto angle = trig::sin_cos(from + 0.5 * (1.0 + sign * kAbscissae[k]) * width);
-                const Vec3 n = angle.cos * at.up + angle.sin * at.side;
-                const Vec3 on = angle.cos * at.side - angle.sin * at.up;
-                Vec3 pace = radius * on;  // of the point, for each radian
-                Vec3 p = at.centre + radius * n;
-                if (ring > 0.0) {
-                    const Vec3 axis = place.passage.axis;
-                    const Vec3 level = n - dot(n, axis) * axis;
-                    const double length = norm(level);
-                    const Vec3 round = (1.0 / length) * cross(axis, level);
-                    pace = pace + (ring * dot(on, round) / length) * round;
-                    p = p + (ring / length) * level;
-                }
-                const Aspect there = aspect_at(sweep_, place.passage, p);
-                const double ahead = there.bend / norm(there.drift);
-                const double area =
-                    0.5 * width * kRadiansPerDegree * kWeights[k] * norm(pace) * ahead;
-                const Vec3 w = p - apex_;
-                const double volume = area * dot(w, n);
-                sum = plus(sum, {area, volume, volume * w});
-            }
-        }
-        return sum;
-    }
-
-    const Sweep& sweep_;
-    Vec3 apex_;
-};
+// --- What circles and tools pass ------------------------------------------------------------
 
 template <typename Form, typename On, typename Take>
 void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
@@ -412,7 +217,7 @@ template <typename Form, typename On>
 Vec3 moment_of_moved(const Part& part, const Face& face, const Form& form, const On& on) {
     Vec3 sum;
     for_moved(part, face, form, on, [&](double, double turned, const auto& place) {
-        sum = sum - turned * on.below(place).moment;
+        sum = sum - turned * on.moment(place);
     });
     return sum;
 }
@@ -421,7 +226,7 @@ Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Ve
     Measure sum;
     Vec3 twice;
     for_edges(part, face, [&](const Track& track, double sign) {
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+        integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
             sum.length += weight * norm(derivative);
             twice = twice + (sign * weight) * cross(at - plane.origin, derivative);
         });
@@ -434,29 +239,43 @@ Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Ve
 // --- Middles --------------------------------------------------------------------------------
 
 // The integral of w (w n) over a face, w from `apex`, n the form's normal: four times what the cone
-// over it has of volume times middle. Over the second parameter by Gauss, which is exact for
-// cylinders and cones.
+// over it has of volume times middle. Over the second parameter by Gauss.
 struct Profile {
     double radius, height;  // of the point
     double out, up;         // of the normal
     double per;             // area for each radian and unit of the parameter
 };
 
+Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) {
+    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
+    const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
+    const Vec3 n = f.out * away + f.up * axes.z;
+    return (f.per * dot(w, n)) * w;
+}
+
+// Upright, w (w n) grows evenly with the height, on cones with its cube: two points tell it.
 template <typename At>
-Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
+Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
+    constexpr double kAbscissa = 0.5773502691896258;  // of degree 3
+    Vec3 sum;
+    for (const double sign : {-1.0, 1.0})
+        sum =
+            sum + 0.5 * p.z * across_face(axes, apex, p, at(0.5 * (1.0 + sign * kAbscissa) * p.z));
+    return sum;
+}
+
+template <typename At>
+Vec3 around_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
                  const At& at) {
     Vec3 sum;
-    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
     const double width = (to - from) / pieces;
     for (int i = 0; i < pieces; ++i) {
         const double middle = from + (i + 0.5) * width;
         for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-            for (const double sign : {-1.0, 1.0}) {
-                const Profile f = at(middle + sign * 0.5 * width * kAbscissae[k]);
-                const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
-                const Vec3 n = f.out * away + f.up * axes.z;
-                sum = sum + (0.5 * width * kWeights[k] * f.per * dot(w, n)) * w;
-            }
+            for (const double sign : {-1.0, 1.0})
+                sum = sum + 0.5 * width * kWeights[k] *
+                                across_face(axes, apex, p,
+                                            at(middle + sign * 0.5 * width * kAbscissae[k]));
         }
     }
     return sum;
@@ -481,7 +300,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
         Vec3 sum;  // of w, over the face
         for_edges(part, face, [&](const Track& track, double sign) {
-            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
                 const Vec3 v = at - f->origin;
                 const double twice = sign * weight * dot(cross(v, derivative), f->normal);
                 sum = sum + twice * (0.5 * (f->origin - apex) + (1.0 / 3.0) * v);
@@ -493,7 +312,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
         const Axes axes(f->origin, face.frame);
         return quarter(around_axis(part, face, axes, [&](const Local& p) {
-            return across_face(axes, apex, p, 0.0, p.z, 1, [&](double h) {
+            return up_face(axes, apex, p, [&](double h) {
                 return Profile{f->radius, h, 1.0, 0.0, f->radius};
             });
         }));
@@ -502,7 +321,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const Axes axes(f->apex, face.frame);
         const double slant = std::sqrt(1.0 + f->slope * f->slope);
         return quarter(around_axis(part, face, axes, [&](const Local& p) {
-            return across_face(axes, apex, p, 0.0, p.z, 1, [&](double h) {
+            return up_face(axes, apex, p, [&](double h) {
                 return Profile{f->slope * h, h, 1.0 / slant, -f->slope / slant,
                                f->slope * h * slant};
             });
@@ -519,7 +338,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
         return quarter(around_axis(part, face, axes, [&](const Local& p) {
             const double to = trig::angle_of(p.away, p.z);
-            return across_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 4,
+            return around_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
                                [&](double angle) { return round(0.0, f->radius, angle); });
         }));
     }
@@ -546,7 +365,7 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     return quarter(around_axis(part, face, axes, [&](const Local& p) {
         double to = trig::angle_of(p.away - f.major, p.z);
         if (to < cut) to += 2.0 * kHalfTurn;
-        return across_face(axes, apex, p, cut, to, 6,
+        return around_face(axes, apex, p, cut, to, 4,
                            [&](double angle) { return round(f.major, f.minor, angle); });
     }));
 }

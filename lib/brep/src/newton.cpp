@@ -93,8 +93,7 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
         std::array<std::array<double, 3>, 3> m{};
         Vec3 right;
         for (const Form* form : forms) {
-            const Vec3 g = gradient(*form, p);
-            const double d = distance(*form, p);
+            const auto [d, g] = off(*form, p);
             right = right - d * g;
             for (int i = 0; i < 3; ++i) {
                 for (int j = 0; j < 3; ++j)

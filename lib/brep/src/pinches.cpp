@@ -61,11 +61,9 @@ public:
         for (const std::uint32_t f : faces) {
             if (is_plane(part_.faces[f])) look_at(part_.faces[f]);
         }
-        for (auto& [edge, on] : on_) {
-            std::sort(on.begin(), on.end());
-            for (auto& at : on)
-                at.second = now(at.second);
-        }
+        for (auto& [edge, on] : on_)
+            become(on, now(part_.edges[edge].from), now(part_.edges[edge].to));
+        std::erase_if(on_, [](const auto& edge) { return edge.second.empty(); });
         for (Edge& edge : part_.edges) {
             edge.from = now(edge.from);
             edge.to = now(edge.to);
@@ -151,6 +149,18 @@ private:
         for (auto at = became_.find(v); at != became_.end(); at = became_.find(v))
             v = at->second;
         return v;
+    }
+
+    // What the corners on an edge with these ends have become, in order: some of them an end.
+    void become(std::vector<std::pair<double, std::uint32_t>>& on, std::uint32_t from,
+                std::uint32_t to) const {
+        std::sort(on.begin(), on.end());
+        for (auto& at : on)
+            at.second = now(at.second);
+        std::erase_if(
+            on, [&](const auto& at) { return from == to || at.second == from || at.second == to; });
+        const auto again = std::ranges::unique(on, {}, [](const auto& at) { return at.second; });
+        on.erase(again.begin(), again.end());
     }
 
     // Edges of other faces both ends of which have become one.
@@ -260,6 +270,16 @@ std::vector<std::vector<Loop>> parts_of(const Part& part, const Face& face) {
     return parts;
 }
 
+// Are its loops another outline than the first, or does that not go round?
+bool has_other_outline(const Part& part, const Face& face) {
+    if (face.loops.size() < 2) return false;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        const double area = measure(part, with(face, {face.loops[l]}), face.frame.origin).area;
+        if ((area > 0.0) != (l == 0)) return true;
+    }
+    return false;
+}
+
 bool is_straight(const Part& part, const Face& face) {
     return std::ranges::all_of(face.loops, [&](const Loop& loop) {
         return std::ranges::all_of(loop, [&](const EdgeUse& use) {
@@ -343,7 +363,8 @@ std::vector<std::uint32_t> part_pinched_faces(Part& part) {
     const auto count = static_cast<std::uint32_t>(part.faces.size());
     const auto is_pinched = [&](const Loop& loop) { return comes_back(part, loop); };
     for (std::uint32_t f = 0; f < count; ++f) {
-        if (!is_plane(part.faces[f]) || std::ranges::none_of(part.faces[f].loops, is_pinched))
+        if (!is_plane(part.faces[f]) || (std::ranges::none_of(part.faces[f].loops, is_pinched) &&
+                                         !has_other_outline(part, part.faces[f])))
             continue;
         std::vector<std::vector<Loop>> parts = parts_of(part, part.faces[f]);
         for (std::size_t i = 0; i < parts.size(); ++i) {

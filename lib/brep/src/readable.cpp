@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "readable.h"
 
-#include "none.h"
+#include "halves.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -69,38 +66,10 @@ bool passes_by_pole(const Sphere& sphere, const Frame& frame, const Part& part, 
     return nearest < kNear && least < kQuarter;
 }
 
-// At the knot in the middle, where there is one.
-std::optional<std::array<Spline, 2>> halves_of(const Spline& spline) {
-    const std::size_t knots = spline.knots.size();
-    if (knots < 3) return std::nullopt;
-    const std::size_t middle = knots / 2;
-    const auto width = [&](std::size_t i) { return spline.knots[i + 1] - spline.knots[i]; };
-    // Of both control points beside it, as far from each as the pieces are wide.
-    const double before = width(middle - 1), after = width(middle);
-    const Vec3 at = (1.0 / (before + after)) *
-                    (after * spline.points[2 * middle] + before * spline.points[2 * middle + 1]);
-    const auto split = [&](auto first, auto last) { return std::vector(first, last); };
-    const auto points = [&](std::size_t i) {
-        return spline.points.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    const auto knot = [&](std::size_t i) {
-        return spline.knots.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    std::array<Spline, 2> halves{
-        Spline{split(points(0), points(2 * middle + 1)), split(knot(0), knot(middle + 1))},
-        Spline{split(points(2 * middle + 1), spline.points.end()),
-               split(knot(middle), spline.knots.end())}};
-    halves[0].points.push_back(at);
-    halves[1].points.insert(halves[1].points.begin(), at);
-    for (double& k : halves[1].knots)
-        k -= spline.knots[middle];
-    return halves;
-}
-
 // True: it has halved one.
 bool halve_once(Part& part) {
     bool any = false;
-    std::vector<std::uint32_t> second(part.edges.size(), kNone);
+    Halving halving(part);
     for (const Face& face : part.faces) {
         const auto* extrusion = std::get_if<Extrusion>(&face.surface.form);
         const auto* sphere = std::get_if<Sphere>(&face.surface.form);
@@ -108,42 +77,17 @@ bool halve_once(Part& part) {
         if (!extrusion && !sphere && !envelope) continue;
         const auto is_wide = [&](const Edge& edge) {
             if (envelope) return is_too_wide(*envelope, part, edge);
-            return extrusion ? is_too_wide(*extrusion, part, edge)
-                             : passes_by_pole(*sphere, face.frame, part, edge);
+            if (extrusion)
+                return !std::holds_alternative<Circle>(edge.curve) &&
+                       is_too_wide(*extrusion, part, edge);
+            return passes_by_pole(*sphere, face.frame, part, edge);
         };
         for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge edge = part.edges[use.edge];
-                if (use.edge >= second.size() || second[use.edge] != kNone || !is_wide(edge))
-                    continue;
-                const auto* spline = std::get_if<Spline>(&edge.curve);
-                const auto halves = spline ? halves_of(*spline) : std::nullopt;
-                const bool is_round = std::holds_alternative<Ellipse>(edge.curve) ||
-                                      (sphere && std::holds_alternative<Circle>(edge.curve));
-                if (!halves && !is_round) continue;
-                any = true;
-                const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-                const auto middle = static_cast<std::uint32_t>(part.vertices.size());
-                part.vertices.push_back(halves ? halves->back().points.front() : track.at(0.5));
-                second[use.edge] = static_cast<std::uint32_t>(part.edges.size());
-                part.edges[use.edge].to = middle;
-                if (halves) part.edges[use.edge].curve = halves->front();
-                part.edges.push_back({middle, edge.to, halves ? halves->back() : edge.curve});
-            }
+            for (const EdgeUse& use : loop)
+                any = (is_wide(part.edges[use.edge]) && halving.halve(use.edge)) || any;
         }
     }
-    for (Face& face : part.faces) {
-        for (Loop& loop : face.loops) {
-            Loop halved;
-            for (const EdgeUse& use : loop) {
-                const std::uint32_t other = use.edge < second.size() ? second[use.edge] : kNone;
-                if (other != kNone && !use.is_forward) halved.push_back({other, false});
-                halved.push_back(use);
-                if (other != kNone && use.is_forward) halved.push_back({other, true});
-            }
-            loop = std::move(halved);
-        }
-    }
+    halving.finish();
     return any;
 }
 

@@ -23,6 +23,7 @@
 #include "known_faces.h"
 #include "nearly.h"
 #include "nesting.h"
+#include "pinches.h"
 #include "readable.h"
 
 #include <algorithm>
@@ -54,7 +55,9 @@ class ShellRecogniser {
 public:
     ShellRecogniser(const Facets& facets, const std::map<cda::Origin, Source>& sources,
                     std::span<const std::uint32_t> faces)
-        : mesh_(facets, sources, faces) {}
+        : mesh_(facets, sources, faces),
+          apex_(mesh_.point(mesh_.edges().front().from)),
+          known_(apex_) {}
 
     // The shell as a part without solids; nothing if it cannot be had.
     std::optional<Part> operator()() {
@@ -81,9 +84,11 @@ public:
                                       : spent < kLastPatience ? Patience::Little
                                                               : Patience::None;
             if (groups_.relabel(failures_, patience) || has_joined_) continue;
-            if (!failures_.empty() || !has_the_volume(part)) return std::nullopt;
+            if (!failures_.empty() || !has_the_volume()) return std::nullopt;
             const std::vector<bool> is_as_it_was = unmoved(part);
-            find_unsound_facets(part, keep_apart(part), is_as_it_was);
+            const std::vector<std::uint32_t> was = keep_apart(part);
+            find_unsound_facets(part, was, is_as_it_was);
+            find_crossed_planes(part, was);
             if (failures_.empty()) return part;
             if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
         }
@@ -119,6 +124,7 @@ private:
             });
         };
         group_of_face_.clear();
+        volume_ = 0.0;
         std::vector<KnownFaces::Known*> known;  // of each face
         std::vector<bool> has_gone(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -140,6 +146,7 @@ private:
             has_gone[g] = groups_[g].is_analytic &&
                           2.0 * std::abs(found.measure.area) < width * found.measure.length;
             if (has_gone[g]) vanish(g, true);
+            volume_ += found.measure.volume;
             part.faces.push_back(std::move(face));
             group_of_face_.push_back(g);
             known.push_back(&found);
@@ -374,6 +381,19 @@ private:
         }
     }
 
+    // What readers find crossed, of what may still become facets.
+    void find_crossed_planes(const Part& part, const std::vector<std::uint32_t>& was) {
+        for (const std::uint32_t f : crossed_planes(part)) {
+            const std::uint32_t g = group_of_face_[was[f]];
+            std::vector<std::uint32_t> around{g};
+            for (const auto& [n, shared] : groups_.neighbours(g))
+                around.push_back(n);
+            const bool may_go = std::ranges::any_of(
+                around, [&](std::uint32_t n) { return groups_[n].is_analytic; });
+            if (may_go) failures_.push_back({std::move(around)});
+        }
+    }
+
     // Where a dome ends between floor and wall, readers find edges of micrometres crossed on its
     // splines, and draw nothing.
     static bool has_tiny_corner(const Part& part, const Face& face) {
@@ -444,27 +464,27 @@ private:
         face.origin = face.origins.empty() ? cda::kStockOrigin : face.origins.front();
     }
 
-    bool has_the_volume(const Part& part) const {
-        const Vec3 apex = mesh_.point(mesh_.edges().front().from);
-        double analytic = 0.0, polyhedral = 0.0, slack = 0.0;
-        for (const Face& face : part.faces)
-            analytic += measure(part, face, apex).volume;
+    // Of the part that was built last.
+    bool has_the_volume() const {
+        double polyhedral = 0.0, slack = 0.0;
         for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
             const Facet& facet = mesh_[i];
-            polyhedral += dot(facet.centroid - apex, facet.normal) * facet.area / 3.0;
+            polyhedral += dot(facet.centroid - apex_, facet.normal) * facet.area / 3.0;
             slack += facet.area * (1.5 * facet.error_mm + kFlat);
         }
-        return std::abs(analytic - polyhedral) <= slack;
+        return std::abs(volume_ - polyhedral) <= slack;
     }
 
     enum Stage { kCorners, kEdges, kFaces };
     std::array<int, 3> spent_{};                // rounds with each
     std::vector<std::uint32_t> group_of_face_;  // of the part that was built last
+    double volume_ = 0.0;                       // of it, by cones from the apex
     FacetMesh mesh_;
+    Vec3 apex_;
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
-    KnownFaces known_;
+    KnownFaces known_;         // from the apex
     bool has_joined_ = false;  // corners, in this round: no face was given up for them
 };
 

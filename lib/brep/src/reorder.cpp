@@ -27,6 +27,9 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
+// So many chains, one after the other, are between other faces than in the polyhedron.
+constexpr int kMostFlips = 3;
+
 }  // namespace
 
 // Where a boundary goes on from its corner, of the surfaces beside it; unit.
@@ -127,6 +130,15 @@ bool Chains::is_bend_elsewhere(const Vertex& v) const {
     const auto corner = bend_at(v);
     const double off = corner ? norm(*corner - v.at) : 0.0;
     return off > kPoint && off < 0.25 * reach(v.groups);
+}
+
+// On the way of the two ramps from there: a point of their edge, and none that the others have.
+bool Chains::is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const {
+    return std::ranges::any_of(spokes, [&](const Spoke& spoke) {
+        const auto corner =
+            corner_of_bend(groups_.form_of(spoke.left), groups_.form_of(spoke.right), v.at);
+        return corner && dot(*corner - v.at, spoke.direction) > kPoint;
+    });
 }
 
 void Chains::make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right) {
@@ -246,11 +258,9 @@ void Chains::pass_to_wall(std::uint32_t number) {
 }
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
-// the chain between two of the faces, what should be its end comes first. Then it is the other two
-// that meet. With A on the left, B on the right, C behind and D ahead, the chain ran from A, B, C
-// to A, B, D; now it runs from A, C, D to B, C, D, with D on its left.
+// the chain between two of the faces, what should be its end comes first.
 bool Chains::flip_reversed() {
-    std::vector<std::array<std::uint32_t, 3>> at(vertices_.size(), {kNone, kNone, kNone});
+    ChainsAt at(vertices_.size(), {kNone, kNone, kNone});
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
         for (const std::uint32_t v : {chains_[c].from, chains_[c].to}) {
             const auto place = std::ranges::find(at[v], kNone);
@@ -258,43 +268,39 @@ bool Chains::flip_reversed() {
         }
     }
     bool any = false;
-    for (std::uint32_t c = 0; c < chains_.size(); ++c)
-        any = flip(c, at) || any;
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        if (is_reversed(chains_[c])) any = flip(c, at, kMostFlips) || any;
+    }
     return any;
 }
 
-bool Chains::flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>>& at) {
-    Chain& chain = chains_[number];
-    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
-    if (chain.is_closed || chain.is_flipped || chain.from == chain.to) return false;
-    if (from.groups.size() != 3 || to.groups.size() != 3) return false;
-    if (from.has_failed || to.has_failed) return false;
+bool Chains::is_reversed(const Chain& chain) const {
+    if (chain.is_closed || chain.is_flipped) return false;
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     const Vec3 way = to.at - from.at;
-    if (dot(way, way_of(chain)) >= 0.0 || norm(way) <= kPoint) return false;
-    const std::uint32_t a = chain.left, b = chain.right;
+    return !from.has_failed && !to.has_failed && norm(way) > kPoint &&
+           dot(way, way_of(chain)) < 0.0;
+}
+
+// Nothing if it has not four different faces at its ends, or one of them is a facet.
+std::optional<Chains::Crossing> Chains::crossing_at(std::uint32_t number,
+                                                    const ChainsAt& at) const {
+    const Chain& chain = chains_[number];
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    if (chain.is_closed || chain.is_flipped || chain.from == chain.to) return std::nullopt;
+    if (from.groups.size() != 3 || to.groups.size() != 3) return std::nullopt;
+    Crossing crossing{chain.left, chain.right};
     const auto third = [&](const Vertex& v) {
         for (const std::uint32_t g : v.groups) {
-            if (g != a && g != b) return g;
+            if (g != chain.left && g != chain.right) return g;
         }
         return kNone;
     };
-    const std::uint32_t c = third(from), d = third(to);
-    if (c == kNone || d == kNone || c == d) return false;
+    const std::uint32_t a = chain.left, b = chain.right, c = third(from), d = third(to);
+    if (c == kNone || d == kNone || groups_[c].surface == groups_[d].surface) return std::nullopt;
     for (const std::uint32_t g : {a, b, c, d}) {
-        if (groups_.is_facet(g)) return false;
+        if (groups_.is_facet(g)) return std::nullopt;
     }
-    if (groups_[c].surface == groups_[d].surface) return false;
-    const auto sorted = [](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
-        std::vector<std::uint32_t> three{p, q, r};
-        std::sort(three.begin(), three.end());
-        return three;
-    };
-    // From where the polyhedron has them: corners of what does not meet may be far away.
-    Vertex first{from.start, sorted(a, c, d)}, second{to.start, sorted(b, c, d)};
-    first.start = from.start;
-    second.start = to.start;
-    if (!solve_vertex(first) || !solve_vertex(second)) return false;
-    // Of the four chains around, one at each end changes it.
     const auto other = [&](std::uint32_t v, std::uint32_t g, std::uint32_t h) {
         for (const std::uint32_t e : at[v]) {
             if (e == number || e == kNone) continue;
@@ -304,12 +310,64 @@ bool Chains::flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>
         }
         return kNone;
     };
-    const std::uint32_t up = other(chain.to, a, d), down = other(chain.from, b, c);
-    if (up == kNone || down == kNone || other(chain.to, b, d) == kNone ||
-        other(chain.from, a, c) == kNone || up == down)
-        return false;
+    crossing.behind = c;
+    crossing.ahead = d;
+    crossing.from_left = other(chain.from, a, c);
+    crossing.from_right = other(chain.from, b, c);
+    crossing.to_left = other(chain.to, a, d);
+    crossing.to_right = other(chain.to, b, d);
+    const std::array around{crossing.from_left, crossing.from_right, crossing.to_left,
+                            crossing.to_right};
+    if (std::ranges::find(around, kNone) != around.end()) return std::nullopt;
     const auto is_loop = [&](std::uint32_t e) { return chains_[e].from == chains_[e].to; };
-    if (is_loop(up) || is_loop(down)) return false;
+    if (crossing.from_right == crossing.to_left || is_loop(crossing.from_right) ||
+        is_loop(crossing.to_left))
+        return std::nullopt;
+    return crossing;
+}
+
+// Walls, each wider than it is off: what is narrower may go itself.
+bool Chains::are_walls(const std::vector<std::uint32_t>& groups) const {
+    return std::ranges::all_of(groups, [&](std::uint32_t g) {
+        const Form& form = groups_.form_of(g);
+        return (std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form)) &&
+               2.0 * groups_[g].area > groups_.error_of(g) * groups_.perimeter(g);
+    });
+}
+
+// It is the other two that meet. With A on the left, B on the right, C behind and D ahead, the
+// chain ran from A, B, C to A, B, D; now it runs from A, C, D to B, C, D, with D on its left. Where
+// three of these do not meet there, a wall, its round end and another wall, the chain from there on
+// is flipped as well: one of them passes the other as far down as these go.
+bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
+    const std::optional<Crossing> crossing = crossing_at(number, at);
+    if (!crossing) return false;
+    Chain& chain = chains_[number];
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const std::uint32_t up = crossing->to_left, down = crossing->from_right;
+    // From where the polyhedron has them: corners of what does not meet may be far away.
+    const auto solved = [&](Vec3 start, std::uint32_t side,
+                            const std::array<std::uint32_t, 2>& beside) {
+        Vertex v{start, {side, crossing->behind, crossing->ahead}};
+        std::sort(v.groups.begin(), v.groups.end());
+        v.start = start;
+        v.has_failed =
+            !solve_vertex(v, {points_of(chains_[beside[0]]), points_of(chains_[beside[1]])});
+        return v;
+    };
+    Vertex first = solved(from.start, crossing->left, {up, crossing->from_left});
+    Vertex second = solved(to.start, crossing->right, {down, crossing->to_right});
+    const bool is_whole = !first.has_failed && !second.has_failed;
+    const Vertex& missing = first.has_failed ? first : second;
+    if (first.has_failed && second.has_failed) return false;
+    if (!is_whole && (most <= 1 || !missing.is_touch || !are_walls(missing.groups))) return false;
+
+    const std::array<std::pair<std::uint32_t, Chain>, 3> chains_before{
+        {{number, chain}, {up, chains_[up]}, {down, chains_[down]}}};
+    const std::array<std::pair<std::uint32_t, Vertex>, 2> before{
+        {{chain.from, from}, {chain.to, to}}};
+    const std::array<std::array<std::uint32_t, 3>, 2> at_before{at[chain.from], at[chain.to]};
+    // Of the four chains around, one at each end changes it.
     std::ranges::replace(at[chain.to], up, kNone);
     std::ranges::replace(at[chain.from], down, up);
     *std::ranges::find(at[chain.to], kNone) = down;
@@ -318,12 +376,27 @@ bool Chains::flip(std::uint32_t number, std::vector<std::array<std::uint32_t, 3>
         Chain& beside = chains_[e];
         (beside.from == old ? beside.from : beside.to) = now;
     }
+    const std::uint32_t nowhere = first.has_failed ? chain.from : chain.to;
     from = std::move(first);
     to = std::move(second);
-    chain.left = d;
-    chain.right = c;
+    chain.left = crossing->ahead;
+    chain.right = crossing->behind;
     chain.is_flipped = true;
-    return true;
+    if (is_whole) return true;
+    // What touches goes on touching.
+    for (const std::uint32_t e : std::array(at[nowhere])) {
+        if (e == number || e == kNone ||
+            touch(groups_.form_of(chains_[e].left), groups_.form_of(chains_[e].right)))
+            continue;
+        if (flip(e, at, most - 1)) return true;
+    }
+    for (const auto& [e, was] : chains_before)
+        chains_[e] = was;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        vertices_[before[i].first] = before[i].second;
+        at[before[i].first] = at_before[i];
+    }
+    return false;
 }
 
 // Where a chain goes in the polyhedron.

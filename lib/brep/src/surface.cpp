@@ -159,6 +159,40 @@ struct Gradient {
     }
 };
 
+struct Both {
+    Vec3 p;
+    Off operator()(const Extrusion& f) const {
+        const AlongRulings seen(f);
+        const EllipseFoot foot = seen.foot(f, p);
+        return {foot.distance, foot.x * seen.x + foot.y * seen.y};
+    }
+    Off operator()(const Dome& f) const {
+        const DomePlace place = place_on(f, p);
+        return with_sign(p - point_at(f, place), normal_at(f, place));
+    }
+    Off operator()(const Coil& f) const {
+        const CoilPlace place = place_on(f, p);
+        return with_sign(p - place.centre - f.radius * place.out, normal_at(f, place));
+    }
+    Off operator()(const Spiral& f) const {
+        const SpiralPlace place = place_on(f, p);
+        return {dot(p - place.way, place.out) - f.offset, place.out};
+    }
+    Off operator()(const Envelope& f) const {
+        const Aspect aspect = place_on(f, p);
+        return {aspect.off, aspect.normal};
+    }
+    template <typename F>
+    Off operator()(const F& f) const {
+        return {Distance{p}(f), Gradient{p}(f)};
+    }
+
+private:
+    static Off with_sign(Vec3 off, Vec3 normal) {
+        return {dot(off, normal) < 0.0 ? -norm(off) : norm(off), normal};
+    }
+};
+
 bool is_parallel(Vec3 a, Vec3 b, double tolerance) {
     return norm(cross(a, b)) <= tolerance;
 }
@@ -224,6 +258,10 @@ struct Same {
 };
 
 }  // namespace
+
+Off off(const Form& form, Vec3 p) {
+    return std::visit(Both{p}, form);
+}
 
 double distance(const Form& form, Vec3 p) {
     return std::visit(Distance{p}, form);

@@ -113,6 +113,9 @@ public:
     bool leaves_unknown() const { return leaves_unknown_; }
     void leave_unknown() { leaves_unknown_ = true; }
 
+    /// By how many times what chords are off facets may be.
+    double chords() const { return chords_; }
+
     // The piece where it stands, as far as it looks that way.
     void rest(const Element& e, Vec3 tip, Vec3 axis) {
         const Vec3 at = tip + e.height * axis;
@@ -171,7 +174,10 @@ public:
             if (is_level) disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
             add(Cylinder{at, axis, reach + e.radius});
-            if (reach > e.radius + kEqual) add(Cylinder{at, axis, reach - e.radius}, false);
+            if (reach > e.radius + kEqual) {
+                add(Cylinder{at, axis, reach - e.radius}, false);
+                if (!is_level) go_down_beside(reach, e.radius);
+            }
         } else if (is_level) {
             const double slope = e.widening() / e.rise();
             cone(at, axis, reach + e.radius, slope);
@@ -247,6 +253,12 @@ public:
             add(Dome{centre + e.height * axis, axis, sign * cross(about, axis), reach, e.radius});
     }
 
+    // A flat end where such an arc is level: at the bottom of a dip.
+    void level_across(const Element& e, Vec3 centre, Vec3 axis, double reach) {
+        if (e.fillet > 0.0 || std::abs(e.rise()) > kEqual) return;
+        disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
+    }
+
     // About an axis across the tool's: of its sides, which it passes upright.
     void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.fillet > 0.0) {
@@ -260,6 +272,13 @@ public:
     }
 
 private:
+    // One pose of a helix and the next one, which is lower, leave a ledge between them on the wall
+    // that they turn around: as wide as two circles are apart beside where they touch.
+    void go_down_beside(double reach, double radius) {
+        constexpr double kMost = 16.0;
+        chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), kMost);
+    }
+
     void add(const Form& form, bool is_hollow = true) {
         into_->push_back({{form, is_hollow && !std::holds_alternative<Plane>(form)}, at_rest_});
     }
@@ -302,6 +321,7 @@ private:
     std::vector<Candidate>* into_;
     bool at_rest_ = false;
     bool leaves_unknown_ = false;
+    double chords_ = 1.0;
 };
 
 // No rotary axis moves.
@@ -460,7 +480,8 @@ std::optional<Way> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
 
 // A piece of the profile on an arc.
 void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way, Vec3 axis) {
-    const bool is_about = std::abs(dot(way.about, axis)) > 1.0 - kEqual;
+    const double along = std::abs(dot(way.about, axis));
+    const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
     const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
     const RoundWay round{way.centre, way.about, way.ahead, way.start,
                          way.growth, way.rise,  way.swept, axis};
@@ -473,6 +494,7 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way,
         if (is_corner && !way.is_level) sweeps.rim_around(e, round, way.rise);
     } else if (way.is_level && (is_ball || e.fillet <= 0.0)) {
         sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
+        if (is_across) sweeps.level_across(e, way.fitted, axis, way.fitted_radius);
         if (is_corner) sweeps.rim_across(e, way.fitted, axis, way.about, way.fitted_radius);
     } else {
         sweeps.envelope(e, round);
@@ -546,6 +568,7 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
         }
     }
     source.leaves_unknown = sweeps.leaves_unknown();
+    source.chords = sweeps.chords();
     return source;
 }
 

@@ -230,12 +230,21 @@ public:
         for (const Loop& chain : chains)
             straighten(chain);
         for (auto& face : boundary_.faces) {
-            for (Loop& loop : face.loops)
+            for (Loop& loop : face.loops) {
                 std::erase_if(loop, [&](Vertex v) { return !is_kept_[v]; });
+                drop_points(loop);
+            }
         }
     }
 
 private:
+    // A chain may end where it begins, with nothing of it farther away than the tolerance.
+    static void drop_points(Loop& loop) {
+        loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+        while (loop.size() > 1 && loop.front() == loop.back())
+            loop.pop_back();
+    }
+
     template <typename Action>
     void for_each_loop(Action action) {
         for (const auto& face : boundary_.faces) {

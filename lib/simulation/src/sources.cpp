@@ -33,7 +33,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
         brep::Source source = brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
-        source.error_mm = polygon + plan.tolerance + plan.join_tolerance + rounding;
+        source.error_mm = polygon + source.chords * plan.tolerance + plan.join_tolerance + rounding;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
     gcode::InterpreterOptions silent = plan.job.interpreter;

@@ -41,13 +41,19 @@ using Curve = std::variant<Line, Circle, Ellipse, Spline>;
 
 /// A curve between two points of it: from `from` to `to` for t from 0 to 1. Where both are one,
 /// a circle or an ellipse as a whole. Points of a curve that misses its ends by some error miss by
-/// as much.
+/// as much. The curve must outlive it.
 class Track {
 public:
     Track(const Curve& curve, Vec3 from, Vec3 to);
+    Track(Curve&&, Vec3, Vec3) = delete;
 
-    Vec3 at(double t) const;
-    Vec3 derivative(double t) const;  ///< By t.
+    Vec3 at(double t) const { return step(t).at; }
+    Vec3 derivative(double t) const { return step(t).derivative; }  ///< By t.
+    struct Step {
+        Vec3 at, derivative;
+    };
+    Step step(double t) const;  ///< Both at once.
+    bool is_straight() const { return std::holds_alternative<Line>(*curve_); }
     /// Of circles and ellipses: the angle that is passed, in degrees, in (0, 360].
     double sweep_degrees() const { return sweep_; }
     /// Pieces so short that a polynomial follows each: of 15 degrees, one for each knot.
@@ -56,7 +62,7 @@ public:
     double start_of(std::size_t i) const;
 
 private:
-    Curve curve_;
+    const Curve* curve_;
     Vec3 from_, to_;
     Vec3 x_, y_;  // to where the edge starts, and on from there; of an ellipse its half axes
     Vec3 centre_;

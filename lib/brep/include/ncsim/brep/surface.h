@@ -104,6 +104,12 @@ struct Surface {
 double distance(const Form& form, Vec3 p);
 /// Unit gradient of distance(); zero where there is none (on an axis, in a centre).
 Vec3 gradient(const Form& form, Vec3 p);
+/// Both at once: on what moves a point is looked for, which costs the most.
+struct Off {
+    double distance = 0.0;
+    Vec3 gradient;
+};
+Off off(const Form& form, Vec3 p);
 /// Unit, out of the material.
 Vec3 outward(const Surface& surface, Vec3 p);
 

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Integrals over surfaces that something leaves as it moves: over the second parameter from a fixed
+// start to where a point is. What is left is an integral along the edges of faces.
+#pragma once
+
+#include "ncsim/brep/envelope.h"
+#include "ncsim/brep/surface.h"
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace ncsim::brep {
+
+// Gauss and Legendre on (-1, 1): exact for polynomials of degree 15.
+inline constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.5255324099163290,
+                                                  0.7966664774136267, 0.9602898564975363};
+inline constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873,
+                                                0.2223810344533745, 0.1012285362903763};
+
+// Integrals over the second parameter from a fixed start to where a point is: of the area, and of
+// the volume of the cone from a point -w, in the frame of the surface, three times. What is left
+// is an integral along the edges, over the angle around the axis (Green).
+struct Below {
+    double area = 0.0, volume = 0.0;
+};
+
+// Over the angle of the circle, between edges; over that of the arc, from where it is level with
+// its centre. Of areas and moments by Gauss.
+class OnDome {
+public:
+    OnDome(const Dome& dome, Vec3 apex) : dome_(dome), w_(dome.centre - apex) {}
+
+    // For each angle of the circle: of area, and of three times the volume.
+    Below below(const DomePlace& place) const {
+        constexpr double kPiece = 45.0;
+        const Vec3 around = cda::cross(dome_.axis, place.out);
+        const double degrees = place.degrees(), per_degree = trig::kRadiansPerDegree * per_radian();
+        Below sum;
+        in_pieces(degrees, kPiece, [&](double weight, const trig::SinCos& t) {
+            const double lean = t.sin * cda::dot(around, dome_.ahead);
+            sum.area += (weight * per_degree) * std::sqrt(std::max(0.0, 1.0 - lean * lean));
+        });
+        // Of the normal, which is (cos t axis - sin t ahead) seen from around; with the radius from
+        // the centre of the arc it makes the same everywhere.
+        const Vec3 normal = place.sine * cda::cross(around, dome_.axis) -
+                            (1.0 - place.cosine) * cda::cross(around, dome_.ahead);
+        const double level = dome_.reach * cda::dot(around, cda::cross(dome_.axis, dome_.ahead));
+        sum.volume = per_radian() * (cda::dot(w_ + dome_.radius * place.out, normal) +
+                                     level * degrees * trig::kRadiansPerDegree);
+        return sum;
+    }
+
+    // Of four times volume times middle, as `moment` tells it.
+    Vec3 moment(const DomePlace& place) const {
+        constexpr double kPiece = 45.0;
+        const Vec3 around = cda::cross(dome_.axis, place.out);
+        const double per_degree = trig::kRadiansPerDegree * per_radian();
+        Vec3 sum;
+        in_pieces(place.degrees(), kPiece, [&](double weight, const trig::SinCos& t) {
+            const Vec3 up = t.cos * dome_.ahead + t.sin * dome_.axis;
+            const Vec3 along = t.cos * dome_.axis - t.sin * dome_.ahead;
+            const Vec3 at = w_ + dome_.reach * up + dome_.radius * place.out;
+            sum = sum + (weight * per_degree * cda::dot(at, cda::cross(around, along))) * at;
+        });
+        return sum;
+    }
+
+    // The angle of the circle that a step on the surface makes. None where it is not known, in the
+    // corners of the half.
+    double turn(const DomePlace& place, Vec3 step) const {
+        const Vec3 around = cda::cross(dome_.axis, place.out);
+        const Vec3 across_arc = cda::cross(place.along, cda::cross(around, place.along));
+        constexpr double kNowhere = 1e-12;
+        const double slope = cda::dot(around, across_arc);
+        return slope > kNowhere ? cda::dot(step, across_arc) / (dome_.radius * slope) : 0.0;
+    }
+
+private:
+    double per_radian() const { return dome_.reach * dome_.radius; }
+
+    // From 0 on; weights are of degrees.
+    template <typename Take>
+    static void in_pieces(double degrees, double piece, const Take& take) {
+        const int pieces = static_cast<int>(std::abs(degrees) / piece) + 1;
+        const double width = degrees / pieces;
+        for (int i = 0; i < pieces; ++i) {
+            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+                for (const double sign : {-1.0, 1.0})
+                    take(0.5 * width * kWeights[k],
+                         trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width));
+            }
+        }
+    }
+
+    Dome dome_;
+    Vec3 w_;
+};
+
+// Over the angle of the circle against the way, between edges; over that of the way, from where it
+// counts. Of moments by Gauss.
+class OnCoil {
+public:
+    OnCoil(const Coil& coil, Vec3 apex)
+        : coil_(coil), side_(cda::cross(coil.axis, coil.ahead)), w_(coil.centre - apex) {}
+
+    // As on a dome. Seen from the way the normal is the same everywhere: lead times what points
+    // out, less what goes along the way by reach up.
+    Below below(const CoilPlace& place) const {
+        const double out = cda::dot(place.out, place.way), off = across(place);
+        const double cosine = cda::dot(place.way, side_), sine = -cda::dot(place.way, coil_.ahead);
+        const Vec3 up = sine * coil_.ahead + (1.0 - cosine) * side_;
+        const Vec3 way = sine * side_ - (1.0 - cosine) * coil_.ahead;
+        const double even = coil_.lead * (coil_.radius - coil_.reach * off) -
+                            out * coil_.reach * cda::dot(w_, coil_.axis);
+        const double turn = place.turn;
+        const double steep = coil_.reach * out;
+        return {coil_.radius * std::sqrt(coil_.lead * coil_.lead + steep * steep) *
+                    (coil_.lead < 0.0 ? -turn : turn),
+                coil_.radius * (coil_.lead * cda::dot(w_, out * way - off * up) + even * turn -
+                                0.5 * steep * coil_.lead * turn * turn)};
+    }
+
+    Vec3 moment(const CoilPlace& place) const {
+        constexpr double kPiece = 90.0;
+        const double degrees = place.turn / trig::kRadiansPerDegree;
+        const int pieces = static_cast<int>(std::abs(degrees) / kPiece) + 1;
+        const double width = degrees / pieces;
+        const double out = cda::dot(place.out, place.way), off = across(place);
+        Vec3 sum;
+        for (int i = 0; i < pieces; ++i) {
+            for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+                for (const double sign : {-1.0, 1.0}) {
+                    const double at_degrees = (i + 0.5 + 0.5 * sign * kAbscissae[k]) * width;
+                    const auto t = trig::sin_cos(at_degrees);
+                    const Vec3 up = t.cos * coil_.ahead + t.sin * side_;
+                    const Vec3 way = t.cos * side_ - t.sin * coil_.ahead;
+                    const Vec3 outward = out * way - off * up;
+                    const Vec3 at =
+                        w_ + coil_.reach * up +
+                        (coil_.lead * at_degrees * trig::kRadiansPerDegree) * coil_.axis +
+                        coil_.radius * outward;
+                    const Vec3 normal = coil_.lead * outward - (out * coil_.reach) * coil_.axis;
+                    sum = sum + (0.5 * width * trig::kRadiansPerDegree * kWeights[k] *
+                                 coil_.radius * cda::dot(at, normal)) *
+                                    at;
+                }
+            }
+        }
+        return sum;
+    }
+
+    // The angle of the circle against the way that a step on the surface makes.
+    double turn(const CoilPlace& place, Vec3 step) const {
+        const Vec3 around = cda::cross(coil_.axis, place.out);
+        const double along = cda::dot(step, coil_.axis) / coil_.lead;
+        return cda::dot(step - (along * coil_.reach) * place.way, around) / coil_.radius - along;
+    }
+
+private:
+    double across(const CoilPlace& place) const {
+        return cda::dot(place.out, cda::cross(coil_.axis, place.way));
+    }
+
+    Coil coil_;
+    Vec3 side_, w_;
+};
+
+// Over the angle of the way, between edges; over the height, from that of the centre.
+class OnSpiral {
+public:
+    OnSpiral(const Spiral& spiral, Vec3 apex) : spiral_(spiral), w_(spiral.centre - apex) {}
+
+    // As on a dome.
+    Below below(const SpiralPlace& place) const {
+        const double area = place.speed * place.height;
+        return {area, area * cda::dot(start_of(place), place.out)};
+    }
+    Vec3 moment(const SpiralPlace& place) const {
+        return below(place).volume * (start_of(place) + (0.5 * place.height) * spiral_.axis);
+    }
+
+    // The angle that a step on the surface makes.
+    static double turn(const SpiralPlace& place, Vec3 step) {
+        return cda::dot(step, place.along) / place.speed;
+    }
+
+private:
+    Vec3 start_of(const SpiralPlace& place) const {
+        return w_ + (place.way - spiral_.centre) + spiral_.offset * place.out;
+    }
+
+    Spiral spiral_;
+    Vec3 w_;
+};
+
+// Over the time, between edges; around the way, from below the tool, by the angle of the normal,
+// which may turn fast where a ring goes nearly level: in pieces as small as it takes.
+class OnEnvelope {
+public:
+    OnEnvelope(const Envelope& envelope, Vec3 apex) : sweep_(*envelope.sweep), apex_(apex) {}
+
+    // Of area, three times the volume, and four times volume times middle.
+    struct Sum {
+        double area = 0.0, volume = 0.0;
+        Vec3 moment;
+    };
+    Vec3 moment(const Aspect& place) const { return below(place).moment; }
+    Sum below(const Aspect& place) const {
+        constexpr double kBelow = 180.0;
+        constexpr int kDepth = 16;
+        const Around at = brep::around(sweep_, place.passage);
+        const double degrees = degrees_around(at, at.centre + place.normal);
+        const auto whole = piece(place, at, kBelow, degrees);
+        return in_pieces(place, at, kBelow, degrees, whole, kDepth);
+    }
+
+    // How much time a step on the surface takes, backwards.
+    static double turn(const Aspect& place, Vec3 step) {
+        return place.bend != 0.0 ? cda::dot(place.drift, step) / place.bend : 0.0;
+    }
+
+private:
+    static Sum plus(const Sum& a, const Sum& b) {
+        return {a.area + b.area, a.volume + b.volume, a.moment + b.moment};
+    }
+
+    Sum in_pieces(const Aspect& place, const Around& at, double from, double to, const Sum& whole,
+                  int depth) const {
+        constexpr double kSame = 1e-11;
+        const double middle = 0.5 * (from + to);
+        const Sum first = piece(place, at, from, middle), second = piece(place, at, middle, to);
+        const Sum sum = plus(first, second);
+        if (depth == 0 || std::abs(sum.area - whole.area) <= kSame * std::abs(sum.area)) return sum;
+        return plus(in_pieces(place, at, from, middle, first, depth - 1),
+                    in_pieces(place, at, middle, to, second, depth - 1));
+    }
+
+    Sum piece(const Aspect& place, const Around& at, double from, double to) const {
+        const double ring = sweep_.fillet().ring, radius = sweep_.fillet().radius;
+        const double width = to - from;
+        Sum sum;
+        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+            for (const double sign : {-1.0, 1.0}) {
+                const auto angle = trig::sin_cos(from + 0.5 * (1.0 + sign * kAbscissae[k]) * width);
+                const Vec3 n = angle.cos * at.up + angle.sin * at.side;
+                const Vec3 on = angle.cos * at.side - angle.sin * at.up;
+                Vec3 pace = radius * on;  // of the point, for each radian
+                Vec3 p = at.centre + radius * n;
+                if (ring > 0.0) {
+                    const Vec3 axis = place.passage.axis;
+                    const Vec3 level = n - cda::dot(n, axis) * axis;
+                    const double length = cda::norm(level);
+                    const Vec3 round = (1.0 / length) * cda::cross(axis, level);
+                    pace = pace + (ring * cda::dot(on, round) / length) * round;
+                    p = p + (ring / length) * level;
+                }
+                const Aspect there = aspect_at(sweep_, place.passage, p);
+                const double ahead = there.bend / cda::norm(there.drift);
+                const double area =
+                    0.5 * width * trig::kRadiansPerDegree * kWeights[k] * cda::norm(pace) * ahead;
+                const Vec3 w = p - apex_;
+                const double volume = area * cda::dot(w, n);
+                sum = plus(sum, {area, volume, volume * w});
+            }
+        }
+        return sum;
+    }
+
+    const Sweep& sweep_;
+    Vec3 apex_;
+};
+
+}  // namespace ncsim::brep

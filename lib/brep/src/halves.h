@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Edges that become two, with a vertex between.
+#pragma once
+
+#include "ncsim/brep/part.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ncsim::brep {
+
+/// An edge in two, from where it starts to `middle` and on from there.
+struct Halves {
+    Vec3 middle;
+    Curve first, second;
+};
+
+/// Of circles and ellipses half of the angle each; splines end at the knot in the middle. Nothing
+/// of lines, and of splines that have no knot inside.
+std::optional<Halves> edge_in_two(const Part& part, const Edge& edge);
+
+/// Halves edges of a part, in all of its loops at once: between the first of them and finish() the
+/// loops are those from before. New vertices and edges are added at the end.
+class Halving {
+public:
+    explicit Halving(Part& part);
+    /// False: it stays as it is, has been halved, or is a half itself.
+    bool halve(std::uint32_t edge);
+    /// Loops run along both halves. O(n) for n edges.
+    void finish();
+
+private:
+    Part& part_;
+    std::vector<std::uint32_t> second_;  // of each edge that was there
+};
+
+}  // namespace ncsim::brep

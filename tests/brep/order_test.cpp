@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where facets are wider than what is between corners, the polyhedron has these in another order.
+#include "ncsim/brep/measure.h"
+
+#include "brep/made_part.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace ncsim::brep {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kBlock = 80.0 * 60.0 * 20.0;
+
+int cylinders_of(const Part& part) {
+    return static_cast<int>(std::ranges::count_if(part.faces, [](const Face& face) {
+        return std::holds_alternative<Cylinder>(face.surface.form);
+    }));
+}
+
+// Of what a disc of `radius` passes on the line from (ax, ay) to (bx, by), below `y`; by halving
+// strips, to 1e-6.
+double area_below(double ax, double ay, double bx, double by, double radius, double y) {
+    const double length = std::hypot(bx - ax, by - ay);
+    const double dx = (bx - ax) / length, dy = (by - ay) / length;
+    // How much of the level line at `h` is within the radius of the way.
+    const auto chord = [&](double h) {
+        double low = 1e9, high = -1e9;
+        const auto reach = [&](double x) {
+            low = std::min(low, x);
+            high = std::max(high, x);
+        };
+        for (const auto& [cx, cy] : {std::pair(ax, ay), std::pair(bx, by)}) {
+            const double square = radius * radius - (h - cy) * (h - cy);
+            if (square < 0.0) continue;
+            reach(cx - std::sqrt(square));
+            reach(cx + std::sqrt(square));
+        }
+        for (const double side : {-radius, radius}) {
+            // Of the wall beside the way.
+            const double along = (h - ay - side * dx) / dy;
+            if (along >= 0.0 && along <= length) reach(ax + along * dx - side * dy);
+        }
+        return std::max(0.0, high - low);
+    };
+    constexpr int kStrips = 400'000;
+    const double from = std::min(ay, by) - radius, step = (y - from) / kStrips;
+    double sum = 0.0;
+    for (int i = 0; i < kStrips; ++i)
+        sum += step * chord(from + (i + 0.5) * step);
+    return sum;
+}
+
+// The wall of the lower slot touches its round end 0.1 mm before the wall of the upper one, whose
+// corner with it the polyhedron has there: nothing is in common to the three, so that on the way
+// down the round end comes before the wall, and two corners change.
+TEST(Order, AWallEndsBeforeItComesOutBelowAnother) {
+    for (const double tolerance : {0.05, 0.0125}) {
+        SCOPED_TRACE(tolerance);
+        const auto made = test::make_part("under",
+                                          "T1 M6\nG0 X-10 Y38 Z5\nG1 Z-5\nG1 X90\nG0 Z5\n"
+                                          "G0 X60 Y10\nG1 Z-8\nG1 X44 Y40.4\nG0 Z5\n",
+                                          tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_EQ(made.solid.part.faces.size(), 18U);
+        EXPECT_EQ(cylinders_of(made.solid.part), 2);
+        const double slot = std::hypot(16.0, 30.4) * 10.0 + 25.0 * kPi;
+        const double below = area_below(60, 10, 44, 40.4, 5, 33);
+        const double above = slot - area_below(60, 10, 44, 40.4, 5, 43);
+        EXPECT_NEAR(volume(made.solid.part), kBlock - 4000.0 - 3.0 * slot - 5.0 * (below + above),
+                    1e-4);
+    }
+}
+
+// Leaning, the wall ends in a line askew, which comes out from behind another one far below the
+// corner that the polyhedron has of it.
+TEST(Order, AWallThatLeansEndsFarBelow) {
+    for (const double tolerance : {0.05, 0.0125}) {
+        SCOPED_TRACE(tolerance);
+        const auto made = test::make_part("lean",
+                                          "T1 M6\nG0 X40 Y-20 Z30\nG0 A-4\nG0 Z-9\nG1 Y24\nG0 Z30\n"
+                                          "G0 A0\nG0 X-10 Y29 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
+                                          tolerance);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+    }
+}
+
+// A helix ends where a level line goes on, so that the circle of its floor touches the wall of
+// that.
+TEST(Order, AHelixEndsBesideAWall) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        for (const std::string end : {"X28 Y33 Z-5 I8", "X32 Y37 Z-5 I12"}) {
+            SCOPED_TRACE(end + " " + std::to_string(tolerance));
+            const auto made = test::make_part(
+                "helix", "T1 M6\nG0 X20 Y25 Z5\nG1 Z-2\nG2 " + end + " J0\nG1 X60\nG0 Z5\n",
+                tolerance);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_EQ(made.solid.part.faces.size(), 14U);
+            EXPECT_EQ(cylinders_of(made.solid.part), 4);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::brep
