@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <random>
 
 namespace ncsim::brep {
@@ -34,6 +35,20 @@ private:
     std::mt19937_64 random_{11};
 };
 
+// The tip along a bent line, the axis on a circle about another one.
+std::optional<TurningWay> random_turn(Dice& dice, Vec3 axis) {
+    const Vec3 from = dice.point(), along = dice.from(8.0, 30.0) * dice.direction();
+    const Vec3 bow = dice.from(0.0, 3.0) * dice.direction();
+    const Vec3 about = dice.direction(), side = cross(about, axis);
+    const double most = dice.from(0.02, 0.5), level = dot(axis, about);
+    return turning_way([=](double t) {
+        const double angle = most * t;
+        return TipAndAxis{
+            from + t * along + (t * t) * bow,
+            std::cos(angle) * (axis - level * about) + std::sin(angle) * side + level * about};
+    });
+}
+
 // Balls and bull noses: lines that are neither level nor too steep, and helices and spirals, wider
 // than the tool, whose axis may lean.
 Envelope random_envelope(Dice& dice) {
@@ -43,7 +58,11 @@ Envelope random_envelope(Dice& dice) {
                             dice.from(0.5, 3.0)};
         const Vec3 axis = dice.direction();
         ToolWay way;
-        if (!is_ball && dice.from(0, 1) < 0.5) {
+        if (is_ball && dice.from(0, 1) < 0.4) {
+            const auto turn = random_turn(dice, axis);
+            if (!turn) continue;
+            way = *turn;
+        } else if (!is_ball && dice.from(0, 1) < 0.5) {
             way = StraightWay{dice.point(), dice.from(2.0, 30.0) * dice.direction(), axis};
         } else {
             RoundWay round;
@@ -149,6 +168,43 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
             EXPECT_NEAR(slope.z, rise[k], 1e-4 * (1.0 + norm(rise)));
         }
     }
+}
+
+// What machines do: axes turn evenly, and places turn with them.
+TEST(TurningWay, GoesThroughWhatItIsMadeOf) {
+    const auto pose = [](double t) {
+        const double b = 2.5 * t, c = 1.0 - 1.5 * t;
+        const Vec3 tip{60.0 + 30.0 * t, -20.0, 5.0 - 10.0 * t};
+        const auto turned = [&](Vec3 p) {
+            const Vec3 q{p.x * std::cos(b) + p.z * std::sin(b), p.y,
+                         p.z * std::cos(b) - p.x * std::sin(b)};
+            return Vec3{q.x * std::cos(c) - q.y * std::sin(c),
+                        q.x * std::sin(c) + q.y * std::cos(c), q.z};
+        };
+        return TipAndAxis{turned(tip), turned({0, 0, 1})};
+    };
+    const auto way = turning_way(pose);
+    ASSERT_TRUE(way.has_value());
+    constexpr double kStep = 1e-4;
+    for (const double t : {-0.2, 0.0, 0.1, 0.37, 0.5, 0.93, 1.0, 1.2}) {
+        const Passage at = passage(*way, t);
+        const TipAndAxis here = pose(t), before = pose(t - kStep), after = pose(t + kStep);
+        EXPECT_NEAR(norm(at.tip - here.tip), 0.0, 1e-10);
+        EXPECT_NEAR(norm(at.axis - here.axis), 0.0, 1e-12);
+        EXPECT_NEAR(norm(at.speed - (0.5 / kStep) * (after.tip - before.tip)), 0.0, 1e-4);
+        EXPECT_NEAR(norm(at.turn - (0.5 / kStep) * (after.axis - before.axis)), 0.0, 1e-6);
+        const Vec3 bow = after.tip + before.tip - 2.0 * here.tip;
+        EXPECT_NEAR(norm(at.change - (1.0 / kStep / kStep) * bow), 0.0, 1e-3);
+        const Vec3 bend = after.axis + before.axis - 2.0 * here.axis;
+        EXPECT_NEAR(norm(at.bend - (1.0 / kStep / kStep) * bend), 0.0, 1e-4);
+    }
+}
+
+TEST(TurningWay, DoesNotGoThroughMoreThanItCan) {
+    const auto spin = [](double t) {
+        return TipAndAxis{{}, {std::cos(40.0 * t), std::sin(40.0 * t), 0.0}};
+    };
+    EXPECT_FALSE(turning_way(spin).has_value());
 }
 
 TEST(Envelope, OfLinesIsTheSameWhateverPieceItIs) {

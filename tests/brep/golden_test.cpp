@@ -451,6 +451,48 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnHelices) {
     }
 }
 
+// While B turns about the zero, X and Z are told so that the tip goes about level through the top
+// of the block; and a chain of such moves, which bends by so little that the lunes between are left
+// out.
+TEST(Recognise, KnowsTheGroovesOfBallsThatTurn) {
+    const std::string start = "T3 M6\nG0 X20 Y30 Z20\nG1 Z-2\n", end = "G0 Z60\n";
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"G1 X60 Z7.4 B10\n", {6, 0, 0, 2, 0, 0, 0, 0, 0, 1}},
+          {"G1 X30 Z-0.7 B2\nG1 X40 Y30.3 Z0.7 B4\nG1 X50 Y30 Z3 B6\n",
+           {6, 0, 0, 2, 0, 0, 0, 0, 0, 3}}}) {
+        const Golden golden{"turning", start + moves + end, {}, 0.0};
+        const double left = volume(make(golden, 0.01).solid.part);
+        for (const double tolerance : {0.05, 0.02}) {
+            SCOPED_TRACE(moves + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), kinds);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+        }
+    }
+}
+
+// An arc nearer to its centre where it ends, and a helix in an upright plane.
+TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"T3 M6\nG0 X60 Y30 Z1\nG1 Z-3\nG3 X20.05 Y30 I-20\n",
+                                        {6, 0, 0, 2, 0, 0, 0, 0, 0, 1}},
+          {"T3 M6\nG0 X25 Y25 Z1\nG1 Z-2\nG18 G3 X55 Y35 Z-2 I15 K30\nG17\n",
+           {6, 0, 0, 2, 0, 0, 0, 0, 0, 2}}}) {
+        const Golden golden{"arc", moves + "G0 Z5\n", {}, 0.0};
+        const double left = volume(make(golden, 0.004).solid.part);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(moves + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), kinds);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+        }
+    }
+}
+
 // Over squares of 0.02 mm, what the ball of 8 mm takes out, 6 deep, that passes within `distance`
 // of their middles.
 template <typename Distance>

@@ -145,9 +145,48 @@ private:
     double amplitude_ = 0.0, length_ = 1.0, phase_x_ = 0.0, phase_y_ = 0.0;
 };
 
+// Grooves of a ball whose tip is about level, while B turns it about the zero.
+class TurningBall {
+public:
+    explicit TurningBall(std::uint64_t seed) : random_(seed) {}
+
+    std::string write() {
+        std::string text =
+            "(T1 D=8. CR=4. - ball end mill)\n(STOCK/BLOCK,80.,60.,15.,0.,0.,15.)\n"
+            "G21 G90 G17\nT1 M6 S5000 M3\n";
+        for (int groove = pick(1, 3); groove > 0; --groove) {
+            double b = tenths(-60, 60), x = tenths(-50, 850), y = tenths(-50, 650);
+            text += place("G0", x, y, 30.0, b) + place("G1", x, y, -tenths(5, 30), b);
+            for (int move = pick(1, 5); move > 0; --move) {
+                b = std::clamp(b + tenths(-30, 30), -8.0, 8.0);
+                x += tenths(-200, 200), y += tenths(-200, 200);
+                text += place("G1", x, y, -tenths(5, 30), b);
+            }
+            text += place("G0", x, y, 30.0, b);
+        }
+        return text + "M30\n";
+    }
+
+private:
+    int pick(int low, int high) {
+        return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
+    }
+    double tenths(int low, int high) { return 0.1 * pick(low, high); }
+    // Where the tip is on the part.
+    static std::string place(const char* word, double x, double y, double z, double b) {
+        const double angle = b * std::acos(-1.0) / 180.0;
+        return fmt::format("{} X{:.3f} Y{:.3f} Z{:.3f} B{:.3f} F600\n", word,
+                           x * std::cos(angle) - z * std::sin(angle), y,
+                           x * std::sin(angle) + z * std::cos(angle), b);
+    }
+
+    std::mt19937_64 random_;
+};
+
 }  // namespace
 
 std::string random_part(std::uint64_t seed) {
+    if (seed >= kTurning) return TurningBall(seed).write();
     return seed >= kRasters && seed < kWithSlopes ? Raster(seed).write() : Writer(seed).write();
 }
 

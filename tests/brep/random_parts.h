@@ -2,7 +2,8 @@
 //
 // Programs at random of what most programs are made of: level lines, flat arcs and holes, by end
 // mills, balls, bull noses, V-cutters and drills; some of helices by end mills; some that finish
-// waves with a ball; and some of slopes and helices by balls and bull noses.
+// waves with a ball; some of slopes and helices by balls and bull noses;
+// and some of balls that turn.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +17,8 @@ inline constexpr std::uint64_t kWithHelices = 1'000'000;
 inline constexpr std::uint64_t kRasters = 2'000'000;
 /// And from here on of the three kinds of end mills, lines and arcs up and down.
 inline constexpr std::uint64_t kWithSlopes = 3'000'000;
+/// And from here on of a ball in grooves, while B turns.
+inline constexpr std::uint64_t kTurning = 4'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.
 std::string random_part(std::uint64_t seed);

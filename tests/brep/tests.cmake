@@ -54,6 +54,15 @@ add_test(NAME brep.parts_with_slopes_are_read_by_opencascade COMMAND ncsim_read_
 set_tests_properties(brep.parts_with_slopes_are_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_slopes)
 
+# And of balls that turn.
+set(turning ${CMAKE_CURRENT_BINARY_DIR}/brep/turning)
+add_test(NAME brep.write_parts_of_turning_balls COMMAND ncsim_brep_random ${turning} 12 4000000)
+set_tests_properties(brep.write_parts_of_turning_balls PROPERTIES FIXTURES_SETUP brep_turning)
+add_test(NAME brep.parts_of_turning_balls_are_read_by_opencascade COMMAND ncsim_read_step
+  ${turning})
+set_tests_properties(brep.parts_of_turning_balls_are_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_turning)
+
 # And of finishing by a ball.
 set(rasters ${CMAKE_CURRENT_BINARY_DIR}/brep/rasters)
 add_test(NAME brep.write_rasters COMMAND ncsim_brep_random ${rasters} 24 2000000)

@@ -57,6 +57,10 @@ std::size_t samples_for(const RoundWay& way) {
     return 9 + static_cast<std::size_t>(std::abs(way.swept) / kRadiansPerDegree / kStep);
 }
 
+std::size_t samples_for(const TurningWay&) {
+    return 33;
+}
+
 Vec3 level(Vec3 v, Vec3 axis) {
     return v - dot(v, axis) * axis;
 }
@@ -298,17 +302,24 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
 }
 
 bool has_around(const Sweep& sweep) {
-    constexpr double kSteepest = 0.999;
-    return std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
+    constexpr double kSteepest = 0.999, kFlattest = 1e-3;
+    bool rises = false, falls = false;
+    const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
         const Vec3 way = at.speed + sweep.fillet().height * at.turn;
-        return norm(way) > kNoLength && std::abs(dot(way, at.axis)) < kSteepest * norm(way);
+        const double lean = dot(way, at.axis), length = norm(way);
+        rises = rises || lean > -kFlattest * length;
+        falls = falls || lean < kFlattest * length;
+        return length > kNoLength && std::abs(lean) < kSteepest * length;
     });
+    return is_usual && (sweep.fillet().ring <= 0.0 || !rises || !falls);
 }
 
 double largest_radius(const Sweep& sweep) {
     const Fillet& fillet = sweep.fillet();
     if (const auto* round = std::get_if<RoundWay>(&sweep.way()))
         return round->reach + fillet.ring + fillet.radius;
+    if (std::holds_alternative<TurningWay>(sweep.way()))
+        return sweep.length_mm() + fillet.ring + fillet.radius;
     const Passage start = sweep.at(0.0);
     const double lean = std::abs(dot(start.axis, normalized(start.speed)));
     return fillet.ring / lean + fillet.radius;
@@ -320,12 +331,12 @@ bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
     if (!near(one.ring, other.ring) || !near(one.radius, other.radius)) return false;
     constexpr double kPart = 100.0;  // mm: so far do directions count
     const auto first = around(*a.sweep, a.sweep->at(0.0));
-    const Passage last = b.sweep->at(1.0);
-    if (norm(cross(a.sweep->at(0.0).axis, last.axis)) > tolerance_mm / kPart) return false;
     const auto* line = std::get_if<StraightWay>(&a.sweep->way());
     if (line && std::holds_alternative<StraightWay>(b.sweep->way())) {
         const auto second = around(*b.sweep, b.sweep->at(0.0));
-        return norm(cross(first.ahead, second.ahead)) <= tolerance_mm / kPart &&
+        const Vec3 axis = a.sweep->at(0.0).axis, second_axis = b.sweep->at(0.0).axis;
+        return norm(cross(axis, second_axis)) <= tolerance_mm / kPart &&
+               norm(cross(first.ahead, second.ahead)) <= tolerance_mm / kPart &&
                norm(level(second.centre - first.centre, first.ahead)) <= tolerance_mm;
     }
     if (a.sweep->way().index() != b.sweep->way().index()) return false;

@@ -65,6 +65,12 @@ public:
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = std::exchange(facets_[i].was_given_up, true);
     }
+    /// Beside one that nobody knows a surface for it cannot have its own: as if it had none.
+    void leave_unknown(std::uint32_t i) {
+        facets_[i].label = facets_[i].own;
+        facets_[i].is_unknown = true;
+        facets_[i].was_labelled = false;
+    }
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
     /// Who cut a facet.
     const std::vector<cda::Origin>& origins(std::uint32_t i) const {

@@ -129,34 +129,37 @@ bool Groups::unify() {
 
 // Where its way bends, a ball leaves a lune between two pipes. Longer, these meet in the plane
 // between both, farther out than the lune by little where the way bends little: and then facets are
-// wider than the lune, and have gaps where it ought to be.
+// wider than the lune, and have gaps where it ought to be. Pipes may bend themselves: envelopes.
 bool Groups::join_lunes() {
+    struct Pipe {
+        std::uint32_t group;
+        double shared;
+        Vec3 along;  // where the ball stood
+    };
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const auto* ball = std::get_if<Sphere>(&form_of(g));
         if (!groups_[g].is_analytic || !ball) continue;
-        std::vector<std::pair<std::uint32_t, double>> pipes;
-        for (const auto& beside : neighbours(g)) {
-            const Form& form = form_of(beside.first);
-            if (std::holds_alternative<Cylinder>(form) && touch(form_of(g), form))
-                pipes.push_back(beside);
+        std::vector<Pipe> pipes;
+        for (const auto& [n, shared] : neighbours(g)) {
+            const Form& form = form_of(n);
+            if (!std::holds_alternative<Cylinder>(form) && !std::holds_alternative<Envelope>(form))
+                continue;
+            const auto across = touch(form_of(g), form);
+            if (across) pipes.push_back({n, shared, std::get<Plane>(*across).normal});
         }
         // Of the angle t between their axes, 1 / cos(t / 2) is by how much they meet farther out.
         double cosine = 1.0;
-        for (const auto& [n, shared] : pipes) {
-            for (const auto& [m, also] : pipes) {
-                const Vec3 axis = std::get<Cylinder>(form_of(n)).axis;
-                cosine =
-                    std::min(cosine, std::abs(cda::dot(axis, std::get<Cylinder>(form_of(m)).axis)));
-            }
+        for (const Pipe& one : pipes) {
+            for (const Pipe& other : pipes)
+                cosine = std::min(cosine, std::abs(cda::dot(one.along, other.along)));
         }
         const double lower = ball->radius * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
         if (pipes.size() < 2 || lower > std::max(kLune, error_of(g))) continue;
-        const auto longest = std::ranges::max_element(
-            pipes, [](const auto& a, const auto& b) { return a.second < b.second; });
+        const auto longest = std::ranges::max_element(pipes, {}, &Pipe::shared);
         // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
-        if (!lies_on(g, longest->first, kAcrossLune, kMostTurnOfNeighbours)) continue;
-        relabel(g, groups_[longest->first].surface);
+        if (!lies_on(g, longest->group, kAcrossLune, kMostTurnOfNeighbours)) continue;
+        relabel(g, groups_[longest->group].surface);
         mitred_mm_ = std::max(mitred_mm_, lower);
         any = true;
     }
@@ -237,10 +240,18 @@ bool Groups::give_up_rings() {
                              std::holds_alternative<Dome>(form_of(g)) ||
                              std::holds_alternative<Envelope>(form_of(g)) || is_flat_ramp(g);
         if (!groups_[g].is_analytic || !may_not) continue;
-        const bool is_beside = std::ranges::any_of(
-            neighbours(g), [&](const auto& beside) { return is_facet(beside.first); });
+        bool is_beside = false, is_unknown = false;
+        for (const auto& [n, shared] : neighbours(g)) {
+            is_beside = is_beside || is_facet(n);
+            is_unknown = is_unknown || (is_facet(n) && mesh_[groups_[n].facets.front()].is_unknown);
+        }
         if (!is_beside) continue;
-        give_up(g, false);
+        if (is_unknown && std::holds_alternative<Envelope>(form_of(g))) {
+            for (const std::uint32_t i : groups_[g].facets)
+                mesh_.leave_unknown(i);
+        } else {
+            give_up(g, false);
+        }
         any = true;
     }
     return any;

@@ -191,7 +191,8 @@ public:
     // last touches the tool where it ends, and what it left first crosses it there: these are
     // apart, as halves of turns.
     void envelope(const Element& e, const ToolWay& way) {
-        if (e.fillet <= 0.0) return leave_unknown();
+        const bool turns_ring = std::holds_alternative<TurningWay>(way) && e.radius > kEqual;
+        if (e.fillet <= 0.0 || turns_ring) return leave_unknown();
         constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
         const auto* round = std::get_if<RoundWay>(&way);
         const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
@@ -207,7 +208,6 @@ public:
     // The same where both ends of the arc are not as far from the centre. `left` is half of what it
     // leaves of a turn, radians.
     void spiral(const Element& e, const Spiral& way, double left, Vec3 axis, bool is_level) {
-        if (e.fillet > 0.0) return leave_unknown();
         if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, way.centre + e.height * axis, axis);
         } else if (std::abs(e.widening()) > kEqual) {
@@ -262,7 +262,6 @@ public:
     // About an axis across the tool's: of its sides, which it passes upright.
     void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
         if (e.fillet > 0.0) {
-            if (e.radius > kEqual) return leave_unknown();
             tube(centre + e.height * axis, about, reach, e.fillet);
         } else if (std::abs(e.widening()) <= kEqual) {
             for (const double sign : {-1.0, 1.0})
@@ -388,9 +387,11 @@ struct Way {
     bool is_level = true;
     Vec3 fitted;  // the centre so that both ends are as far from it
     double fitted_radius = 0.0;
-    Vec3 ahead;          // unit, from the centre to the start
-    double rise = 0.0;   // mm for each radian counter-clockwise
-    double swept = 0.0;  // radians, counter-clockwise
+    Vec3 ahead;           // unit, from the centre to the start
+    double rise = 0.0;    // mm for each radian counter-clockwise
+    double swept = 0.0;   // radians, counter-clockwise
+    double start = 0.0;   // radius of the start
+    double growth = 0.0;  // mm for each radian; 0 where programs round
     // Where the ends are not as far from the centre, instead of a circle; and half of what it
     // leaves of a turn, radians.
     std::optional<Spiral> spiral;
@@ -441,11 +442,14 @@ std::optional<Way> way_of(const gcode::Arc& arc) {
     swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
     way.swept = swept * trig::kRadiansPerDegree;
     way.rise = (to[third] - from[third]) / way.swept;
+    way.start = way.radius;
     const double growth = radius(to) - radius(from);
     if (std::abs(growth) <= kMostSpiral) return way;
     constexpr double kMostGrowth = 0.2;
     const double lead = growth / (swept * trig::kRadiansPerDegree);
     if (std::abs(swept) > kTurn || std::abs(lead) > kMostGrowth * way.radius) return std::nullopt;
+    way.start = radius(from);
+    way.growth = lead;
     way.left = 0.5 * (kTurn - std::abs(swept)) * trig::kRadiansPerDegree;
     const auto middle = trig::sin_cos(0.5 * swept);
     const Vec3 ahead = middle.cos * way.ahead + middle.sin * cross(way.about, way.ahead);
@@ -478,21 +482,47 @@ std::optional<Way> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
 void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way, Vec3 axis) {
     const double along = std::abs(dot(way.about, axis));
     const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
-    const RoundWay round{way.centre, way.about, way.ahead, way.radius,
-                         0.0,        way.rise,  way.swept, axis};
-    if (way.spiral) {
-        if (!is_about) return sweeps.leave_unknown();
+    const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
+    const RoundWay round{way.centre, way.about, way.ahead, way.start,
+                         way.growth, way.rise,  way.swept, axis};
+    if (way.spiral && is_about && e.fillet <= 0.0) {
         sweeps.spiral(e, *way.spiral, way.left, axis, way.is_level);
+    } else if (way.spiral) {
+        sweeps.envelope(e, round);
     } else if (is_about) {
         sweeps.arc(e, round, way.is_level);
         if (is_corner && !way.is_level) sweeps.rim_around(e, round, way.rise);
-    } else if (way.is_level) {
+    } else if (way.is_level && (is_ball || e.fillet <= 0.0)) {
         sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
         if (is_across) sweeps.level_across(e, way.fitted, axis, way.fitted_radius);
         if (is_corner) sweeps.rim_across(e, way.fitted, axis, way.about, way.fitted_radius);
     } else {
-        sweeps.leave_unknown();
+        sweeps.envelope(e, round);
     }
+}
+
+// All axes; before the start and beyond the end, too.
+Position in_step(const Position& from, const Position& to, double t) {
+    const auto length = [t](gcode::Length p, gcode::Length q) {
+        return gcode::Length::from_mm(p.mm() + t * (q.mm() - p.mm()));
+    };
+    const auto angle = [t](gcode::Angle p, gcode::Angle q) {
+        return gcode::Angle::from_degrees(p.degrees() + t * (q.degrees() - p.degrees()));
+    };
+    return {length(from.x, to.x), length(from.y, to.y), length(from.z, to.z),
+            angle(from.a, to.a),  angle(from.b, to.b),  angle(from.c, to.c),
+            length(from.u, to.u), length(from.v, to.v), length(from.w, to.w)};
+}
+
+// Of a line on which axes turn: all of them in step, as the tool is moved.
+std::optional<TurningWay> turning_way_of(const gcode::Motion& motion,
+                                         const toolpath::Poses& poses) {
+    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    if (!line) return std::nullopt;
+    return turning_way([&](double t) {
+        const Pose pose = poses.at(in_step(line->from, line->to, t));
+        return TipAndAxis{pose.translation, axis_of(pose)};
+    });
 }
 
 }  // namespace
@@ -511,6 +541,8 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
     const auto* arc = std::get_if<gcode::Arc>(&motion.what);
     std::optional<Way> way;
     if (arc) way = way_of(*arc, poses);
+    std::optional<TurningWay> turning;
+    if (turns) turning = turning_way_of(motion, poses);
     Sweeps sweeps(source.candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
@@ -521,6 +553,8 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
             sweeps.set_at_rest(false);
             if (way) {
                 sweep_arc(sweeps, e, is_corner, *way, axis);
+            } else if (turning) {
+                sweeps.envelope(e, *turning);
             } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
                 sweeps.leave_unknown();
             } else if (start.translation != end.translation) {

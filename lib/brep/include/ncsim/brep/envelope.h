@@ -8,7 +8,9 @@
 
 #include "ncsim/cda/vec.h"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -40,7 +42,30 @@ struct RoundWay {
     bool operator==(const RoundWay&) const = default;
 };
 
-using ToolWay = std::variant<StraightWay, RoundWay>;
+/// Of a vector that changes smoothly with t: what Chebyshev's polynomials count for in it, and in
+/// its first and second derivatives by t, from kBeyondEnds before 0 to as much after 1.
+struct Course {
+    std::vector<Vec3> value, slope, bend;
+    bool operator==(const Course&) const = default;
+};
+inline constexpr double kBeyondEnds = 0.25;
+
+/// Any way on which the axis may turn.
+struct TurningWay {
+    Course tip, axis;
+    bool operator==(const TurningWay&) const = default;
+};
+
+/// Where the tip of a tool is, and its axis.
+struct TipAndAxis {
+    Vec3 tip, axis;
+};
+/// The way through `pose`, a function of t from -kBeyondEnds on. Nothing where it misses what it
+/// goes through between by more than 1e-9 mm, as turns of about a whole one do. 66 calls.
+std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& pose);
+Passage passage(const TurningWay& way, double t);
+
+using ToolWay = std::variant<StraightWay, RoundWay, TurningWay>;
 
 /// A piece of a circle: what turns about the axis is a piece of a ring, or of a ball. Radius of the
 /// ring and height above the tip of its centre; radius of the circle.
@@ -126,7 +151,7 @@ Around around(const Sweep& sweep, const Passage& passage);
 /// Around the way, from `up` to `side`: in [0, 360). 180 is below the tool, as a rule.
 double degrees_around(const Around& at, Vec3 p);
 /// The point of the characteristic whose normal is at such an angle, and the one that is there
-/// itself.
+/// itself: of balls on any way, of rings while the axis does not turn.
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees);
 Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees);
 

@@ -41,16 +41,19 @@ struct Source {
 /// | disc | plane, if it is level | plane | plane, if it is level |
 /// | upright | 2 planes | cylinder | 2 cylinders, also of helices |
 /// | sloping | 2 planes | cone | 2 cones, if it is level |
-/// | rounded | 2 cylinders, if it is level; else an envelope | ring | 2 rings; of helices envelopes
-/// | | ball | cylinder | sphere | ring, in any plane; of helices envelopes | | corner | extrusion,
-/// if it is not level | | coil, if it is a helix; dome, in upright planes |
+/// | rounded | 2 cylinders, if it is level | ring | 2 rings, if it is level |
+/// | ball | cylinder | sphere | ring, in any plane |
+/// | corner | extrusion, if it is not level | | coil, if it is a helix; dome, in upright planes |
+///
+/// Of what is rounded, and of balls, envelopes on other lines and arcs: helices, spirals, in other
+/// planes; rings have to go down all the way, or up. Of several turns each half is one.
 ///
 /// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals beside
 /// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more
 /// than a fifth of it for each radian, and rings that are thicker than wide, have no surface here.
-/// Of tools that turn, only those at rest. `told`: the machine that moves it, null for the default
-/// one; it may hold the tool or the part at any angle. What has no surface here is unknown. The
-/// error is for whoever knows it.
+/// Of tools that turn envelopes of balls on lines, and those at rest. `told`: the machine that
+/// moves it, null for the default one; it may hold the tool or the part at any angle. What has no
+/// surface here is unknown. The error is for whoever knows it.
 Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
                    const toolpath::Kinematics* told);
 
