@@ -73,8 +73,9 @@ TEST(Run, CutsThePartOpenInLinesAndArcs) {
 
 TEST(Run, ASectionOfFacetsSaysSo) {
     Folder folder;
-    std::string ramp = kSlot;  // a ball on a helix
-    ramp.replace(ramp.find("CR=0."), 5, "CR=5.");
+    std::string ramp = kSlot;  // a V-cutter on a helix
+    ramp.replace(ramp.find("CR=0."), 5, "CR=0. TAPER=45deg");
+    ramp.replace(ramp.find("flat end mill"), 13, "chamfer mill");
     ramp.replace(ramp.find("G1 X30."), 7, "G2 X10. I10. Z-4.");
     ramp.replace(ramp.find("G0 X-30."), 8, "G0 X-10.");
     folder.write("ramp.nc", ramp);
@@ -94,10 +95,11 @@ TEST(Run, RefusesDrawingsOfNoSection) {
 
 TEST(Run, TellsWhichFacetsOfTheSolidWereKept) {
     Folder folder;
-    // Rounded corners that go down a slope.
+    // Half a turn of a V-cutter that goes down.
     folder.write("ramp.nc",
-                 "(T1 D=10. CR=2. - bull nose end mill)\n(STOCK/BLOCK,60.,20.,20.,0.,0.,20.)\n"
-                 "G21 G90\nT1 M6 S5000 M3\nG0 X15. Y10. Z0.\nG1 X45. Z-6. F100.\nG0 Z5.\nM30\n");
+                 "(T1 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
+                 "(STOCK/BLOCK,60.,40.,20.,0.,0.,20.)\nG21 G90\nT1 M6 S5000 M3\n"
+                 "G0 X15. Y15. Z-1.\nG2 X45. Y15. Z-4. I15. J0. F100.\nG0 Z5.\nM30\n");
     const Ran ran =
         folder.run({"run", "ramp.nc", "--step", "a.step", "--step-strict", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 2) << ran.err;

@@ -3,8 +3,6 @@
 // Steps turn so little that the curve is near their chords.
 #include "cut_walk.h"
 
-#include "ncsim/brep/section.h"
-
 #include "newton.h"
 
 #include <algorithm>
@@ -21,7 +19,7 @@ using cda::normalized;
 }  // namespace
 
 std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
-                                      std::span<const Vec3> ends) {
+                                      std::span<const Vec3> ends, double chords_mm) {
     constexpr double kLongest = 1.0, kShortest = 1e-5, kOn = 1e-6;  // mm
     constexpr double kAhead = 0.8;                                  // cosine
     constexpr int kMostSteps = 20'000;
@@ -47,7 +45,7 @@ std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& pl
         const Vec3 on = ahead(next);
         // An arc of so much turn over its chord bulges by an eighth of their product.
         constexpr double kEighths = 4.0;
-        if (!is_on || norm(next - p) * norm(on - way) > kEighths * kChordsMm ||
+        if (!is_on || norm(next - p) * norm(on - way) > kEighths * chords_mm ||
             dot(on, way) <= 0.0) {
             step *= 0.5;
             continue;

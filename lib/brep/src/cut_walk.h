@@ -15,13 +15,13 @@
 namespace ncsim::brep {
 
 struct CutWalk {
-    std::vector<Vec3> between;  ///< The ends left out; chords are within kChordsMm of the curve.
+    std::vector<Vec3> between;  ///< The ends left out.
     std::size_t end = 0;        ///< Which end was reached.
 };
 
 /// From `begin`, a point of both, with the material on the left of who sees the plane from before,
-/// to one of `ends`. Nothing if none is found.
+/// to one of `ends`, with chords within `chords_mm` of the curve. Nothing if none is found.
 std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
-                                      std::span<const Vec3> ends);
+                                      std::span<const Vec3> ends, double chords_mm);
 
 }  // namespace ncsim::brep

@@ -3,7 +3,8 @@
 // Envelopes as splines.
 #pragma once
 
-#include "ncsim/brep/patch.h"
+#include "ncsim/brep/part.h"
+#include "ncsim/brep/spline_surface.h"
 
 namespace ncsim::brep {
 

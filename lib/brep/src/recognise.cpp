@@ -555,9 +555,10 @@ bool is_mostly_facets(const Part& part) {
 
 // With fewer facets; where they are most of it, with fewer faces, as it is kept then.
 bool is_better(const Part& one, const Part& other) {
+    const std::size_t here = facets_of(one), there = facets_of(other);
     if (is_mostly_facets(one) && is_mostly_facets(other))
-        return one.faces.size() < other.faces.size();
-    return facets_of(one) < facets_of(other);
+        return std::pair(one.faces.size(), here) < std::pair(other.faces.size(), there);
+    return here < there;
 }
 
 // Without envelopes; nothing if there are none.

@@ -267,7 +267,8 @@ private:
         }
         for (const Event& begin : events) {
             if (!begin.starts) continue;
-            const auto walk = walk_along_cut(face.surface, lifted_, begin.above, end_points);
+            const auto walk =
+                walk_along_cut(face.surface, lifted_, begin.above, end_points, kChordsMm);
             if (!walk) return false;
             const Event& end = *ends[walk->end];
             Made made{{}, begin.crossing, end.crossing};

@@ -3,20 +3,10 @@
 // Faces on surfaces that files know as splines only.
 #pragma once
 
-#include "ncsim/brep/curve.h"
 #include "ncsim/brep/part.h"
-
-#include <vector>
+#include "ncsim/brep/spline_surface.h"
 
 namespace ncsim::brep {
-
-/// A cubic B-spline surface: rows of control points, one for each control point around, of as many
-/// as there are along; knots as those of a Spline. The normal is that of around with along:
-/// outwards, of the form.
-struct Patch {
-    std::vector<std::vector<Vec3>> net;
-    std::vector<double> around, along;
-};
 
 /// Of a dome or a coil, as far as the face on it goes and a little beyond: the circle (of a coil
 /// the half of it that goes ahead, or behind, as the face does, and turns with the way), and the

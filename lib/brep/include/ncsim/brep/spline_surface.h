@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surfaces as splines. mm, frame W.
+#pragma once
+
+#include "ncsim/brep/curve.h"
+
+#include <vector>
+
+namespace ncsim::brep {
+
+/// A cubic B-spline surface: rows of control points, one for each control point around, of as many
+/// as there are along; knots as those of a Spline. The normal is that of around with along:
+/// outwards, of the form.
+struct Patch {
+    std::vector<std::vector<Vec3>> net;
+    std::vector<double> around, along;
+};
+
+}  // namespace ncsim::brep
