@@ -56,9 +56,30 @@ Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& 
         if (better) chosen = better;
     }
     if (chosen) facet.label = surfaces_.add(chosen->surface);
+    facet.plain = facet.label;
+    if (chosen && std::holds_alternative<Envelope>(chosen->surface.form))
+        facet.plain = plain_label(f, facet, sources);
     facet.was_labelled = chosen != nullptr;
     if (chosen) facet.is_unknown = false;
     return facet;
+}
+
+std::uint32_t FacetMesh::plain_label(std::uint32_t f, const Facet& facet,
+                                     const std::map<cda::Origin, Source>& sources) {
+    double best = std::numeric_limits<double>::infinity();
+    std::uint32_t label = facet.own;
+    for (const cda::Origin origin : source_.origins[f]) {
+        const auto source = sources.find(origin);
+        if (source == sources.end()) continue;
+        std::vector<Candidate> plain = source->second.candidates;
+        std::erase_if(plain, [](const Candidate& candidate) {
+            return std::holds_alternative<Envelope>(candidate.surface.form);
+        });
+        const Candidate* better =
+            best_of(shape_of(facet), plain, source->second.error_mm, kMostTurn, best);
+        if (better) label = surfaces_.add(better->surface);
+    }
+    return label;
 }
 
 cda::DisjointSets FacetMesh::patches_of_kept() const {
@@ -73,19 +94,19 @@ cda::DisjointSets FacetMesh::patches_of_kept() const {
 
 std::size_t FacetMesh::given_up() const {
     cda::DisjointSets patches = patches_of_kept();
-    struct Patch {
+    struct Counts {
         std::size_t given_up = 0, unknown = 0;
     };
-    std::vector<Patch> all(facets_.size());
+    std::vector<Counts> all(facets_.size());
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {
         const Facet& facet = facets_[i];
         if (!is_kept(facet)) continue;
-        Patch& patch = all[patches.find(i)];
+        Counts& patch = all[patches.find(i)];
         if (facet.is_unknown) ++patch.unknown;
         if (facet.was_labelled) ++patch.given_up;
     }
     std::size_t count = 0;
-    for (const Patch& patch : all) {
+    for (const Counts& patch : all) {
         if (patch.given_up > patch.unknown) count += patch.given_up;
     }
     return count;

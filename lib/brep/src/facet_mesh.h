@@ -28,6 +28,7 @@ struct Facet {
     double error_mm = 0.0;  ///< Of what it approximates.
     std::uint32_t own = 0;  ///< Its own plane.
     std::uint32_t label = 0;
+    std::uint32_t plain = 0;    ///< Its label where envelopes are left out.
     bool may_be_true = false;   ///< Its own plane is no approximation.
     bool was_labelled = false;  ///< With a surface of its motion.
     bool is_unknown = false;    ///< With none, for its motion leaves others, too.
@@ -65,6 +66,11 @@ public:
         facets_[i].label = facets_[i].own;
         facets_[i].is_final = std::exchange(facets_[i].was_given_up, true);
     }
+    /// Off an envelope, onto another surface of its motion. False: it has no other one, or had it.
+    bool leave_envelope(std::uint32_t i) {
+        facets_[i].label = std::exchange(facets_[i].plain, facets_[i].own);
+        return facets_[i].label != facets_[i].own;
+    }
     /// Beside one that nobody knows a surface for it cannot have its own: as if it had none.
     void leave_unknown(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
@@ -90,6 +96,8 @@ public:
 private:
     FlatFace shape_of(const Facet& facet) const;
     Facet labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources);
+    std::uint32_t plain_label(std::uint32_t f, const Facet& facet,
+                              const std::map<cda::Origin, Source>& sources);
     void link();
     // Of a round tool, and not a piece of any of its surfaces.
     bool is_kept(const Facet& facet) const {

@@ -247,8 +247,9 @@ bool Groups::give_up_rings() {
         }
         if (!is_beside) continue;
         if (is_unknown && std::holds_alternative<Envelope>(form_of(g))) {
-            for (const std::uint32_t i : groups_[g].facets)
-                mesh_.leave_unknown(i);
+            for (const std::uint32_t i : groups_[g].facets) {
+                if (!mesh_.leave_envelope(i)) mesh_.leave_unknown(i);
+            }
         } else {
             give_up(g, false);
         }
@@ -366,8 +367,11 @@ bool Groups::may_be_absorbed(std::uint32_t g) const {
     return 2.0 * groups_[g].area < width * perimeter(g);
 }
 
+// Of an envelope first what its facets have without it.
 void Groups::give_up(std::uint32_t g, bool for_good) {
+    const bool is_envelope = std::holds_alternative<Envelope>(form_of(g));
     for (const std::uint32_t i : groups_[g].facets) {
+        if (is_envelope && !for_good && mesh_.leave_envelope(i)) continue;
         if (for_good) {
             mesh_.settle(i);
         } else {

@@ -545,34 +545,9 @@ Part flat_shell(const Facets& facets, const std::vector<std::uint32_t>& faces,
     return part;
 }
 
-std::size_t facets_of(const Part& part) {
-    return static_cast<std::size_t>(std::ranges::count_if(part.faces, &Face::is_facet));
-}
-
 bool is_mostly_facets(const Part& part) {
-    return 2 * facets_of(part) > part.faces.size();
-}
-
-// With fewer facets; where they are most of it, with fewer faces, as it is kept then.
-bool is_better(const Part& one, const Part& other) {
-    const std::size_t here = facets_of(one), there = facets_of(other);
-    if (is_mostly_facets(one) && is_mostly_facets(other))
-        return std::pair(one.faces.size(), here) < std::pair(other.faces.size(), there);
-    return here < there;
-}
-
-// Without envelopes; nothing if there are none.
-std::optional<std::map<cda::Origin, Source>> plainer(const std::map<cda::Origin, Source>& sources) {
-    std::map<cda::Origin, Source> plain = sources;
-    bool any = false;
-    for (auto& [origin, source] : plain) {
-        const std::size_t gone = std::erase_if(source.candidates, [](const Candidate& candidate) {
-            return std::holds_alternative<Envelope>(candidate.surface.form);
-        });
-        if (gone == 0) continue;
-        source.leaves_unknown = any = true;
-    }
-    return any ? std::optional(std::move(plain)) : std::nullopt;
+    const auto facets = std::ranges::count_if(part.faces, &Face::is_facet);
+    return 2 * static_cast<std::size_t>(facets) > part.faces.size();
 }
 
 }  // namespace
@@ -582,26 +557,12 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     Recognised result;
     const auto shells = shells_of(facets.boundary);
     std::optional<Facets> flat;
-    std::optional<std::optional<std::map<cda::Origin, Source>>> plain;  // as soon as it is asked
     std::vector<std::vector<std::uint32_t>> flat_shells;
     const auto add = [&](std::uint32_t s) {
         ShellRecogniser recogniser(facets, sources, shells[s]);
-        auto part = recogniser();
-        double mitred = recogniser.mitred_mm();
+        const auto part = recogniser();
         result.facets_given_up += recogniser.given_up();
-        // Envelopes have no facets beside them: where some are, there may be fewer without any.
-        if (!part || facets_of(*part) > 0) {
-            if (!plain) plain = plainer(sources);
-            if (*plain) {
-                ShellRecogniser other(facets, **plain, shells[s]);
-                auto second = other();
-                if (second && (!part || is_better(*second, *part))) {
-                    part = std::move(second);
-                    mitred = other.mitred_mm();
-                }
-            }
-        }
-        if (part) result.mitred_mm = std::max(result.mitred_mm, mitred);
+        if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
         if (part && !is_mostly_facets(*part)) return append(result.part, *part);
         if (!flat) {
             flat = kept();
