@@ -4,6 +4,7 @@ ncsim_add_test(brep
   SOURCES
     apart_test.cpp
     check_test.cpp
+    envelope_parts_test.cpp
     envelope_test.cpp
     features_test.cpp
     golden_test.cpp

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parts with envelopes: as golden ones, their volumes by sums over squares where no paper has them.
+#include "ncsim/brep/measure.h"
+
+#include "brep/golden.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::brep {
+namespace {
+
+using test::Golden;
+using test::kBlock;
+using test::Kinds;
+using test::kinds_of;
+using test::kPi;
+using test::Made;
+using test::make;
+
+// Of the smallest value of what goes down first and then up, between both ends.
+template <typename F>
+double least_of(const F& f, double low, double high) {
+    constexpr int kThirds = 90;
+    for (int i = 0; i < kThirds; ++i) {
+        const double third = (high - low) / 3.0;
+        if (f(low + third) < f(high - third)) {
+            high -= third;
+        } else {
+            low += third;
+        }
+    }
+    return f(0.5 * (low + high));
+}
+
+// How high the bull nose is there, from its middle.
+double bull_height(double x, double y) {
+    const double out = std::max(0.0, std::hypot(x, y) - 4.0);
+    return 2.0 - std::sqrt(std::max(0.0, 4.0 - out * out));
+}
+
+// Down a slope from side to side of the block, 0.06 mm for 1 mm, the corner radius leaves one face.
+TEST(Recognise, KnowsTheFloorsOfBullNosesOnSlopes) {
+    const Golden golden{"slope", "T4 M6\nG0 X-10 Y30 Z0\nG1 X90 Z-6\nG0 Z5\n", {}, 0.0};
+    // At y beside the way the floor is so much higher than a line that goes down with the tip.
+    double cut = 0.0;
+    constexpr int kSteps = 4000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double angle = kPi * ((i + 0.5) / kSteps - 0.5), y = 6.0 * std::sin(angle);
+        const double half = std::sqrt(36.0 - y * y);
+        const double higher =
+            least_of([&](double x) { return bull_height(x, y) + 0.06 * x; }, -half, half);
+        const auto depth = [&](double x) { return std::max(0.0, 0.06 * (x + 10.0) - higher); };
+        const double area = (depth(80.0) * depth(80.0) - depth(0.0) * depth(0.0)) / 0.12;
+        cut += kPi / kSteps * half * area;
+    }
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), kBlock - cut, 1e-8 * kBlock);
+        EXPECT_NEAR(mass_of(made.solid.part).volume, kBlock - cut, 1e-8 * kBlock);
+    }
+}
+
+// Steep, and ending in the block: beside the floor stands the tool, with its side, its corner
+// radius all around and its flat end.
+TEST(Recognise, KnowsWhereBullNosesStopOnSlopes) {
+    const Golden golden{"steep", "T4 M6\nG0 X20 Y30 Z0\nG1 X40 Z-12\nG0 Z5\n", {}, 0.0};
+    double cut = 0.0;
+    constexpr double kStep = 0.1;
+    for (double x = 0.5 * kStep; x < 80.0; x += kStep) {
+        for (double y = 0.5 * kStep; y < 30.0; y += kStep) {
+            const double beside = y - 30.0;
+            if (beside <= -6.0) continue;
+            const double half = std::sqrt(36.0 - beside * beside);
+            const double from = std::max(20.0, x - half), to = std::min(40.0, x + half);
+            if (from >= to) continue;
+            const auto floor = [&](double at) {
+                return bull_height(x - at, beside) - 0.6 * (at - 20.0);
+            };
+            cut += 2.0 * kStep * kStep * std::max(0.0, -least_of(floor, from, to));
+        }
+    }
+    const double left = volume(make(golden, 0.002).solid.part);
+    EXPECT_NEAR(left, kBlock - cut, 0.5);
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 1, 0, 0, 1, 0, 0, 0, 0, 1}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+    }
+}
+
+// What the ball of 8 mm takes out on a helix about the middle, its radius 15, from Z1 on: over
+// squares, at the times about the angle of each.
+double removed_on_helix(double down, double turns) {
+    constexpr double kStep = 0.1, kTime = 5e-4;
+    double sum = 0.0;
+    for (double x = 20.0 + 0.5 * kStep; x < 60.0; x += kStep) {
+        for (double y = 10.0 + 0.5 * kStep; y < 50.0; y += kStep) {
+            double depth = 0.0;
+            const double u = x - 40.0, v = y - 30.0, away = std::hypot(u, v);
+            if (std::abs(away - 15.0) >= 4.0) continue;
+            const double at = std::atan2(v, u) / (2.0 * kPi);
+            for (double middle = at - 1.0; middle < turns + 1.0; middle += 1.0) {
+                for (double t = std::max(0.0, middle - 0.05); t < std::min(turns, middle + 0.05);
+                     t += kTime) {
+                    const double d = std::hypot(u - 15.0 * std::cos(2.0 * kPi * t),
+                                                v - 15.0 * std::sin(2.0 * kPi * t));
+                    if (d < 4.0) depth = std::max(depth, down * t - 5.0 + std::sqrt(16.0 - d * d));
+                }
+            }
+            sum += kStep * kStep * depth;
+        }
+    }
+    return sum;
+}
+
+// A whole turn is two halves, which are one groove but for their edge; at the end stands the ball.
+TEST(Recognise, KnowsTheGroovesOfBallsOnHelices) {
+    struct Helix {
+        std::string moves;
+        double turns;
+        Kinds kinds;
+    };
+    const std::string start = "T3 M6\nG0 X55 Y30 Z1\n";
+    for (const auto& [moves, turns, kinds] :
+         {Helix{"G3 X25 Y30 Z-1 I-15\n", 0.5, {6, 0, 0, 1, 0, 0, 0, 0, 0, 1}},
+          Helix{"G3 X55 Y30 Z-3 I-15\n", 1.0, {6, 0, 0, 1, 0, 0, 0, 0, 0, 2}}}) {
+        const Golden golden{"groove", start + moves + "G0 Z5\n", {}, 0.0};
+        const double cut = removed_on_helix(4.0, turns);
+        const double left = volume(make(golden, 0.004).solid.part);
+        EXPECT_NEAR(left, kBlock - cut, 4e-3 * cut) << moves;
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(moves + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), kinds);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+        }
+    }
+}
+
+// While B turns about the zero, X and Z are told so that the tip goes about level through the top
+// of the block; and a chain of such moves, which bends by so little that the lunes between are left
+// out.
+TEST(Recognise, KnowsTheGroovesOfBallsThatTurn) {
+    const std::string start = "T3 M6\nG0 X20 Y30 Z20\nG1 Z-2\n", end = "G0 Z60\n";
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"G1 X60 Z7.4 B10\n", {6, 0, 0, 2, 0, 0, 0, 0, 0, 1}},
+          {"G1 X30 Z-0.7 B2\nG1 X40 Y30.3 Z0.7 B4\nG1 X50 Y30 Z3 B6\n",
+           {6, 0, 0, 2, 0, 0, 0, 0, 0, 3}}}) {
+        const Golden golden{"turning", start + moves + end, {}, 0.0};
+        const double left = volume(make(golden, 0.01).solid.part);
+        for (const double tolerance : {0.05, 0.02}) {
+            SCOPED_TRACE(moves + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), kinds);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+        }
+    }
+}
+
+// An arc nearer to its centre where it ends, and a helix in an upright plane.
+TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"T3 M6\nG0 X60 Y30 Z1\nG1 Z-3\nG3 X20.05 Y30 I-20\n",
+                                        {6, 0, 0, 2, 0, 0, 0, 0, 0, 1}},
+          {"T3 M6\nG0 X25 Y25 Z1\nG1 Z-2\nG18 G3 X55 Y35 Z-2 I15 K30\nG17\n",
+           {6, 0, 0, 2, 0, 0, 0, 0, 0, 2}}}) {
+        const Golden golden{"arc", moves + "G0 Z5\n", {}, 0.0};
+        const double left = volume(make(golden, 0.004).solid.part);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(moves + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), kinds);
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ncsim::brep
