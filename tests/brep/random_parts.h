@@ -15,10 +15,11 @@ namespace ncsim::brep::test {
 inline constexpr std::uint64_t kWithHelices = 1'000'000;
 /// And from here on of finishing by a ball in rows.
 inline constexpr std::uint64_t kRasters = 2'000'000;
-/// And from here on of the three kinds of end mills, lines and arcs up and down.
-inline constexpr std::uint64_t kWithSlopes = 3'000'000;
+/// And from here on (before are those of tilted_parts.h) of the three kinds of end mills, lines and
+/// arcs up and down.
+inline constexpr std::uint64_t kWithSlopes = 4'000'000;
 /// And from here on of a ball in grooves, while B turns.
-inline constexpr std::uint64_t kTurning = 4'000'000;
+inline constexpr std::uint64_t kTurning = 5'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.
 std::string random_part(std::uint64_t seed);

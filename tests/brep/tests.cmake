@@ -49,7 +49,7 @@ set_tests_properties(brep.parts_with_helices_are_read_by_opencascade PROPERTIES
 
 # Of slopes and helices by balls and bull noses.
 set(slopes ${CMAKE_CURRENT_BINARY_DIR}/brep/slopes)
-add_test(NAME brep.write_parts_with_slopes COMMAND ncsim_brep_random ${slopes} 12 3000000)
+add_test(NAME brep.write_parts_with_slopes COMMAND ncsim_brep_random ${slopes} 12 4000000)
 set_tests_properties(brep.write_parts_with_slopes PROPERTIES FIXTURES_SETUP brep_slopes)
 add_test(NAME brep.parts_with_slopes_are_read_by_opencascade COMMAND ncsim_read_step ${slopes})
 set_tests_properties(brep.parts_with_slopes_are_read_by_opencascade PROPERTIES
@@ -57,7 +57,7 @@ set_tests_properties(brep.parts_with_slopes_are_read_by_opencascade PROPERTIES
 
 # And of balls that turn.
 set(turning ${CMAKE_CURRENT_BINARY_DIR}/brep/turning)
-add_test(NAME brep.write_parts_of_turning_balls COMMAND ncsim_brep_random ${turning} 12 4000000)
+add_test(NAME brep.write_parts_of_turning_balls COMMAND ncsim_brep_random ${turning} 12 5000000)
 set_tests_properties(brep.write_parts_of_turning_balls PROPERTIES FIXTURES_SETUP brep_turning)
 add_test(NAME brep.parts_of_turning_balls_are_read_by_opencascade COMMAND ncsim_read_step
   ${turning})

@@ -16,6 +16,9 @@ struct TiltedPart {
     std::string program;  ///< Tools and stock are in its comments.
 };
 
+/// Seeds of ncsim_brep_random from here on, up to kWithSlopes.
+inline constexpr std::uint64_t kTilted = 3'000'000;
+
 /// Always the same for a seed.
 TiltedPart tilted_part(std::uint64_t seed);
 

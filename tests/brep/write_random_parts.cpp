@@ -2,7 +2,7 @@
 //
 // write_random_parts <folder> [--faceted] <count> [first], or <folder> [--faceted] --seeds
 // <seed>...: parts of random programs as STEP, with what ncsim_read_step is to find; says how many
-// have facets. Seeds from 3000000 on lean the tool or the part; --faceted: facets alone.
+// have facets. Seeds of tilted_parts.h lean the tool or the part; --faceted: facets alone.
 #include "ncsim/brep/apart.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/simplify.h"
@@ -30,13 +30,11 @@ namespace ncsim::brep::test {
 
 namespace {
 
-constexpr std::uint64_t kTilted = 3'000'000;
-
 // The program of a seed, on its machine.
 simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) {
     const std::string name = stem.filename().string() + ".nc";
     std::ofstream out(stem.string() + ".nc");
-    if (seed >= kTilted) {
+    if (seed >= kTilted && seed < kWithSlopes) {
         const TiltedPart part = tilted_part(seed);
         out << part.program;
         std::ofstream(stem.string() + ".toml")
