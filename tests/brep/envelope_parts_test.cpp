@@ -2,6 +2,9 @@
 //
 // Parts with envelopes: as golden ones, their volumes by sums over squares where no paper has them.
 #include "ncsim/brep/measure.h"
+#include "ncsim/brep/swept.h"
+#include "ncsim/gcode/interpreter.h"
+#include "ncsim/simulation/simulate.h"
 
 #include "brep/golden.h"
 
@@ -23,6 +26,18 @@ using test::kinds_of;
 using test::kPi;
 using test::Made;
 using test::make;
+
+// Its faces and what is left of it, at any of these tolerances, and no facet.
+void expect_at(const std::vector<double>& tolerances, const Golden& golden, double left) {
+    for (const double tolerance : tolerances) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), golden.kinds);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+    }
+}
 
 // Of the smallest value of what goes down first and then up, between both ends.
 template <typename F>
@@ -138,18 +153,12 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnHelices) {
     for (const auto& [moves, turns, kinds] :
          {Helix{"G3 X25 Y30 Z-1 I-15\n", 0.5, {6, 0, 0, 1, 0, 0, 0, 0, 0, 1}},
           Helix{"G3 X55 Y30 Z-3 I-15\n", 1.0, {6, 0, 0, 1, 0, 0, 0, 0, 0, 2}}}) {
-        const Golden golden{"groove", start + moves + "G0 Z5\n", {}, 0.0};
+        const Golden golden{"groove", start + moves + "G0 Z5\n", kinds, 0.0};
         const double cut = removed_on_helix(4.0, turns);
         const double left = volume(make(golden, 0.004).solid.part);
         EXPECT_NEAR(left, kBlock - cut, 4e-3 * cut) << moves;
-        for (const double tolerance : {0.05, 0.02, 0.0055}) {
-            SCOPED_TRACE(moves + std::to_string(tolerance));
-            const Made made = make(golden, tolerance);
-            EXPECT_EQ(kinds_of(made.solid.part), kinds);
-            EXPECT_EQ(made.solid.facets_kept, 0U);
-            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
-        }
+        SCOPED_TRACE(moves);
+        expect_at({0.05, 0.02, 0.0055}, golden, left);
     }
 }
 
@@ -162,16 +171,10 @@ TEST(Recognise, KnowsTheGroovesOfBallsThatTurn) {
          {std::pair<std::string, Kinds>{"G1 X60 Z7.4 B10\n", {6, 0, 0, 2, 0, 0, 0, 0, 0, 1}},
           {"G1 X30 Z-0.7 B2\nG1 X40 Y30.3 Z0.7 B4\nG1 X50 Y30 Z3 B6\n",
            {6, 0, 0, 2, 0, 0, 0, 0, 0, 3}}}) {
-        const Golden golden{"turning", start + moves + end, {}, 0.0};
+        const Golden golden{"turning", start + moves + end, kinds, 0.0};
         const double left = volume(make(golden, 0.01).solid.part);
-        for (const double tolerance : {0.05, 0.02}) {
-            SCOPED_TRACE(moves + std::to_string(tolerance));
-            const Made made = make(golden, tolerance);
-            EXPECT_EQ(kinds_of(made.solid.part), kinds);
-            EXPECT_EQ(made.solid.facets_kept, 0U);
-            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
-        }
+        SCOPED_TRACE(moves);
+        expect_at({0.05, 0.02}, golden, left);
     }
 }
 
@@ -182,17 +185,36 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
                                         {6, 0, 0, 2, 0, 0, 0, 0, 0, 1}},
           {"T3 M6\nG0 X25 Y25 Z1\nG1 Z-2\nG18 G3 X55 Y35 Z-2 I15 K30\nG17\n",
            {6, 0, 0, 2, 0, 0, 0, 0, 0, 2}}}) {
-        const Golden golden{"arc", moves + "G0 Z5\n", {}, 0.0};
+        const Golden golden{"arc", moves + "G0 Z5\n", kinds, 0.0};
         const double left = volume(make(golden, 0.004).solid.part);
-        for (const double tolerance : {0.05, 0.02, 0.0055}) {
-            SCOPED_TRACE(moves + std::to_string(tolerance));
-            const Made made = make(golden, tolerance);
-            EXPECT_EQ(kinds_of(made.solid.part), kinds);
-            EXPECT_EQ(made.solid.facets_kept, 0U);
-            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-            EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
-        }
+        SCOPED_TRACE(moves);
+        expect_at({0.05, 0.02, 0.0055}, golden, left);
     }
+}
+
+// Each of 300 turns was two surfaces to try, for each facet: a line of 40 characters took a minute.
+TEST(Envelope, ManyTurnsAreFewSurfaces) {
+    const setup::Job job =
+        setup::job_of({"bore.nc",
+                       "(T3 D=8. CR=4. - ball end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+                       "G21 G90 G17 F300 S5000 M3\nT3 M6\nG0 X50 Y30 Z0\n"
+                       "G2 X50 Y30 Z-18 I-10 P300\nM30\n"});
+    simulation::Plan plan;
+    plan.job = job;
+    const simulation::Survey survey = simulation::survey(plan);
+    int arcs = 0;
+    gcode::interpret(job.program, job.interpreter, [&](const gcode::Motion& motion) {
+        if (!std::holds_alternative<gcode::Arc>(motion.what)) return;
+        ++arcs;
+        const Source source = surfaces_of(motion, survey.tools.at(motion.tool).tool, nullptr);
+        const auto envelopes = std::ranges::count_if(source.candidates, [](const Candidate& c) {
+            return std::holds_alternative<brep::Envelope>(c.surface.form);
+        });
+        EXPECT_GT(envelopes, 0);
+        EXPECT_LE(envelopes, 8);
+        EXPECT_TRUE(source.leaves_unknown);
+    });
+    EXPECT_EQ(arcs, 1);
 }
 
 }  // namespace

@@ -197,7 +197,12 @@ public:
         const auto* round = std::get_if<RoundWay>(&way);
         const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
         const int pieces = turns > kNearlyBack ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
+        // Of many turns the side leaves what is between the ends, as a rule, and each of them
+        // costs.
+        constexpr int kEnds = 4;
+        if (pieces > 2 * kEnds) leave_unknown();
         for (int i = 0; i < pieces; ++i) {
+            if (i >= kEnds && i < pieces - kEnds) continue;
             const ToolWay piece = round ? ToolWay(piece_of(*round, i, pieces)) : way;
             auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, e.fillet}, piece);
             if (!has_around(*sweep)) return leave_unknown();
