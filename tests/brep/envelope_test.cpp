@@ -5,6 +5,8 @@
 
 #include "ncsim/brep/surface.h"
 
+#include "brep/draw.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <random>
 
 namespace ncsim::brep {
 namespace {
@@ -22,25 +23,14 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 using cda::normalized;
-
-class Dice {
-public:
-    double from(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random_);
-    }
-    Vec3 direction() { return normalized({from(-1, 1), from(-1, 1), from(-1, 1)}); }
-    Vec3 point() { return {from(-9, 9), from(-9, 9), from(-9, 9)}; }
-
-private:
-    std::mt19937_64 random_{11};
-};
+using test::Draw;
 
 // The tip along a bent line, the axis on a circle about another one.
-std::optional<TurningWay> random_turn(Dice& dice, Vec3 axis) {
-    const Vec3 from = dice.point(), along = dice.from(8.0, 30.0) * dice.direction();
-    const Vec3 bow = dice.from(0.0, 3.0) * dice.direction();
-    const Vec3 about = dice.direction(), side = cross(about, axis);
-    const double most = dice.from(0.02, 0.5), level = dot(axis, about);
+std::optional<TurningWay> random_turn(Draw& draw, Vec3 axis) {
+    const Vec3 from = draw.point(), along = draw.from(8.0, 30.0) * draw.direction();
+    const Vec3 bow = draw.from(0.0, 3.0) * draw.direction();
+    const Vec3 about = draw.direction(), side = cross(about, axis);
+    const double most = draw.from(0.02, 0.5), level = dot(axis, about);
     return turning_way([=](double t) {
         const double angle = most * t;
         return TipAndAxis{
@@ -51,28 +41,28 @@ std::optional<TurningWay> random_turn(Dice& dice, Vec3 axis) {
 
 // Balls and bull noses: lines that are neither level nor too steep, and helices and spirals, wider
 // than the tool, whose axis may lean.
-Envelope random_envelope(Dice& dice) {
+Envelope random_envelope(Draw& draw) {
     for (;;) {
-        const bool is_ball = dice.from(0, 1) < 0.4;
-        const Fillet fillet{is_ball ? 0.0 : dice.from(0.5, 4.0), dice.from(0.0, 3.0),
-                            dice.from(0.5, 3.0)};
-        const Vec3 axis = dice.direction();
+        const bool is_ball = draw.from(0, 1) < 0.4;
+        const Fillet fillet{is_ball ? 0.0 : draw.from(0.5, 4.0), draw.from(0.0, 3.0),
+                            draw.from(0.5, 3.0)};
+        const Vec3 axis = draw.direction();
         ToolWay way;
-        if (is_ball && dice.from(0, 1) < 0.4) {
-            const auto turn = random_turn(dice, axis);
+        if (is_ball && draw.from(0, 1) < 0.4) {
+            const auto turn = random_turn(draw, axis);
             if (!turn) continue;
             way = *turn;
-        } else if (!is_ball && dice.from(0, 1) < 0.5) {
-            way = StraightWay{dice.point(), dice.from(2.0, 30.0) * dice.direction(), axis};
+        } else if (!is_ball && draw.from(0, 1) < 0.5) {
+            way = StraightWay{draw.point(), draw.from(2.0, 30.0) * draw.direction(), axis};
         } else {
             RoundWay round;
-            round.centre = dice.point();
-            round.about = dice.from(0, 1) < 0.5 ? axis : dice.direction();
+            round.centre = draw.point();
+            round.about = draw.from(0, 1) < 0.5 ? axis : draw.direction();
             round.ahead = across(round.about);
-            round.reach = 1.5 * (fillet.ring + fillet.radius) + dice.from(0.0, 10.0);
-            round.growth = dice.from(0, 1) < 0.5 ? 0.0 : dice.from(-0.3, 0.3);
-            round.lead = dice.from(0.1, 1.0);
-            round.swept = dice.from(0.3, 6.0) * (dice.from(-1, 1) < 0.0 ? -1.0 : 1.0);
+            round.reach = 1.5 * (fillet.ring + fillet.radius) + draw.from(0.0, 10.0);
+            round.growth = draw.from(0, 1) < 0.5 ? 0.0 : draw.from(-0.3, 0.3);
+            round.lead = draw.from(0.1, 1.0);
+            round.swept = draw.from(0.3, 6.0) * (draw.from(-1, 1) < 0.0 ? -1.0 : 1.0);
             round.axis = axis;
             way = round;
         }
@@ -96,12 +86,12 @@ double least_off(const Sweep& sweep, Vec3 p) {
 
 // Of points to which the tool does not come.
 TEST(Envelope, HasItsPlacesNormalsAndDistances) {
-    Dice dice;
+    Draw draw(11);
     int seen = 0;
     for (int i = 0; i < 2000; ++i) {
-        const Envelope envelope = random_envelope(dice);
+        const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const double t = dice.from(0.05, 0.95), degrees = dice.from(100.0, 260.0);
+        const double t = draw.from(0.05, 0.95), degrees = draw.from(100.0, 260.0);
         const auto point = [&](double time, double angle) {
             return point_around(sweep, sweep.at(time), angle);
         };
@@ -118,7 +108,7 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
         EXPECT_NEAR(place.t, t, 1e-9);
         EXPECT_NEAR(place.rate, 0.0, 1e-9 * sweep.length_mm());
         EXPECT_NEAR(degrees_around(around(sweep, place.passage), p), degrees, 1e-8);
-        const double off = dice.from(-0.05, 0.05);
+        const double off = draw.from(-0.05, 0.05);
         EXPECT_NEAR(distance(envelope, p + off * n), off, 1e-6);
         // What crosses it there.
         EXPECT_NEAR(distance(Characteristic{envelope, t}, p), 0.0, 1e-10);
@@ -129,12 +119,12 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
 }
 
 TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
-    Dice dice;
+    Draw draw(11);
     for (int i = 0; i < 300; ++i) {
-        const Envelope envelope = random_envelope(dice);
+        const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const Vec3 p = point_around(sweep, sweep.at(dice.from(0.1, 0.9)), dice.from(120.0, 240.0)) +
-                       0.3 * dice.direction();
+        const Vec3 p = point_around(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
+                       0.3 * draw.direction();
         const double least = least_off(sweep, p);
         if (least < -0.05) continue;
         const Aspect place = place_on(envelope, p);
@@ -146,13 +136,13 @@ TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
 
 // Both by differences.
 TEST(Envelope, WhatCrossesItHasItsGradient) {
-    Dice dice;
+    Draw draw(11);
     constexpr double kStep = 1e-6;
     for (int i = 0; i < 500; ++i) {
-        const Envelope envelope = random_envelope(dice);
+        const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const Vec3 p = point_around(sweep, sweep.at(dice.from(0.1, 0.9)), dice.from(120.0, 240.0)) +
-                       0.01 * dice.direction();
+        const Vec3 p = point_around(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
+                       0.01 * draw.direction();
         const auto value = [&](Vec3 at) {
             const Aspect aspect = place_on(envelope, at);
             return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace ncsim::brep {
 namespace {
@@ -81,6 +83,7 @@ TEST(Order, AWallEndsBeforeItComesOutBelowAnother) {
 // Leaning, the wall ends in a line askew, which comes out from behind another one far below the
 // corner that the polyhedron has of it.
 TEST(Order, AWallThatLeansEndsFarBelow) {
+    std::optional<double> left;
     for (const double tolerance : {0.05, 0.0125}) {
         SCOPED_TRACE(tolerance);
         const auto made = test::make_part("lean",
@@ -88,6 +91,10 @@ TEST(Order, AWallThatLeansEndsFarBelow) {
                                           "G0 A0\nG0 X-10 Y29 Z5\nG1 Z-4\nG1 X90\nG0 Z5\n",
                                           tolerance);
         EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_EQ(made.solid.part.faces.size(), 16U);
+        EXPECT_EQ(cylinders_of(made.solid.part), 1);
+        if (!left) left = volume(made.solid.part);
+        EXPECT_NEAR(volume(made.solid.part), *left, 1e-9 * *left);
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brep/random_parts.h"
 
+#include "brep/random_program.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,20 +13,16 @@ namespace ncsim::brep::test {
 
 namespace {
 
-class Writer {
+class Writer : RandomProgram {
 public:
     explicit Writer(std::uint64_t seed)
-        : random_(seed), has_helices_(seed >= kWithHelices), has_slopes_(seed >= kWithSlopes) {}
+        : RandomProgram(seed),
+          has_helices_(seed >= kWithHelices),
+          has_slopes_(seed >= kWithSlopes) {}
 
     std::string write() {
-        text_ =
-            "(T1 D=10. CR=0. - flat end mill)\n(T2 D=6. CR=0. - flat end mill)\n"
-            "(T3 D=8. CR=4. - ball end mill)\n(T4 D=12. CR=2. - bull nose end mill)\n"
-            "(T5 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
-            "(T6 D=5. CR=0. TAPER=118deg - drill)\n(T7 D=8.5 CR=0. TAPER=140deg - drill)\n"
-            "(STOCK/BLOCK,80.,60.,15.,0.,0.,15.)\nG21 G90 G17\n";
-        // Of some programs numbers are round, so that much coincides.
-        grid_ = pick(0, 2) == 0 ? 1 : pick(0, 1) == 0 ? 500 : 5000;
+        text_ = std::string(kRandomTools) + "(STOCK/BLOCK,80.,60.,15.,0.,0.,15.)\nG21 G90 G17\n";
+        choose_grid();
         const int operations = has_slopes_ ? pick(1, 4) : pick(2, 9);
         for (int i = 0; i < operations; ++i)
             operation();
@@ -32,16 +30,6 @@ public:
     }
 
 private:
-    int pick(int low, int high) {
-        return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
-    }
-    // Between two lengths, as programs write them.
-    double length(double low, double high) {
-        const int steps = static_cast<int>((high - low) * 1000.0) / grid_;
-        return low + pick(0, steps) * grid_ / 1000.0;
-    }
-    void line(const std::string& text) { text_ += text + "\n"; }
-
     void operation() {
         const int tool = has_slopes_ ? pick(2, 4) : has_helices_ ? pick(1, 2) : pick(1, 7);
         line(fmt::format("T{} M6 S5000 M3", tool));
@@ -54,51 +42,26 @@ private:
         const int moves = tool > 5 ? 0 : pick(0, 5);
         for (int i = 0; i < moves; ++i) {
             if (pick(0, 1) == 0) {
-                straight();
+                straight(is_ramp_);
             } else {
-                arc();
+                arc_down();
             }
         }
         line("G0 Z5");
     }
 
-    void straight() {
-        const double dx = length(-20, 20), dy = length(-20, 20);
-        const int which = pick(0, 2);
-        if (which != 0) x_ += dx;
-        if (which != 1) y_ += dy;
-        if (is_ramp_) z_ = -length(0, 9);
-        line(fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f}", x_, y_, z_));
-    }
-
-    // By whole quarters, so that it ends on the grid.
-    void arc() {
-        const double i = length(-12, 12), j = pick(0, 1) == 0 ? 0.0 : length(-12, 12);
-        if (i == 0.0 && j == 0.0) return;
-        const int quarters = pick(1, 4);
-        const bool left = pick(0, 1) == 0;
-        double u = -i, v = -j;
-        for (int k = 0; k < quarters; ++k) {
-            const double w = left ? -v : v;
-            v = left ? u : -u;
-            u = w;
-        }
-        const double to_x = x_ + i + u, to_y = y_ + j + v;
+    void arc_down() {
+        const auto next = next_arc();
+        if (!next) return;
         std::string down;
         if (has_helices_ && pick(0, 1) == 0) {
             z_ = std::max(-12.0, z_ - length(0, 3));
             down = fmt::format(" Z{:.3f}", z_);
         }
-        line(fmt::format("{} X{:.3f} Y{:.3f}{} I{:.3f} J{:.3f}", left ? "G3" : "G2", to_x, to_y,
-                         down, i, j));
-        x_ = to_x, y_ = to_y;
+        arc(*next, down);
     }
 
-    std::mt19937_64 random_;
-    std::string text_;
     bool has_helices_, has_slopes_;
-    int grid_ = 1;  // µm
-    double x_ = 0.0, y_ = 0.0, z_ = 0.0;
     bool is_ramp_ = false;  // straight moves go up and down
 };
 

@@ -27,81 +27,43 @@ set_tests_properties(brep.write_solids PROPERTIES FIXTURES_SETUP brep_solids)
 add_test(NAME brep.solids_are_read_by_opencascade COMMAND ncsim_read_step ${solids})
 set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQUIRED brep_solids)
 
-# Parts of random programs likewise; more of them by hand: ncsim_brep_random <folder> 1000.
-set(random ${CMAKE_CURRENT_BINARY_DIR}/brep/random)
+# Parts of random programs likewise; more of them by hand: ncsim_brep_random <folder> 1000. With the
+# arguments that it gets here.
 add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/random_parts.cpp
   brep/tilted_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation fmt::fmt-header-only
   ncsim_build_flags)
-add_test(NAME brep.write_random_parts COMMAND ncsim_brep_random ${random} 24)
-set_tests_properties(brep.write_random_parts PROPERTIES FIXTURES_SETUP brep_random)
-add_test(NAME brep.random_parts_are_read_by_opencascade COMMAND ncsim_read_step ${random})
-set_tests_properties(brep.random_parts_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_random)
-# The same of helices.
-set(helices ${CMAKE_CURRENT_BINARY_DIR}/brep/helices)
-add_test(NAME brep.write_parts_with_helices COMMAND ncsim_brep_random ${helices} 8 1000000)
-set_tests_properties(brep.write_parts_with_helices PROPERTIES FIXTURES_SETUP brep_helices)
-add_test(NAME brep.parts_with_helices_are_read_by_opencascade COMMAND ncsim_read_step ${helices})
-set_tests_properties(brep.parts_with_helices_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_helices)
-
-# Of slopes and helices by balls and bull noses.
-set(slopes ${CMAKE_CURRENT_BINARY_DIR}/brep/slopes)
-add_test(NAME brep.write_parts_with_slopes COMMAND ncsim_brep_random ${slopes} 12 4000000)
-set_tests_properties(brep.write_parts_with_slopes PROPERTIES FIXTURES_SETUP brep_slopes)
-add_test(NAME brep.parts_with_slopes_are_read_by_opencascade COMMAND ncsim_read_step ${slopes})
-set_tests_properties(brep.parts_with_slopes_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_slopes)
-
-# And of balls that turn.
-set(turning ${CMAKE_CURRENT_BINARY_DIR}/brep/turning)
-add_test(NAME brep.write_parts_of_turning_balls COMMAND ncsim_brep_random ${turning} 12 5000000)
-set_tests_properties(brep.write_parts_of_turning_balls PROPERTIES FIXTURES_SETUP brep_turning)
-add_test(NAME brep.parts_of_turning_balls_are_read_by_opencascade COMMAND ncsim_read_step
-  ${turning})
-set_tests_properties(brep.parts_of_turning_balls_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_turning)
-
-# And of finishing by a ball.
-set(rasters ${CMAKE_CURRENT_BINARY_DIR}/brep/rasters)
-add_test(NAME brep.write_rasters COMMAND ncsim_brep_random ${rasters} 24 2000000)
-set_tests_properties(brep.write_rasters PROPERTIES FIXTURES_SETUP brep_rasters)
-add_test(NAME brep.rasters_are_read_by_opencascade COMMAND ncsim_read_step ${rasters})
-set_tests_properties(brep.rasters_are_read_by_opencascade PROPERTIES FIXTURES_REQUIRED brep_rasters)
-
-# And of tools and parts that lean on machines of all kinds, where many facets stay; the same as
-# facets alone.
-set(tilted ${CMAKE_CURRENT_BINARY_DIR}/brep/tilted)
-add_test(NAME brep.write_tilted_parts COMMAND ncsim_brep_random ${tilted}
-  --seeds 3000010 3000012 3000014 3000019 3001002)
-set_tests_properties(brep.write_tilted_parts PROPERTIES FIXTURES_SETUP brep_tilted)
-add_test(NAME brep.tilted_parts_are_read_by_opencascade COMMAND ncsim_read_step ${tilted})
-set_tests_properties(brep.tilted_parts_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_tilted)
-set(tilted_facets ${CMAKE_CURRENT_BINARY_DIR}/brep/tilted_facets)
-add_test(NAME brep.write_tilted_facets COMMAND ncsim_brep_random ${tilted_facets} --faceted
+function(ncsim_judge_parts name)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/brep/${name})
+  add_test(NAME brep.write_${name} COMMAND ncsim_brep_random ${folder} ${ARGN})
+  set_tests_properties(brep.write_${name} PROPERTIES FIXTURES_SETUP brep_${name})
+  add_test(NAME brep.${name}_are_read_by_opencascade COMMAND ncsim_read_step ${folder})
+  set_tests_properties(brep.${name}_are_read_by_opencascade PROPERTIES
+    FIXTURES_REQUIRED brep_${name})
+endfunction()
+ncsim_judge_parts(random_parts 24)
+ncsim_judge_parts(parts_with_helices 8 1000000)
+# Finishing by a ball.
+ncsim_judge_parts(rasters 24 2000000)
+# Slopes and helices by balls and bull noses.
+ncsim_judge_parts(parts_with_slopes 12 4000000)
+# Balls that turn.
+ncsim_judge_parts(parts_of_turning_balls 12 5000000)
+# Tools and parts that lean on machines of all kinds, where many facets stay; the same as facets
+# alone.
+ncsim_judge_parts(tilted_parts --seeds 3000010 3000012 3000014 3000019 3001002)
+ncsim_judge_parts(tilted_facets --faceted
   --seeds 3000009 3000010 3000078 3000082 3000132 3001004)
-set_tests_properties(brep.write_tilted_facets PROPERTIES FIXTURES_SETUP brep_tilted_facets)
-add_test(NAME brep.tilted_facets_are_read_by_opencascade COMMAND ncsim_read_step ${tilted_facets})
-set_tests_properties(brep.tilted_facets_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_tilted_facets)
-
-# And those in which OpenCASCADE once found a fault that the first ones do not have:
+# Those in which OpenCASCADE once found a fault that the first ones do not have:
 # 60438 a ramp leaves the block in a flat ellipse, of which nothing was drawn, 70744 a wall in a spline;
 # 60794, 60158 facets with a corner on an edge of theirs; 40087 with a fold narrower than readers see;
 # 60607 a cone beside whose apex facets pass; 20146 a sickle of a ball, between edges that miss their ends;
 # 70560 a ring whose inner end is thinner than tools are known; 70629 whose volume was measured wrongly;
 # 80079, 80669, 80946 a circle beside a pole of a sphere, which was read 0.02 mm and more from where it is;
 # 70967, 80857 a plane that a hole touches from inside along an arc, of which nothing was drawn.
-set(faulty ${CMAKE_CURRENT_BINARY_DIR}/brep/faulty)
-add_test(NAME brep.write_parts_that_were_faulty COMMAND ncsim_brep_random ${faulty}
+ncsim_judge_parts(parts_that_were_faulty
   --seeds 60438 60794 60158 40087 60607 20146 70560 70629 70744 70967 80079 80669 80857 80946)
-set_tests_properties(brep.write_parts_that_were_faulty PROPERTIES FIXTURES_SETUP brep_faulty)
-add_test(NAME brep.parts_that_were_faulty_are_read_by_opencascade COMMAND ncsim_read_step ${faulty})
-set_tests_properties(brep.parts_that_were_faulty_are_read_by_opencascade PROPERTIES
-  FIXTURES_REQUIRED brep_faulty)
 
 # Of a solid as a mesh its own program is within what all of them are off.
 find_package(OpenCASCADE CONFIG REQUIRED)
