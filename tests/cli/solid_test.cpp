@@ -49,6 +49,18 @@ TEST(Run, SolidsOfTheSamplesHaveNoFacets) {
     }
 }
 
+// Its ball cuts with its side, for which there is no surface, so no groove is an envelope. Where
+// the ball stood, and went down, it leaves what it left without them: of 26 spheres 24 became
+// facets.
+TEST(Run, WhatIsNoEnvelopeIsWhatItWasWithout) {
+    Folder folder;
+    const std::string samples = std::string(NCSIM_SOURCE_DIR) + "/samples/";
+    const Ran ran = folder.run({"run", samples + "five-axis.nc", "--machine",
+                                samples + "machines/trt.toml", "--step", "a.step"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, " 36 cylinders, 26 spheres, ")) << ran.out;
+}
+
 TEST(Run, CutsThePartOpenInLinesAndArcs) {
     Folder folder;
     std::string pocket = kSlot;
