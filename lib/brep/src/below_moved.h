@@ -87,11 +87,18 @@ private:
     static void in_pieces(double degrees, double piece, const Take& take) {
         const int pieces = static_cast<int>(std::abs(degrees) / piece) + 1;
         const double width = degrees / pieces;
+        std::array<trig::SinCos, kAbscissae.size()> beside;
+        for (std::size_t k = 0; k < kAbscissae.size(); ++k)
+            beside[k] = trig::sin_cos(0.5 * kAbscissae[k] * width);
         for (int i = 0; i < pieces; ++i) {
+            const auto middle = trig::sin_cos((i + 0.5) * width);
             for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
-                for (const double sign : {-1.0, 1.0})
+                for (const double sign : {-1.0, 1.0}) {
+                    const double sine = sign * beside[k].sin, cosine = beside[k].cos;
                     take(0.5 * width * kWeights[k],
-                         trig::sin_cos((i + 0.5 + 0.5 * sign * kAbscissae[k]) * width));
+                         trig::SinCos{middle.sin * cosine + middle.cos * sine,
+                                      middle.cos * cosine - middle.sin * sine});
+                }
             }
         }
     }

@@ -40,18 +40,27 @@ CoilPlace place_at_height(const Coil& coil, Vec3 p) {
 
 CoilPlace place_on(const Coil& coil, Vec3 p) {
     CoilPlace place = place_at_height(coil, p);
-    // Both angles at once, by least squares (Gauss and Newton).
+    // Both angles at once by Newton's method: the distance is least. Where it bends the other way,
+    // as if `p` were on the surface.
     constexpr int kCoilSteps = 40;
-    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-13, kLeastApart = 1e-9;
+    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-13, kLastTurn = 1e-8, kLeastApart = 1e-9;
     for (int step = 0; step < kCoilSteps; ++step) {
         const Vec3 off = p - place.centre - coil.radius * place.out;
-        const Vec3 around = coil.radius * cross(coil.axis, place.out);
+        const Vec3 unit = cross(coil.axis, place.out), around = coil.radius * unit;
         const Vec3 along = coil.reach * place.way + coil.lead * coil.axis;
-        const double aa = dot(around, around), ab = dot(around, along), bb = dot(along, along);
+        const double ab = dot(around, along);
+        double aa = dot(around, around), bb = dot(along, along);
+        const double bent_a = aa + coil.radius * dot(off, place.out);
+        const double bent_b = bb + coil.reach * dot(off, cross(place.way, coil.axis));
+        const bool is_least = bent_a > 0.0 && bent_a * bent_b - ab * ab > kLeastApart * aa * bb;
+        if (is_least) {
+            aa = bent_a;
+            bb = bent_b;
+        }
         const double det = aa * bb - ab * ab;
         const double a = dot(around, off), b = dot(along, off);
         double first = a / aa, second = 0.0;
-        if (det > kLeastApart * aa * bb) {
+        if (is_least || det > kLeastApart * aa * bb) {
             first = (a * bb - b * ab) / det;
             second = (b * aa - a * ab) / det;
         }
@@ -59,10 +68,10 @@ CoilPlace place_on(const Coil& coil, Vec3 p) {
         // one of the other.
         const double longest = std::max(std::abs(first), std::abs(second));
         const double scale = longest > kFarthestTurn ? kFarthestTurn / longest : 1.0;
-        const Vec3 unit = cross(coil.axis, place.out);
         place.out = normalized(place.out + (scale * first) * unit);
-        turn_to(coil, place.turn + scale * second, place);
-        if (std::abs(first) + std::abs(second) < kNoTurn) break;
+        if (second != 0.0) turn_to(coil, place.turn + scale * second, place);
+        // After a step of Newton's, what is left is as its square.
+        if (std::abs(first) + std::abs(second) < (is_least ? kLastTurn : kNoTurn)) break;
     }
     return place;
 }

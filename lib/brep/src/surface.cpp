@@ -310,18 +310,24 @@ DomePlace place_on(const Dome& dome, Vec3 p) {
     const auto level = [&](Vec3 w) { return w - dot(w, dome.axis) * dome.axis; };
     place.out = normalized(level(v - dome.reach * place.up));
     if (place.out == Vec3{}) place.out = dome.ahead;
-    // Both angles at once, by least squares (Gauss and Newton).
+    // Both angles at once by Newton's method: the distance is least. Where it bends the other way,
+    // as if `p` were on the surface.
     constexpr int kDomeSteps = 40;
-    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-15, kLeastApart = 1e-7;
+    constexpr double kFarthestTurn = 0.3, kNoTurn = 1e-15, kLastTurn = 1e-8, kLeastApart = 1e-7;
     for (int step = 0; step < kDomeSteps; ++step) {
         const Vec3 off = v - dome.reach * place.up - dome.radius * place.out;
         const Vec3 around = cross(dome.axis, place.out);
-        const double k = dot(around, place.along), det = 1.0 - k * k;
+        const double k = dot(around, place.along);
         const double a = dot(around, off), b = dot(place.along, off);
+        double aa = 1.0 + dot(off, place.out) / dome.radius;
+        double bb = 1.0 + dot(off, place.up) / dome.reach;
+        const bool is_least = aa > 0.0 && aa * bb - k * k > kLeastApart;
+        if (!is_least) aa = bb = 1.0;
+        const double det = aa * bb - k * k;
         double first = a, second = 0.0;
         if (det > kLeastApart) {
-            first = (a - k * b) / det;
-            second = (b - k * a) / det;
+            first = (a * bb - k * b) / det;
+            second = (b * aa - k * a) / det;
         }
         first = std::clamp(first / dome.radius, -kFarthestTurn, kFarthestTurn);
         second = std::clamp(second / dome.reach, -kFarthestTurn, kFarthestTurn);
@@ -329,7 +335,8 @@ DomePlace place_on(const Dome& dome, Vec3 p) {
         const double c = place.cosine - second * place.sine, s = place.sine + second * place.cosine;
         const double length = std::sqrt(c * c + s * s);
         turn(place, c / length, s / length);
-        if (std::abs(first) + std::abs(second) < kNoTurn) break;
+        // After a step of Newton's, what is left is as its square.
+        if (std::abs(first) + std::abs(second) < (is_least ? kLastTurn : kNoTurn)) break;
     }
     return place;
 }

@@ -6,6 +6,7 @@
 #include "ncsim/brep/envelope.h"
 #include "ncsim/trig/angles.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,6 +67,15 @@ Course course_through(const std::array<Vec3, kTerms>& values) {
             sum = sum + cosine_at(k, j) * values[k];
         course.value.push_back(((j == 0 ? 1.0 : 2.0) / static_cast<double>(kTerms)) * sum);
     }
+    // Short turns have few that count; what is no more than rounding would grow with each
+    // derivative.
+    const auto size = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    double largest = 0.0;
+    for (const Vec3 term : course.value)
+        largest = std::max(largest, size(term));
+    constexpr double kRounding = 4e-15;
+    while (course.value.size() > 1 && size(course.value.back()) <= kRounding * largest)
+        course.value.pop_back();
     course.slope = derivative_of(course.value);
     course.bend = derivative_of(course.slope);
     return course;
