@@ -63,10 +63,12 @@ void Chains::trace() {
         if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_beside_facet(h)))
             degree[v] = kTip;
         if (degree[v] == 2) continue;
-        const std::uint32_t number = vertex_at(v);
-        vertices_[number].edge = h;
-        vertices_[number].groups.push_back(groups_.group_at(h));
-        vertices_[number].groups.push_back(groups_.group_beyond(h));
+        // What is beyond one is at the next one.
+        Vertex& vertex = vertices_[vertex_at(v)];
+        vertex.edge = h;
+        if (vertex.groups.empty())
+            vertex.groups.reserve(static_cast<std::size_t>(std::max(degree[v], 2)));
+        vertex.groups.push_back(groups_.group_at(h));
     }
     chain_of_.assign(mesh_.edges().size(), kNone);
     const auto follow = [&](std::uint32_t first, bool is_closed) {

@@ -18,17 +18,21 @@ using Numbers = std::vector<std::uint32_t>;
 
 class Spikes {
 public:
-    explicit Spikes(Part& part) : part_(part), faces_of_(part.edges.size()) {
+    explicit Spikes(Part& part) : part_(part) {
         for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-            for (const Loop& loop : part.faces[f].loops) {
-                for (const EdgeUse& use : loop)
-                    faces_of_[use.edge].push_back(f);
-            }
-            waiting_.push_back(f);
+            if (pair_of(part.faces[f])) waiting_.push_back(f);
         }
     }
 
     bool take_out() {
+        if (waiting_.empty()) return false;
+        faces_of_.resize(part_.edges.size());
+        for (std::uint32_t f = 0; f < part_.faces.size(); ++f) {
+            for (const Loop& loop : part_.faces[f].loops) {
+                for (const EdgeUse& use : loop)
+                    faces_of_[use.edge].push_back(f);
+            }
+        }
         bool any = false;
         while (!waiting_.empty()) {
             const std::uint32_t f = waiting_.back();
@@ -46,7 +50,7 @@ private:
         bool goes_up;             // from the one to the other
         std::uint32_t edge;
         std::size_t loop, at;
-        auto key() const { return std::tuple(low, high, edge); }
+        auto key() const { return std::tuple(low, high, edge, loop, at); }
     };
     struct Pair {
         Way there, back;
@@ -70,9 +74,10 @@ private:
     }
 
     // In planes wherever they are; else one after the other.
-    std::optional<Pair> pair_of(const Face& face) const {
+    std::optional<Pair> pair_of(const Face& face) {
         const bool is_plane = std::holds_alternative<Plane>(face.surface.form);
-        std::vector<Way> ways;
+        std::vector<Way>& ways = ways_;
+        ways.clear();
         for (std::size_t l = 0; l < face.loops.size(); ++l) {
             for (std::size_t i = 0; i < face.loops[l].size(); ++i) {
                 const EdgeUse& use = face.loops[l][i];
@@ -83,7 +88,7 @@ private:
             }
         }
         // Those of one edge are beside each other.
-        std::ranges::stable_sort(ways, {}, &Way::key);
+        std::ranges::sort(ways, {}, &Way::key);
         const auto may_go = [&](const Way& a, const Way& b) {
             return a.goes_up != b.goes_up && (is_plane || are_neighbours(face, a, b));
         };
@@ -148,6 +153,7 @@ private:
     Part& part_;
     std::vector<Numbers> faces_of_;  // of each edge
     Numbers waiting_;
+    std::vector<Way> ways_;  // of the face that is looked at
 };
 
 }  // namespace
