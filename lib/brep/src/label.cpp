@@ -19,17 +19,12 @@ constexpr double kSlack = 1.5;
 // Of coils, beside walls, both beyond the wall and below the floor.
 constexpr double kSlackOfCoils = 2.0;
 
-// How far a facet turns away from the surface: in its middle, or, where that is off the surface
-// (of a ring: the bottom of a round groove), on average over its corners.
-double turn_from(const FlatFace& face, const Surface& surface, double most) {
-    const auto [off_by, gradient] = off(surface.form, face.centroid);
-    if (std::abs(off_by) <= most)
-        return norm(face.normal - (surface.is_hollow ? -gradient : gradient));
-    const auto at = [&](Vec3 p) { return norm(face.normal - outward(surface, p)); };
+// How far a facet turns away from the surface on average over its corners.
+double turn_at_corners(const FlatFace& face, const Surface& surface) {
     double sum = 0.0, corners = 0.0;
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop) {
-            sum += at(face.points[v]);
+            sum += norm(face.normal - outward(surface, face.points[v]));
             corners += 1.0;
         }
     }
@@ -67,7 +62,12 @@ double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<c
 
 bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
           double* score) {
-    const double turn = turn_from(face, surface, most);
+    // In its middle, or, where that is off the surface (of a ring: the bottom of a round groove),
+    // at its corners: if these are on it, since of a floor between walls there may be thousands.
+    const auto [off_by, gradient] = off(surface.form, face.centroid);
+    const bool is_on = std::abs(off_by) <= most;
+    double turn =
+        is_on ? norm(face.normal - (surface.is_hollow ? -gradient : gradient)) : most_turn;
     if (turn > most_turn) return false;
     double farthest = 0.0;
     const auto* cone = std::get_if<Cone>(&surface.form);
@@ -79,6 +79,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
             if (cone && dot(p - cone->apex, cone->axis) < -most) return false;
         }
     }
+    if (!is_on) turn = turn_at_corners(face, surface);
+    if (turn > most_turn) return false;
     if (score) *score = turn + 0.1 * farthest / most;
     return true;
 }
