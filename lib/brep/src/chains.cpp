@@ -162,7 +162,7 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
 void Chains::solve() {
     for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
          ++i) {
-        bool has_failed = !solve_vertex(vertices_[i]);
+        bool has_failed = !solve_corner(vertices_[i]);
         if (has_failed || is_bend_elsewhere(vertices_[i])) {
             const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
             const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
@@ -216,6 +216,16 @@ bool Chains::join_corners(std::uint32_t group) {
     return any;
 }
 
+std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, const Form& second,
+                                        const std::vector<Vec3>& points) {
+    if (chain.edges.empty()) return spline_between(first, second, points);
+    const std::uint32_t left = groups_[chain.left].surface, right = groups_[chain.right].surface;
+    KnownSpline& known = known_splines_[chain.edges.front()];
+    if (known.left != left || known.right != right || known.points != points)
+        known = {left, right, points, spline_between(first, second, points)};
+    return known.spline;
+}
+
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
@@ -256,7 +266,7 @@ void Chains::solve_chain(Chain& chain) {
         const bool is_moved =
             std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);
         const Form& first = is_moved && touching ? b : a;
-        auto spline = spline_between(first, second, points);
+        auto spline = spline_of(chain, first, second, points);
         // Where facets are large, corners of the polygon may lie beyond its true ends.
         if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))
             spline = spline_between(first, second, {from.at, to.at});

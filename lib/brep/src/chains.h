@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,7 @@ private:
     /// It may be as far from where it was, or from one of the ways `beside`, as corners of polygons
     /// are from true ones.
     bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside = {}) const;
+    bool solve_corner(Vertex& v);
     bool is_above(std::uint32_t ramp, Vec3 p) const;
     void move_to_ellipse(Vertex& v, Vec3 start) const;
     bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
@@ -128,6 +130,8 @@ private:
     bool is_rounded_off(const Chain& chain) const;
     std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
+    std::optional<Spline> spline_of(const Chain& chain, const Form& first, const Form& second,
+                                    const std::vector<Vec3>& points);
     void solve_chain(Chain& chain);
     void fail(Chain& chain) {
         chain.has_failed = true;
@@ -142,6 +146,21 @@ private:
     std::vector<Chain> chains_;
     std::vector<std::uint32_t> chain_of_;  // of each half-edge
     double mitred_mm_ = 0.0;
+    /// Round by round most corners and edges stay what they are: of each corner of the mesh, and of
+    /// each half-edge with which a chain begins, what was found last, and of what.
+    struct KnownCorner {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> around;  ///< Surfaces, first facets.
+        Vec3 at{};
+        double miss = 0.0;
+        bool is_touch = false, is_solved = false;
+    };
+    struct KnownSpline {
+        std::uint32_t left = kNone, right = kNone;  ///< Surfaces.
+        std::vector<Vec3> points;
+        std::optional<Spline> spline;
+    };
+    std::vector<KnownCorner> known_corners_;
+    std::unordered_map<std::uint32_t, KnownSpline> known_splines_;
     std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  // corners of the mesh
 };
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -148,6 +149,29 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
     v.at = start;
     v.miss = farthest(numbers, v.at);
     return all_flat && v.miss <= kFlat;
+}
+
+// As it was found last, if nothing around it has changed.
+bool Chains::solve_corner(Vertex& v) {
+    const auto is_analytic = [&](std::uint32_t g) { return groups_[g].is_analytic; };
+    if (v.edge == kNone || std::ranges::none_of(v.groups, is_analytic)) return solve_vertex(v);
+    known_corners_.resize(mesh_.corners());
+    KnownCorner& known = known_corners_[mesh_.edges()[v.edge].from];
+    const auto key = [&](std::uint32_t g) {
+        return std::pair(groups_[g].surface, groups_[g].facets.front());
+    };
+    if (!std::ranges::equal(v.groups, known.around, {}, key)) {
+        known.is_solved = solve_vertex(v);
+        known.around.clear();
+        std::ranges::transform(v.groups, std::back_inserter(known.around), key);
+        known.at = v.at;
+        known.miss = v.miss;
+        known.is_touch = v.is_touch;
+    }
+    v.at = known.at;
+    v.miss = known.miss;
+    v.is_touch = known.is_touch;
+    return known.is_solved;
 }
 
 // Of a ramp, beside `p`.
