@@ -159,11 +159,19 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
     return points;
 }
 
+// Of its points the one in the middle.
+Vec3 Chains::middle_of(const Chain& chain) const {
+    if (chain.is_flipped) return vertices_[chain.to].at;
+    const std::size_t i = (chain.edges.size() + 1) / 2;
+    return mesh_.point(i < chain.edges.size() ? mesh_.edges()[chain.edges[i]].from
+                                              : mesh_.to(chain.edges.back()));
+}
+
 void Chains::solve() {
     for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
          ++i) {
         bool has_failed = !solve_corner(vertices_[i]);
-        if (has_failed || is_bend_elsewhere(vertices_[i])) {
+        if (has_failed || vertices_[i].is_bend_elsewhere) {
             const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
             const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
             if (!is_ahead && split(i, spokes)) has_failed = false;
@@ -232,11 +240,10 @@ void Chains::solve_chain(Chain& chain) {
     chain.has_failed = from.has_failed || to.has_failed;
     if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
-    std::vector<Vec3> points = points_of(chain);
     const bool is_joined = !chain.edges.empty() && joined_.contains(corners_of(chain));
     if (!is_loop && (norm(to.at - from.at) <= kPoint || (is_joined && is_rounded_off(chain)))) {
         // A circle that ends where it begins, or nothing?
-        if (norm(points[points.size() / 2] - from.at) < reach({chain.left, chain.right})) {
+        if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;
             return;
         }
@@ -246,6 +253,7 @@ void Chains::solve_chain(Chain& chain) {
         chain.curve = Line{};
         return;
     }
+    std::vector<Vec3> points = points_of(chain);
     const Vec3 middle = points.size() > 2 ? points[points.size() / 2] : 0.5 * (from.at + to.at);
     std::optional<Curve> curve = meet(a, b, from.at, to.at, middle);
     const bool is_straight = curve && std::holds_alternative<Line>(*curve);

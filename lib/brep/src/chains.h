@@ -38,7 +38,8 @@ struct Vertex {
     Vec3 at;
     std::vector<std::uint32_t> groups;
     double miss = 0.0;
-    bool is_touch = false;  ///< Of surfaces that touch.
+    bool is_touch = false;           ///< Of surfaces that touch.
+    bool is_bend_elsewhere = false;  ///< Beside the corner of a bend, which is to be another one.
     bool has_failed = false;
     std::uint32_t edge = kNone;  ///< A half-edge between two groups that starts there.
     Vec3 start{};                ///< Where it is in the polyhedron.
@@ -130,6 +131,7 @@ private:
     bool is_rounded_off(const Chain& chain) const;
     std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
+    Vec3 middle_of(const Chain& chain) const;
     std::optional<Spline> spline_of(const Chain& chain, const Form& first, const Form& second,
                                     const std::vector<Vec3>& points);
     void solve_chain(Chain& chain);
@@ -152,7 +154,7 @@ private:
         std::vector<std::pair<std::uint32_t, std::uint32_t>> around;  ///< Surfaces, first facets.
         Vec3 at{};
         double miss = 0.0;
-        bool is_touch = false, is_solved = false;
+        bool is_touch = false, is_bend_elsewhere = false, is_solved = false;
     };
     struct KnownSpline {
         std::uint32_t left = kNone, right = kNone;  ///< Surfaces.

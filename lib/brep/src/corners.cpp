@@ -154,7 +154,11 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
 // As it was found last, if nothing around it has changed.
 bool Chains::solve_corner(Vertex& v) {
     const auto is_analytic = [&](std::uint32_t g) { return groups_[g].is_analytic; };
-    if (v.edge == kNone || std::ranges::none_of(v.groups, is_analytic)) return solve_vertex(v);
+    if (v.edge == kNone || std::ranges::none_of(v.groups, is_analytic)) {
+        const bool is_solved = solve_vertex(v);
+        v.is_bend_elsewhere = is_bend_elsewhere(v);
+        return is_solved;
+    }
     known_corners_.resize(mesh_.corners());
     KnownCorner& known = known_corners_[mesh_.edges()[v.edge].from];
     const auto key = [&](std::uint32_t g) {
@@ -167,10 +171,12 @@ bool Chains::solve_corner(Vertex& v) {
         known.at = v.at;
         known.miss = v.miss;
         known.is_touch = v.is_touch;
+        known.is_bend_elsewhere = is_bend_elsewhere(v);
     }
     v.at = known.at;
     v.miss = known.miss;
     v.is_touch = known.is_touch;
+    v.is_bend_elsewhere = known.is_bend_elsewhere;
     return known.is_solved;
 }
 

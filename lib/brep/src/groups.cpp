@@ -54,45 +54,62 @@ void Groups::gather() {
     }
     groups_.clear();
     group_of_.assign(mesh_.size(), kNone);
+    std::vector<std::uint32_t> end;  // of each group, in facets_
     for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
         const std::uint32_t root = sets.find(i);
         if (group_of_[root] == kNone) {
             group_of_[root] = static_cast<std::uint32_t>(groups_.size());
             groups_.push_back({mesh_[i].label, {}, 0.0, mesh_[i].label != mesh_[i].own});
+            end.push_back(0);
         }
         group_of_[i] = group_of_[root];
-        Group& g = groups_[group_of_[i]];
-        g.facets.push_back(i);
-        g.area += mesh_[i].area;
+        groups_[group_of_[i]].area += mesh_[i].area;
+        ++end[group_of_[i]];
     }
+    facets_.resize(mesh_.size());
+    std::uint32_t begin = 0;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        groups_[g].facets = std::span(facets_).subspan(begin, end[g]);
+        begin = std::exchange(end[g], begin) + begin;
+    }
+    for (std::uint32_t i = 0; i < mesh_.size(); ++i)
+        facets_[end[group_of_[i]]++] = i;
     meet();
 }
 
-// Who is beside whom: half-edges by group, in order, then those of a group by neighbour.
+// Who is beside whom: half-edges by group, those of a group by neighbour, then in order.
 void Groups::meet() {
+    struct Met {
+        std::uint32_t beyond, edge;
+        auto operator<=>(const Met&) const = default;
+    };
     const auto& edges = mesh_.edges();
-    std::vector<std::uint32_t> begin(groups_.size() + 1, 0);
+    std::vector<std::uint32_t> end(groups_.size() + 1, 0);
+    std::vector<std::uint32_t> boundary;
+    boundary.reserve(edges.size());
     for (std::uint32_t h = 0; h < edges.size(); ++h) {
-        if (is_boundary(h)) ++begin[group_at(h) + 1];
+        if (!is_boundary(h)) continue;
+        boundary.push_back(h);
+        ++end[group_at(h) + 1];
     }
     for (std::size_t g = 0; g < groups_.size(); ++g)
-        begin[g + 1] += begin[g];
-    std::vector<std::pair<std::uint32_t, double>> met(begin.back());
-    std::vector<std::uint32_t> at(begin.begin(), begin.end() - 1);
-    for (std::uint32_t h = 0; h < edges.size(); ++h) {
-        if (is_boundary(h)) met[at[group_at(h)]++] = {group_beyond(h), mesh_.length(h)};
-    }
+        end[g + 1] += end[g];
+    std::vector<Met> met(boundary.size());
+    // What was the begin of a group becomes its end, and so that of the next one.
+    for (const std::uint32_t h : boundary)
+        met[end[group_at(h)]++] = {group_beyond(h), h};
     first_.assign(1, 0);
     neighbours_.clear();
+    std::uint32_t begin = 0;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-        const auto first = met.begin() + begin[g], last = met.begin() + begin[g + 1];
-        std::stable_sort(first, last,
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        for (auto i = first; i != last; ++i) {
+        const std::span mine = std::span(met).subspan(begin, end[g] - begin);
+        begin = end[g];
+        std::ranges::sort(mine);
+        for (const Met& one : mine) {
             const bool is_next =
-                neighbours_.size() == first_.back() || neighbours_.back().first != i->first;
-            if (is_next) neighbours_.emplace_back(i->first, 0.0);
-            neighbours_.back().second += i->second;
+                neighbours_.size() == first_.back() || neighbours_.back().first != one.beyond;
+            if (is_next) neighbours_.emplace_back(one.beyond, 0.0);
+            neighbours_.back().second += mesh_.length(one.edge);
         }
         first_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
     }

@@ -27,7 +27,7 @@ enum class Patience { Much, Little, None };
 
 struct Group {
     std::uint32_t surface = 0;
-    std::vector<std::uint32_t> facets;
+    std::span<const std::uint32_t> facets;  ///< Ascending.
     double area = 0.0;
     bool is_analytic = false;  ///< Its surface was recognised.
 };
@@ -94,6 +94,7 @@ private:
 
     FacetMesh& mesh_;
     std::vector<Group> groups_;
+    std::vector<std::uint32_t> facets_;    // by group
     std::vector<std::uint32_t> group_of_;  // of each facet
     std::vector<std::uint32_t> first_;     // of each group, in neighbours_
     std::vector<std::pair<std::uint32_t, double>> neighbours_;
