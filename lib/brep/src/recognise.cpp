@@ -17,6 +17,7 @@
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "chains.h"
+#include "chords.h"
 #include "facet_mesh.h"
 #include "groups.h"
 #include "horns.h"
@@ -585,6 +586,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     }
     halve_wide_edges(result.part);
     part_at_horns(result.part);
+    divide_arcs_beside_corners(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;
