@@ -5,12 +5,15 @@
 #include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
 
 #include "brep/tilted_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -84,6 +87,34 @@ TEST(Facets, NoLoopComesToACornerTwiceInARow) {
             EXPECT_NE(loop.front(), loop.back());
         }
     }
+}
+
+// Corners of facets go to where the true surfaces beside them meet; the facets stayed where they
+// were, up to 0.04 mm away.
+TEST(Facets, LieInTheirPlanes) {
+    simulation::Plan plan = test::plan_of(test::tilted_part(3001006), "part.nc");
+    const simulation::Survey survey = simulation::survey(plan);
+    simulation::Verification nothing;
+    nothing.keep_cuts = true;
+    const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
+    Recognised solid = simulation::solid_of(plan, survey, milled, exporter::kStepTolerance);
+    std::size_t facets = 0;
+    double farthest = 0.0;
+    for (const Face& face : solid.part.faces) {
+        if (!face.is_facet) continue;
+        ++facets;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Vec3 corner = solid.part.vertices[solid.part.edges[use.edge].from];
+                farthest = std::max(farthest, std::abs(distance(face.surface.form, corner)));
+            }
+        }
+    }
+    EXPECT_GT(facets, 100U);
+    EXPECT_EQ(facets, solid.facets_kept);
+    EXPECT_LE(farthest, exporter::kStepTolerance);
+    for (const Fault& fault : check(solid.part, 0.1))
+        EXPECT_NE(fault.what, "it is open");
 }
 
 }  // namespace

@@ -589,7 +589,8 @@ TEST(Recognise, CornersOfRampsStayApart) {
                        "X5.807770 Y9.395136 Z-4.248148\nX5.800150 Y9.414440 Z-4.251800\n"
                        "G0 Z5\nM30\n"}),
         0.02);
-    EXPECT_LE(made.solid.facets_kept, 70U);
+    // Some of them are triangles of one whose corners were moved off its plane.
+    EXPECT_LE(made.solid.facets_kept, 75U);
 }
 
 // They had 510, 370 and 163: what is thin gave up its neighbours, and these theirs; and a plane

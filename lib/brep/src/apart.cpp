@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
@@ -385,6 +386,59 @@ Numbers planes_of_no_size(const Part& part) {
     return found;
 }
 
+// How far each corner is off the planes around it, at most: readers take what is nearer for it.
+std::vector<double> width_of_corners(const Part& part) {
+    std::vector<double> width(part.vertices.size(), 0.0);
+    for (const Face& face : part.faces) {
+        if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part.edges[use.edge];
+                for (const std::uint32_t v : {edge.from, edge.to})
+                    width[v] =
+                        std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
+            }
+        }
+    }
+    return width;
+}
+
+// Planes with straight edges alone that are narrower than one of their corners is wide: readers
+// lose them in it.
+Numbers planes_of_no_width(const Part& part) {
+    const std::vector<double> width = width_of_corners(part);
+    Numbers found;
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);
+        if (!plane) continue;
+        double around = 0.0, twice_area = 0.0, widest = 0.0;
+        bool is_straight = true;
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part.edges[use.edge];
+                const Vec3 a = part.vertices[edge.from] - plane->origin;
+                const Vec3 b = part.vertices[edge.to] - plane->origin;
+                const double turn = cda::dot(plane->normal, cda::cross(a, b));
+                twice_area += use.is_forward ? turn : -turn;
+                around += cda::norm(b - a);
+                widest = std::max({widest, width[edge.from], width[edge.to]});
+                is_straight = is_straight && std::holds_alternative<Line>(edge.curve);
+            }
+        }
+        if (is_straight && twice_area < widest * around) found.push_back(f);
+    }
+    return found;
+}
+
+// Planes in which readers find a fault, or nothing at all.
+Numbers unreadable_planes(const Part& part) {
+    Numbers found = crossed_planes(part);
+    for (const Numbers& more : {planes_of_no_size(part), planes_of_no_width(part)})
+        found.insert(found.end(), more.begin(), more.end());
+    make_set(found);
+    return found;
+}
+
 // The loop of a plane that has the same edges, which are straight, as this loop.
 struct OtherSide {
     std::uint32_t face;
@@ -482,17 +536,15 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
         faces.resize(part.faces.size());
         std::iota(faces.begin(), faces.end(), 0U);
         part_where_they_touch(part, faces, kLeast, was);
-        Numbers crossed = crossed_planes(part);
-        for (const std::uint32_t f : planes_of_no_size(part))
-            crossed.push_back(f);
+        Numbers crossed = unreadable_planes(part);
         if (crossed.empty()) break;
         // Simplified polyhedra are flat within that.
         constexpr double kFlat = 1e-4;
-        if (part_where_they_touch(part, crossed, kFlat, was)) crossed = crossed_planes(part);
+        if (part_where_they_touch(part, crossed, kFlat, was)) crossed = unreadable_planes(part);
         const bool had_pockets = empty_flat_pockets(part, crossed);
         if (had_pockets) {
             drop_empty(part, was);
-            crossed = crossed_planes(part);
+            crossed = unreadable_planes(part);
         }
         if (round + 1 == kMostRounds) break;
         // Those that were made longer, too; and where that is not enough, farther apart.

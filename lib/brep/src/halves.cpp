@@ -40,19 +40,19 @@ std::optional<Halves> spline_in_two(const Spline& spline) {
 
 }  // namespace
 
-std::optional<Halves> edge_in_two(const Part& part, const Edge& edge) {
+std::optional<Halves> edge_in_two(const Part& part, const Edge& edge, double at) {
     if (std::holds_alternative<Line>(edge.curve)) return std::nullopt;
     if (const auto* spline = std::get_if<Spline>(&edge.curve)) return spline_in_two(*spline);
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
-    return Halves{track.at(0.5), edge.curve, edge.curve};
+    return Halves{track.at(at), edge.curve, edge.curve};
 }
 
 Halving::Halving(Part& part) : part_(part), second_(part.edges.size(), kNone) {}
 
-bool Halving::halve(std::uint32_t number) {
+bool Halving::halve(std::uint32_t number, double at) {
     if (number >= second_.size() || second_[number] != kNone) return false;
     const Edge edge = part_.edges[number];
-    auto halves = edge_in_two(part_, edge);
+    auto halves = edge_in_two(part_, edge, at);
     if (!halves) return false;
     const auto middle = static_cast<std::uint32_t>(part_.vertices.size());
     part_.vertices.push_back(halves->middle);

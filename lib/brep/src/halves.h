@@ -17,17 +17,17 @@ struct Halves {
     Curve first, second;
 };
 
-/// Of circles and ellipses half of the angle each; splines end at the knot in the middle. Nothing
-/// of lines, and of splines that have no knot inside.
-std::optional<Halves> edge_in_two(const Part& part, const Edge& edge);
+/// Circles and ellipses where `at` of their angle is passed, from 0 to 1; splines end at the knot
+/// in the middle. Nothing of lines, and of splines that have no knot inside.
+std::optional<Halves> edge_in_two(const Part& part, const Edge& edge, double at = 0.5);
 
 /// Halves edges of a part, in all of its loops at once: between the first of them and finish() the
 /// loops are those from before. New vertices and edges are added at the end.
 class Halving {
 public:
     explicit Halving(Part& part);
-    /// False: it stays as it is, has been halved, or is a half itself.
-    bool halve(std::uint32_t edge);
+    /// There. False: it stays as it is, has been halved, or is a half itself.
+    bool halve(std::uint32_t edge, double at = 0.5);
     /// Loops run along both halves. O(n) for n edges.
     void finish();
 

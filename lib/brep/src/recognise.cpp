@@ -17,6 +17,7 @@
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "chains.h"
+#include "chords.h"
 #include "facet_mesh.h"
 #include "groups.h"
 #include "horns.h"
@@ -25,6 +26,7 @@
 #include "nesting.h"
 #include "pinches.h"
 #include "readable.h"
+#include "warped.h"
 
 #include <algorithm>
 #include <array>
@@ -85,7 +87,11 @@ public:
                                                               : Patience::None;
             if (groups_.relabel(failures_, patience) || has_joined_) continue;
             if (!failures_.empty() || !has_the_volume()) return std::nullopt;
-            const std::vector<bool> is_as_it_was = unmoved(part);
+            std::vector<bool> is_as_it_was = unmoved(part);
+            for (const std::uint32_t f : flatten_warped_facets(part)) {
+                is_as_it_was.push_back(false);
+                group_of_face_.push_back(group_of_face_[f]);
+            }
             const std::vector<std::uint32_t> was = keep_apart(part);
             find_unsound_facets(part, was, is_as_it_was);
             find_crossed_planes(part, was);
@@ -376,7 +382,8 @@ private:
             if (is_as_it_was[was[f]]) continue;
             constexpr double kAnywhere = 1.0;  // mm; where they are is known
             double miss = 0.0;
-            if (part.faces[f].is_facet && !faults_of(part, f, kAnywhere, miss).empty())
+            if (part.faces[f].is_facet &&
+                (is_warped(part, part.faces[f]) || !faults_of(part, f, kAnywhere, miss).empty()))
                 failures_.push_back({{group_of_face_[was[f]]}});
         }
     }
@@ -585,6 +592,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     }
     halve_wide_edges(result.part);
     part_at_horns(result.part);
+    divide_arcs_beside_corners(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;

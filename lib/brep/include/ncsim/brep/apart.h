@@ -19,7 +19,8 @@ namespace ncsim::brep {
 /// Planes that touch themselves: readers part them, but not always well. So their edges are divided
 /// where a corner of theirs lies on them within 1e-5 mm, and where their loops come back to a
 /// corner they become several loops, and several faces where these lie beside each other. The same
-/// within 1e-4 mm for those whose loops cross then; where they still do, their edges shorter than
+/// within 1e-4 mm for those whose loops cross then, and for those that are narrower than their
+/// corners are off the planes around these; where there still are any, their edges shorter than
 /// 1.5e-5 mm (3e-5, 1e-4, if there are none) become points, whatever hangs together by them, for
 /// what has nothing between then goes, and it all begins again.
 ///
