@@ -93,7 +93,7 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
         const Sweep& sweep = *envelope.sweep;
         const double t = draw.from(0.05, 0.95), degrees = draw.from(100.0, 260.0);
         const auto point = [&](double time, double angle) {
-            return point_around(sweep, sweep.at(time), angle);
+            return point_across(sweep, sweep.at(time), angle);
         };
         const Vec3 p = point(t, degrees);
         if (least_off(sweep, p) < -1e-6) continue;
@@ -107,7 +107,7 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
         EXPECT_NEAR(norm(place.normal - n), 0.0, 1e-5);
         EXPECT_NEAR(place.t, t, 1e-9);
         EXPECT_NEAR(place.rate, 0.0, 1e-9 * sweep.length_mm());
-        EXPECT_NEAR(degrees_around(around(sweep, place.passage), p), degrees, 1e-8);
+        EXPECT_NEAR(place_across(sweep, place.passage, p), degrees, 1e-8);
         const double off = draw.from(-0.05, 0.05);
         EXPECT_NEAR(distance(envelope, p + off * n), off, 1e-6);
         // What crosses it there.
@@ -123,7 +123,7 @@ TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
     for (int i = 0; i < 300; ++i) {
         const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const Vec3 p = point_around(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
+        const Vec3 p = point_across(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
                        0.3 * draw.direction();
         const double least = least_off(sweep, p);
         if (least < -0.05) continue;
@@ -141,7 +141,7 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
     for (int i = 0; i < 500; ++i) {
         const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const Vec3 p = point_around(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
+        const Vec3 p = point_across(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
                        0.01 * draw.direction();
         const auto value = [&](Vec3 at) {
             const Aspect aspect = place_on(envelope, at);

@@ -204,8 +204,9 @@ private:
     Vec3 w_;
 };
 
-// Over the time, between edges; around the way, from below the tool, by the angle of the normal,
-// which may turn fast where a ring goes nearly level: in pieces as small as it takes.
+// Over the time, between edges; across the way. Of fillets from below the tool, by the angle of the
+// normal, which may turn fast where a ring goes nearly level: in pieces as small as it takes. Of
+// flanks from their lower end.
 class OnEnvelope {
 public:
     OnEnvelope(const Envelope& envelope, Vec3 apex) : sweep_(*envelope.sweep), apex_(apex) {}
@@ -217,12 +218,15 @@ public:
     };
     Vec3 moment(const Aspect& place) const { return below(place).moment; }
     Sum below(const Aspect& place) const {
+        const Passage& passage = place.passage;
+        if (const Flank* flank = sweep_.flank()) {
+            const double to = place_across(sweep_, passage, place.foot);
+            const OnFlank on{sweep_, passage};
+            return in_pieces(on, to < 0.0 ? -flank->length : flank->length, to);
+        }
         constexpr double kBelow = 180.0;
-        constexpr int kDepth = 16;
-        const Around at = brep::around(sweep_, place.passage);
-        const double degrees = degrees_around(at, at.centre + place.normal);
-        const auto whole = piece(place, at, kBelow, degrees);
-        return in_pieces(place, at, kBelow, degrees, whole, kDepth);
+        const OnFillet on{*sweep_.fillet(), passage, brep::around(sweep_, passage)};
+        return in_pieces(on, kBelow, on.angle_of(place.normal));
     }
 
     // How much time a step on the surface takes, backwards.
@@ -231,46 +235,86 @@ public:
     }
 
 private:
+    // A point of the characteristic, and how fast it goes along that.
+    struct Stroke {
+        Vec3 p;
+        double pace;
+    };
+
+    // By the angle of the normal, degrees.
+    struct OnFillet {
+        const Fillet& fillet;
+        const Passage& passage;
+        Around at;
+        double angle_of(Vec3 n) const {
+            const double degrees = trig::angle_of(cda::dot(n, at.up), cda::dot(n, at.side));
+            return degrees < 0.0 ? degrees + 360.0 : degrees;
+        }
+        Stroke operator()(double degrees) const {
+            const auto angle = trig::sin_cos(degrees);
+            const Vec3 n = angle.cos * at.up + angle.sin * at.side;
+            const Vec3 on = angle.cos * at.side - angle.sin * at.up;
+            Vec3 pace = fillet.radius * on;  // for each radian
+            Vec3 p = at.centre + fillet.radius * n;
+            if (fillet.ring > 0.0) {
+                const Vec3 axis = passage.axis;
+                const Vec3 level = n - cda::dot(n, axis) * axis;
+                const double length = cda::norm(level);
+                const Vec3 round = (1.0 / length) * cda::cross(axis, level);
+                pace = pace + (fillet.ring * cda::dot(on, round) / length) * round;
+                p = p + (fillet.ring / length) * level;
+            }
+            return {p, trig::kRadiansPerDegree * cda::norm(pace)};
+        }
+    };
+
+    // By the place across. The characteristic is at right angles to the normal and to the gradient
+    // of the rate, and goes on along the profile as fast as the place does.
+    struct OnFlank {
+        const Sweep& sweep;
+        const Passage& passage;
+        Stroke operator()(double across) const {
+            const Vec3 p = point_across(sweep, passage, across);
+            const Aspect at = aspect_at(sweep, passage, p);
+            const Vec3 along = cda::cross(at.normal, at.drift);
+            const double rise = cda::dot(at.normal, passage.axis);
+            const Vec3 profile = passage.axis - rise * at.normal;
+            return {p, cda::norm(along) * cda::norm(profile) / std::abs(cda::dot(along, profile))};
+        }
+    };
+
     static Sum plus(const Sum& a, const Sum& b) {
         return {a.area + b.area, a.volume + b.volume, a.moment + b.moment};
     }
 
-    Sum in_pieces(const Aspect& place, const Around& at, double from, double to, const Sum& whole,
-                  int depth) const {
+    template <typename On>
+    Sum in_pieces(const On& on, double from, double to) const {
+        constexpr int kDepth = 16;
+        return in_pieces(on, from, to, piece(on, from, to), kDepth);
+    }
+    template <typename On>
+    Sum in_pieces(const On& on, double from, double to, const Sum& whole, int depth) const {
         constexpr double kSame = 1e-11;
         const double middle = 0.5 * (from + to);
-        const Sum first = piece(place, at, from, middle), second = piece(place, at, middle, to);
+        const Sum first = piece(on, from, middle), second = piece(on, middle, to);
         const Sum sum = plus(first, second);
         if (depth == 0 || std::abs(sum.area - whole.area) <= kSame * std::abs(sum.area)) return sum;
-        return plus(in_pieces(place, at, from, middle, first, depth - 1),
-                    in_pieces(place, at, middle, to, second, depth - 1));
+        return plus(in_pieces(on, from, middle, first, depth - 1),
+                    in_pieces(on, middle, to, second, depth - 1));
     }
 
-    Sum piece(const Aspect& place, const Around& at, double from, double to) const {
-        const double ring = sweep_.fillet().ring, radius = sweep_.fillet().radius;
+    template <typename On>
+    Sum piece(const On& on, double from, double to) const {
         const double width = to - from;
         Sum sum;
         for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
             for (const double sign : {-1.0, 1.0}) {
-                const auto angle = trig::sin_cos(from + 0.5 * (1.0 + sign * kAbscissae[k]) * width);
-                const Vec3 n = angle.cos * at.up + angle.sin * at.side;
-                const Vec3 on = angle.cos * at.side - angle.sin * at.up;
-                Vec3 pace = radius * on;  // of the point, for each radian
-                Vec3 p = at.centre + radius * n;
-                if (ring > 0.0) {
-                    const Vec3 axis = place.passage.axis;
-                    const Vec3 level = n - cda::dot(n, axis) * axis;
-                    const double length = cda::norm(level);
-                    const Vec3 round = (1.0 / length) * cda::cross(axis, level);
-                    pace = pace + (ring * cda::dot(on, round) / length) * round;
-                    p = p + (ring / length) * level;
-                }
-                const Aspect there = aspect_at(sweep_, place.passage, p);
+                const Stroke stroke = on(from + 0.5 * (1.0 + sign * kAbscissae[k]) * width);
+                const Aspect there = aspect_at(sweep_, on.passage, stroke.p);
                 const double ahead = there.bend / cda::norm(there.drift);
-                const double area =
-                    0.5 * width * trig::kRadiansPerDegree * kWeights[k] * cda::norm(pace) * ahead;
-                const Vec3 w = p - apex_;
-                const double volume = area * cda::dot(w, n);
+                const double area = 0.5 * width * kWeights[k] * stroke.pace * ahead;
+                const Vec3 w = stroke.p - apex_;
+                const double volume = area * cda::dot(w, there.normal);
                 sum = plus(sum, {area, volume, volume * w});
             }
         }

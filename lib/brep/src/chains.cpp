@@ -26,6 +26,11 @@ using cda::dot;
 using cda::norm;
 
 constexpr double kRounded = 2e-7;
+// Where ways bend, sides and corner radii of both meet in two corners, as near to each other as
+// what programs round. They are off both by more, mm.
+constexpr double kExact = 1e-6;
+// Loops of less are none, mm.
+constexpr double kNothing = 1e-4;
 // By so much corners that are one may be off what is around them, mm.
 constexpr double kMostRounded = 1e-3;
 constexpr int kTip = -1;  // no number of edges
@@ -151,7 +156,8 @@ std::uint32_t Chains::vertex_at(std::uint32_t v) {
 }
 
 std::vector<Vec3> Chains::points_of(const Chain& chain) const {
-    if (chain.is_flipped) return {vertices_[chain.from].at, vertices_[chain.to].at};
+    if (chain.is_flipped || chain.is_told)
+        return {vertices_[chain.from].at, vertices_[chain.to].at};
     std::vector<Vec3> points;
     for (const std::uint32_t h : chain.edges)
         points.push_back(mesh_.point(mesh_.edges()[h].from));
@@ -171,16 +177,18 @@ void Chains::solve() {
     for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
          ++i) {
         bool has_failed = !solve_corner(vertices_[i]);
-        if (has_failed || vertices_[i].is_bend_elsewhere) {
+        if (has_failed || vertices_[i].is_bend_elsewhere ||
+            (vertices_[i].miss > kExact && has_envelope(vertices_[i]))) {
             const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
             const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
             if (!is_ahead && split(i, spokes)) has_failed = false;
         }
         Vertex& v = vertices_[i];
         v.has_failed = has_failed;
-        if (v.has_failed) failures_.push_back({v.groups, true});
+        if (v.has_failed) failures_.push_back({v.groups, true, false, v.edge});
     }
     if (!failures_.empty()) return;
+    join_same_corners();
     // One may turn another one round.
     constexpr int kMostPasses = 4;
     for (int pass = 0; pass < kMostPasses; ++pass) {
@@ -192,6 +200,12 @@ void Chains::solve() {
         pass_to_wall(c);
     for (Chain& chain : chains_)
         solve_chain(chain);
+}
+
+bool Chains::has_envelope(const Vertex& v) const {
+    return std::ranges::any_of(v.groups, [&](std::uint32_t g) {
+        return std::holds_alternative<Envelope>(groups_.form_of(g));
+    });
 }
 
 std::pair<std::uint32_t, std::uint32_t> Chains::corners_of(const Chain& chain) const {
@@ -236,10 +250,20 @@ std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, c
 
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    if (chain.has_vanished) return;
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     chain.has_failed = from.has_failed || to.has_failed;
     if (chain.has_failed) return;
     const bool is_loop = chain.from == chain.to;
+    if (is_loop) {
+        // Around facets that are needles.
+        const std::vector<Vec3> points = points_of(chain);
+        const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kNothing; };
+        if (std::ranges::all_of(points, is_there)) {
+            chain.has_vanished = true;
+            return;
+        }
+    }
     const bool is_joined = !chain.edges.empty() && joined_.contains(corners_of(chain));
     if (!is_loop && (norm(to.at - from.at) <= kPoint || (is_joined && is_rounded_off(chain)))) {
         // A circle that ends where it begins, or nothing?

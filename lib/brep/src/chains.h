@@ -27,6 +27,7 @@ struct Chain {
     bool has_vanished = false;
     bool has_failed = false;  ///< Itself, or one of its ends.
     bool is_flipped = false;  ///< No longer between the groups beside its half-edges.
+    bool is_told = false;     ///< Which way it goes is told by what touches the faces beside it.
     bool is_made = false;     ///< Flipped, and has no half-edges: both its ends were one corner.
     /// Made: the chain before which it goes, or that it goes on from.
     std::uint32_t beside = kNone;
@@ -98,6 +99,7 @@ private:
     std::vector<Spoke> spokes_at(const Vertex& v) const;
     bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
     bool is_bend_elsewhere(const Vertex& v) const;
+    bool has_envelope(const Vertex& v) const;
     bool is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const;
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
@@ -113,8 +115,14 @@ private:
     };
     std::optional<Crossing> crossing_at(std::uint32_t number, const ChainsAt& at) const;
     bool are_walls(const std::vector<std::uint32_t>& groups) const;
+    void join_same_corners();
+    void join(std::uint32_t gone, std::uint32_t stays);
+    void close_pinch(std::uint32_t v);
     bool flip_reversed();
-    bool is_reversed(const Chain& chain) const;
+    bool is_reversed(Chain& chain) const;
+    std::optional<bool> is_beyond_touch(const std::array<std::uint32_t, 2>& beside,
+                                        std::uint32_t behind, std::uint32_t ahead, Vec3 from,
+                                        Vec3 to) const;
     bool flip(std::uint32_t number, ChainsAt& at, int most);
     Vec3 way_of(const Chain& chain) const;
     /// A use that has no place yet.

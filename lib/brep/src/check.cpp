@@ -98,9 +98,10 @@ public:
         if (const auto* e = std::get_if<Envelope>(form_)) {
             const Sweep& sweep = *e->sweep;
             const Aspect place = place_on(*e, at);
-            const double degrees = degrees_around(brep::around(sweep, place.passage), place.foot);
-            const double reach = sweep.fillet().ring + sweep.fillet().radius;
-            return {reach * degrees * kRadiansPerDegree, sweep.length_mm() * place.t};
+            const double across = place_across(sweep, place.passage, place.foot);
+            const Fillet* fillet = sweep.fillet();
+            const double scale = fillet ? (fillet->ring + fillet->radius) * kRadiansPerDegree : 1.0;
+            return {scale * across, sweep.length_mm() * place.t};
         }
         const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))

@@ -4,6 +4,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "bends.h"
+#include "envelope_contact.h"
 #include "nearly.h"
 
 #include <algorithm>
@@ -33,36 +34,6 @@ SpiralPlace looking(const Spiral& spiral, Vec3 out) {
         turn += dot(out, place.along);
     }
     return place;
-}
-
-// What crosses an envelope along the characteristic of one time: of a ball a plane.
-Form across_way(const Envelope& envelope, double t) {
-    const Sweep& sweep = *envelope.sweep;
-    const Around at = around(sweep, sweep.at(t));
-    if (sweep.fillet().ring <= 0.0) return Plane{at.centre, at.ahead};
-    return Characteristic{envelope, t};
-}
-
-// When the ring that goes along stands there: at an end, or anywhere on a line.
-std::optional<double> time_at(const Envelope& envelope, Vec3 centre) {
-    const Sweep& sweep = *envelope.sweep;
-    std::vector<double> times{0.0, 1.0};
-    if (const auto* way = std::get_if<StraightWay>(&sweep.way())) {
-        const Vec3 start = around(sweep, sweep.at(0.0)).centre;
-        times = {dot(centre - start, way->along) / dot(way->along, way->along)};
-    }
-    for (const double t : times) {
-        if (near(norm(around(sweep, sweep.at(t)).centre - centre), 0.0)) return t;
-    }
-    return std::nullopt;
-}
-
-// The same of an end at which it goes in that direction.
-std::optional<double> end_at(const Envelope& envelope, Vec3 centre, Vec3 direction) {
-    const auto t = time_at(envelope, centre);
-    if (!t) return std::nullopt;
-    const Around at = around(*envelope.sweep, envelope.sweep->at(*t));
-    return is_parallel(at.ahead, direction) ? t : std::nullopt;
 }
 
 struct Touch {
@@ -206,73 +177,9 @@ struct Touch {
         if (!near(d, a.major + b.major) && !near(d, std::abs(a.major - b.major))) return {};
         return plane_at(a.centre, cross(a.axis, apart));
     }
-    // Walls beside the way of a tool that does not rise out of their direction.
-    Answer operator()(const Plane& a, const Envelope& b) const {
-        const Sweep& sweep = *b.sweep;
-        const Passage start = sweep.at(0.0);
-        const double off = distance(a, around(sweep, start).centre);
-        const Vec3 level = a.normal - dot(a.normal, start.axis) * start.axis;
-        const Fillet& fillet = sweep.fillet();
-        if (!near(std::abs(off), fillet.ring * norm(level) + fillet.radius)) return {};
-        const Vec3 n = off > 0.0 ? -a.normal : a.normal;
-        if (const auto* way = std::get_if<StraightWay>(&sweep.way())) {
-            if (std::abs(dot(a.normal, way->along)) > kNearlyParallel * norm(way->along)) return {};
-            const Vec3 at = around(sweep, start).centre +
-                            fillet.ring * normalized(n - dot(n, start.axis) * start.axis);
-            return plane_at(at, cross(a.normal, way->along));
-        }
-        const auto* way = std::get_if<RoundWay>(&sweep.way());
-        if (!way || !is_parallel(a.normal, way->about) || !near(way->lead * way->swept, 0.0))
-            return {};
-        return Trail{b, dot(n, start.axis)};
-    }
-    // The walls on both sides of a helix; a ball that goes straight on.
-    Answer operator()(const Cylinder& a, const Envelope& b) const {
-        const Sweep& sweep = *b.sweep;
-        const Fillet& fillet = sweep.fillet();
-        const auto* way = std::get_if<RoundWay>(&sweep.way());
-        const bool is_about = way && is_parallel(way->about, way->axis) && way->growth == 0.0;
-        if (is_about && is_parallel(a.axis, way->about) &&
-            near(norm(away(way->centre, way->about, a.origin)), 0.0)) {
-            const double out = fillet.ring + fillet.radius;
-            if (near(a.radius, way->reach + out) || near(a.radius, std::abs(way->reach - out)))
-                return Trail{b, 0.0};
-            return {};
-        }
-        if (fillet.ring > 0.0 || !near(a.radius, fillet.radius)) return {};
-        for (const double t : {0.0, 1.0}) {
-            const Around at = around(sweep, sweep.at(t));
-            if (is_parallel(at.ahead, a.axis) && near(norm(away(a.origin, a.axis, at.centre)), 0.0))
-                return across_way(b, t);
-        }
-        return {};
-    }
-    // Where the tool stood.
-    Answer operator()(const Sphere& a, const Envelope& b) const {
-        const Fillet& fillet = b.sweep->fillet();
-        if (fillet.ring > 0.0 || !near(a.radius, fillet.radius)) return {};
-        const auto t = time_at(b, a.centre);
-        if (!t) return {};
-        return across_way(b, *t);
-    }
-    Answer operator()(const Torus& a, const Envelope& b) const {
-        const Fillet& fillet = b.sweep->fillet();
-        if (!near(a.minor, fillet.radius) || !near(a.major, fillet.ring)) return {};
-        const auto t = time_at(b, a.centre);
-        if (!t || !is_parallel(a.axis, b.sweep->at(*t).axis)) return {};
-        return across_way(b, *t);
-    }
-    // The way goes smoothly on.
-    Answer operator()(const Envelope& a, const Envelope& b) const {
-        const Fillet &one = a.sweep->fillet(), &other = b.sweep->fillet();
-        if (!near(one.ring, other.ring) || !near(one.radius, other.radius)) return {};
-        for (const double t : {0.0, 1.0}) {
-            const Passage end = a.sweep->at(t);
-            const Around at = around(*a.sweep, end);
-            const auto s = end_at(b, at.centre, at.ahead);
-            if (s && is_parallel(end.axis, b.sweep->at(*s).axis)) return across_way(b, *s);
-        }
-        return {};
+    template <typename A>
+    Answer operator()(const A& a, const Envelope& b) const {
+        return touch_envelope(a, b);
     }
     template <typename A, typename B>
     Answer operator()(const A&, const B&) const {

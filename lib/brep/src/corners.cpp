@@ -39,6 +39,35 @@ bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
     return false;
 }
 
+// By how far the place of a point is beyond an end of the way, of whichever envelope that is most;
+// along that way, mm.
+Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
+    Vec3 most;
+    for (const Form* form : forms) {
+        const auto* envelope = std::get_if<Envelope>(form);
+        if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) continue;
+        const Aspect place = place_on(*envelope, p);
+        const Vec3 beyond = (place.t - std::clamp(place.t, 0.0, 1.0)) *
+                            velocity_at(place.passage, height_of_centre(*envelope->sweep, place));
+        if (norm(beyond) > norm(most)) most = beyond;
+    }
+    return most;
+}
+
+// Where what crosses an envelope nearly goes along it, it does twice, and one of both places may be
+// beyond the end of the way: the other one is the corner.
+void move_onto_way(const std::vector<const Form*>& forms, Vec3& p) {
+    const Vec3 beyond = beyond_ends(forms, p);
+    if (norm(beyond) <= kTouchMm) return;
+    for (const double times : {2.0, 4.0}) {
+        Vec3 other = p - times * beyond;
+        if (brep::solve(forms, other) > kTouchMm || norm(beyond_ends(forms, other)) > kTouchMm)
+            continue;
+        p = other;
+        return;
+    }
+}
+
 // Of a point from the lines between these, mm.
 double distance_from(const std::vector<Vec3>& points, Vec3 p) {
     double least = std::numeric_limits<double>::infinity();
@@ -132,6 +161,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
         forms.push_back(&t);
     if (!at_apex(forms, v.at)) {
         brep::solve(forms, v.at);
+        move_onto_way(forms, v.at);
         // Where curved ones touch, rounding is left over: not off the planes.
         for (const std::uint32_t n : numbers) {
             if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))

@@ -29,6 +29,8 @@ namespace {
 
 // Lengths that are equal but for rounding, mm.
 constexpr double kNoLength = 1e-9;
+// So far do directions count, mm.
+constexpr double kPart = 100.0;
 
 Passage passage(const StraightWay& way, double t) {
     return {way.from + t * way.along, way.along, {}, way.axis, {}, {}};
@@ -65,15 +67,59 @@ Vec3 level(Vec3 v, Vec3 axis) {
     return v - dot(v, axis) * axis;
 }
 
-// The centre of the ring.
-Vec3 middle_of(const Sweep& sweep, const Passage& passage) {
-    return passage.tip + sweep.fillet().height * passage.axis;
+// Above the tip: of the point on the axis in which the normal ends that is so far along the flank.
+double height_of_centre(const Flank& flank, double along) {
+    return flank.height + (along - flank.radius * flank.sine) / flank.cosine;
 }
+
+// The same of the lower end; of the centre of a ring.
+double lowest_centre(const Sweep& sweep) {
+    const Fillet* fillet = sweep.fillet();
+    return fillet ? fillet->height : height_of_centre(*sweep.flank(), 0.0);
+}
+
+Vec3 middle_of(const Sweep& sweep, const Passage& passage) {
+    return passage.tip + lowest_centre(sweep) * passage.axis;
+}
+
+// A point seen from the axis.
+struct Seen {
+    Seen(const Passage& at, Vec3 p) {
+        const Vec3 v = p - at.tip;
+        height = dot(v, at.axis);
+        const Vec3 away = v - height * at.axis;
+        radius = norm(away);
+        out = radius > 0.0 ? (1.0 / radius) * away : Vec3{};
+    }
+    double height, radius;
+    Vec3 out;  // unit; zero on the axis
+};
+
+// Along the profile, from the lower end.
+double place_along(const Flank& flank, const Seen& seen) {
+    return (seen.height - flank.height) * flank.cosine - (seen.radius - flank.radius) * flank.sine;
+}
+
+// Where a flank touches its envelope: which way that part of it goes, across the axis, and what
+// points out there, on either side. The velocity that the point would have if it were fixed to the
+// tool is at right angles to the normal.
+struct Contact {
+    Contact(const Flank& flank, const Passage& at, double along)
+        : way(level(velocity_at(at, height_of_centre(flank, along)), at.axis)),
+          right(cross(normalized(way), at.axis)),
+          lean(-flank.sine * dot(at.speed, at.axis) / (flank.cosine * norm(way))) {}
+    Vec3 out(bool is_right, Vec3 axis) const {
+        const double ahead = std::clamp(lean, -1.0, 1.0), across = std::sqrt(1.0 - ahead * ahead);
+        return ahead * cross(axis, right) + (is_right ? across : -across) * right;
+    }
+    Vec3 way, right;
+    double lean;  // how far what points out looks ahead, as a cosine
+};
 
 // Along a straight way the silhouette of the ring is an ellipse, and the radius is added all around
 // it.
 Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
-    const Fillet& fillet = sweep.fillet();
+    const Fillet& fillet = *sweep.fillet();
     const double length = norm(way.along), lean = dot(way.along, way.axis);
     const Vec3 ahead = ((lean < 0.0 ? -1.0 : 1.0) / length) * way.along;
     const Vec3 x = normalized(cross(way.axis, ahead)), y = cross(ahead, x);
@@ -112,13 +158,17 @@ struct Nearest {
 };
 
 Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
-    const Fillet& fillet = sweep.fillet();
     const auto& samples = sweep.samples();
+    const Fillet* fillet = sweep.fillet();
     const auto off = [&](const Passage& at) {
         const Vec3 v = p - at.tip;
         const double height = dot(v, at.axis);
-        const double beyond = std::sqrt(std::max(0.0, dot(v, v) - height * height)) - fillet.ring;
-        const double above = height - fillet.height;
+        const double radius = std::sqrt(std::max(0.0, dot(v, v) - height * height));
+        if (!fillet) {
+            const Flank& flank = *sweep.flank();
+            return flank.cosine * (radius - flank.radius) + flank.sine * (height - flank.height);
+        }
+        const double beyond = radius - fillet->ring, above = height - fillet->height;
         return std::sqrt(beyond * beyond + above * above);
     };
     Nearest nearest;
@@ -157,15 +207,45 @@ Aspect nearest_from(const Sweep& sweep, std::size_t sample, Vec3 p) {
     return aspect;
 }
 
+// How the element looks in the half plane of a point: how far off it is, its normal outwards and
+// along the axis, and by how much that turns for each mm along it.
+struct Shape {
+    double off = 0.0, cosine = 0.0, sine = 0.0, bend = 0.0;
+    bool is_known = true;
+};
+
+Shape shape_at(const Fillet& fillet, const Seen& seen) {
+    const double beyond = seen.radius - fillet.ring, above = seen.height - fillet.height;
+    const double far = std::sqrt(beyond * beyond + above * above);
+    if (!(far > 0.0)) return {.is_known = false};
+    return {far - fillet.radius, beyond / far, above / far, 1.0 / far};
+}
+
+Shape shape_at(const Flank& flank, const Seen& seen) {
+    const double off =
+        flank.cosine * (seen.radius - flank.radius) + flank.sine * (seen.height - flank.height);
+    return {off, flank.cosine, flank.sine, 0.0};
+}
+
 }  // namespace
 
-Sweep::Sweep(const Fillet& fillet, const ToolWay& way) : fillet_(fillet), way_(way) {
+Sweep::Sweep(const Meridian& meridian, const ToolWay& way) : meridian_(meridian), way_(way) {
     const std::size_t count =
         std::visit([](const auto& which) { return samples_for(which); }, way_);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
         samples_.push_back(at(static_cast<double>(i) / static_cast<double>(count - 1)));
-        if (i > 0) length_ += norm(samples_[i].tip - samples_[i - 1].tip);
-    }
+    const auto length = [&](double height) {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < count; ++i) {
+            const Passage &from = samples_[i - 1], &to = samples_[i];
+            sum += norm(to.tip + height * to.axis - from.tip - height * from.axis);
+        }
+        return sum;
+    };
+    length_ = length(0.0);
+    if (const Flank* side = flank())
+        length_ =
+            std::max(length(lowest_centre(*this)), length(height_of_centre(*side, side->length)));
 }
 
 Passage Sweep::at(double t) const {
@@ -179,32 +259,26 @@ Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
 }
 
 Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
-    const Fillet& fillet = sweep.fillet();
     Aspect aspect;
     aspect.passage = at;
-    const Vec3 v = p - at.tip;
-    const double height = dot(v, at.axis);
-    const Vec3 away = v - height * at.axis;
-    const double radius = norm(away);
-    const Vec3 out = radius > 0.0 ? (1.0 / radius) * away : Vec3{};
-    const double beyond = radius - fillet.ring, above = height - fillet.height;
-    const double far = std::sqrt(beyond * beyond + above * above);
-    if (!(far > 0.0)) return aspect;
-    const double cosine = beyond / far, sine = above / far;
-    const Vec3 n = cosine * out + sine * at.axis;
-    aspect.off = far - fillet.radius;
+    const Seen seen(at, p);
+    const Shape shape =
+        std::visit([&](const auto& which) { return shape_at(which, seen); }, sweep.meridian());
+    if (!shape.is_known) return aspect;
+    const Vec3 n = shape.cosine * seen.out + shape.sine * at.axis;
+    aspect.off = shape.off;
     aspect.normal = n;
     aspect.foot = p - aspect.off * n;
+    const Vec3 v = p - at.tip;
     const Vec3 spin = cross(at.axis, at.turn), spin_up = cross(at.axis, at.bend);
     const Vec3 speed = at.speed + cross(spin, v);
     const Vec3 change = at.change + cross(spin_up, v) - cross(spin, at.speed);
     // How the normal changes with the point: along the profile, and around the axis.
-    Vec3 turned = (1.0 / far) * (speed - dot(speed, n) * n);
-    if (fillet.ring > 0.0) {
-        const Vec3 along = cosine * at.axis - sine * out, round = cross(at.axis, out);
-        turned = (dot(speed, along) / far) * along;
-        if (radius > 0.0) turned = turned + (dot(speed, round) * cosine / radius) * round;
-    }
+    const Vec3 along = shape.cosine * at.axis - shape.sine * seen.out;
+    const Vec3 round = cross(at.axis, seen.out);
+    Vec3 turned = (shape.bend * dot(speed, along)) * along;
+    if (seen.radius > 0.0)
+        turned = turned + (dot(speed, round) * shape.cosine / seen.radius) * round;
     aspect.drift = cross(spin, n) - turned;
     aspect.rate = -dot(n, speed);
     aspect.bend = -dot(aspect.drift, speed) - dot(n, change);
@@ -245,41 +319,47 @@ Vec3 gradient_of_time(const Aspect& aspect) {
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
     const Passage& at = aspect.passage;
     const Vec3 n = aspect.normal;
-    const double rise = dot(n, at.axis), far = aspect.off + sweep.fillet().radius;
+    const Fillet* fillet = sweep.fillet();
+    if (!fillet) return {};
+    const double rise = dot(n, at.axis), far = aspect.off + fillet->radius;
     const Vec3 along = at.axis - rise * n;
     const double with_time = dot(aspect.drift, at.axis) + dot(n, at.turn);
     return (1.0 / far) * along + with_time * gradient_of_time(aspect);
 }
 
+Vec3 velocity_at(const Passage& passage, double height) {
+    return passage.speed + height * passage.turn;
+}
+
+double height_of_centre(const Sweep& sweep, const Aspect& aspect) {
+    const Flank* flank = sweep.flank();
+    if (!flank) return sweep.fillet()->height;
+    return height_of_centre(*flank, place_along(*flank, Seen(aspect.passage, aspect.foot)));
+}
+
 Around around(const Sweep& sweep, const Passage& passage) {
     Around at;
     at.centre = middle_of(sweep, passage);
-    at.ahead = normalized(passage.speed + sweep.fillet().height * passage.turn);
+    at.ahead = normalized(velocity_at(passage, lowest_centre(sweep)));
     at.up = normalized(level(passage.axis, at.ahead));
     at.side = cross(at.ahead, at.up);
     return at;
 }
 
+namespace {
+
+// Around the way, from `up` to `side`: in [0, 360).
 double degrees_around(const Around& at, Vec3 p) {
     const Vec3 v = p - at.centre;
     const double degrees = trig::angle_of(dot(v, at.up), dot(v, at.side));
     return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
-Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
-    const Around at = around(sweep, passage);
-    const auto angle = trig::sin_cos(degrees);
-    const Vec3 n = angle.cos * at.up + angle.sin * at.side;
-    const Fillet& fillet = sweep.fillet();
-    const Vec3 ring = fillet.ring > 0.0 ? fillet.ring * normalized(level(n, passage.axis)) : Vec3{};
-    return at.centre + ring + fillet.radius * n;
-}
-
-// The angle of the point grows with that of its normal, which is on the same side of up and down.
+// Of a fillet. The angle of the point grows with that of its normal, which is on the same side of
+// up and down.
 Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
     constexpr double kHalf = 180.0;
-    if (sweep.fillet().ring <= 0.0 || degrees == kHalf)
-        return point_with_normal(sweep, passage, degrees);
+    if (sweep.is_ball() || degrees == kHalf) return point_with_normal(sweep, passage, degrees);
     const Around at = around(sweep, passage);
     double low = degrees < kHalf ? 0.0 : kHalf, high = low + kHalf;
     constexpr int kHalvings = 60;
@@ -301,35 +381,93 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
     return point_with_normal(sweep, passage, normal);
 }
 
-bool has_around(const Sweep& sweep) {
+}  // namespace
+
+Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
+    const Around at = around(sweep, passage);
+    const auto angle = trig::sin_cos(degrees);
+    const Vec3 n = angle.cos * at.up + angle.sin * at.side;
+    const Fillet& fillet = *sweep.fillet();
+    const Vec3 ring = fillet.ring > 0.0 ? fillet.ring * normalized(level(n, passage.axis)) : Vec3{};
+    return at.centre + ring + fillet.radius * n;
+}
+
+double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
+    const Flank* flank = sweep.flank();
+    if (!flank) return degrees_around(around(sweep, passage), p);
+    const double along = place_along(*flank, Seen(passage, p));
+    const bool is_right = dot(p - passage.tip, Contact(*flank, passage, along).right) > 0.0;
+    return is_right ? -(flank->length + along) : flank->length + along;
+}
+
+Vec3 point_across(const Sweep& sweep, const Passage& passage, double place) {
+    const Flank* flank = sweep.flank();
+    if (!flank) return point_around(sweep, passage, place);
+    const double along = std::abs(place) - flank->length;
+    const Vec3 out = Contact(*flank, passage, along).out(place < 0.0, passage.axis);
+    return passage.tip + (flank->radius - along * flank->sine) * out +
+           (flank->height + along * flank->cosine) * passage.axis;
+}
+
+bool has_across(const Sweep& sweep) {
     constexpr double kSteepest = 0.999, kFlattest = 1e-3;
+    if (const Flank* flank = sweep.flank()) {
+        const auto touches = [&](const Passage& at, double along) {
+            const Contact contact(*flank, at, along);
+            return norm(contact.way) > kNoLength && std::abs(contact.lean) < kSteepest;
+        };
+        return std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
+            return touches(at, 0.0) || touches(at, flank->length);
+        });
+    }
     bool rises = false, falls = false;
     const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
-        const Vec3 way = at.speed + sweep.fillet().height * at.turn;
+        const Vec3 way = velocity_at(at, lowest_centre(sweep));
         const double lean = dot(way, at.axis), length = norm(way);
         rises = rises || lean > -kFlattest * length;
         falls = falls || lean < kFlattest * length;
         return length > kNoLength && std::abs(lean) < kSteepest * length;
     });
-    return is_usual && (sweep.fillet().ring <= 0.0 || !rises || !falls);
+    return is_usual && (sweep.is_ball() || !rises || !falls);
+}
+
+bool is_at_pivot(const Sweep& sweep, const Aspect& aspect) {
+    const Flank* flank = sweep.flank();
+    if (!flank) return false;
+    const Passage& at = aspect.passage;
+    const Seen seen(at, aspect.foot);
+    const Contact contact(*flank, at, place_along(*flank, seen));
+    constexpr double kSteepest = 0.999;
+    return norm(contact.way) < seen.radius * norm(at.turn) + kNoLength ||
+           std::abs(contact.lean) > kSteepest;
 }
 
 double largest_radius(const Sweep& sweep) {
-    const Fillet& fillet = sweep.fillet();
-    if (const auto* round = std::get_if<RoundWay>(&sweep.way()))
-        return round->reach + fillet.ring + fillet.radius;
-    if (std::holds_alternative<TurningWay>(sweep.way()))
-        return sweep.length_mm() + fillet.ring + fillet.radius;
+    const Fillet* fillet = sweep.fillet();
+    const double own = fillet ? fillet->ring + fillet->radius : sweep.flank()->radius;
+    if (const auto* round = std::get_if<RoundWay>(&sweep.way())) return round->reach + own;
+    if (!fillet || std::holds_alternative<TurningWay>(sweep.way())) return sweep.length_mm() + own;
     const Passage start = sweep.at(0.0);
     const double lean = std::abs(dot(start.axis, normalized(start.speed)));
-    return fillet.ring / lean + fillet.radius;
+    return fillet->ring / lean + fillet->radius;
+}
+
+bool is_same(const Meridian& a, const Meridian& b, double tolerance_mm) {
+    const auto near = [&](double u, double v) { return std::abs(u - v) <= tolerance_mm; };
+    if (a.index() != b.index()) return false;
+    if (const auto* fillet = std::get_if<Fillet>(&a)) {
+        const auto& other = std::get<Fillet>(b);
+        return near(fillet->ring, other.ring) && near(fillet->radius, other.radius);
+    }
+    const auto &flank = std::get<Flank>(a), &other = std::get<Flank>(b);
+    const double off =
+        flank.cosine * (other.radius - flank.radius) + flank.sine * (other.height - flank.height);
+    return near(off, 0.0) && near(kPart * (flank.cosine - other.cosine), 0.0) &&
+           near(kPart * (flank.sine - other.sine), 0.0);
 }
 
 bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm) {
-    const Fillet &one = a.sweep->fillet(), &other = b.sweep->fillet();
-    const auto near = [&](double u, double v) { return std::abs(u - v) <= tolerance_mm; };
-    if (!near(one.ring, other.ring) || !near(one.radius, other.radius)) return false;
-    constexpr double kPart = 100.0;  // mm: so far do directions count
+    if (!is_same(a.sweep->meridian(), b.sweep->meridian(), tolerance_mm)) return false;
     const auto first = around(*a.sweep, a.sweep->at(0.0));
     const auto* line = std::get_if<StraightWay>(&a.sweep->way());
     if (line && std::holds_alternative<StraightWay>(b.sweep->way())) {

@@ -57,24 +57,22 @@ public:
     }
 
 private:
-    Vec3 point(double degrees, double t) const {
-        return point_around(sweep_, sweep_.at(t), degrees);
-    }
+    Vec3 point(double across, double t) const { return point_across(sweep_, sweep_.at(t), across); }
 
-    Bent bent(double degrees, double t) const {
-        const auto on_way = [&](double at) { return point(degrees, at); };
+    Bent bent(double across, double t) const {
+        const auto on_way = [&](double at) { return point(across, at); };
         const auto slope_around = [&](double at) {
-            return slope_of([&](double w) { return point(w, at); }, degrees, step_around_);
+            return slope_of([&](double w) { return point(w, at); }, across, step_around_);
         };
-        return {point(degrees, t), slope_around(t), slope_of(on_way, t, step_along_),
+        return {point(across, t), slope_around(t), slope_of(on_way, t, step_along_),
                 slope_of(slope_around, t, step_along_)};
     }
 
     void bend() {
         knots_.clear();
-        for (const double degrees : around_) {
+        for (const double across : around_) {
             for (const double t : along_)
-                knots_.push_back(bent(degrees, t));
+                knots_.push_back(bent(across, t));
         }
         share_around_.assign(around_.size() - 1, 1.0);
         share_along_.assign(along_.size() - 1, 1.0);
@@ -205,7 +203,7 @@ private:
 
     const Sweep& sweep_;
     Envelope envelope_;
-    std::vector<double> around_, along_;  // degrees; t
+    std::vector<double> around_, along_;  // as places across; t
     double step_around_, step_along_;
     std::vector<Bent> knots_;
     std::vector<double> share_around_, share_along_;  // of pieces
@@ -223,28 +221,33 @@ std::vector<double> evenly(double from, double to, double piece) {
 }  // namespace
 
 Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& envelope) {
-    constexpr double kBeyond = 4.0, kShare = 0.02;  // degrees; of the way
-    constexpr double kPieceAround = 15.0;
+    constexpr double kShare = 0.02;  // of the way, and of the height of flanks
+    constexpr double kBeyondAround = 4.0, kPieceAround = 15.0, kTurn = 360.0;  // degrees
     const Sweep& sweep = *envelope.sweep;
-    double first = 360.0, last = 0.0, begin = 1e9, end = -1e9;
+    double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;
     for (const auto& points : points_along(part, face)) {
         for (const Vec3& p : points) {
             const Aspect aspect = place_on(envelope, p);
-            const double degrees = degrees_around(brep::around(sweep, aspect.passage), p);
-            first = std::min(first, degrees);
-            last = std::max(last, degrees);
+            const double across = place_across(sweep, aspect.passage, p);
+            first = std::min(first, across);
+            last = std::max(last, across);
             begin = std::min(begin, aspect.t);
             end = std::max(end, aspect.t);
         }
     }
     const double beyond = kShare * std::max(end - begin, kShare);
-    const double low = std::max(0.0, first - kBeyond), high = std::min(360.0, last + kBeyond);
     const double from = begin - beyond, to = end + beyond;
     const bool is_straight = std::holds_alternative<StraightWay>(sweep.way());
     const double piece = 4.0 / static_cast<double>(sweep.samples().size() - 1);
-    return PatchMaker(envelope, evenly(low, high, kPieceAround),
-                      evenly(from, to, is_straight ? to - from : piece))
-        .make();
+    const auto along = evenly(from, to, is_straight ? to - from : piece);
+    if (sweep.flank()) {
+        const double beside = kShare * (last - first) + kShare;
+        const double low = first - beside, high = last + beside;
+        return PatchMaker(envelope, evenly(low, high, high - low), along).make();
+    }
+    const double low = std::max(0.0, first - kBeyondAround);
+    const double high = std::min(kTurn, last + kBeyondAround);
+    return PatchMaker(envelope, evenly(low, high, kPieceAround), along).make();
 }
 
 }  // namespace ncsim::brep

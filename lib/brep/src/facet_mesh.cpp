@@ -22,6 +22,54 @@ FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& 
     for (const std::uint32_t f : faces)
         facets_.push_back(labelled(f, sources));
     link();
+    if (broken_) return;
+    label_needles();
+    part_fans();
+}
+
+// Where facets meet that do not hang together around their common corner, each fan of them has one
+// of its own, if there are envelopes: these come near themselves between hulls of poses.
+void FacetMesh::part_fans() {
+    std::vector<bool> is_seen(edges_.size(), false), has_fan(points_.size(), false);
+    for (std::uint32_t first = 0; first < edges_.size(); ++first) {
+        if (is_seen[first]) continue;
+        std::vector<std::uint32_t> fan;
+        bool has_envelope = false;
+        for (std::uint32_t h = first; !is_seen[h]; h = edges_[edges_[h].twin].next) {
+            is_seen[h] = true;
+            fan.push_back(h);
+            const Form& form = surfaces_[facets_[edges_[h].facet].label].form;
+            has_envelope = has_envelope || std::holds_alternative<Envelope>(form);
+        }
+        const std::uint32_t corner = edges_[first].from;
+        const bool is_first = !has_fan[corner];
+        has_fan[corner] = true;
+        if (is_first || !has_envelope) continue;
+        for (const std::uint32_t h : fan)
+            edges_[h].from = static_cast<std::uint32_t>(points_.size());
+        points_.push_back(points_[corner]);
+    }
+}
+
+// What has no width may look anywhere, and folds what it is a piece of: it is of what it is beside.
+void FacetMesh::label_needles() {
+    constexpr double kNeedle = 1e-4;  // mm
+    std::vector<double> around(facets_.size(), 0.0);
+    for (std::uint32_t h = 0; h < edges_.size(); ++h)
+        around[edges_[h].facet] += lengths_[h];
+    const auto is_needle = [&](std::uint32_t i) {
+        return 2.0 * facets_[i].area < kNeedle * around[i];
+    };
+    std::vector<double> longest(facets_.size(), 0.0);
+    for (std::uint32_t h = 0; h < edges_.size(); ++h) {
+        const std::uint32_t i = edges_[h].facet, beside = edges_[edges_[h].twin].facet;
+        const bool is_its = facets_[i].was_labelled && facets_[beside].was_labelled &&
+                            is_needle(i) && !is_needle(beside);
+        if (!is_its || lengths_[h] <= longest[i]) continue;
+        longest[i] = lengths_[h];
+        facets_[i].label = facets_[beside].label;
+        facets_[i].plain = facets_[beside].plain;
+    }
 }
 
 bool FacetMesh::fits(const Facet& facet, const Surface& surface, double most,

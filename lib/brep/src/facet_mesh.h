@@ -34,6 +34,7 @@ struct Facet {
     bool is_unknown = false;    ///< With none, for its motion leaves others, too.
     bool is_final = false;      ///< It stays a facet.
     bool was_given_up = false;
+    bool was_ceded = false;  ///< To a neighbour, for a corner that was none.
 };
 
 struct HalfEdge {
@@ -56,6 +57,10 @@ public:
     std::size_t size() const { return facets_.size(); }
     const Facet& operator[](std::uint32_t i) const { return facets_[i]; }
     void label(std::uint32_t i, std::uint32_t surface) { facets_[i].label = surface; }
+    void cede(std::uint32_t i, std::uint32_t surface) {
+        facets_[i].label = facets_[i].plain = surface;
+        facets_[i].was_ceded = true;
+    }
     /// A facet for good.
     void settle(std::uint32_t i) {
         facets_[i].label = facets_[i].own;
@@ -99,6 +104,8 @@ private:
     std::uint32_t plain_label(std::uint32_t f, const Facet& facet,
                               const std::map<cda::Origin, Source>& sources);
     void link();
+    void label_needles();
+    void part_fans();
     // Of a round tool, and not a piece of any of its surfaces.
     bool is_kept(const Facet& facet) const {
         return facet.label == facet.own && !facet.may_be_true;

@@ -4,6 +4,7 @@
 #include "ncsim/cda/disjoint_sets.h"
 
 #include "contact.h"
+#include "envelope_contact.h"
 #include "nearly.h"
 
 #include <algorithm>
@@ -41,6 +42,20 @@ std::optional<double> thickness_between(const Surface& a, const Surface& b) {
     const Vec3 apart = two->origin - one->origin;
     const double off = cda::norm(apart - cda::dot(apart, one->axis) * one->axis);
     return (a.is_hollow ? two->radius - one->radius : one->radius - two->radius) + off;
+}
+
+bool is_of_turning_tool(const Form& form) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    return envelope && std::holds_alternative<TurningWay>(envelope->sweep->way());
+}
+
+// Where a tool goes that crosses a pipe or a flank there, beside `p`.
+Vec3 way_at(const Form& across, Vec3 p) {
+    if (const auto* plane = std::get_if<Plane>(&across)) return plane->normal;
+    const auto& stood = std::get<Characteristic>(across);
+    const Aspect at = aspect_at(*stood.of.sweep, stood.t, p);
+    const Vec3 velocity = velocity_at(at.passage, height_of_centre(*stood.of.sweep, at));
+    return cda::normalized(away({}, at.passage.axis, velocity));
 }
 
 }  // namespace
@@ -136,7 +151,9 @@ bool Groups::unify() {
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
         const Group& group = groups_[g];
         const Facet& first = mesh_[group.facets.front()];
-        if (group.is_analytic || first.may_be_true || first.is_final) continue;
+        if ((group.is_analytic && !is_of_turning_tool(form_of(g))) || first.may_be_true ||
+            first.is_final)
+            continue;
         if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) {
             any = absorb(g, 1.5, kMostTurnOfNeighbours) || absorb(g, 2.0, kMostTurnOfNarrow) || any;
         }
@@ -144,35 +161,27 @@ bool Groups::unify() {
     return any;
 }
 
-// Where its way bends, a ball leaves a lune between two pipes. Longer, these meet in the plane
-// between both, farther out than the lune by little where the way bends little: and then facets are
-// wider than the lune, and have gaps where it ought to be. Pipes may bend themselves: envelopes.
+// Where its way bends, a ball leaves a lune between two pipes, and a side a strip between two
+// flanks. Longer, these meet in the plane between both, farther out than the lune by little where
+// the way bends little: and then facets are wider than the lune, and have gaps where it ought to
+// be. Pipes may bend themselves: envelopes.
 bool Groups::join_lunes() {
-    struct Pipe {
-        std::uint32_t group;
-        double shared;
-        Vec3 along;  // where the ball stood
-    };
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        const auto* ball = std::get_if<Sphere>(&form_of(g));
-        if (!groups_[g].is_analytic || !ball) continue;
-        std::vector<Pipe> pipes;
-        for (const auto& [n, shared] : neighbours(g)) {
-            const Form& form = form_of(n);
-            if (!std::holds_alternative<Cylinder>(form) && !std::holds_alternative<Envelope>(form))
-                continue;
-            const auto across = touch(form_of(g), form);
-            if (across) pipes.push_back({n, shared, std::get<Plane>(*across).normal});
-        }
-        // Of the angle t between their axes, 1 / cos(t / 2) is by how much they meet farther out.
+        const std::vector<Pipe> pipes = pipes_beside(g);
+        if (pipes.size() < 2) continue;
+        // Of the angle t between their ways, 1 / cos(t / 2) is by how much they meet farther out.
         double cosine = 1.0;
-        for (const Pipe& one : pipes) {
-            for (const Pipe& other : pipes)
-                cosine = std::min(cosine, std::abs(cda::dot(one.along, other.along)));
+        for (const std::uint32_t i : groups_[g].facets) {
+            for (const Pipe& one : pipes) {
+                for (const Pipe& other : pipes)
+                    cosine = std::min(cosine,
+                                      std::abs(cda::dot(way_at(one.across, mesh_[i].centroid),
+                                                        way_at(other.across, mesh_[i].centroid))));
+            }
         }
-        const double lower = ball->radius * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
-        if (pipes.size() < 2 || lower > std::max(kLune, error_of(g))) continue;
+        const double lower = radius_of(form_of(g)) * (std::sqrt(2.0 / (1.0 + cosine)) - 1.0);
+        if (lower > std::max(kLune, error_of(g))) continue;
         const auto longest = std::ranges::max_element(pipes, {}, &Pipe::shared);
         // Other pipes may happen to pass by, or the same one on both sides of the end of its way.
         if (!lies_on(g, longest->group, kAcrossLune, kMostTurnOfNeighbours)) continue;
@@ -181,6 +190,32 @@ bool Groups::join_lunes() {
         any = true;
     }
     return any;
+}
+
+// What goes on from where a ball or a side stood, as `g` tells.
+std::vector<Groups::Pipe> Groups::pipes_beside(std::uint32_t g) const {
+    const auto* ball = std::get_if<Sphere>(&form_of(g));
+    const auto* side = std::get_if<Cylinder>(&form_of(g));
+    if (!groups_[g].is_analytic || (!ball && !side)) return {};
+    std::vector<Pipe> pipes;
+    std::optional<Vec3> axis;
+    for (const auto& [n, shared] : neighbours(g)) {
+        const auto* envelope = std::get_if<Envelope>(&form_of(n));
+        if (!envelope) continue;
+        const auto t = ball ? end_at(*envelope, ball->centre)
+                            : end_on_axis(*envelope, side->origin, side->axis);
+        if (!t) continue;
+        pipes.push_back({n, shared, Characteristic{*envelope, *t}});
+        axis = envelope->sweep->at(*t).axis;
+    }
+    for (const auto& [n, shared] : neighbours(g)) {
+        // Of a straight way; that about the tool's axis is where its side stood.
+        const auto* pipe = std::get_if<Cylinder>(&form_of(n));
+        if (!ball || !pipe || (axis && is_parallel(pipe->axis, *axis))) continue;
+        const auto across = touch(form_of(g), form_of(n));
+        if (across) pipes.push_back({n, shared, *across});
+    }
+    return pipes;
 }
 
 // Hulls of a tool that goes down a helix have corners at every height. Between them ledges are left
@@ -351,6 +386,11 @@ bool Groups::relabel(const Failures& failures, Patience patience) {
             any = true;
             continue;
         }
+        if (patience == Patience::Much && failure.edge != kNone && cede_at(failure.edge)) {
+            done.insert(failure.around.begin(), failure.around.end());
+            any = true;
+            continue;
+        }
         if (patience == Patience::None) {
             done.insert(order.begin(), order.end());
             for (const std::uint32_t g : order)
@@ -376,6 +416,32 @@ bool Groups::relabel(const Failures& failures, Patience patience) {
         give_up(g, patience == Patience::Little);
     }
     return any;
+}
+
+// Facets between poses of a tool that turns begin before the first one, and may reach what the
+// envelope does not: one of those around the corner goes to what it touches where the tool stood.
+bool Groups::cede_at(std::uint32_t edge) {
+    std::vector<std::uint32_t> fan;
+    std::uint32_t h = edge;
+    do {
+        fan.push_back(mesh_.edges()[h].facet);
+        h = mesh_.edges()[mesh_.edges()[h].twin].next;
+    } while (h != edge);
+    for (const std::uint32_t i : fan) {
+        const Facet& facet = mesh_[i];
+        const Form& form = mesh_.surface(facet.label).form;
+        if (facet.was_ceded || facet.is_final || !std::holds_alternative<Envelope>(form)) continue;
+        for (const std::uint32_t j : fan) {
+            const Surface& other = mesh_.surface(mesh_[j].label);
+            if (std::holds_alternative<Envelope>(other.form) || mesh_[j].label == mesh_[j].own ||
+                !touch(form, other.form) ||
+                !mesh_.fits(facet, other, kAcrossLune * facet.error_mm, kMostTurnOfNeighbours))
+                continue;
+            mesh_.cede(i, mesh_[j].label);
+            return true;
+        }
+    }
+    return false;
 }
 
 // Not what is as large as a face that somebody wanted.

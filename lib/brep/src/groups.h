@@ -19,7 +19,8 @@ struct Failure {
     std::vector<std::uint32_t> around;
     /// Of a corner. Of edges and faces it may be because something else went wrong beside them.
     bool is_of_corner = false;
-    bool is_thin = false;  ///< The first of them has no width on its true surfaces.
+    bool is_thin = false;        ///< The first of them has no width on its true surfaces.
+    std::uint32_t edge = kNone;  ///< Of a corner: a half-edge that starts there.
 };
 using Failures = std::vector<Failure>;
 
@@ -80,6 +81,12 @@ public:
 
 private:
     void meet();
+    struct Pipe {
+        std::uint32_t group;
+        double shared;
+        Form across;  ///< What crosses it where the tool stood.
+    };
+    std::vector<Pipe> pipes_beside(std::uint32_t g) const;
     bool join_lunes();
     bool join_ledges();
     bool join_fins();
@@ -89,6 +96,7 @@ private:
     bool absorb(std::uint32_t g, double errors, double most_turn);
     bool lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const;
     bool may_be_absorbed(std::uint32_t g) const;
+    bool cede_at(std::uint32_t edge);
     bool is_flat_ramp(std::uint32_t g) const;
     std::vector<std::uint32_t> analytic_around(std::vector<std::uint32_t> around) const;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ncsim::brep {
 
@@ -18,6 +19,8 @@ constexpr double kLevel = 1e-6;
 constexpr double kSlack = 1.5;
 // Of coils, beside walls, both beyond the wall and below the floor.
 constexpr double kSlackOfCoils = 2.0;
+// Of flanks, where hulls of two poses of a tool that turns gain about as much as tools are off.
+constexpr double kSlackOfFlanks = 3.0;
 
 // How far a facet turns away from the surface on average over its corners.
 double turn_at_corners(const FlatFace& face, const Surface& surface) {
@@ -31,12 +34,30 @@ double turn_at_corners(const FlatFace& face, const Surface& surface) {
     return sum / corners;
 }
 
-// Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does.
-bool is_beyond_end(const Form& form, Vec3 p, double most) {
+bool is_flank(const Form& form) {
     const auto* envelope = std::get_if<Envelope>(&form);
-    if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return false;
-    const double t = place_on(*envelope, p).t;
-    return std::abs(t - std::clamp(t, 0.0, 1.0)) * envelope->sweep->length_mm() > most;
+    return envelope && envelope->sweep->flank();
+}
+
+// Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does:
+// by how much, mm. Where the tool pivots there is none.
+double beyond_end(const Form& form, Vec3 p) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return 0.0;
+    const Aspect aspect = place_on(*envelope, p);
+    if (is_at_pivot(*envelope->sweep, aspect)) return std::numeric_limits<double>::infinity();
+    const Vec3 velocity = velocity_at(aspect.passage, height_of_centre(*envelope->sweep, aspect));
+    return std::abs(aspect.t - std::clamp(aspect.t, 0.0, 1.0)) * norm(velocity);
+}
+
+// Facets between two poses of a tool that turns are as wide as polygons in its place have sides,
+// and may begin as much before the one.
+double farthest_beyond(const Form& form, double error) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    if (!envelope || !std::holds_alternative<TurningWay>(envelope->sweep->way())) return error;
+    const Fillet* fillet = envelope->sweep->fillet();
+    const double radius = fillet ? fillet->ring + fillet->radius : envelope->sweep->flank()->radius;
+    return std::sqrt(8.0 * radius * error);
 }
 
 }  // namespace
@@ -88,8 +109,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
                          double most_turn, double& best) {
     // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors. A
-    // surface that the tool went along is preferred to one where it only stood.
-    constexpr double kExact = -1.0, kAtRest = 0.05, kNoLess = 1e-9;
+    // surface that the tool went along is preferred to one where it only stood, but beyond its end.
+    constexpr double kExact = -1.0, kAtRest = 0.05, kBeyond = 0.1, kNoLess = 1e-9;
     const Candidate* chosen = nullptr;
     const auto take = [&](const Candidate& candidate, double score) {
         if (candidate.is_at_rest) score += kAtRest;
@@ -115,10 +136,12 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
             if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
                 continue;
             double score = 0.0;
-            const double slack = is_coil ? kSlackOfCoils : kSlack;
-            if (fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score) &&
-                !is_beyond_end(form, face.centroid, error))
-                take(candidate, score);
+            const double slack = is_coil ? kSlackOfCoils : is_flank(form) ? kSlackOfFlanks : kSlack;
+            if (!fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score))
+                continue;
+            const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;
+            if (beyond > farthest_beyond(form, error)) continue;
+            take(candidate, beyond > 0.0 ? score + kBeyond : score);
         }
     }
     return chosen;

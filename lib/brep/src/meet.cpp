@@ -146,12 +146,11 @@ std::optional<Curve> meet(const Envelope& envelope, const Form& other) {
         if ((plane && is_across(plane->normal, *along)) || (beside && is_parallel(*beside, *along)))
             return Line{};
     }
-    const Fillet& fillet = envelope.sweep->fillet();
-    if (fillet.ring > 0.0) return std::nullopt;
+    if (!envelope.sweep->is_ball()) return std::nullopt;
     const auto touching = touch(envelope, other);
     const auto* across = touching ? std::get_if<Plane>(&*touching) : nullptr;
     if (!across) return std::nullopt;
-    return Circle{across->origin, across->normal, fillet.radius};
+    return Circle{across->origin, across->normal, envelope.sweep->fillet()->radius};
 }
 
 bool is_ruled(const Form& form) {

@@ -34,7 +34,9 @@ bool is_too_wide(const Extrusion& extrusion, const Part& part, const Edge& edge)
 // integrate along long edges on splines roughly.
 bool is_too_wide(const Envelope& envelope, const Part& part, const Edge& edge) {
     const auto ahead = [&](Vec3 p) {
-        return around(*envelope.sweep, place_on(envelope, p).passage).ahead;
+        const Aspect aspect = place_on(envelope, p);
+        return cda::normalized(
+            velocity_at(aspect.passage, height_of_centre(*envelope.sweep, aspect)));
     };
     constexpr double kWidest = 0.5;
     const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);

@@ -94,6 +94,11 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         const auto is_at = [&](const Vertex& v) { return norm(v.at - *bend) <= kPoint; };
         if (bend && !is_at(choice.near) && !is_at(choice.far) && !is_bend_elsewhere(choice.far))
             continue;
+        // With four of them each corner has one that is not beside the edge.
+        if (count == kFewest &&
+            is_beyond_touch({b.right, a.left}, a.right, c.right, choice.near.at, choice.far.at)
+                .value_or(false))
+            continue;
         const auto goes_on = [&](std::uint32_t g, Vec3 in, Vec3 between, Vec3 on) {
             constexpr double kRounding = 1.0;  // degrees
             const Vec3 n = outward(groups_.surface_of(g), before.at);
@@ -257,11 +262,65 @@ void Chains::pass_to_wall(std::uint32_t number) {
     }
 }
 
+// Facets between poses of a tool that turns may be needles. What meets in a corner may do so in two
+// of the polyhedron then: it is one. And where faces meet in one curve, what is between them comes
+// to points on the way, and has nothing in it: the shortest way on ends there.
+void Chains::join_same_corners() {
+    for (const Chain& chain : chains_) {
+        const bool is_same = chain.from != chain.to && !chain.is_closed &&
+                             has_envelope(vertices_[chain.from]) &&
+                             vertices_[chain.to].groups == vertices_[chain.from].groups &&
+                             norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint;
+        if (is_same) join(chain.to, chain.from);
+    }
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+        if (vertices_[v].groups.size() == 2 && has_envelope(vertices_[v])) close_pinch(v);
+    }
+}
+
+// All that ends in the one ends in the other one.
+void Chains::join(std::uint32_t gone, std::uint32_t stays) {
+    for (Chain& chain : chains_) {
+        const bool was_point = chain.from == chain.to;
+        if (chain.from == gone) chain.from = stays;
+        if (chain.to == gone) chain.to = stays;
+        if (chain.from == chain.to && !was_point) chain.has_vanished = true;
+    }
+}
+
+void Chains::close_pinch(std::uint32_t v) {
+    const auto length = [&](const Chain& chain) {
+        double sum = 0.0;
+        for (const std::uint32_t h : chain.edges)
+            sum += mesh_.length(h);
+        return sum;
+    };
+    const Chain* shortest = nullptr;
+    int ends = 0;
+    for (const Chain& chain : chains_) {
+        if (chain.is_closed || chain.has_vanished || (chain.from != v && chain.to != v)) continue;
+        ends += chain.from == chain.to ? 2 : 1;
+        if (chain.from != chain.to && (!shortest || length(chain) < length(*shortest)))
+            shortest = &chain;
+    }
+    constexpr int kOnTheWay = 2;
+    if (ends <= kOnTheWay || !shortest) return;
+    const std::uint32_t beyond = shortest->from == v ? shortest->to : shortest->from;
+    join(v, beyond);
+    for (Chain& chain : chains_) {
+        // Around a needle.
+        if (chain.from == beyond && chain.to == beyond && !chain.is_closed &&
+            length(chain) < reach({chain.left, chain.right}))
+            chain.has_vanished = true;
+    }
+}
+
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
 // the chain between two of the faces, what should be its end comes first.
 bool Chains::flip_reversed() {
     ChainsAt at(vertices_.size(), {kNone, kNone, kNone});
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        if (chains_[c].has_vanished) continue;
         for (const std::uint32_t v : {chains_[c].from, chains_[c].to}) {
             const auto place = std::ranges::find(at[v], kNone);
             if (place != at[v].end()) *place = c;
@@ -274,12 +333,51 @@ bool Chains::flip_reversed() {
     return any;
 }
 
-bool Chains::is_reversed(const Chain& chain) const {
-    if (chain.is_closed || chain.is_flipped) return false;
+bool Chains::is_reversed(Chain& chain) const {
+    if (chain.is_closed || chain.is_flipped || chain.has_vanished) return false;
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     const Vec3 way = to.at - from.at;
-    return !from.has_failed && !to.has_failed && norm(way) > kPoint &&
-           dot(way, way_of(chain)) < 0.0;
+    if (from.has_failed || to.has_failed || norm(way) <= kPoint) return false;
+    if (from.groups.size() == 3 && to.groups.size() == 3) {
+        const auto third = [&](const Vertex& v) {
+            return *std::ranges::find_if(
+                v.groups, [&](std::uint32_t g) { return g != chain.left && g != chain.right; });
+        };
+        const auto beyond =
+            is_beyond_touch({chain.left, chain.right}, third(from), third(to), from.at, to.at);
+        chain.is_told = beyond.has_value() && !*beyond;
+        if (beyond) return *beyond;
+    }
+    return dot(way, way_of(chain)) < 0.0;
+}
+
+// Where the profile of a tool goes from its side into its corner radius, both faces of it end.
+// Where its way bends, two such faces meet two others in one curve: each of its points is to be on
+// the right side of both places. Of a piece of that, from what is behind to what is ahead: is it
+// not? Nothing if these do not touch what is beside it.
+std::optional<bool> Chains::is_beyond_touch(const std::array<std::uint32_t, 2>& beside,
+                                            std::uint32_t behind, std::uint32_t ahead, Vec3 from,
+                                            Vec3 to) const {
+    std::optional<bool> is_beyond;
+    for (const std::uint32_t g : beside) {
+        for (const auto& [n, other] : {std::pair(behind, to), {ahead, from}}) {
+            if (groups_.is_facet(g) || groups_.is_facet(n)) continue;
+            const auto touching = touch(groups_.form_of(g), groups_.form_of(n));
+            const auto* trail = touching ? std::get_if<Trail>(&*touching) : nullptr;
+            const auto* one = std::get_if<Envelope>(&groups_.form_of(g));
+            const auto* two = std::get_if<Envelope>(&groups_.form_of(n));
+            if (!trail || !one || !two) continue;
+            // A fillet below its flank, as a rule.
+            const Sweep& round = one->sweep->fillet() ? *one->sweep : *two->sweep;
+            const Sweep& side = one->sweep->fillet() ? *two->sweep : *one->sweep;
+            const bool is_below = round.fillet()->height <= side.flank()->height + kTouchMm;
+            const bool should_be_above = one->sweep->flank() ? is_below : !is_below;
+            const double above = distance(*touching, other);
+            if (std::abs(above) <= kPoint) continue;
+            is_beyond = is_beyond.value_or(false) || (above > 0.0) != should_be_above;
+        }
+    }
+    return is_beyond;
 }
 
 // Nothing if it has not four different faces at its ends, or one of them is a facet.

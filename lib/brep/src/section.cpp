@@ -284,16 +284,16 @@ private:
 
     bool may_be_deeper(const Face& face, const Envelope& envelope) const {
         const Sweep& sweep = *envelope.sweep;
-        double begin = 1e9, end = -1e9, first = 360.0, last = 0.0;
+        double begin = 1e9, end = -1e9, first = 1e9, last = -1e9;
         for (const Loop& loop : face.loops) {
             for (const EdgeUse& use : loop) {
                 const Vec3 p = part_.vertices[part_.edges[use.edge].from];
                 const Aspect place = place_on(envelope, p);
-                const double degrees = degrees_around(around(sweep, place.passage), place.foot);
+                const double across = place_across(sweep, place.passage, place.foot);
                 begin = std::min(begin, place.t);
                 end = std::max(end, place.t);
-                first = std::min(first, degrees);
-                last = std::max(last, degrees);
+                first = std::min(first, across);
+                last = std::max(last, across);
             }
         }
         constexpr int kPieces = 32;
@@ -301,8 +301,8 @@ private:
         for (int i = 0; i <= kPieces; ++i) {
             const Passage passage = sweep.at(begin + (end - begin) * i / kPieces);
             for (int k = 0; k <= kPieces; ++k) {
-                const double degrees = first + (last - first) * k / kPieces;
-                const double height = lifted_.height(point_around(sweep, passage, degrees));
+                const double across = first + (last - first) * k / kPieces;
+                const double height = lifted_.height(point_across(sweep, passage, across));
                 (height > 0.0 ? is_above : is_below) = true;
             }
         }

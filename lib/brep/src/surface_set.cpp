@@ -55,7 +55,8 @@ struct Key {
     double operator()(const Envelope& f) const {
         const Sweep& sweep = *f.sweep;
         const Around first = around(sweep, sweep.at(0.0)), last = around(sweep, sweep.at(1.0));
-        const double own = 0.7 * sweep.fillet().radius + 0.3 * sweep.fillet().ring;
+        const Fillet* fillet = sweep.fillet();
+        const double own = fillet ? 0.7 * fillet->radius + 0.3 * fillet->ring : 0.0;
         if (std::holds_alternative<StraightWay>(sweep.way()))
             return place(first.centre, first.ahead) + own + along(first.ahead);
         return own + 0.5 * dot(first.centre + last.centre, kAskew);

@@ -187,11 +187,28 @@ public:
         }
     }
 
+    // What is straight, on any way on which the tool turns.
+    void flank(const Element& e, const TurningWay& way) {
+        const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
+        if (e.rise() <= kEqual) {
+            // Nothing is cut by what closes the profile above.
+            if (e.widening() > 0.0 || e.rise() < -kEqual) leave_unknown();
+            return;
+        }
+        auto sweep = std::make_shared<Sweep>(
+            Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, way);
+        if (!has_across(*sweep)) return leave_unknown();
+        if (walls(*sweep)) return;
+        add(Envelope{std::move(sweep)});
+    }
+
     // What is round about a circle, on any way. Where that comes back to itself, what it leaves
     // last touches the tool where it ends, and what it left first crosses it there: these are
     // apart, as halves of turns.
     void envelope(const Element& e, const ToolWay& way) {
-        const bool turns_ring = std::holds_alternative<TurningWay>(way) && e.radius > kEqual;
+        const auto* turning = std::get_if<TurningWay>(&way);
+        if (turning && e.fillet <= 0.0) return flank(e, *turning);
+        const bool turns_ring = turning && e.radius > kEqual;
         if (e.fillet <= 0.0 || turns_ring) return leave_unknown();
         constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
         const auto* round = std::get_if<RoundWay>(&way);
@@ -205,7 +222,7 @@ public:
             if (i >= kEnds && i < pieces - kEnds) continue;
             const ToolWay piece = round ? ToolWay(piece_of(*round, i, pieces)) : way;
             auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, e.fillet}, piece);
-            if (!has_around(*sweep)) return leave_unknown();
+            if (!has_across(*sweep)) return leave_unknown();
             add(Envelope{std::move(sweep)});
         }
     }
@@ -282,6 +299,23 @@ private:
     void go_down_beside(double reach, double radius) {
         constexpr double kMost = 16.0;
         chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), kMost);
+    }
+
+    // Where the tool turns in the plane of its way, what is upright leaves planes.
+    bool walls(const Sweep& sweep) {
+        const Flank& side = *sweep.flank();
+        const Passage& start = sweep.samples().front();
+        const Vec3 low = cross(start.speed, start.axis), turned = cross(start.turn, start.axis);
+        const Vec3 n = normalized(norm(turned) > kEqual ? turned : low);
+        const auto is_across = [&](const Passage& at) {
+            return std::abs(dot(at.axis, n)) <= kEqual &&
+                   std::abs(dot(at.tip - start.tip, n)) <= kEqual;
+        };
+        if (std::abs(side.sine) > kEqual || !std::ranges::all_of(sweep.samples(), is_across))
+            return false;
+        for (const double sign : {-1.0, 1.0})
+            add(Plane{start.tip + (sign * side.radius) * n, -sign * n});
+        return true;
     }
 
     void add(const Form& form, bool is_hollow = true) {
@@ -506,6 +540,13 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way,
     }
 }
 
+// Of a line, unit. Programs round where a tool ends that goes along its axis.
+Vec3 direction_of(Vec3 way, Vec3 axis) {
+    constexpr double kMostBeside = 2e-3;  // mm
+    if (norm(cross(axis, way)) <= kMostBeside) return dot(axis, way) < 0.0 ? -axis : axis;
+    return normalized(way);
+}
+
 // All axes; before the start and beyond the end, too.
 Position in_step(const Position& from, const Position& to, double t) {
     const auto length = [t](gcode::Length p, gcode::Length q) {
@@ -563,7 +604,7 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
             } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
                 sweeps.leave_unknown();
             } else if (start.translation != end.translation) {
-                const Vec3 d = normalized(end.translation - start.translation);
+                const Vec3 d = direction_of(end.translation - start.translation, axis);
                 sweeps.line(e, start.translation, axis, d);
                 if (is_corner) sweeps.rim(e, start.translation, axis, d);
             }

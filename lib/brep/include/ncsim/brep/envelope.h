@@ -74,22 +74,38 @@ struct Fillet {
     bool operator==(const Fillet&) const = default;
 };
 
-/// An element on its way.
+/// A straight piece: what turns about the axis is a piece of a cylinder, or of a cone. Radius and
+/// height above the tip of its lower end; its normal, outwards and along the axis, unit; how long
+/// it is.
+struct Flank {
+    double radius = 0.0, height = 0.0;
+    double cosine = 1.0, sine = 0.0;
+    double length = 0.0;
+    bool operator==(const Flank&) const = default;
+};
+
+using Meridian = std::variant<Fillet, Flank>;
+
+/// An element on its way. Flanks on straight ways leave planes, which are no envelopes.
 class Sweep {
 public:
-    Sweep(const Fillet& fillet, const ToolWay& way);
+    Sweep(const Meridian& meridian, const ToolWay& way);
 
-    const Fillet& fillet() const { return fillet_; }
+    const Meridian& meridian() const { return meridian_; }
+    const Fillet* fillet() const { return std::get_if<Fillet>(&meridian_); }
+    const Flank* flank() const { return std::get_if<Flank>(&meridian_); }
+    /// A ball: of its fillet no ring is left.
+    bool is_ball() const { return fillet() && fillet()->ring <= 0.0; }
     const ToolWay& way() const { return way_; }
     Passage at(double t) const;
     /// Some, at equal steps from 0 to 1, near enough to find the nearest one between them.
     const std::vector<Passage>& samples() const { return samples_; }
     double length_mm() const { return length_; }  ///< Of the way of the tip, nearly.
 
-    bool operator==(const Sweep& o) const { return fillet_ == o.fillet_ && way_ == o.way_; }
+    bool operator==(const Sweep& o) const { return meridian_ == o.meridian_ && way_ == o.way_; }
 
 private:
-    Fillet fillet_;
+    Meridian meridian_;
     ToolWay way_;
     std::vector<Passage> samples_;
     double length_ = 0.0;
@@ -142,25 +158,38 @@ Vec3 gradient_of_time(const Aspect& aspect);
 /// Of the sine by which its normal rises against the axis.
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect);
 
-/// Directions around the way of the ring's centre: `up` is where the tool's axis points, across the
-/// way.
+/// Directions around the way of the ring's centre, or of the lower end of a flank: `up` is where
+/// the tool's axis points, across the way.
 struct Around {
     Vec3 centre, ahead, up, side;  ///< Unit, right-handed in this order, but for the centre.
 };
 Around around(const Sweep& sweep, const Passage& passage);
-/// Around the way, from `up` to `side`: in [0, 360). 180 is below the tool, as a rule.
-double degrees_around(const Around& at, Vec3 p);
-/// The point of the characteristic whose normal is at such an angle, and the one that is there
-/// itself: of balls on any way, of rings while the axis does not turn.
-Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees);
-Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees);
+/// Where the point of the axis goes that is at such a height above the tip, mm for all of the way.
+Vec3 velocity_at(const Passage& passage, double height);
+/// How high the element is there, above the tip: the centre of the ring, or the point on the axis
+/// in which the normal of a flank ends.
+double height_of_centre(const Sweep& sweep, const Aspect& aspect);
 
-/// Nothing of it is as steep as the tool's axis, so that it has an up and a down.
-bool has_around(const Sweep& sweep);
+/// Places across the way, along the characteristic. Of fillets degrees around it, from `up` to
+/// `side`, in [0, 360): 180 is below the tool, as a rule. Of flanks mm along the profile, from as
+/// far below the lower end as it is long; negative to the right of the way.
+double place_across(const Sweep& sweep, const Passage& passage, Vec3 p);
+/// The point that is there: of balls on any way, of rings while the axis does not turn.
+Vec3 point_across(const Sweep& sweep, const Passage& passage, double place);
+/// The point of the characteristic of a fillet whose normal is at such an angle.
+Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees);
+
+/// Of a fillet: nothing of it is as steep as the tool's axis, so that it has an up and a down. Of a
+/// flank: it has a left and a right somewhere at all times.
+bool has_across(const Sweep& sweep);
+/// Of a flank: the tool pivots about a point near there, so that left becomes right.
+bool is_at_pivot(const Sweep& sweep, const Aspect& aspect);
 
 /// The largest radius of curvature, nearly.
 double largest_radius(const Sweep& sweep);
 
+/// Are they the same piece of the tool, or go on as such?
+bool is_same(const Meridian& a, const Meridian& b, double tolerance_mm);
 /// Do they leave the same, whatever the times?
 bool is_same(const Envelope& a, const Envelope& b, double tolerance_mm);
 

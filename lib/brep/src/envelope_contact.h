@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How envelopes meet other surfaces: those of their own tool on its way, and where it stood.
+#pragma once
+
+#include "ncsim/brep/surface.h"
+
+#include <optional>
+
+namespace ncsim::brep {
+
+/// As touch() of contact.h; the envelope comes second.
+std::optional<Form> touch_envelope(const Form& a, const Envelope& b);
+
+/// The end of its way at which the tool's axis is that line, or passes there with the lowest centre
+/// of the element; on straight ways any place.
+std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 axis);
+std::optional<double> end_at(const Envelope& envelope, Vec3 centre);
+
+}  // namespace ncsim::brep
