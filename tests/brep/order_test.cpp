@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where facets are wider than what is between corners, the polyhedron has these in another order.
+#include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/setup/job.h"
 
 #include "brep/made_part.h"
 
@@ -112,6 +114,28 @@ TEST(Order, AHelixEndsBesideAWall) {
             EXPECT_EQ(cylinders_of(made.solid.part), 4);
         }
     }
+}
+
+// By 1 um the circles in which two ramps begin overlap: circles of the floor that end in the corner
+// beside which both pass would cross there, and OpenCASCADE finds the floor crossed.
+TEST(Order, CirclesThatOughtToTouchEndWhereTheyDo) {
+    const std::string program =
+        "(T1 D=10. CR=0. - flat end mill)\n(T2 D=3.175 CR=0. - flat end mill)\n"
+        "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\nG21 G90\n"
+        "T1 M6\nG0 Z5\nG0 X-8 Y-4\nG1 Z-2 F100\nX8\nY0\nX-8\nY4\nX8\nG0 Z5\n"
+        "T2 M6\nG0 X-1.587 Y0\nG1 Z-2\nX-6 Z-3\nG0 Z5\nX1.587\nG1 Z-2\nX6 Z-3\nG0 Z5\nM30\n";
+    const Part part = test::make_part(setup::job_of({"circles.nc", program}), 0.05).solid.part;
+    int touching = 0;
+    for (const Edge& edge : part.edges) {
+        const Vec3 from = part.vertices[edge.from], to = part.vertices[edge.to];
+        const Track track(edge.curve, from, to);
+        EXPECT_LT(cda::norm(track.at(0.0) - from), 1e-6);
+        EXPECT_LT(cda::norm(track.at(1.0) - to), 1e-6);
+        for (const Vec3 p : {from, to}) {
+            if (cda::norm(p - Vec3{0, 0, -2}) < 1e-6) ++touching;
+        }
+    }
+    EXPECT_GE(touching, 4);
 }
 
 }  // namespace

@@ -345,7 +345,7 @@ void Chains::solve_chain(Chain& chain) {
     }
     // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
     // have their ends there, and one direction.
-    const auto is_rounded = [](const Vertex& v) { return v.is_touch && v.miss > kRounded; };
+    const auto is_rounded = [](const Vertex& v) { return v.miss > kRounded; };
     if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
         points.front() = from.at;
         points.back() = to.at;
