@@ -216,7 +216,6 @@ public:
         double area = 0.0, volume = 0.0;
         Vec3 moment;
     };
-    Vec3 moment(const Aspect& place) const { return below(place).moment; }
     Sum below(const Aspect& place) const {
         const Passage& passage = place.passage;
         if (const Flank* flank = sweep_.flank()) {

@@ -323,6 +323,7 @@ Vec3 around_axis(const Part& part, const Face& face, const Axes& axes, const Inn
     return sum;
 }
 
+// Not of envelopes: sums_of().
 Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
     constexpr double kHalfTurn = 180.0;
     if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
@@ -385,8 +386,6 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
-    if (const auto* f = std::get_if<Envelope>(&face.surface.form))
-        return quarter(moment_of_moved(part, face, *f, OnEnvelope(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     const double cut = cut_of(part, face, axes, f.major);
@@ -404,21 +403,39 @@ struct Sums {
     Vec3 moment;
 };
 
-Sums sums_of(const Part& part, const Solid& solid, Vec3 apex) {
+Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
+    const auto* envelope = std::get_if<Envelope>(&face.surface.form);
+    if (!envelope) {
+        const Measure measured = measure(part, face, apex);
+        return {measured.volume, measured.area, moment(part, face, apex)};
+    }
+    // What is around a point of an edge takes long, and is the same for all three.
     Sums sums;
+    const OnEnvelope on(*envelope, apex);
+    for_moved(part, face, *envelope, on, [&](double, double turned, const Aspect& place) {
+        const OnEnvelope::Sum below = on.below(place);
+        sums.volume -= turned * below.volume / 3.0;
+        sums.area -= turned * below.area;
+        sums.moment = sums.moment - 0.25 * turned * below.moment;
+    });
+    if (face.surface.is_hollow) sums.area = -sums.area;
+    return sums;
+}
+
+Sums sums_of(const Part& part, const Solid& solid, Vec3 apex) {
+    Sums all;
     const auto add = [&](const Shell& shell) {
         for (const std::uint32_t f : shell) {
-            const Face& face = part.faces[f];
-            const Measure measured = measure(part, face, apex);
-            sums.volume += measured.volume;
-            sums.area += measured.area;
-            sums.moment = sums.moment + moment(part, face, apex);
+            const Sums sums = sums_of(part, part.faces[f], apex);
+            all.volume += sums.volume;
+            all.area += sums.area;
+            all.moment = all.moment + sums.moment;
         }
     };
     add(solid.outside);
     for (const Shell& shell : solid.voids)
         add(shell);
-    return sums;
+    return all;
 }
 
 Vec3 corner_of(const Part& part, const Solid& solid) {
