@@ -23,23 +23,32 @@ using cda::cross;
 using cda::dot;
 using cda::norm;
 
-template <typename F>
-void integrate_piece(const Track& track, double begin, double width, const F& f) {
+template <std::size_t N, typename F>
+void integrate_piece(const Track& track, double begin, double width,
+                     const std::array<double, N>& abscissae, const std::array<double, N>& weights,
+                     const F& f) {
     const double middle = begin + 0.5 * width;
-    for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+    for (std::size_t k = 0; k < N; ++k) {
         for (const double sign : {-1.0, 1.0}) {
-            const double t = middle + sign * 0.5 * width * kAbscissae[k];
+            const double t = middle + sign * 0.5 * width * abscissae[k];
             const Track::Step step = track.step(t);
-            f(0.5 * width * kWeights[k], step.at, step.derivative);
+            f(0.5 * width * weights[k], step.at, step.derivative);
         }
     }
 }
 
+// Splines have so many knots that what is between two of them is of degree 3 within some 1e-9.
 template <typename F>
 void integrate(const Track& track, const F& f) {
     const std::size_t pieces = track.pieces();
-    for (std::size_t i = 0; i < pieces; ++i)
-        integrate_piece(track, track.start_of(i), track.start_of(i + 1) - track.start_of(i), f);
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const double begin = track.start_of(i), width = track.start_of(i + 1) - begin;
+        if (track.is_spline()) {
+            integrate_piece(track, begin, width, kFewAbscissae, kFewWeights, f);
+        } else {
+            integrate_piece(track, begin, width, kAbscissae, kWeights, f);
+        }
+    }
 }
 
 // Along a circle that lies level, what is integrated is of degree 3 in cosine and sine, at most,
@@ -50,7 +59,7 @@ void integrate_round(const Track& track, const F& f) {
     const auto pieces = static_cast<std::size_t>(track.sweep_degrees() / kPiece) + 1;
     const double width = 1.0 / static_cast<double>(pieces);
     for (std::size_t i = 0; i < pieces; ++i)
-        integrate_piece(track, static_cast<double>(i) * width, width, f);
+        integrate_piece(track, static_cast<double>(i) * width, width, kAbscissae, kWeights, f);
 }
 
 // On planes what is integrated along a line is of degree 2, at most.

@@ -54,6 +54,7 @@ public:
     };
     Step step(double t) const;  ///< Both at once.
     bool is_straight() const { return std::holds_alternative<Line>(*curve_); }
+    bool is_spline() const { return std::holds_alternative<Spline>(*curve_); }
     const Circle* circle() const { return std::get_if<Circle>(curve_); }  ///< Null if it is none.
     /// Of circles and ellipses: the angle that is passed, in degrees, in (0, 360].
     double sweep_degrees() const { return sweep_; }
