@@ -15,6 +15,7 @@ report::SolidFacts solid_facts(const simulation::Solid& of, double tool_toleranc
     report::SolidFacts facts;
     if (of.tool_tolerance_mm != tool_tolerance_mm) facts.refined_mm = of.tool_tolerance_mm;
     facts.mitred_mm = solid.mitred_mm;
+    facts.coarser = solid.coarser;
     for (const auto& form : brep::kForms)
         facts.kinds.emplace_back(form, 0);
     for (const brep::Face& face : solid.part.faces)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run.h"
 
-#include "ncsim/brep/apart.h"
+#include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/recognise.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/export/drawing.h"
@@ -121,6 +121,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         how.max_faces = o.step_max_faces;
         how.schema = o.step_schema;
         how.has_attributes = o.step_attributes;
+        if (!outcome.solid->recognised.is_sound) throw std::runtime_error(exporter::kUnsoundSolid);
         exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
                                    how);
     });
@@ -156,10 +157,10 @@ double step_tolerance(const Options& o) {
 
 // What --step writes where facets are asked for.
 simulation::Solid facets_of(const Outcome& outcome) {
-    const exporter::Simplified flat =
-        exporter::simplify(*outcome.boundary, step_tolerance(outcome.options));
-    brep::Recognised solid{brep::faceted(flat.boundary, flat.origins)};
-    brep::keep_apart(solid.part);
+    brep::FlatPart flat = exporter::flat_solid(*outcome.boundary, step_tolerance(outcome.options));
+    brep::Recognised solid{std::move(flat.part)};
+    solid.coarser = flat.coarser;
+    solid.is_sound = flat.is_sound;
     return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
 }
 

@@ -7,6 +7,7 @@ ncsim_add_test(brep
     envelope_parts_test.cpp
     envelope_test.cpp
     features_test.cpp
+    flat_part_test.cpp
     golden_test.cpp
     made_part.cpp
     mass_test.cpp
@@ -52,10 +53,11 @@ ncsim_judge_parts(parts_with_slopes 12 4000000)
 ncsim_judge_parts(parts_of_turning_balls 12 5000000)
 # Tools and parts that lean on machines of all kinds, where many facets stay; the same as facets
 # alone. 3001006: a plane with a corner 2 µm inside of an arc of its own, of which nothing was drawn;
-# 3100001: a needle in a plane that it does not lie in, narrower than its corners are off the planes around it.
+# 3100001: a needle in a plane that it does not lie in, narrower than its corners are off the planes around it;
+# 3100023: a hole as narrow, which became a shell of two faces.
 ncsim_judge_parts(tilted_parts --seeds 3000010 3000012 3000014 3000019 3001002 3001006 3100001)
 ncsim_judge_parts(tilted_facets --faceted
-  --seeds 3000009 3000010 3000078 3000082 3000132 3001004 3100001)
+  --seeds 3000009 3000010 3000078 3000082 3000132 3001004 3100001 3100023)
 # Those in which OpenCASCADE once found a fault that the first ones do not have:
 # 60438 a ramp leaves the block in a flat ellipse, of which nothing was drawn, 70744 a wall in a spline;
 # 60794, 60158 facets with a corner on an edge of theirs; 40087 with a fold narrower than readers see;

@@ -3,9 +3,7 @@
 // write_random_parts <folder> [--faceted] <count> [first], or <folder> [--faceted] --seeds
 // <seed>...: parts of random programs as STEP, with what ncsim_read_step is to find; says how many
 // have facets. Seeds of tilted_parts.h lean the tool or the part; --faceted: facets alone.
-#include "ncsim/brep/apart.h"
 #include "ncsim/brep/measure.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/setup/job.h"
 #include "ncsim/simulation/simulate.h"
@@ -24,6 +22,7 @@
 #include <iostream>
 #include <numeric>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ncsim::brep::test {
@@ -50,10 +49,10 @@ simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) 
 }
 
 Recognised facets_of(const simulation::Simulation& milled) {
-    const exporter::Simplified flat =
-        exporter::simplify(*milled.boundary, exporter::kStepTolerance);
-    Recognised solid{faceted(flat.boundary, flat.origins)};
-    keep_apart(solid.part);
+    FlatPart flat = exporter::flat_solid(*milled.boundary, exporter::kStepTolerance);
+    Recognised solid{std::move(flat.part)};
+    solid.coarser = flat.coarser;
+    solid.is_sound = flat.is_sound;
     return solid;
 }
 
@@ -68,6 +67,8 @@ std::size_t write(const std::filesystem::path& stem, std::uint64_t seed, bool is
     const Recognised solid =
         is_faceted ? facets_of(milled)
                    : simulation::solid_of(plan, survey, milled, exporter::kStepTolerance);
+    if (solid.coarser > 1.0) std::cout << seed << ": coarser " << solid.coarser << " times\n";
+    if (!solid.is_sound) std::cout << seed << ": not sound\n";
     std::ofstream out(stem.string() + ".step", std::ios::binary);
     exporter::write_step_solid(out, solid.part, milled.provenance);
     // What edges miss moves faces, and OpenCASCADE integrates over splines less exactly.

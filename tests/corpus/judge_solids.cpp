@@ -7,9 +7,7 @@
 // ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with N seconds
 // of processor time (60) and 4 GB, the judge with twice as many; as a draft, within 0.005 mm, tools
 // within 0.05 mm. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
-#include "ncsim/brep/apart.h"
 #include "ncsim/brep/measure.h"
-#include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/setup/input.h"
@@ -119,10 +117,7 @@ Made make(const std::string& path, const std::filesystem::path& step) {
         made.say("nothing is left");
         return made;
     }
-    const exporter::Simplified flat =
-        exporter::simplify(*milled.boundary, exporter::kStepTolerance);
-    brep::Part facets = brep::faceted(flat.boundary, flat.origins);
-    brep::keep_apart(facets);
+    const brep::Part facets = exporter::flat_solid(*milled.boundary, exporter::kStepTolerance).part;
     made.facet_faces = facets.faces.size();
     made.facet_bytes = step_of(facets, milled.provenance).size();
     constexpr int kMostRefinements = 3;

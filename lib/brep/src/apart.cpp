@@ -3,14 +3,15 @@
 
 #include "ncsim/brep/frames.h"
 
+#include "label.h"
 #include "none.h"
 #include "pinches.h"
 #include "spikes.h"
+#include "unreadable.h"
 #include "welds.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
@@ -369,76 +370,6 @@ std::vector<Numbers> faces_of_edges(const Part& part) {
     return faces_of;
 }
 
-// Planes whose edges are all so short that readers lose them, and then hang together with nothing.
-Numbers planes_of_no_size(const Part& part) {
-    constexpr double kNoSize = 3.0 * kLeast;
-    Numbers found;
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        const Face& face = part.faces[f];
-        const bool are_short = std::ranges::all_of(face.loops, [&](const Loop& loop) {
-            return std::ranges::all_of(loop, [&](const EdgeUse& use) {
-                const Edge& edge = part.edges[use.edge];
-                return std::holds_alternative<Line>(edge.curve) && length_of(part, edge) < kNoSize;
-            });
-        });
-        if (are_short && std::holds_alternative<Plane>(face.surface.form)) found.push_back(f);
-    }
-    return found;
-}
-
-// How far each corner is off the planes around it, at most: readers take what is nearer for it.
-std::vector<double> width_of_corners(const Part& part) {
-    std::vector<double> width(part.vertices.size(), 0.0);
-    for (const Face& face : part.faces) {
-        if (!std::holds_alternative<Plane>(face.surface.form)) continue;
-        for (const Loop& loop : face.loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge& edge = part.edges[use.edge];
-                for (const std::uint32_t v : {edge.from, edge.to})
-                    width[v] =
-                        std::max(width[v], std::abs(distance(face.surface.form, part.vertices[v])));
-            }
-        }
-    }
-    return width;
-}
-
-// Planes with straight edges alone that are narrower than one of their corners is wide: readers
-// lose them in it.
-Numbers planes_of_no_width(const Part& part) {
-    const std::vector<double> width = width_of_corners(part);
-    Numbers found;
-    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
-        const auto* plane = std::get_if<Plane>(&part.faces[f].surface.form);
-        if (!plane) continue;
-        double around = 0.0, twice_area = 0.0, widest = 0.0;
-        bool is_straight = true;
-        for (const Loop& loop : part.faces[f].loops) {
-            for (const EdgeUse& use : loop) {
-                const Edge& edge = part.edges[use.edge];
-                const Vec3 a = part.vertices[edge.from] - plane->origin;
-                const Vec3 b = part.vertices[edge.to] - plane->origin;
-                const double turn = cda::dot(plane->normal, cda::cross(a, b));
-                twice_area += use.is_forward ? turn : -turn;
-                around += cda::norm(b - a);
-                widest = std::max({widest, width[edge.from], width[edge.to]});
-                is_straight = is_straight && std::holds_alternative<Line>(edge.curve);
-            }
-        }
-        if (is_straight && twice_area < widest * around) found.push_back(f);
-    }
-    return found;
-}
-
-// Planes in which readers find a fault, or nothing at all.
-Numbers unreadable_planes(const Part& part) {
-    Numbers found = crossed_planes(part);
-    for (const Numbers& more : {planes_of_no_size(part), planes_of_no_width(part)})
-        found.insert(found.end(), more.begin(), more.end());
-    make_set(found);
-    return found;
-}
-
 // The loop of a plane that has the same edges, which are straight, as this loop.
 struct OtherSide {
     std::uint32_t face;
@@ -538,8 +469,6 @@ std::vector<std::uint32_t> keep_apart(Part& part) {
         part_where_they_touch(part, faces, kLeast, was);
         Numbers crossed = unreadable_planes(part);
         if (crossed.empty()) break;
-        // Simplified polyhedra are flat within that.
-        constexpr double kFlat = 1e-4;
         if (part_where_they_touch(part, crossed, kFlat, was)) crossed = unreadable_planes(part);
         const bool had_pockets = empty_flat_pockets(part, crossed);
         if (had_pockets) {

@@ -74,6 +74,7 @@ std::vector<Nesting> nesting_of(const cda::Boundary& boundary) {
             voids.push_back(s);
         }
     }
+    if (solids.empty() && voids.size() == 1) return {{voids.front(), {}}};
     for (const std::uint32_t s : voids) {
         const Vec3 point = boundary.vertices[boundary.faces[shells[s][0]].loops[0][0]];
         // Nothing to choose from with a single solid, the usual case.

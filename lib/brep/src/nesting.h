@@ -12,7 +12,7 @@ namespace ncsim::brep {
 std::vector<std::vector<std::uint32_t>> shells_of(const cda::Boundary& boundary);
 
 /// Shells that enclose material, each with the voids that lie in it, as numbers of shells of the
-/// boundary.
+/// boundary. A void by itself stands for one.
 struct Nesting {
     std::uint32_t outside = 0;
     std::vector<std::uint32_t> voids;

@@ -13,6 +13,7 @@
 
 #include "ncsim/brep/apart.h"
 #include "ncsim/brep/check.h"
+#include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/cda/disjoint_sets.h"
 
@@ -529,27 +530,27 @@ Shell append(Part& to, const Part& from) {
     return shell;
 }
 
-// One shell as it is.
-Part flat_shell(const Facets& facets, const std::vector<std::uint32_t>& faces,
-                const std::map<cda::Origin, Source>& sources) {
-    cda::Boundary only;
-    only.vertices = facets.boundary.vertices;
-    std::vector<std::vector<cda::Origin>> of;
+// The facets of one shell alone.
+Facets only_shell(const Facets& facets, const std::vector<std::uint32_t>& faces) {
+    Facets only;
+    only.boundary.vertices = facets.boundary.vertices;
+    only.boundary.shells = 1;
     for (const std::uint32_t f : faces) {
-        only.faces.push_back(facets.boundary.faces[f]);
-        only.faces.back().shell = 0;
-        of.push_back(facets.origins[f]);
+        only.boundary.faces.push_back(facets.boundary.faces[f]);
+        only.boundary.faces.back().shell = 0;
+        only.origins.push_back(facets.origins[f]);
     }
-    only.shells = 1;
-    Part part = faceted(only, of);
-    keep_apart(part);
+    return only;
+}
+
+// Of round tools.
+void tell_facets(Part& part, const std::map<cda::Origin, Source>& sources) {
     for (Face& face : part.faces) {
         face.is_facet = std::ranges::any_of(face.origins, [&](cda::Origin origin) {
             const auto source = sources.find(origin);
             return source != sources.end() && !source->second.candidates.empty();
         });
     }
-    return part;
 }
 
 bool is_mostly_facets(const Part& part) {
@@ -560,7 +561,7 @@ bool is_mostly_facets(const Part& part) {
 }  // namespace
 
 Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
-                     const std::function<Facets()>& kept) {
+                     const std::function<Facets(double times)>& kept) {
     Recognised result;
     const auto shells = shells_of(facets.boundary);
     std::optional<Facets> flat;
@@ -572,7 +573,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
         if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
         if (part && !is_mostly_facets(*part)) return append(result.part, *part);
         if (!flat) {
-            flat = kept();
+            flat = kept(1.0);
             flat_shells = shells_of(flat->boundary);
         }
         const bool is_there = s < flat_shells.size() && !flat_shells[s].empty();
@@ -581,8 +582,17 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
         if (part && (!is_there || part->faces.size() <= flat_shells[s].size()))
             return append(result.part, *part);
         ++result.shells_kept;
-        return append(result.part, is_there ? flat_shell(*flat, flat_shells[s], sources)
-                                            : flat_shell(facets, shells[s], sources));
+        FlatPart alone = flat_part([&](double times) {
+            if (times == 1.0)
+                return is_there ? only_shell(*flat, flat_shells[s]) : only_shell(facets, shells[s]);
+            const Facets coarse = kept(times);
+            const auto coarse_shells = shells_of(coarse.boundary);
+            return s < coarse_shells.size() ? only_shell(coarse, coarse_shells[s]) : Facets{};
+        });
+        result.coarser = std::max(result.coarser, alone.coarser);
+        result.is_sound = result.is_sound && alone.is_sound;
+        tell_facets(alone.part, sources);
+        return append(result.part, alone.part);
     };
     for (const Nesting& nesting : nesting_of(facets.boundary)) {
         Solid solid{add(nesting.outside), {}};

@@ -5,7 +5,6 @@
 // the edges it is the first to use, before each edge its curve and vertices.
 #include "ncsim/export/step.h"
 
-#include "ncsim/brep/apart.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/brep/patch.h"
@@ -587,12 +586,20 @@ void write_step_solid(std::ostream& out, const brep::Part& part, const Provenanc
     StepWriter(out, part, provenance, options).write();
 }
 
+brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm) {
+    return brep::flat_part([&](double times) {
+        const double tolerance =
+            times == 1.0 ? tolerance_mm : times * std::max(tolerance_mm, kStepTolerance);
+        Simplified part = simplify(boundary, tolerance);
+        return brep::Facets{std::move(part.boundary), std::move(part.origins)};
+    });
+}
+
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
                 const StepOptions& options) {
-    const Simplified part = simplify(boundary, options.tolerance_mm);
-    brep::Part solid = brep::faceted(part.boundary, part.origins);
-    brep::keep_apart(solid);
-    write_step_solid(out, solid, provenance, options);
+    const brep::FlatPart flat = flat_solid(boundary, options.tolerance_mm);
+    if (!flat.is_sound) throw std::runtime_error(kUnsoundSolid);
+    write_step_solid(out, flat.part, provenance, options);
 }
 
 }  // namespace ncsim::exporter

@@ -95,6 +95,13 @@ std::string solid_text(const SolidFacts& solid) {
         text += fmt::format("          without lunes at bends of balls, up to {:.2g} mm high\n",
                             solid.mitred_mm);
     }
+    if (solid.coarser > 1.0) {
+        text += fmt::format(
+            "          facets alone are joined within {:g} times the tolerance: finer ones cross "
+            "or "
+            "touch\n",
+            solid.coarser);
+    }
     if (solid.facets_kept == 0) return text;
     text += fmt::format("          {} of the planes {} of round tools", solid.facets_kept,
                         solid.facets_kept == 1 ? "is a facet" : "are facets");
@@ -300,6 +307,7 @@ void write_report(std::ostream& out, const RunFacts& run) {
                         {"lines_of_facets", run.solid->facet_lines},
                         {"left_out_at_bends_mm", run.solid->mitred_mm}};
         if (run.solid->refined_mm) json["step"]["refined_to_mm"] = *run.solid->refined_mm;
+        if (run.solid->coarser > 1.0) json["step"]["facets_coarser"] = run.solid->coarser;
     }
     for (const SectionFacts& section : run.sections)
         json["sections"].push_back(section_json(section));

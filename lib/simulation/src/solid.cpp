@@ -19,15 +19,16 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
     exporter::Provenance apart;
     for (std::uint32_t i = 0; i < simulation.provenance.entries.size(); ++i)
         apart.entries.push_back({i, 0});
-    const auto facets = [&](const exporter::Provenance* lines) {
-        exporter::Simplified flat = exporter::simplify(*simulation.boundary, tolerance_mm, lines);
+    const auto facets = [&](double tolerance, const exporter::Provenance* lines) {
+        exporter::Simplified flat = exporter::simplify(*simulation.boundary, tolerance, lines);
         return brep::Facets{std::move(flat.boundary), std::move(flat.origins)};
     };
     std::map<cda::Origin, brep::Source> sources;
     for_each_source(
         plan, survey, simulation, *simulation.boundary, tolerance_mm,
         [&](cda::Origin origin, brep::Source source) { sources[origin] = std::move(source); });
-    return brep::recognise(facets(&apart), sources, [&] { return facets(nullptr); });
+    return brep::recognise(facets(tolerance_mm, &apart), sources,
+                           [&](double times) { return facets(times * tolerance_mm, nullptr); });
 }
 
 namespace {

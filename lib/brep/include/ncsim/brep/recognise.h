@@ -27,6 +27,10 @@ struct Recognised {
     /// Lunes that balls leave where their way bends were left out, so much lower than what is in
     /// their place, at most.
     double mitred_mm = 0.0;
+    /// Of shells that are facets alone (flat_part.h): those of one at least were joined within so
+    /// many times the tolerance, and whether all of them are sound.
+    double coarser = 1.0;
+    bool is_sound = true;
 };
 
 /// The part whose facets are `facets`, made of the surfaces of `sources` (an origin that has none
@@ -38,8 +42,9 @@ struct Recognised {
 /// their error, Part::facet_miss_mm), loops are simple, and its volume is that of the polyhedron
 /// within area times error. Where that cannot be had, facets are kept: of some faces, or of the
 /// whole shell, as `kept` gives it, if it is asked: the same part with as few faces as flat ones
-/// can be. Equal input gives equal bytes. Expected O(n log n) for n facets.
+/// can be, joined within so many times its tolerance. Equal input gives equal bytes. Expected O(n
+/// log n) for n facets.
 Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
-                     const std::function<Facets()>& kept);
+                     const std::function<Facets(double times)>& kept);
 
 }  // namespace ncsim::brep

@@ -5,6 +5,7 @@
 // topology).
 #pragma once
 
+#include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/part.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/provenance.h"
@@ -35,8 +36,18 @@ struct StepOptions {
     bool has_attributes = false;
 };
 
+/// What is said of a solid that is not sound.
+inline constexpr const char* kUnsoundSolid =
+    "the solid has facets that cross or touch however coarse they are, and readers would find it "
+    "invalid (--simplify, --tool-tolerance)";
+
+/// The part with flat faces alone, simplified within the tolerance, kept apart and checked as
+/// readers would; where they would find a fault, within 4, 16 and 64 times as much, but 4e-4 mm at
+/// least.
+brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm);
+
 /// Writes `boundary` as STEP, in millimetres: a solid for each connected part, with its
-/// voids. What is written is simplify(boundary, options.tolerance_mm): faces are flat with any
+/// voids. What is written is flat_solid(boundary, options.tolerance_mm): faces are flat with any
 /// number of holes, neighbours in one plane are one face, whoever cut them, and no edge has a
 /// vertex in its middle. No point is farther than the tolerance from where it was. Points, edges
 /// and directions are shared. A face is named after the lines that cut it (LINE_10, LINE_10_20;
@@ -47,7 +58,7 @@ struct StepOptions {
 ///
 /// A part of which nothing is left gives a valid file without a solid. Equal input gives equal
 /// bytes: the time in the header is that of 1970. Throws std::runtime_error if there are more
-/// than `options.max_faces` faces, or the stream fails.
+/// than `options.max_faces` faces, if it is not sound (flat_solid()), or the stream fails.
 void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
                 const StepOptions& options = {});
 

@@ -35,6 +35,8 @@ struct SolidFacts {
     std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut those, ascending.
     std::optional<double> refined_mm{};  ///< Tool tolerance of a cut made for it alone, if any.
     double mitred_mm = 0.0;              ///< Left out at bends of balls, at most; 0: nothing.
+    /// Facets alone were joined within so many times the tolerance.
+    double coarser = 1.0;
 };
 
 /// The part cut open.
