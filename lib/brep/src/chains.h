@@ -96,7 +96,7 @@ private:
     std::vector<Spoke> spokes_at(const Vertex& v) const;
     bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
     bool is_bend_elsewhere(const Vertex& v) const;
-    bool has_envelope(const Vertex& v) const;
+    bool is_of_turning_tools(const Vertex& v) const;
     bool is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const;
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);

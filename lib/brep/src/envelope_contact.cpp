@@ -199,6 +199,11 @@ std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 ax
     return std::nullopt;
 }
 
+bool is_of_turning_tool(const Form& form) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    return envelope && std::holds_alternative<TurningWay>(envelope->sweep->way());
+}
+
 std::optional<Form> touch_envelope(const Form& a, const Envelope& b) {
     return std::visit(TouchEnvelope{b}, a);
 }

@@ -268,13 +268,13 @@ void Chains::pass_to_wall(std::uint32_t number) {
 void Chains::join_same_corners() {
     for (const Chain& chain : chains_) {
         const bool is_same = chain.from != chain.to && !chain.is_closed &&
-                             has_envelope(vertices_[chain.from]) &&
+                             is_of_turning_tools(vertices_[chain.from]) &&
                              vertices_[chain.to].groups == vertices_[chain.from].groups &&
                              norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint;
         if (is_same) join(chain.to, chain.from);
     }
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (vertices_[v].groups.size() == 2 && has_envelope(vertices_[v])) close_pinch(v);
+        if (vertices_[v].groups.size() == 2 && is_of_turning_tools(vertices_[v])) close_pinch(v);
     }
 }
 
