@@ -101,6 +101,7 @@ private:
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
     void bend(std::uint32_t number);
+    void part_at(std::uint32_t number, Vec3 corner, bool is_at_start);
     void pass_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
     /// Of each vertex, those that meet there, where they are not more than three.

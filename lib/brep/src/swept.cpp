@@ -195,6 +195,8 @@ public:
             if (e.widening() > 0.0 || e.rise() < -kEqual) leave_unknown();
             return;
         }
+        // On both sides of the way of a tip it would be one surface with an edge in it.
+        if (e.radius <= kEqual) return leave_unknown();
         auto sweep = std::make_shared<Sweep>(
             Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, way);
         if (!has_across(*sweep)) return leave_unknown();
