@@ -6,6 +6,7 @@
 #include "ncsim/brep/envelope.h"
 #include "ncsim/trig/angles.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,6 +67,14 @@ Course course_through(const std::array<Vec3, kTerms>& values) {
             sum = sum + cosine_at(k, j) * values[k];
         course.value.push_back(((j == 0 ? 1.0 : 2.0) / static_cast<double>(kTerms)) * sum);
     }
+    // What is rounding alone costs time, and its derivatives are large. Lengths of 1 at least.
+    constexpr double kMereRounding = 2e-15;
+    double length = 1.0;
+    for (const Vec3& value : values)
+        length = std::max(length, cda::norm(value));
+    constexpr std::size_t kFewest = 3;
+    while (course.value.size() > kFewest && cda::norm(course.value.back()) < kMereRounding * length)
+        course.value.pop_back();
     course.slope = derivative_of(course.value);
     course.bend = derivative_of(course.slope);
     return course;
