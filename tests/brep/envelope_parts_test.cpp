@@ -178,6 +178,24 @@ TEST(Recognise, KnowsTheGroovesOfBallsThatTurn) {
     }
 }
 
+// The same deeper than the ball is high, down and up along the tool. Turned in the plane of its way
+// its side leaves planes; beside that, to the left and to the right, what no other form is. A chain
+// bends by 3 degrees, or by 11, where faces of the ball cross in a curve that passes where they
+// touch.
+TEST(Recognise, KnowsTheSidesOfBallsThatTurn) {
+    const std::string start = "T3 M6\nG0 X20 Y30 Z20\nG1 Z-8\n", end = "G0 Z60\n";
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"G1 X60.48 Z2.54 B10\n", {8, 2, 0, 2, 0, 0, 0, 0, 0, 1}},
+          {"G1 X60.48 Y36 Z2.54 B10\n", {6, 2, 0, 2, 0, 0, 0, 0, 0, 3}},
+          {"G1 X40.88 Y31 Z-5.18 B4\nG1 X60.48 Y33 Z2.54 B10\n", {6, 2, 0, 2, 0, 0, 0, 0, 0, 6}},
+          {"G1 X40.88 Y31 Z-5.18 B4\nG1 X60.48 Y36 Z2.54 B10\n", {6, 2, 0, 2, 0, 0, 0, 0, 0, 6}}}) {
+        const Golden golden{"side", start + moves + end, kinds, 0.0};
+        const double left = volume(make(golden, 0.025).solid.part);
+        SCOPED_TRACE(moves);
+        expect_at({0.05, 0.02}, golden, left);
+    }
+}
+
 // An arc nearer to its centre where it ends, and a helix in an upright plane.
 TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
     for (const auto& [moves, kinds] :

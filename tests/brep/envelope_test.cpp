@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -39,10 +40,62 @@ std::optional<TurningWay> random_turn(Draw& draw, Vec3 axis) {
     });
 }
 
+// A helix or a spiral, about the axis or not.
+RoundWay random_round_way(Draw& draw, Vec3 axis, double tool) {
+    RoundWay round;
+    round.centre = draw.point();
+    round.about = draw.from(0, 1) < 0.5 ? axis : draw.direction();
+    round.ahead = across(round.about);
+    round.reach = 1.5 * tool + draw.from(0.0, 10.0);
+    round.growth = draw.from(0, 1) < 0.5 ? 0.0 : draw.from(-0.3, 0.3);
+    round.lead = draw.from(0.1, 1.0);
+    round.swept = draw.from(0.3, 6.0) * (draw.from(-1, 1) < 0.0 ? -1.0 : 1.0);
+    round.axis = axis;
+    return round;
+}
+
+// Sides of end mills and of tapered tools, and tips; where the tool does not pivot about a point of
+// its axis beside them.
+Envelope random_flank(Draw& draw) {
+    for (;;) {
+        Flank flank{draw.from(2.0, 5.0), draw.from(0.0, 3.0), 1.0, 0.0, draw.from(1.0, 4.0)};
+        if (draw.from(0, 1) < 0.5) {
+            flank.sine = draw.from(-0.7, 0.4);
+            flank.cosine = std::sqrt(1.0 - flank.sine * flank.sine);
+        }
+        const Vec3 axis = draw.direction();
+        ToolWay way = random_round_way(draw, axis, flank.radius + flank.length);
+        if (draw.from(0, 1) < 0.7) {
+            const auto turn = random_turn(draw, axis);
+            if (!turn) continue;
+            way = *turn;
+        }
+        Envelope envelope{std::make_shared<Sweep>(flank, way)};
+        const Sweep& sweep = *envelope.sweep;
+        const auto is_usual = [&](const Passage& at) {
+            return std::ranges::all_of(std::array{0.5, 1.0, 1.5, 2.0, 2.5}, [&](double place) {
+                const Vec3 p = point_across(sweep, at, place * flank.length);
+                const Aspect aspect = aspect_at(sweep, at, p);
+                return std::abs(aspect.rate) < 1e-6 && aspect.bend > 0.0 &&
+                       !is_at_pivot(sweep, aspect);
+            });
+        };
+        if (std::ranges::all_of(sweep.samples(), is_usual)) return envelope;
+    }
+}
+
+// Some place across: of fillets between these angles, of flanks anywhere on them.
+double random_place(Draw& draw, const Sweep& sweep, double low, double high) {
+    const Flank* flank = sweep.flank();
+    if (!flank) return draw.from(low, high);
+    return draw.from(1.1, 1.9) * (draw.from(-1, 1) < 0.0 ? -flank->length : flank->length);
+}
+
 // Balls and bull noses: lines that are neither level nor too steep, and helices and spirals, wider
-// than the tool, whose axis may lean.
+// than the tool, whose axis may lean; and flanks.
 Envelope random_envelope(Draw& draw) {
     for (;;) {
+        if (draw.from(0, 1) < 0.3) return random_flank(draw);
         const bool is_ball = draw.from(0, 1) < 0.4;
         const Fillet fillet{is_ball ? 0.0 : draw.from(0.5, 4.0), draw.from(0.0, 3.0),
                             draw.from(0.5, 3.0)};
@@ -55,16 +108,7 @@ Envelope random_envelope(Draw& draw) {
         } else if (!is_ball && draw.from(0, 1) < 0.5) {
             way = StraightWay{draw.point(), draw.from(2.0, 30.0) * draw.direction(), axis};
         } else {
-            RoundWay round;
-            round.centre = draw.point();
-            round.about = draw.from(0, 1) < 0.5 ? axis : draw.direction();
-            round.ahead = across(round.about);
-            round.reach = 1.5 * (fillet.ring + fillet.radius) + draw.from(0.0, 10.0);
-            round.growth = draw.from(0, 1) < 0.5 ? 0.0 : draw.from(-0.3, 0.3);
-            round.lead = draw.from(0.1, 1.0);
-            round.swept = draw.from(0.3, 6.0) * (draw.from(-1, 1) < 0.0 ? -1.0 : 1.0);
-            round.axis = axis;
-            way = round;
+            way = random_round_way(draw, axis, fillet.ring + fillet.radius);
         }
         Envelope envelope{std::make_shared<Sweep>(fillet, way)};
         const auto is_usual = [&](const Passage& at) {
@@ -91,23 +135,24 @@ TEST(Envelope, HasItsPlacesNormalsAndDistances) {
     for (int i = 0; i < 2000; ++i) {
         const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const double t = draw.from(0.05, 0.95), degrees = draw.from(100.0, 260.0);
-        const auto point = [&](double time, double angle) {
-            return point_across(sweep, sweep.at(time), angle);
+        const double t = draw.from(0.05, 0.95);
+        const double across_way = random_place(draw, sweep, 100.0, 260.0);
+        const auto point = [&](double time, double place) {
+            return point_across(sweep, sweep.at(time), place);
         };
-        const Vec3 p = point(t, degrees);
+        const Vec3 p = point(t, across_way);
         if (least_off(sweep, p) < -1e-6) continue;
         ++seen;
-        constexpr double kTime = 1e-5, kAngle = 1e-3;
-        const Vec3 u = point(t, degrees + kAngle) - point(t, degrees - kAngle);
-        const Vec3 v = point(t + kTime, degrees) - point(t - kTime, degrees);
+        constexpr double kTime = 1e-5, kAcross = 1e-3;
+        const Vec3 u = point(t, across_way + kAcross) - point(t, across_way - kAcross);
+        const Vec3 v = point(t + kTime, across_way) - point(t - kTime, across_way);
         const Vec3 n = normalized(cross(u, v));
         const Aspect place = place_on(envelope, p);
         EXPECT_NEAR(place.off, 0.0, 1e-11);
         EXPECT_NEAR(norm(place.normal - n), 0.0, 1e-5);
         EXPECT_NEAR(place.t, t, 1e-9);
         EXPECT_NEAR(place.rate, 0.0, 1e-9 * sweep.length_mm());
-        EXPECT_NEAR(place_across(sweep, place.passage, p), degrees, 1e-8);
+        EXPECT_NEAR(place_across(sweep, place.passage, p), across_way, 1e-8);
         const double off = draw.from(-0.05, 0.05);
         EXPECT_NEAR(distance(envelope, p + off * n), off, 1e-6);
         // What crosses it there.
@@ -123,7 +168,8 @@ TEST(Envelope, IsAsFarAsTheNearestOfAllTimes) {
     for (int i = 0; i < 300; ++i) {
         const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const Vec3 p = point_across(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
+        const Vec3 p = point_across(sweep, sweep.at(draw.from(0.1, 0.9)),
+                                    random_place(draw, sweep, 120.0, 240.0)) +
                        0.3 * draw.direction();
         const double least = least_off(sweep, p);
         if (least < -0.05) continue;
@@ -141,7 +187,8 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
     for (int i = 0; i < 500; ++i) {
         const Envelope envelope = random_envelope(draw);
         const Sweep& sweep = *envelope.sweep;
-        const Vec3 p = point_across(sweep, sweep.at(draw.from(0.1, 0.9)), draw.from(120.0, 240.0)) +
+        const Vec3 p = point_across(sweep, sweep.at(draw.from(0.1, 0.9)),
+                                    random_place(draw, sweep, 120.0, 240.0)) +
                        0.01 * draw.direction();
         const auto value = [&](Vec3 at) {
             const Aspect aspect = place_on(envelope, at);
@@ -158,6 +205,48 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
             EXPECT_NEAR(slope.z, rise[k], 1e-4 * (1.0 + norm(rise)));
         }
     }
+}
+
+// Where the profile goes smoothly from the one to the other, they touch on the way, too.
+TEST(Envelope, SidesTouchTheirCornerRadii) {
+    Draw draw(11);
+    for (int i = 0; i < 200; ++i) {
+        const Envelope side = random_flank(draw);
+        const Flank& flank = *side.sweep->flank();
+        if (flank.radius * flank.cosine < 0.5) continue;
+        // A ball about the point of the axis in which the normal ends.
+        const double radius = flank.radius / flank.cosine;
+        const Envelope ball{std::make_shared<Sweep>(
+            Fillet{0.0, flank.height - radius * flank.sine, radius}, side.sweep->way())};
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 p =
+                point_across(*side.sweep, side.sweep->at(draw.from(0.1, 0.9)), sign * flank.length);
+            if (least_off(*side.sweep, p) < -1e-6) continue;
+            EXPECT_NEAR(distance(ball, p), 0.0, 1e-9);
+            EXPECT_NEAR(norm(gradient(ball, p) - gradient(side, p)), 0.0, 1e-6);
+            EXPECT_NEAR(distance(Trail{ball, flank.sine}, p), 0.0, 1e-6);
+        }
+    }
+}
+
+// The point of the axis about which it does stays where it is.
+TEST(Envelope, HasNoSideWhereTheToolPivots) {
+    const auto way = turning_way([](double t) {
+        const double angle = 0.3 * t;
+        const Vec3 axis{std::sin(angle), 0.0, std::cos(angle)};
+        return TipAndAxis{Vec3{0, 0, 20} - 20.0 * axis, axis};
+    });
+    ASSERT_TRUE(way.has_value());
+    const Envelope side{std::make_shared<Sweep>(Flank{3.0, 0.0, 1.0, 0.0, 40.0}, *way)};
+    const auto pivots = [&](double height) {
+        const Passage at = side.sweep->at(0.5);
+        const Vec3 p = point_across(*side.sweep, at, 40.0 + height);
+        return is_at_pivot(*side.sweep, aspect_at(*side.sweep, at, p));
+    };
+    EXPECT_TRUE(pivots(19.0));
+    EXPECT_TRUE(pivots(22.0));
+    EXPECT_FALSE(pivots(10.0));
+    EXPECT_FALSE(pivots(30.0));
 }
 
 // What machines do: axes turn evenly, and places turn with them.

@@ -108,24 +108,27 @@ private:
     double amplitude_ = 0.0, length_ = 1.0, phase_x_ = 0.0, phase_y_ = 0.0;
 };
 
-// Grooves of a ball whose tip is about level, while B turns it about the zero.
-class TurningBall {
+// Grooves of a tool whose tip is about level, while B turns it about the zero.
+class TurningTool {
 public:
-    explicit TurningBall(std::uint64_t seed) : random_(seed) {}
+    explicit TurningTool(std::uint64_t seed) : random_(seed), is_deep_(seed >= kTurningSides) {}
 
     std::string write() {
-        std::string text =
-            "(T1 D=8. CR=4. - ball end mill)\n(STOCK/BLOCK,80.,60.,15.,0.,0.,15.)\n"
-            "G21 G90 G17\nT1 M6 S5000 M3\n";
+        std::string text = is_deep_ ? tool_at_random() : "(T1 D=8. CR=4. - ball end mill)\n";
+        text += "(STOCK/BLOCK,80.,60.,15.,0.,0.,15.)\nG21 G90 G17\nT1 M6 S5000 M3\n";
         for (int groove = pick(1, 3); groove > 0; --groove) {
             double b = tenths(-60, 60), x = tenths(-50, 850), y = tenths(-50, 650);
-            text += place("G0", x, y, 30.0, b) + place("G1", x, y, -tenths(5, 30), b);
+            if (is_deep_) {
+                text += along_tool(place("G1", x, y, depth(), b));
+            } else {
+                text += place("G0", x, y, 30.0, b) + place("G1", x, y, depth(), b);
+            }
             for (int move = pick(1, 5); move > 0; --move) {
                 b = std::clamp(b + tenths(-30, 30), -8.0, 8.0);
                 x += tenths(-200, 200), y += tenths(-200, 200);
-                text += place("G1", x, y, -tenths(5, 30), b);
+                text += place("G1", x, y, depth(), b);
             }
-            text += place("G0", x, y, 30.0, b);
+            text += is_deep_ ? "G0 Z60\n" : place("G0", x, y, 30.0, b);
         }
         return text + "M30\n";
     }
@@ -135,6 +138,18 @@ private:
         return low + static_cast<int>(random_() % static_cast<std::uint64_t>(high - low + 1));
     }
     double tenths(int low, int high) { return 0.1 * pick(low, high); }
+    // To such a place from above.
+    static std::string along_tool(const std::string& to) {
+        const std::size_t z = to.find(" Z"), b = to.find(" B");
+        return "G0" + to.substr(2, z - 2) + " Z60" + to.substr(b) + to;
+    }
+    double depth() { return is_deep_ ? -tenths(50, 100) : -tenths(5, 30); }
+    std::string tool_at_random() {
+        const int which = pick(0, 3);
+        if (which == 0) return "(T1 D=8. CR=0. - flat end mill)\n";
+        return which == 1 ? "(T1 D=10. CR=2. - bull nose end mill)\n"
+                          : "(T1 D=6. CR=3. - ball end mill)\n";
+    }
     // Where the tip is on the part.
     static std::string place(const char* word, double x, double y, double z, double b) {
         const double angle = b * std::acos(-1.0) / 180.0;
@@ -144,12 +159,13 @@ private:
     }
 
     std::mt19937_64 random_;
+    bool is_deep_;
 };
 
 }  // namespace
 
 std::string random_part(std::uint64_t seed) {
-    if (seed >= kTurning) return TurningBall(seed).write();
+    if (seed >= kTurning) return TurningTool(seed).write();
     return seed >= kRasters && seed < kWithSlopes ? Raster(seed).write() : Writer(seed).write();
 }
 

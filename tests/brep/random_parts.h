@@ -3,7 +3,7 @@
 // Programs at random of what most programs are made of: level lines, flat arcs and holes, by end
 // mills, balls, bull noses, V-cutters and drills; some of helices by end mills; some that finish
 // waves with a ball; some of slopes and helices by balls and bull noses;
-// and some of balls that turn.
+// some of balls that turn, and some of end mills that do and cut with their sides.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,8 @@ inline constexpr std::uint64_t kRasters = 2'000'000;
 inline constexpr std::uint64_t kWithSlopes = 4'000'000;
 /// And from here on of a ball in grooves, while B turns.
 inline constexpr std::uint64_t kTurning = 5'000'000;
+/// And from here on of the three kinds of end mills, deeper than their ends are high.
+inline constexpr std::uint64_t kTurningSides = 6'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.
 std::string random_part(std::uint64_t seed);

@@ -51,6 +51,8 @@ ncsim_judge_parts(rasters 24 2000000)
 ncsim_judge_parts(parts_with_slopes 12 4000000)
 # Balls that turn.
 ncsim_judge_parts(parts_of_turning_balls 12 5000000)
+# End mills that turn and cut with their sides.
+ncsim_judge_parts(parts_of_turning_sides 12 6000000)
 # Tools and parts that lean on machines of all kinds, where many facets stay; the same as facets
 # alone. 3001006: a plane with a corner 2 µm inside of an arc of its own, of which nothing was drawn;
 # 3100001: a needle in a plane that it does not lie in, narrower than its corners are off the planes around it;
@@ -67,6 +69,18 @@ ncsim_judge_parts(tilted_facets --faceted
 # 70967, 80857 a plane that a hole touches from inside along an arc, of which nothing was drawn.
 ncsim_judge_parts(parts_that_were_faulty
   --seeds 60438 60794 60158 40087 60607 20146 70560 70629 70744 70967 80079 80669 80857 80946)
+
+# All grooves of a sample are of a ball that turns and cuts with its side; its volume, within what
+# edges miss.
+set(five_axis ${CMAKE_CURRENT_BINARY_DIR}/brep/five_axis)
+file(WRITE ${five_axis}/five-axis.expect "solids 1\nvolume 117073.728\nmoved 1e-5\n")
+add_test(NAME brep.write_five_axis COMMAND ncsim run ${PROJECT_SOURCE_DIR}/samples/five-axis.nc
+  --machine ${PROJECT_SOURCE_DIR}/samples/machines/trt.toml --step ${five_axis}/five-axis.step
+  --step-strict)
+set_tests_properties(brep.write_five_axis PROPERTIES FIXTURES_SETUP brep_five_axis)
+add_test(NAME brep.five_axis_is_read_by_opencascade COMMAND ncsim_read_step ${five_axis})
+set_tests_properties(brep.five_axis_is_read_by_opencascade PROPERTIES
+  FIXTURES_REQUIRED brep_five_axis)
 
 # Of a solid as a mesh its own program is within what all of them are off.
 find_package(OpenCASCADE CONFIG REQUIRED)

@@ -227,7 +227,7 @@ public:
             return in_pieces(on, to < 0.0 ? -flank->length : flank->length, to);
         }
         constexpr double kBelow = 180.0;
-        const OnFillet on{*sweep_.fillet(), passage, brep::around(sweep_, passage)};
+        const OnFillet on{sweep_, *sweep_.fillet(), passage, brep::around(sweep_, passage)};
         return in_pieces(on, kBelow, on.angle_of(place.normal));
     }
 
@@ -237,14 +237,16 @@ public:
     }
 
 private:
-    // A point of the characteristic, and how fast it goes along that.
+    // A point of the characteristic, how the element looks from it, and how fast it goes along.
     struct Stroke {
         Vec3 p;
+        Aspect aspect;
         double pace;
     };
 
     // By the angle of the normal, degrees.
     struct OnFillet {
+        const Sweep& sweep;
         const Fillet& fillet;
         const Passage& passage;
         Around at;
@@ -266,7 +268,7 @@ private:
                 pace = pace + (fillet.ring * cda::dot(on, round) / length) * round;
                 p = p + (fillet.ring / length) * level;
             }
-            return {p, trig::kRadiansPerDegree * cda::norm(pace)};
+            return {p, aspect_at(sweep, passage, p), trig::kRadiansPerDegree * cda::norm(pace)};
         }
     };
 
@@ -281,7 +283,8 @@ private:
             const Vec3 along = cda::cross(at.normal, at.drift);
             const double rise = cda::dot(at.normal, passage.axis);
             const Vec3 profile = passage.axis - rise * at.normal;
-            return {p, cda::norm(along) * cda::norm(profile) / std::abs(cda::dot(along, profile))};
+            return {p, at,
+                    cda::norm(along) * cda::norm(profile) / std::abs(cda::dot(along, profile))};
         }
     };
 
@@ -308,7 +311,7 @@ private:
         for (std::size_t k = 0; k < N; ++k) {
             for (const double sign : {-1.0, 1.0}) {
                 const Stroke stroke = on(from + 0.5 * (1.0 + sign * abscissae[k]) * width);
-                const Aspect there = aspect_at(sweep_, on.passage, stroke.p);
+                const Aspect& there = stroke.aspect;
                 const double ahead = there.bend / cda::norm(there.drift);
                 const double area = 0.5 * width * weights[k] * stroke.pace * ahead;
                 const Vec3 w = stroke.p - apex_;

@@ -6,6 +6,7 @@
 #include "around.h"
 #include "bends.h"
 #include "contact.h"
+#include "envelope_contact.h"
 #include "nearly.h"
 #include "spline.h"
 
@@ -178,7 +179,7 @@ void Chains::solve() {
          ++i) {
         bool has_failed = !solve_corner(vertices_[i]);
         if (has_failed || vertices_[i].is_bend_elsewhere ||
-            (vertices_[i].miss > kExact && has_envelope(vertices_[i]))) {
+            (vertices_[i].miss > kExact && is_of_turning_tools(vertices_[i]))) {
             const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
             const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
             if (!is_ahead && split(i, spokes)) has_failed = false;
@@ -202,10 +203,9 @@ void Chains::solve() {
         solve_chain(chain);
 }
 
-bool Chains::has_envelope(const Vertex& v) const {
-    return std::ranges::any_of(v.groups, [&](std::uint32_t g) {
-        return std::holds_alternative<Envelope>(groups_.form_of(g));
-    });
+bool Chains::is_of_turning_tools(const Vertex& v) const {
+    return std::ranges::any_of(
+        v.groups, [&](std::uint32_t g) { return is_of_turning_tool(groups_.form_of(g)); });
 }
 
 std::pair<std::uint32_t, std::uint32_t> Chains::corners_of(const Chain& chain) const {

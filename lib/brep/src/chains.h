@@ -99,11 +99,12 @@ private:
     std::vector<Spoke> spokes_at(const Vertex& v) const;
     bool split(std::uint32_t number, const std::vector<Spoke>& spokes);
     bool is_bend_elsewhere(const Vertex& v) const;
-    bool has_envelope(const Vertex& v) const;
+    bool is_of_turning_tools(const Vertex& v) const;
     bool is_bend_ahead(const Vertex& v, const std::vector<Spoke>& spokes) const;
     void make(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right);
     bool ends_before(const Chain& chain, std::uint32_t other, std::uint32_t end, Vec3 corner);
     void bend(std::uint32_t number);
+    void part_at(std::uint32_t number, Vec3 corner, bool is_at_start);
     void pass_to_wall(std::uint32_t number);
     Vec3 direction_of(std::uint32_t h) const;
     /// Of each vertex, those that meet there, where they are not more than three.

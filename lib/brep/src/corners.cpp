@@ -4,6 +4,7 @@
 #include "bends.h"
 #include "chains.h"
 #include "contact.h"
+#include "envelope_contact.h"
 #include "nearly.h"
 #include "newton.h"
 
@@ -44,8 +45,8 @@ bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
 Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
     Vec3 most;
     for (const Form* form : forms) {
+        if (!is_of_turning_tool(*form)) continue;
         const auto* envelope = std::get_if<Envelope>(form);
-        if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) continue;
         const Aspect place = place_on(*envelope, p);
         const Vec3 beyond = (place.t - std::clamp(place.t, 0.0, 1.0)) *
                             velocity_at(place.passage, height_of_centre(*envelope->sweep, place));

@@ -362,7 +362,7 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
     if (sweep.is_ball() || degrees == kHalf) return point_with_normal(sweep, passage, degrees);
     const Around at = around(sweep, passage);
     double low = degrees < kHalf ? 0.0 : kHalf, high = low + kHalf;
-    constexpr int kHalvings = 60;
+    constexpr int kMostSecants = 60;
     constexpr double kNoAngle = 1e-14;
     // By secants (Illinois), and halves where these are slow.
     const auto off = [&](double normal) {
@@ -370,7 +370,7 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
     };
     double below = (low == 0.0 ? 0.0 : kHalf) - degrees, above = below + kHalf;
     double normal = degrees;
-    for (int i = 0; i < kHalvings && high - low > kNoAngle * kHalf; ++i) {
+    for (int i = 0; i < kMostSecants && high - low > kNoAngle * kHalf; ++i) {
         normal = i % 3 == 2 ? 0.5 * (low + high) : low - below * (high - low) / (above - below);
         if (!(normal > low && normal < high)) normal = 0.5 * (low + high);
         const double value = off(normal);

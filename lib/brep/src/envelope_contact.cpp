@@ -199,6 +199,35 @@ std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 ax
     return std::nullopt;
 }
 
+std::optional<Vec3> hinge_of(const Form& a, const Form& b, Vec3 from, Vec3 past, Vec3 to) {
+    const auto *one = std::get_if<Envelope>(&a), *other = std::get_if<Envelope>(&b);
+    if (!one || !other || !is_of_turning_tool(a) || !one->sweep->is_ball() ||
+        !other->sweep->is_ball())
+        return std::nullopt;
+    for (const double t : {0.0, 1.0}) {
+        const Around at = around(*one->sweep, one->sweep->at(t));
+        const auto s = end_at(*other, at.centre);
+        if (!s) continue;
+        const Vec3 ahead = around(*other->sweep, other->sweep->at(*s)).ahead;
+        if (is_parallel(at.ahead, ahead)) return std::nullopt;
+        Vec3 out = normalized(cross(at.ahead, ahead));
+        if (dot(past - at.centre, out) < 0.0) out = -out;
+        const Vec3 hinge = at.centre + one->sweep->fillet()->radius * out;
+        const Vec3 between = dot(at.ahead, ahead) < 0.0 ? at.ahead - ahead : at.ahead + ahead;
+        const Vec3 along = normalized(cross(between, out));
+        const double behind = dot(from - hinge, along), before = dot(to - hinge, along);
+        if (behind * before >= 0.0 || std::min(std::abs(behind), std::abs(before)) < kApart)
+            return std::nullopt;
+        return hinge;
+    }
+    return std::nullopt;
+}
+
+bool is_of_turning_tool(const Form& form) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    return envelope && std::holds_alternative<TurningWay>(envelope->sweep->way());
+}
+
 std::optional<Form> touch_envelope(const Form& a, const Envelope& b) {
     return std::visit(TouchEnvelope{b}, a);
 }

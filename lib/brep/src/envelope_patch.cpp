@@ -31,11 +31,12 @@ struct Bent {
     Vec3 at, around, along, both;
 };
 
-// By differences that are right for polynomials of degree 4.
+// By differences that are right for polynomials of degree 4: of what is so many steps away.
+constexpr int kStepsAway = 2;
 template <typename At>
-Vec3 slope_of(const At& at, double x, double step) {
+Vec3 slope_of(const At& steps_away, double step) {
     return (1.0 / (12.0 * step)) *
-           (8.0 * (at(x + step) - at(x - step)) - (at(x + 2.0 * step) - at(x - 2.0 * step)));
+           (8.0 * (steps_away(1) - steps_away(-1)) - (steps_away(2) - steps_away(-2)));
 }
 
 class PatchMaker {
@@ -57,22 +58,36 @@ public:
     }
 
 private:
-    Vec3 point(double across, double t) const { return point_across(sweep_, sweep_.at(t), across); }
+    // At a time, and by steps before and after.
+    using Passages = std::array<Passage, 2 * kStepsAway + 1>;
+    Passages passages_at(double t) const {
+        Passages passages;
+        for (int i = -kStepsAway; i <= kStepsAway; ++i)
+            passages[static_cast<std::size_t>(i + kStepsAway)] = sweep_.at(t + i * step_along_);
+        return passages;
+    }
 
-    Bent bent(double across, double t) const {
-        const auto on_way = [&](double at) { return point(across, at); };
-        const auto slope_around = [&](double at) {
-            return slope_of([&](double w) { return point(w, at); }, across, step_around_);
+    Bent bent(double across, const Passages& passages) const {
+        const auto point = [&](int ahead, int beside) {
+            return point_across(sweep_, passages[static_cast<std::size_t>(ahead + kStepsAway)],
+                                across + beside * step_around_);
         };
-        return {point(across, t), slope_around(t), slope_of(on_way, t, step_along_),
-                slope_of(slope_around, t, step_along_)};
+        const auto on_way = [&](int ahead) { return point(ahead, 0); };
+        const auto slope_around = [&](int ahead) {
+            return slope_of([&](int beside) { return point(ahead, beside); }, step_around_);
+        };
+        return {point(0, 0), slope_around(0), slope_of(on_way, step_along_),
+                slope_of(slope_around, step_along_)};
     }
 
     void bend() {
+        std::vector<Passages> passages;
+        for (const double t : along_)
+            passages.push_back(passages_at(t));
         knots_.clear();
         for (const double across : around_) {
-            for (const double t : along_)
-                knots_.push_back(bent(across, t));
+            for (const Passages& here : passages)
+                knots_.push_back(bent(across, here));
         }
         share_around_.assign(around_.size() - 1, 1.0);
         share_along_.assign(along_.size() - 1, 1.0);

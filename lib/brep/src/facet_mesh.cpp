@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "facet_mesh.h"
 
+#include "envelope_contact.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,23 +30,23 @@ FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& 
 }
 
 // Where facets meet that do not hang together around their common corner, each fan of them has one
-// of its own, if there are envelopes: these come near themselves between hulls of poses.
+// of its own, if there are some of tools that turn: hulls of poses come near themselves.
 void FacetMesh::part_fans() {
     std::vector<bool> is_seen(edges_.size(), false), has_fan(points_.size(), false);
     for (std::uint32_t first = 0; first < edges_.size(); ++first) {
         if (is_seen[first]) continue;
         std::vector<std::uint32_t> fan;
-        bool has_envelope = false;
+        bool turns = false;
         for (std::uint32_t h = first; !is_seen[h]; h = edges_[edges_[h].twin].next) {
             is_seen[h] = true;
             fan.push_back(h);
             const Form& form = surfaces_[facets_[edges_[h].facet].label].form;
-            has_envelope = has_envelope || std::holds_alternative<Envelope>(form);
+            turns = turns || is_of_turning_tool(form);
         }
         const std::uint32_t corner = edges_[first].from;
         const bool is_first = !has_fan[corner];
         has_fan[corner] = true;
-        if (is_first || !has_envelope) continue;
+        if (is_first || !turns) continue;
         for (const std::uint32_t h : fan)
             edges_[h].from = static_cast<std::uint32_t>(points_.size());
         points_.push_back(points_[corner]);
@@ -63,8 +65,8 @@ void FacetMesh::label_needles() {
     std::vector<double> longest(facets_.size(), 0.0);
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
         const std::uint32_t i = edges_[h].facet, beside = edges_[edges_[h].twin].facet;
-        const bool is_its = facets_[i].was_labelled && facets_[beside].was_labelled &&
-                            is_needle(i) && !is_needle(beside);
+        const bool is_its = is_of_turning_tool(surfaces_[facets_[beside].label].form) &&
+                            facets_[i].was_labelled && is_needle(i) && !is_needle(beside);
         if (!is_its || lengths_[h] <= longest[i]) continue;
         longest[i] = lengths_[h];
         facets_[i].label = facets_[beside].label;

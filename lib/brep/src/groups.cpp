@@ -44,11 +44,6 @@ std::optional<double> thickness_between(const Surface& a, const Surface& b) {
     return (a.is_hollow ? two->radius - one->radius : one->radius - two->radius) + off;
 }
 
-bool is_of_turning_tool(const Form& form) {
-    const auto* envelope = std::get_if<Envelope>(&form);
-    return envelope && std::holds_alternative<TurningWay>(envelope->sweep->way());
-}
-
 // Where a tool goes that crosses a pipe or a flank there, beside `p`.
 Vec3 way_at(const Form& across, Vec3 p) {
     if (const auto* plane = std::get_if<Plane>(&across)) return plane->normal;

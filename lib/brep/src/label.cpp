@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "label.h"
 
+#include "envelope_contact.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,10 +55,10 @@ double beyond_end(const Form& form, Vec3 p) {
 // Facets between two poses of a tool that turns are as wide as polygons in its place have sides,
 // and may begin as much before the one.
 double farthest_beyond(const Form& form, double error) {
-    const auto* envelope = std::get_if<Envelope>(&form);
-    if (!envelope || !std::holds_alternative<TurningWay>(envelope->sweep->way())) return error;
-    const Fillet* fillet = envelope->sweep->fillet();
-    const double radius = fillet ? fillet->ring + fillet->radius : envelope->sweep->flank()->radius;
+    if (!is_of_turning_tool(form)) return error;
+    const Sweep& sweep = *std::get<Envelope>(form).sweep;
+    const Fillet* fillet = sweep.fillet();
+    const double radius = fillet ? fillet->ring + fillet->radius : sweep.flank()->radius;
     return std::sqrt(8.0 * radius * error);
 }
 
@@ -141,7 +143,8 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
                 continue;
             const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;
             if (beyond > farthest_beyond(form, error)) continue;
-            take(candidate, beyond > 0.0 ? score + kBeyond : score);
+            const bool is_before = beyond > 0.0 && is_of_turning_tool(form);
+            take(candidate, is_before ? score + kBeyond : score);
         }
     }
     return chosen;

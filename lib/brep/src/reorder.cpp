@@ -8,8 +8,10 @@
 #include "bends.h"
 #include "chains.h"
 #include "contact.h"
+#include "envelope_contact.h"
 #include "nearly.h"
 #include "newton.h"
+#include "spline.h"
 
 #include <algorithm>
 #include <array>
@@ -185,7 +187,20 @@ void Chains::bend(std::uint32_t number) {
     if (chain.is_closed || chain.is_made || from.has_failed || to.has_failed) return;
     const auto corner =
         corner_of_bend(groups_.form_of(chain.left), groups_.form_of(chain.right), from.at, to.at);
-    if (!corner) return;
+    if (!corner) {
+        const Vec3 past = mesh_.point(mesh_.edges()[chain.edges[chain.edges.size() / 2]].from);
+        const auto hinge = hinge_of(groups_.form_of(chain.left), groups_.form_of(chain.right),
+                                    from.at, past, to.at);
+        if (!hinge || chain.is_flipped) return;
+        // As a rule the curve passes there as if it were nothing.
+        std::vector<Vec3> points = points_of(chain);
+        points.front() = from.at;
+        points.back() = to.at;
+        if (spline_between(groups_.form_of(chain.left), groups_.form_of(chain.right), points))
+            return;
+        chains_[number].is_told = true;
+        return part_at(number, *hinge, true);
+    }
     if (ends_before(chain, chain.from, chain.to, *corner) ||
         ends_before(chain, chain.to, chain.from, *corner))
         return;
@@ -199,7 +214,13 @@ void Chains::bend(std::uint32_t number) {
         if (lower > std::max(kLune, groups_.error_of(chain.left))) return;
         mitred_mm_ = std::max(mitred_mm_, lower);
     }
-    Vertex between{*corner, {chain.left, chain.right}};
+    part_at(number, *corner, is_at_start);
+}
+
+// With another chain between the corner and that end.
+void Chains::part_at(std::uint32_t number, Vec3 corner, bool is_at_start) {
+    const Chain chain = chains_[number];
+    Vertex between{corner, {chain.left, chain.right}};
     std::sort(between.groups.begin(), between.groups.end());
     const auto added = static_cast<std::uint32_t>(vertices_.size());
     if (is_at_start) {
@@ -268,13 +289,13 @@ void Chains::pass_to_wall(std::uint32_t number) {
 void Chains::join_same_corners() {
     for (const Chain& chain : chains_) {
         const bool is_same = chain.from != chain.to && !chain.is_closed &&
-                             has_envelope(vertices_[chain.from]) &&
+                             is_of_turning_tools(vertices_[chain.from]) &&
                              vertices_[chain.to].groups == vertices_[chain.from].groups &&
                              norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint;
         if (is_same) join(chain.to, chain.from);
     }
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (vertices_[v].groups.size() == 2 && has_envelope(vertices_[v])) close_pinch(v);
+        if (vertices_[v].groups.size() == 2 && is_of_turning_tools(vertices_[v])) close_pinch(v);
     }
 }
 

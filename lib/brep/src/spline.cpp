@@ -54,10 +54,14 @@ public:
         const Vec3 ahead = normalized(next - end);
         const Vec3 plain = direction(end, ahead);
         if (plain != Vec3{}) return plain;
-        constexpr double kNearby = 0.02;  // mm
-        Vec3 p = end + kNearby * ahead;
-        solve(forms_, p);
-        return normalized(2.0 * normalized(p - end) - direction(p, ahead));
+        // As near as they part there.
+        for (const double nearby : {0.02, 0.1, 0.4}) {  // mm
+            Vec3 p = end + std::min(nearby, 0.5 * norm(next - end)) * ahead;
+            solve(forms_, p);
+            const Vec3 there = direction(p, ahead);
+            if (there != Vec3{}) return normalized(2.0 * normalized(p - end) - there);
+        }
+        return ahead;
     }
 
     // The point of the curve in the plane across the direction, `step` ahead.

@@ -195,6 +195,8 @@ public:
             if (e.widening() > 0.0 || e.rise() < -kEqual) leave_unknown();
             return;
         }
+        // On both sides of the way of a tip it would be one surface with an edge in it.
+        if (e.radius <= kEqual) return leave_unknown();
         auto sweep = std::make_shared<Sweep>(
             Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, way);
         if (!has_across(*sweep)) return leave_unknown();
@@ -542,8 +544,10 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way,
 
 // Of a line, unit. Programs round where a tool ends that goes along its axis.
 Vec3 direction_of(Vec3 way, Vec3 axis) {
-    constexpr double kMostBeside = 2e-3;  // mm
-    if (norm(cross(axis, way)) <= kMostBeside) return dot(axis, way) < 0.0 ? -axis : axis;
+    constexpr double kMostBeside = 2e-3, kSteep = 1e-3;  // mm; of the length
+    const double beside = norm(cross(axis, way));
+    if (beside <= kMostBeside && beside <= kSteep * norm(way))
+        return dot(axis, way) < 0.0 ? -axis : axis;
     return normalized(way);
 }
 
