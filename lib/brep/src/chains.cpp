@@ -242,7 +242,9 @@ std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, c
                                         const std::vector<Vec3>& points) {
     if (chain.edges.empty()) return spline_between(first, second, points);
     const std::uint32_t left = groups_[chain.left].surface, right = groups_[chain.right].surface;
-    KnownSpline& known = known_splines_[chain.edges.front()];
+    // Between the two faces themselves, or one of them and what they touch in.
+    const bool is_itself = &second == &groups_.form_of(chain.right);
+    KnownSpline& known = known_splines_[2 * chain.edges.front() + (is_itself ? 0 : 1)];
     if (known.left != left || known.right != right || known.points != points)
         known = {left, right, points, spline_between(first, second, points)};
     return known.spline;

@@ -157,8 +157,9 @@ private:
     std::vector<Chain> chains_;
     std::vector<std::uint32_t> chain_of_;  // of each half-edge
     double mitred_mm_ = 0.0;
-    /// Round by round most corners and edges stay what they are: of each corner of the mesh, and of
-    /// each half-edge with which a chain begins, what was found last, and of what.
+    /// Round by round most corners and edges stay what they are: of each corner of the mesh, which
+    /// may become several, and of each half-edge with which a chain begins, what was found, and of
+    /// what. (Of an edge two splines: on both faces, and on one and what they touch in.)
     struct KnownCorner {
         std::vector<std::pair<std::uint32_t, std::uint32_t>> around;  ///< Surfaces, first facets.
         Vec3 at{};
@@ -170,7 +171,7 @@ private:
         std::vector<Vec3> points;
         std::optional<Spline> spline;
     };
-    std::vector<KnownCorner> known_corners_;
+    std::vector<std::vector<KnownCorner>> known_corners_;
     std::unordered_map<std::uint32_t, KnownSpline> known_splines_;
     std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  // corners of the mesh
 };

@@ -374,7 +374,7 @@ double twice_area(const std::vector<Segment>& loop) {
 }  // namespace
 
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double tolerance_mm,
-                             double& miss_mm, double clear_mm) {
+                             double& miss_mm, double clear_mm, std::optional<double> area_mm2) {
     const Face& face = part.faces[face_number];
     std::vector<Fault> faults;
     const auto tell = [&](std::string what) { faults.push_back({face_number, std::move(what)}); };
@@ -435,7 +435,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
     if (miss > tolerance_mm) tell("an edge is off the surface");
     if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
         tell("it has not one outline");
-    if (measure(part, face, face.frame.origin).area <= 0.0) tell("it has no area");
+    const double area = area_mm2 ? *area_mm2 : measure(part, face, face.frame.origin).area;
+    if (area <= 0.0) tell("it has no area");
     if (is_without_end(part, face)) tell("it goes round and has no other end");
     if (const auto edges = any_interfere(map, std::move(all), clear_mm))
         faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});

@@ -191,24 +191,31 @@ bool Chains::solve_corner(Vertex& v) {
         return is_solved;
     }
     known_corners_.resize(mesh_.corners());
-    KnownCorner& known = known_corners_[mesh_.edges()[v.edge].from];
+    std::vector<KnownCorner>& all = known_corners_[mesh_.edges()[v.edge].from];
     const auto key = [&](std::uint32_t g) {
         return std::pair(groups_[g].surface, groups_[g].facets.front());
     };
-    if (!std::ranges::equal(v.groups, known.around, {}, key)) {
-        known.is_solved = solve_vertex(v);
-        known.around.clear();
-        std::ranges::transform(v.groups, std::back_inserter(known.around), key);
-        known.at = v.at;
-        known.miss = v.miss;
-        known.is_touch = v.is_touch;
-        known.is_bend_elsewhere = is_bend_elsewhere(v);
+    auto known = std::ranges::find_if(all, [&](const KnownCorner& corner) {
+        return std::ranges::equal(v.groups, corner.around, {}, key);
+    });
+    const bool was_touch = std::exchange(v.is_touch, false);
+    if (known == all.end()) {
+        constexpr std::size_t kMostKnown = 32;
+        if (all.size() == kMostKnown) all.clear();
+        KnownCorner found;
+        found.is_solved = solve_vertex(v);
+        std::ranges::transform(v.groups, std::back_inserter(found.around), key);
+        found.at = v.at;
+        found.miss = v.miss;
+        found.is_touch = v.is_touch;
+        found.is_bend_elsewhere = is_bend_elsewhere(v);
+        known = all.insert(all.end(), std::move(found));
     }
-    v.at = known.at;
-    v.miss = known.miss;
-    v.is_touch = known.is_touch;
-    v.is_bend_elsewhere = known.is_bend_elsewhere;
-    return known.is_solved;
+    v.at = known->at;
+    v.miss = known->miss;
+    v.is_touch = was_touch || known->is_touch;
+    v.is_bend_elsewhere = known->is_bend_elsewhere;
+    return known->is_solved;
 }
 
 // Of a ramp, beside `p`.

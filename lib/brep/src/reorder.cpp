@@ -88,7 +88,7 @@ bool Chains::split(std::uint32_t number, const std::vector<Spoke>& spokes) {
         choice.near.groups = {b.right, a.right, a.left};
         std::sort(choice.near.groups.begin(), choice.near.groups.end());
         std::erase(choice.far.groups, a.right);
-        if (!solve_vertex(choice.near) || !solve_vertex(choice.far)) continue;
+        if (!solve_corner(choice.near) || !solve_corner(choice.far)) continue;
         const Vec3 way = choice.far.at - choice.near.at;
         choice.length = norm(way);
         if (choice.length <= kShortest || (best && best->length <= choice.length)) continue;
@@ -196,7 +196,7 @@ void Chains::bend(std::uint32_t number) {
         std::vector<Vec3> points = points_of(chain);
         points.front() = from.at;
         points.back() = to.at;
-        if (spline_between(groups_.form_of(chain.left), groups_.form_of(chain.right), points))
+        if (spline_of(chain, groups_.form_of(chain.left), groups_.form_of(chain.right), points))
             return;
         chains_[number].is_told = true;
         return part_at(number, *hinge, true);

@@ -7,6 +7,7 @@
 #include "ncsim/brep/part.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,11 @@ bool only_touches_itself(const Part& part, const Face& face, double clear_mm = k
 /// Of edges on the surface of the face within `tolerance_mm`; of loops that neither cross nor come
 /// nearer to themselves or each other than `clear_mm`, go round the face on the side where it is,
 /// and one of them around all others on planes. Also what the edges miss: `miss_mm` is raised to
-/// it. O(n log n) for n edges that are spread evenly.
+/// it. O(n log n) for n edges that are spread evenly. Who has measured the face tells its area,
+/// which takes long of envelopes.
 std::vector<Fault> faults_of(const Part& part, std::uint32_t face, double tolerance_mm,
-                             double& miss_mm, double clear_mm = kClear);
+                             double& miss_mm, double clear_mm = kClear,
+                             std::optional<double> area_mm2 = {});
 
 /// Of all faces; and each edge is used twice, in opposite directions. Sets part.miss_mm.
 std::vector<Fault> check(Part& part, double tolerance_mm);
