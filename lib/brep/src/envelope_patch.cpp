@@ -23,7 +23,7 @@ namespace {
 
 using cda::dot;
 
-constexpr double kNear = 1e-6;  // mm
+constexpr double kNearEnough = 1e-6;  // mm
 constexpr std::size_t kMostKnots = 400;
 
 // A point of the spline, and its derivatives.
@@ -163,9 +163,9 @@ private:
                     ahead = std::max({ahead, off(i, j, 0.0, x), off(i, j, 1.0, x)});
                     inside = std::max({inside, off(i, j, x, 0.5), off(i, j, 0.5, x)});
                 }
-                if (std::max({across, ahead, inside}) <= kNear) continue;
-                wide[i] = wide[i] || across > kNear || across >= ahead;
-                long_[j] = long_[j] || ahead > kNear || ahead > across;
+                if (std::max({across, ahead, inside}) <= kNearEnough) continue;
+                wide[i] = wide[i] || across > kNearEnough || across >= ahead;
+                long_[j] = long_[j] || ahead > kNearEnough || ahead > across;
             }
         }
         const bool more_around = halve(around_, wide);

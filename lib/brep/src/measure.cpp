@@ -78,10 +78,10 @@ void integrate_level(const Track& track, const F& f) {
 template <typename F>
 void integrate_around(const Track& track, const Axes& axes, const F& f) {
     const Circle* circle = track.circle();
-    constexpr double kNoLean = 1e-12, kNoLength = 1e-9;  // mm
+    constexpr double kNoLean = 1e-12, kOnAxis = 1e-9;  // mm
     const auto is_level = [&] {
         return norm(cross(circle->axis, axes.z)) <= kNoLean &&
-               norm(cross(circle->centre - axes.origin, axes.z)) <= kNoLength;
+               norm(cross(circle->centre - axes.origin, axes.z)) <= kOnAxis;
     };
     if (circle && is_level()) return integrate_round(track, f);
     integrate(track, f);
