@@ -347,7 +347,10 @@ void Chains::solve_chain(Chain& chain) {
     }
     // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
     // have their ends there, and one direction.
-    const auto is_rounded = [](const Vertex& v) { return v.miss > kRounded; };
+    // Three faces that miss their corner touch there, whatever is known of their forms.
+    const auto is_rounded = [](const Vertex& v) {
+        return (v.is_touch || v.groups.size() == 3) && v.miss > kRounded;
+    };
     if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
         points.front() = from.at;
         points.back() = to.at;
