@@ -168,7 +168,7 @@ std::vector<Vec3> Chains::points_of(const Chain& chain) const {
 
 // Of its points the one in the middle.
 Vec3 Chains::middle_of(const Chain& chain) const {
-    if (chain.is_flipped) return vertices_[chain.to].at;
+    if (chain.is_flipped || chain.is_told) return vertices_[chain.to].at;
     const std::size_t i = (chain.edges.size() + 1) / 2;
     return mesh_.point(i < chain.edges.size() ? mesh_.edges()[chain.edges[i]].from
                                               : mesh_.to(chain.edges.back()));

@@ -118,7 +118,7 @@ private:
     bool are_walls(const std::vector<std::uint32_t>& groups) const;
     void join_same_corners();
     void join(std::uint32_t gone, std::uint32_t stays);
-    void close_pinch(std::uint32_t v);
+    std::optional<std::uint32_t> close_pinch(std::uint32_t v);
     bool flip_reversed();
     bool is_reversed(Chain& chain) const;
     std::optional<bool> is_beyond_touch(const std::array<std::uint32_t, 2>& beside,

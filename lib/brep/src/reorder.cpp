@@ -31,6 +31,8 @@ using cda::norm;
 
 // So many chains, one after the other, are between other faces than in the polyhedron.
 constexpr int kMostFlips = 3;
+// A corner of an edge that only goes on there.
+constexpr int kOnTheWay = 2;
 
 }  // namespace
 
@@ -294,8 +296,17 @@ void Chains::join_same_corners() {
                              norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint;
         if (is_same) join(chain.to, chain.from);
     }
+    // At most so many: what vanishes is still counted.
+    std::vector<int> ends(vertices_.size(), 0);
+    for (const Chain& chain : chains_) {
+        ++ends[chain.from];
+        ++ends[chain.to];
+    }
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-        if (vertices_[v].groups.size() == 2 && is_of_turning_tools(vertices_[v])) close_pinch(v);
+        if (ends[v] <= kOnTheWay || vertices_[v].groups.size() != 2 ||
+            !is_of_turning_tools(vertices_[v]))
+            continue;
+        if (const auto beyond = close_pinch(v)) ends[*beyond] += ends[v];
     }
 }
 
@@ -309,7 +320,7 @@ void Chains::join(std::uint32_t gone, std::uint32_t stays) {
     }
 }
 
-void Chains::close_pinch(std::uint32_t v) {
+std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
     const auto length = [&](const Chain& chain) {
         double sum = 0.0;
         for (const std::uint32_t h : chain.edges)
@@ -324,8 +335,7 @@ void Chains::close_pinch(std::uint32_t v) {
         if (chain.from != chain.to && (!shortest || length(chain) < length(*shortest)))
             shortest = &chain;
     }
-    constexpr int kOnTheWay = 2;
-    if (ends <= kOnTheWay || !shortest) return;
+    if (ends <= kOnTheWay || !shortest) return std::nullopt;
     const std::uint32_t beyond = shortest->from == v ? shortest->to : shortest->from;
     join(v, beyond);
     for (Chain& chain : chains_) {
@@ -334,6 +344,7 @@ void Chains::close_pinch(std::uint32_t v) {
             length(chain) < reach({chain.left, chain.right}))
             chain.has_vanished = true;
     }
+    return beyond;
 }
 
 // Where the corners of four faces almost meet, large facets may have them in the wrong order: of
