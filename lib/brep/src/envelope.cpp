@@ -59,8 +59,9 @@ std::size_t samples_for(const RoundWay& way) {
     return 9 + static_cast<std::size_t>(std::abs(way.swept) / kRadiansPerDegree / kStep);
 }
 
-std::size_t samples_for(const TurningWay&) {
-    return 33;
+// Where few powers count, the way is nearly straight.
+std::size_t samples_for(const TurningWay& way) {
+    return std::min<std::size_t>(33, 2 * way.powers.size() + 1);
 }
 
 Vec3 level(Vec3 v, Vec3 axis) {
@@ -136,23 +137,23 @@ Aspect nearest_on(const Sweep& sweep, const StraightWay& way, Vec3 p) {
     return aspect;
 }
 
-// Samples that are nearer than those beside them: the nearest ones.
+// Samples that are nearer than those beside them, the nearest ones: how far off they are, and when
+// it is nearest between them, nearly.
 struct Nearest {
     static constexpr std::size_t kMost = 4;
-    std::array<std::size_t, kMost> sample{};
-    std::array<double, kMost> off{};
+    std::array<double, kMost> time{}, off{};
     std::size_t count = 0;
     double least = std::numeric_limits<double>::infinity();
-    void take(std::size_t i, double how_far) {
+    void take(double when, double how_far) {
         least = std::min(least, how_far);
         if (count < kMost) {
-            sample[count] = i;
+            time[count] = when;
             off[count++] = how_far;
             return;
         }
         const auto farthest = std::ranges::max_element(off);
         if (how_far >= *farthest) return;
-        sample[static_cast<std::size_t>(farthest - off.begin())] = i;
+        time[static_cast<std::size_t>(farthest - off.begin())] = when;
         *farthest = how_far;
     }
 };
@@ -160,6 +161,7 @@ struct Nearest {
 Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
     const auto& samples = sweep.samples();
     const Fillet* fillet = sweep.fillet();
+    // Of fillets the square.
     const auto off = [&](const Passage& at) {
         const Vec3 v = p - at.tip;
         const double height = dot(v, at.axis);
@@ -169,30 +171,53 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
             return flank.cosine * (radius - flank.radius) + flank.sine * (height - flank.height);
         }
         const double beyond = radius - fillet->ring, above = height - fillet->height;
-        return std::sqrt(beyond * beyond + above * above);
+        return beyond * beyond + above * above;
     };
     Nearest nearest;
-    double before = std::numeric_limits<double>::infinity(), here = off(samples.front());
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    const double step = 1.0 / static_cast<double>(samples.size() - 1);
+    double before = kAny, here = off(samples.front());
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double after =
-            i + 1 < samples.size() ? off(samples[i + 1]) : std::numeric_limits<double>::infinity();
-        if (here <= before && here < after) nearest.take(i, here);
+        const double after = i + 1 < samples.size() ? off(samples[i + 1]) : kAny;
+        if (here <= before && here < after) {
+            // Where the parabola through three is lowest.
+            const bool is_between = before < kAny && after < kAny;
+            const double ahead =
+                is_between ? 0.5 * (before - after) / ((before - here) + (after - here)) : 0.0;
+            nearest.take((static_cast<double>(i) + ahead) * step, fillet ? std::sqrt(here) : here);
+        }
         before = here;
         here = after;
     }
     // As far from all of them.
-    if (nearest.count == 0) nearest.take(0, here);
+    if (nearest.count == 0) nearest.take(0.0, fillet ? std::sqrt(here) : here);
     return nearest;
+}
+
+// To a time that is later by so little that all goes straight.
+void advance(Aspect& aspect, double by, Vec3 p) {
+    Passage& at = aspect.passage;
+    at.tip = at.tip + by * at.speed;
+    at.speed = at.speed + by * at.change;
+    at.axis = at.axis + by * at.turn;
+    at.turn = at.turn + by * at.bend;
+    aspect.t += by;
+    aspect.off += by * aspect.rate;
+    aspect.rate += by * aspect.bend;
+    aspect.normal = aspect.normal + by * aspect.drift;
+    aspect.foot = p - aspect.off * aspect.normal;
 }
 
 // Newton's method, or downhill where it would go up; between times before and after the nearest
 // one, as soon as such are known.
-Aspect nearest_from(const Sweep& sweep, std::size_t sample, Vec3 p) {
+Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     constexpr int kMostSteps = 40;
     constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
+    // What changes with the square of such a step is less than rounding.
+    constexpr double kShort = 1e-9;
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
     double before = -kAnyTime, after = kAnyTime;
-    Aspect aspect = aspect_at(sweep, static_cast<double>(sample) * longest, p);
+    Aspect aspect = aspect_at(sweep, when, p);
     for (int i = 0; i < kMostSteps; ++i) {
         const double t = aspect.t;
         (aspect.rate > 0.0 ? after : before) = t;
@@ -202,6 +227,10 @@ Aspect nearest_from(const Sweep& sweep, std::size_t sample, Vec3 p) {
         if (!(std::abs(next - t) > kNoTime)) break;
         const bool is_between = next > before && next < after;
         if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
+        if (is_between && std::abs(step) < kShort) {
+            advance(aspect, step, p);
+            break;
+        }
         aspect = aspect_at(sweep, next, p);
     }
     return aspect;
@@ -298,7 +327,7 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < nearest.count; ++k) {
         if (nearest.off[k] > nearest.least + half) continue;
-        const Aspect aspect = nearest_from(sweep, nearest.sample[k], p);
+        const Aspect aspect = nearest_from(sweep, nearest.time[k], p);
         double off = aspect.off;
         if (const double end = std::clamp(aspect.t, 0.0, 1.0);
             nearest.count > 1 && aspect.t != end) {

@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace ncsim::brep {
 
@@ -18,6 +20,8 @@ namespace {
 // For turns of half a turn it would take 17 for 1e-12 of the length.
 constexpr std::size_t kTerms = 22;
 constexpr double kWidth = 1.0 + 2.0 * kBeyondEnds;
+constexpr std::size_t kCoordinates = 6;
+using Coordinates = std::array<double, kCoordinates>;
 
 // From t to -1 ... 1, and back.
 double place_of(double t) {
@@ -35,62 +39,70 @@ double cosine_at(std::size_t k, std::size_t times) {
     return trig::sin_cos(static_cast<double>(times) * degrees).cos;
 }
 
-// Clenshaw's sum.
-Vec3 sum_at(const std::vector<Vec3>& terms, double place) {
-    Vec3 one, two;
-    for (std::size_t i = terms.size(); i-- > 1;) {
-        const Vec3 next = terms[i] + (2.0 * place) * one - two;
-        two = one;
-        one = next;
-    }
-    return terms.front() + place * one - two;
-}
-
-// By t.
-std::vector<Vec3> derivative_of(const std::vector<Vec3>& terms) {
-    std::vector<Vec3> slope(terms.size());
-    for (std::size_t i = terms.size() - 1; i-- > 0;) {
-        slope[i] = (2.0 * static_cast<double>(i + 1)) * terms[i + 1];
-        if (i + 2 < terms.size()) slope[i] = slope[i] + slope[i + 2];
-    }
-    slope[0] = 0.5 * slope[0];
-    for (Vec3& term : slope)
-        term = (2.0 / kWidth) * term;
-    return slope;
-}
-
-Course course_through(const std::array<Vec3, kTerms>& values) {
-    Course course;
+// Of all that the polynomials count for, as many as tell more than rounding.
+std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& values) {
+    std::vector<Coordinates> terms(kTerms, Coordinates{});
     for (std::size_t j = 0; j < kTerms; ++j) {
-        Vec3 sum;
-        for (std::size_t k = 0; k < kTerms; ++k)
-            sum = sum + cosine_at(k, j) * values[k];
-        course.value.push_back(((j == 0 ? 1.0 : 2.0) / static_cast<double>(kTerms)) * sum);
+        for (std::size_t k = 0; k < kTerms; ++k) {
+            const double share =
+                (j == 0 ? 1.0 : 2.0) / static_cast<double>(kTerms) * cosine_at(k, j);
+            for (std::size_t c = 0; c < kCoordinates; ++c)
+                terms[j][c] += share * values[k][c];
+        }
     }
-    // Short turns have few that count; what is no more than rounding would grow with each
-    // derivative.
-    const auto size = [](Vec3 v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    double largest = 0.0;
-    for (const Vec3 term : course.value)
-        largest = std::max(largest, size(term));
-    constexpr double kRounding = 4e-15;
-    while (course.value.size() > 1 && size(course.value.back()) <= kRounding * largest)
-        course.value.pop_back();
-    course.slope = derivative_of(course.value);
-    course.bend = derivative_of(course.slope);
-    return course;
+    // Tip and axis each have their own.
+    const auto size = [](const Coordinates& v, std::size_t from) {
+        return std::abs(v[from]) + std::abs(v[from + 1]) + std::abs(v[from + 2]);
+    };
+    const auto counts = [&](const Coordinates& term, std::size_t from) {
+        double largest = 0.0;
+        for (const Coordinates& other : terms)
+            largest = std::max(largest, size(other, from));
+        constexpr double kRounding = 4e-15;
+        return size(term, from) > kRounding * largest;
+    };
+    // Short turns have few; what is no more than rounding would grow with each derivative.
+    for (const std::size_t from : {std::size_t{0}, kCoordinates / 2}) {
+        std::size_t count = kTerms;
+        while (count > 1 && !counts(terms[count - 1], from))
+            --count;
+        for (std::size_t j = count; j < kTerms; ++j)
+            std::fill_n(terms[j].begin() + static_cast<std::ptrdiff_t>(from), kCoordinates / 2,
+                        0.0);
+    }
+    while (terms.size() > 1 && terms.back() == Coordinates{})
+        terms.pop_back();
+    return terms;
+}
+
+// T(k + 1) = 2 s T(k) - T(k - 1).
+std::vector<Coordinates> powers_of(const std::vector<Coordinates>& terms) {
+    const std::size_t count = terms.size();
+    std::vector<Coordinates> powers(count, Coordinates{});
+    std::vector<double> before(count, 0.0), here(count, 0.0), next(count, 0.0);
+    here[0] = 1.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t i = 0; i <= k; ++i) {
+            for (std::size_t c = 0; c < kCoordinates; ++c)
+                powers[i][c] += here[i] * terms[k][c];
+        }
+        if (k + 1 == count) break;
+        for (std::size_t i = 0; i <= k + 1; ++i)
+            next[i] = (k == 0 ? 1.0 : 2.0) * (i > 0 ? here[i - 1] : 0.0) - before[i];
+        before = std::exchange(here, next);
+    }
+    return powers;
 }
 
 }  // namespace
 
 std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& pose) {
-    std::array<Vec3, kTerms> tips, axes;
+    std::array<Coordinates, kTerms> values;
     for (std::size_t k = 0; k < kTerms; ++k) {
-        const TipAndAxis there = pose(time_of(cosine_at(k, 1)));
-        tips[k] = there.tip;
-        axes[k] = there.axis;
+        const auto [tip, axis] = pose(time_of(cosine_at(k, 1)));
+        values[k] = {tip.x, tip.y, tip.z, axis.x, axis.y, axis.z};
     }
-    TurningWay way{course_through(tips), course_through(axes)};
+    TurningWay way{powers_of(terms_through(values))};
     constexpr double kMiss = 1e-9, kReach = 100.0;  // mm
     for (std::size_t k = 0; k < 2 * kTerms; ++k) {
         const double t = time_of(2.0 * (static_cast<double>(k) + 0.3) / (2.0 * kTerms) - 1.0);
@@ -104,10 +116,30 @@ std::optional<TurningWay> turning_way(const std::function<TipAndAxis(double)>& p
 }
 
 Passage passage(const TurningWay& way, double t) {
-    const double place = place_of(t);
-    return {sum_at(way.tip.value, place),  sum_at(way.tip.slope, place),
-            sum_at(way.tip.bend, place),   sum_at(way.axis.value, place),
-            sum_at(way.axis.slope, place), sum_at(way.axis.bend, place)};
+    // Horner's rule, of the polynomials, their first derivatives and halves of the second ones; two
+    // coordinates at a time.
+    using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+    constexpr std::size_t kPairs = kCoordinates / 2;
+    const double s = place_of(t);
+    const Pair times{s, s};
+    Pair value[kPairs]{}, slope[kPairs]{}, bend[kPairs]{};
+    for (std::size_t i = way.powers.size(); i-- > 0;) {
+        const double* power = way.powers[i].data();
+        for (std::size_t c = 0; c < kPairs; ++c) {
+            bend[c] = bend[c] * times + slope[c];
+            slope[c] = slope[c] * times + value[c];
+            value[c] = value[c] * times + Pair{power[2 * c], power[2 * c + 1]};
+        }
+    }
+    const auto tip = [](const Pair(&of)[kPairs], double by) {
+        return by * Vec3{of[0][0], of[0][1], of[1][0]};
+    };
+    const auto axis = [](const Pair(&of)[kPairs], double by) {
+        return by * Vec3{of[1][1], of[2][0], of[2][1]};
+    };
+    constexpr double kRate = 2.0 / kWidth;
+    return {tip(value, 1.0),  tip(slope, kRate),  tip(bend, 2.0 * kRate * kRate),
+            axis(value, 1.0), axis(slope, kRate), axis(bend, 2.0 * kRate * kRate)};
 }
 
 }  // namespace ncsim::brep

@@ -8,6 +8,7 @@
 
 #include "ncsim/cda/vec.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -42,19 +43,14 @@ struct RoundWay {
     bool operator==(const RoundWay&) const = default;
 };
 
-/// Of a vector that changes smoothly with t: what Chebyshev's polynomials count for in it, and in
-/// its first and second derivatives by t, from kBeyondEnds before 0 to as much after 1.
-struct Course {
-    std::vector<Vec3> value, slope, bend;
-    bool operator==(const Course&) const = default;
-};
-inline constexpr double kBeyondEnds = 0.25;
-
-/// Any way on which the axis may turn.
+/// Any way on which the axis may turn, from kBeyondEnds before t = 0 to as much after 1: what the
+/// powers of s count for, from the 0th on, in X, Y, Z of the tip and of the axis; s goes from -1 to
+/// 1 in that time.
 struct TurningWay {
-    Course tip, axis;
+    std::vector<std::array<double, 6>> powers;
     bool operator==(const TurningWay&) const = default;
 };
+inline constexpr double kBeyondEnds = 0.25;
 
 /// Where the tip of a tool is, and its axis.
 struct TipAndAxis {
