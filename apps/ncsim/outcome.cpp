@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outcome.h"
 
-#include "ncsim/brep/measure.h"
-
 #include <algorithm>
 #include <string>
 
@@ -10,10 +8,12 @@ namespace ncsim::app {
 
 namespace {
 
-report::SolidFacts solid_facts(const simulation::Solid& of, double tool_tolerance_mm) {
+report::SolidFacts solid_facts(const Outcome& outcome) {
+    const simulation::Solid& of = *outcome.solid;
     const brep::Recognised& solid = of.recognised;
     report::SolidFacts facts;
-    if (of.tool_tolerance_mm != tool_tolerance_mm) facts.refined_mm = of.tool_tolerance_mm;
+    if (of.tool_tolerance_mm != outcome.plan.tool_tolerance)
+        facts.refined_mm = of.tool_tolerance_mm;
     facts.mitred_mm = solid.mitred_mm;
     facts.coarser = solid.coarser;
     for (const auto& form : brep::kForms)
@@ -21,7 +21,7 @@ report::SolidFacts solid_facts(const simulation::Solid& of, double tool_toleranc
     for (const brep::Face& face : solid.part.faces)
         ++facts.kinds[face.surface.form.index()].second;
     facts.faces = solid.part.faces.size();
-    facts.volume_mm3 = brep::volume(solid.part);
+    facts.volume_mm3 = outcome.solid_mass->volume;
     facts.miss_mm = solid.part.miss_mm;
     facts.facets_kept = solid.facets_kept;
     facts.facet_miss_mm = solid.part.facet_miss_mm;
@@ -85,7 +85,7 @@ report::RunFacts run_facts(const Outcome& outcome) {
     }
     facts.sections = section_facts(outcome);
     if (outcome.solid && outcome.options.step_surfaces == StepSurfaces::Analytic)
-        facts.solid = solid_facts(*outcome.solid, outcome.plan.tool_tolerance);
+        facts.solid = solid_facts(outcome);
     return facts;
 }
 

@@ -3,6 +3,7 @@
 // What is known at the end of a run.
 #pragma once
 
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/recognise.h"
 #include "ncsim/brep/shading.h"
 #include "ncsim/cda/boundary.h"
@@ -19,6 +20,7 @@
 
 #include "run_options.h"
 
+#include <optional>
 #include <vector>
 
 namespace ncsim::app {
@@ -36,6 +38,7 @@ struct Outcome {
     const exporter::Simplified* simplified = nullptr;
     /// What --step writes, if anybody asked for it.
     const simulation::Solid* solid = nullptr;
+    std::optional<brep::Mass> solid_mass{};  ///< Of it.
     /// The part as the tools left it, if anything that is asked for is made of that.
     const simulation::Solid* true_solid = nullptr;
     /// Where it was cut open, in the order of the options.

@@ -121,6 +121,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
         how.max_faces = o.step_max_faces;
         how.schema = o.step_schema;
         how.has_attributes = o.step_attributes;
+        how.mass = outcome.solid_mass;
         if (!outcome.solid->recognised.is_sound) throw std::runtime_error(exporter::kUnsoundSolid);
         exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
                                    how);
@@ -277,6 +278,7 @@ int run(Options options) {
             outcome.solid = outcome.true_solid;
             if (o.step_surfaces == StepSurfaces::Faceted)
                 outcome.solid = &facets.emplace(facets_of(outcome));
+            outcome.solid_mass = brep::mass_of(outcome.solid->recognised.part);
         }
         for (const brep::SectionPlane& plane : o.sections) {
             outcome.sections.push_back(

@@ -6,7 +6,6 @@
 #include "ncsim/export/step.h"
 
 #include "ncsim/brep/frames.h"
-#include "ncsim/brep/measure.h"
 #include "ncsim/brep/patch.h"
 #include "ncsim/export/simplify.h"
 
@@ -330,7 +329,7 @@ private:
         if (part_.solids.empty()) return;
         square_ = power_of_length(2);
         cube_ = power_of_length(3);
-        validate(shape, brep::mass_of(part_), context);
+        validate(shape, options_.mass ? *options_.mass : brep::mass_of(part_), context);
         if (part_.solids.size() == 1) return;
         for (std::size_t i = 0; i < part_.solids.size(); ++i) {
             const Entity aspect = aspect_of("SOLID_" + std::to_string(i + 1), items[i + 1], shape,

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "ncsim/brep/flat_part.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/part.h"
 #include "ncsim/cda/boundary.h"
 #include "ncsim/export/provenance.h"
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 
 namespace ncsim::exporter {
 
@@ -32,6 +34,7 @@ struct StepOptions {
     double tolerance_mm = kStepTolerance;  ///< For simplify(); 0: exactly coplanar faces only.
     std::size_t max_faces = kStepMaxFaces;
     StepSchema schema = StepSchema::Ap242;
+    std::optional<brep::Mass> mass{};  ///< Of the part, where somebody knows it already.
     /// Of each face nc_lines, tools, and what it is, as attributes.
     bool has_attributes = false;
 };
