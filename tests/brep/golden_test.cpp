@@ -6,6 +6,7 @@
 
 #include "ncsim/brep/check.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/cda/boundary.h"
 
 #include "brep/made_part.h"
 #include "brep/random_parts.h"
@@ -243,6 +244,20 @@ TEST(Recognise, KnowsTheFloorsOfHelices) {
             EXPECT_NEAR(mass.volume, left, 1e-8 * left);
         }
     }
+}
+
+// Three quarters around, 3 deep, by a tool wider than its way: where it stops it stands before a
+// wall whose corners are on the floor that came down beside it, though its middle is not. As floor
+// it left a cave, of 0.9 mm3.
+TEST(Recognise, WallsAreNotTheFloorsThatComeDownToThem) {
+    const Made made = test::make_part(
+        setup::job_of({"helix_stops.nc",
+                       "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+                       "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X20 Y0 Z5\nG1 Z-3\n"
+                       "G3 X18 Y-2 Z-6 I-2\nG0 Z5\nM30\n"}),
+        0.05);
+    EXPECT_GT(volume(made.solid.part), cda::volume(made.boundary));
+    EXPECT_LT(volume(made.solid.part), 95813.8);
 }
 
 // Half around, nearer to the centre by 0.05: what the disc passes is as wide everywhere, along the
