@@ -126,6 +126,34 @@ TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
     EXPECT_EQ(faults(-0.2), "");
 }
 
+// The corner where two arcs end is beyond the point in which they touch, as far as the radii of 5
+// and 15 and their distance tell: they cross there once more, 0.2 mm before the corner or nearer to
+// it than programs round.
+TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
+    const auto faults = [](double half) {
+        Part part;
+        const Vec3 up{0, 0, 1};
+        // Of both circles the points beside the y axis, on both sides.
+        const double inner = std::sqrt(25.0 - half * half), outer = std::sqrt(225.0 - half * half);
+        const Vec3 low{0, -inner, 0}, lower{0, -outer, 0};
+        const auto on = [](Vec3 centre, double radius, double degrees) {
+            const double a = degrees * 3.14159265358979323846 / 180.0;
+            return centre + radius * Vec3{std::cos(a), std::sin(a), 0};
+        };
+        part.vertices = {{-half, 0, 0}, on(low, 5, 30), on(lower, 15, 60)};
+        part.edges = {{1, 0, Circle{low, up, 5}}, {0, 2, Circle{lower, -up, 15}}, {2, 1, Line{}}};
+        Face face;
+        face.surface.form = Plane{{}, up};
+        face.frame = {{}, up, {1, 0, 0}};
+        face.loops = {{{0, false}, {2, false}, {1, false}}};
+        part.faces.push_back(face);
+        double miss = 0.0;
+        return told(faults_of(part, 0, 1e-9, miss));
+    };
+    EXPECT_NE(faults(0.1).find(kCrossOrTouch), std::string::npos);
+    EXPECT_EQ(faults(0.01), "");
+}
+
 // Edges of facets are off the cone that is beside them: of two that meet near its apex nobody can
 // say whether the apex is in the face.
 TEST(Check, FindsEdgesBesideTheApexOfACone) {

@@ -5,7 +5,9 @@
 #include "brep/golden.h"
 
 #include "ncsim/brep/check.h"
+#include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
+#include "ncsim/cda/boundary.h"
 
 #include "brep/made_part.h"
 #include "brep/random_parts.h"
@@ -245,6 +247,20 @@ TEST(Recognise, KnowsTheFloorsOfHelices) {
     }
 }
 
+// Three quarters around, 3 deep, by a tool wider than its way: where it stops it stands before a
+// wall whose corners are on the floor that came down beside it, though its middle is not. As floor
+// it left a cave, of 0.9 mm3.
+TEST(Recognise, WallsAreNotTheFloorsThatComeDownToThem) {
+    const Made made = test::make_part(
+        setup::job_of({"helix_stops.nc",
+                       "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+                       "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X20 Y0 Z5\nG1 Z-3\n"
+                       "G3 X18 Y-2 Z-6 I-2\nG0 Z5\nM30\n"}),
+        0.05);
+    EXPECT_GT(volume(made.solid.part), cda::volume(made.boundary));
+    EXPECT_LT(volume(made.solid.part), 95813.8);
+}
+
 // Half around, nearer to the centre by 0.05: what the disc passes is as wide everywhere, along the
 // whole way.
 TEST(Recognise, KnowsArcsWhoseEndsDifferInRadius) {
@@ -412,6 +428,34 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
     EXPECT_GT(splines, 1);
     Part checked = part;
     EXPECT_TRUE(check(checked, 1e-4).empty());
+}
+
+// The floor of a nearly level ramp ends in a point between its wall and where the next ramp goes
+// down. Beside the wall, what is in front of the way and what is behind it are as high at one
+// place: readers took the one for the other, and drew nothing. The file has only the half of the
+// circle in front; of a ramp without such a corner it has the circle.
+TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
+    const auto ramp = [](const std::string& next) {
+        return test::make_part(
+            setup::job_of({"shallow.nc",
+                           "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+                           "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X28.583 Y27.391 Z5\nG1 Z-1.225\n"
+                           "G1 X8.76 Y46.844 Z-1.096\n" +
+                               next + "G0 Z5\nM30\n"}),
+            0.05);
+    };
+    const Made alone = ramp(""), ends = ramp("G1 X16.198 Y56.155 Z-7.608\n");
+    EXPECT_EQ(alone.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
+    EXPECT_NE(ends.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
+    int halves = 0;
+    for (const Face& face : ends.solid.part.faces) {
+        const auto half = half_of_ramp(ends.solid.part, face);
+        if (!half) continue;
+        ++halves;
+        const Vec3 ahead = cda::normalized(Vec3{8.76 - 28.583, 46.844 - 27.391, 0});
+        EXPECT_NEAR(cda::norm(*half - ahead), 0.0, 1e-6);
+    }
+    EXPECT_EQ(halves, 1);
 }
 
 // A bore from the side of a bar: its mouth is a spline that closes in itself. It began with steps

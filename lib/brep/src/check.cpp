@@ -242,6 +242,9 @@ struct Again {
 };
 // By an angle of which readers take notice. Others touch in their corner but for rounding.
 constexpr Again kCrossing{1e-9, 0.06, 1e-3};
+// By any angle, where one corner stands for two between which facets told nothing: what programs
+// round alone crosses nearer to it.
+constexpr Again kCrossingElsewhere{1e-9, 0.0, 0.1};
 
 bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again& again) {
     constexpr int kDepth = 30;
@@ -309,7 +312,8 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
                         neighbours_meet_again(map, s, t, beside));
             };
             const bool do_meet = are_neighbours
-                                     ? is_near() || neighbours_meet_again(map, s, t, kCrossing)
+                                     ? is_near() || neighbours_meet_again(map, s, t, kCrossing) ||
+                                           neighbours_meet_again(map, s, t, kCrossingElsewhere)
                                      : curves_interfere(map, s, t, clear, kDepth);
             if (do_meet) return {{s.edge, t.edge}};
         }

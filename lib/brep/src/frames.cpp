@@ -155,4 +155,34 @@ Frame frame_for(const Part& part, const Face& face) {
     return {f.centre, f.axis, x_axis(seen, f.centre, f.axis)};
 }
 
+std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
+    constexpr double kShallow = 0.1, kBeyond = 1e-3;
+    // Of the radius: nearer to the side are corners of walls, which are there but for rounding.
+    constexpr double kAtSide = 1e-4, kBesideSide = 0.05;
+    const auto* ramp = std::get_if<Extrusion>(&face.surface.form);
+    if (!ramp || std::abs(dot(ramp->along, ramp->axis)) >= kShallow) return std::nullopt;
+    const Vec3 ahead = normalized(ramp->along - dot(ramp->along, ramp->axis) * ramp->axis);
+    const auto place = [&](Vec3 p) {
+        return dot(p - place_along(*ramp, p) * ramp->along - ramp->centre, ahead) / ramp->radius;
+    };
+    const bool ends_beside_side = std::ranges::any_of(face.loops, [&](const Loop& loop) {
+        return std::ranges::any_of(loop, [&](const EdgeUse& use) {
+            const Edge& edge = part.edges[use.edge];
+            const double at = std::abs(place(part.vertices[use.is_forward ? edge.from : edge.to]));
+            return at > kAtSide && at < kBesideSide;
+        });
+    });
+    if (!ends_beside_side) return std::nullopt;
+    double rearmost = 1.0, foremost = -1.0;
+    for (const auto& points : points_along(part, face)) {
+        for (const Vec3 p : points) {
+            rearmost = std::min(rearmost, place(p));
+            foremost = std::max(foremost, place(p));
+        }
+    }
+    if (rearmost > -kBeyond) return ahead;
+    if (foremost < kBeyond) return -ahead;
+    return std::nullopt;
+}
+
 }  // namespace ncsim::brep

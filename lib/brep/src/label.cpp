@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace ncsim::brep {
@@ -34,6 +35,18 @@ double turn_at_corners(const FlatFace& face, const Surface& surface) {
         }
     }
     return sum / corners;
+}
+
+// Are its edges on the surface in their middles, too? Their ends may happen to be, of a wall beside
+// a floor that comes down to its foot.
+bool has_edges_on(const FlatFace& face, const Surface& surface, double most) {
+    return std::ranges::all_of(face.loops, [&](const std::vector<std::uint32_t>& loop) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec3 a = face.points[loop[i]], b = face.points[loop[(i + 1) % loop.size()]];
+            if (std::abs(distance(surface.form, 0.5 * (a + b))) > most) return false;
+        }
+        return true;
+    });
 }
 
 bool is_flank(const Form& form) {
@@ -103,7 +116,7 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
         }
     }
     if (!is_on) turn = turn_at_corners(face, surface);
-    if (turn > most_turn) return false;
+    if (turn > most_turn || (!is_on && !has_edges_on(face, surface, most))) return false;
     if (score) *score = turn + 0.1 * farthest / most;
     return true;
 }

@@ -479,10 +479,25 @@ private:
         return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
     }
     Entity surface_of(const brep::Extrusion& form, const brep::Face& face) {
+        const auto half = brep::half_of_ramp(part_, face);
         const Entity circle =
-            add("CIRCLE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+            half ? half_circle(form, *half)
+                 : add("CIRCLE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
         const Entity vector = add("VECTOR(''," + ref(direction(form.along)) + ",1.)");
         return add("SURFACE_OF_LINEAR_EXTRUSION(''," + ref(circle) + "," + ref(vector) + ")");
+    }
+    // Exactly that, as a rational cubic.
+    Entity half_circle(const brep::Extrusion& form, Vec3 middle) {
+        const Vec3 end = form.radius * cda::cross(form.axis, middle);
+        const Vec3 out = (2.0 * form.radius) * middle;
+        std::vector<Entity> points;
+        for (const Vec3& p : {-end, out - end, out + end, end})
+            points.push_back(point(form.centre + p));
+        const std::string third = real(1.0 / 3.0);
+        return add("(BOUNDED_CURVE()B_SPLINE_CURVE(3," + list(points) +
+                   ",.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((4,4),(0.,1.),.UNSPECIFIED.)"
+                   "CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.," +
+                   third + "," + third + ",1.))REPRESENTATION_ITEM(''))");
     }
     // In files splines.
     Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
