@@ -91,8 +91,8 @@ double random_place(Draw& draw, const Sweep& sweep, double low, double high) {
     return draw.from(1.1, 1.9) * (draw.from(-1, 1) < 0.0 ? -flank->length : flank->length);
 }
 
-// Balls and bull noses: lines that are neither level nor too steep, and helices and spirals, wider
-// than the tool, whose axis may lean; and flanks.
+// Balls and bull noses: lines that are neither level nor too steep, turning ones, and helices and
+// spirals, wider than the tool, whose axis may lean; and flanks.
 Envelope random_envelope(Draw& draw) {
     for (;;) {
         if (draw.from(0, 1) < 0.3) return random_flank(draw);
@@ -101,7 +101,7 @@ Envelope random_envelope(Draw& draw) {
                             draw.from(0.5, 3.0)};
         const Vec3 axis = draw.direction();
         ToolWay way;
-        if (is_ball && draw.from(0, 1) < 0.4) {
+        if (draw.from(0, 1) < 0.4) {
             const auto turn = random_turn(draw, axis);
             if (!turn) continue;
             way = *turn;
@@ -115,7 +115,8 @@ Envelope random_envelope(Draw& draw) {
             const double lean = std::abs(dot(normalized(at.speed), at.axis));
             return lean < 0.95 && (fillet.ring == 0.0 || lean > 0.05);
         };
-        if (std::ranges::all_of(envelope.sweep->samples(), is_usual)) return envelope;
+        if (has_across(*envelope.sweep) && std::ranges::all_of(envelope.sweep->samples(), is_usual))
+            return envelope;
     }
 }
 

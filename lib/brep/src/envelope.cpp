@@ -355,6 +355,40 @@ double degrees_around(const Around& at, Vec3 p) {
     return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
+// Of a fillet: the normal of its characteristic that is `across`, unit, seen along the way of the
+// ring's centre. It meets the axis of the tool, a, at another height than that centre. With e what
+// points out of the axis there, V the velocity of the centre and R the radius of the ring
+//
+//     n V = R (n a) (e a'),
+//
+// so n is nearly at right angles to the way where the tool turns slowly; by secants (Illinois).
+Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& at, Vec3 across) {
+    const double speed = norm(velocity_at(passage, fillet.height));
+    const double most = fillet.ring * norm(passage.turn) / speed;
+    if (!(most > 0.0 && most < 1.0)) return across;
+    const auto normal = [&](double ahead) {
+        return std::sqrt(1.0 - ahead * ahead) * across + ahead * at.ahead;
+    };
+    const auto off = [&](double ahead) {
+        const Vec3 n = normal(ahead), out = normalized(level(n, passage.axis));
+        return ahead - fillet.ring * dot(n, passage.axis) * dot(out, passage.turn) / speed;
+    };
+    constexpr int kMostSecants = 60;
+    constexpr double kNoSine = 1e-16;
+    double low = -most, high = most, below = off(low), above = off(high);
+    double ahead = 0.0, value = off(ahead);
+    for (int i = 0; i < kMostSecants && std::abs(value) > kNoSine; ++i) {
+        const bool is_low = value < 0.0;
+        (is_low ? low : high) = ahead;
+        (is_low ? below : above) = value;
+        ahead = low - below * (high - low) / (above - below);
+        value = off(ahead);
+        // The end that stays counts for half.
+        if ((value < 0.0) == is_low) (is_low ? above : below) *= 0.5;
+    }
+    return normal(ahead);
+}
+
 // Of a fillet. The angle of the point grows with that of its normal, which is on the same side of
 // up and down.
 Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
@@ -386,8 +420,8 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
     const Around at = around(sweep, passage);
     const auto angle = trig::sin_cos(degrees);
-    const Vec3 n = angle.cos * at.up + angle.sin * at.side;
     const Fillet& fillet = *sweep.fillet();
+    const Vec3 n = normal_across(fillet, passage, at, angle.cos * at.up + angle.sin * at.side);
     const Vec3 ring = fillet.ring > 0.0 ? fillet.ring * normalized(level(n, passage.axis)) : Vec3{};
     return at.centre + ring + fillet.radius * n;
 }
@@ -420,12 +454,17 @@ bool has_across(const Sweep& sweep) {
             return touches(at, 0.0) || touches(at, flank->length);
         });
     }
+    // Where a ring turns, its flat end may not go level anywhere: what is ahead of that touches it
+    // in one curve, and what is behind in another one.
+    constexpr double kClear = 1.1;
+    const double ring = sweep.fillet()->ring;
     bool rises = false, falls = false;
     const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
         const Vec3 way = velocity_at(at, lowest_centre(sweep));
         const double lean = dot(way, at.axis), length = norm(way);
-        rises = rises || lean > -kFlattest * length;
-        falls = falls || lean < kFlattest * length;
+        const double least = std::max(kFlattest * length, kClear * ring * norm(at.turn));
+        rises = rises || lean > -least;
+        falls = falls || lean < least;
         return length > kNoLength && std::abs(lean) < kSteepest * length;
     });
     return is_usual && (sweep.is_ball() || !rises || !falls);

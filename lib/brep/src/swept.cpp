@@ -210,8 +210,7 @@ public:
     void envelope(const Element& e, const ToolWay& way) {
         const auto* turning = std::get_if<TurningWay>(&way);
         if (turning && e.fillet <= 0.0) return flank(e, *turning);
-        const bool turns_ring = turning && e.radius > kEqual;
-        if (e.fillet <= 0.0 || turns_ring) return leave_unknown();
+        if (e.fillet <= 0.0) return leave_unknown();
         constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
         const auto* round = std::get_if<RoundWay>(&way);
         const double turns = round ? std::abs(round->swept) / kTurn : 0.0;

@@ -174,13 +174,14 @@ double height_of_centre(const Sweep& sweep, const Aspect& aspect);
 /// `side`, in [0, 360): 180 is below the tool, as a rule. Of flanks mm along the profile, from as
 /// far below the lower end as it is long; negative to the right of the way.
 double place_across(const Sweep& sweep, const Passage& passage, Vec3 p);
-/// The point that is there: of balls on any way, of rings while the axis does not turn.
+/// The point that is there.
 Vec3 point_across(const Sweep& sweep, const Passage& passage, double place);
-/// The point of the characteristic of a fillet whose normal is at such an angle.
+/// The point of the characteristic of a fillet whose normal is at such an angle, seen along the way.
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees);
 
-/// Of a fillet: nothing of it is as steep as the tool's axis, so that it has an up and a down. Of a
-/// flank: it has a left and a right somewhere at all times.
+/// Of a fillet: nothing of it is as steep as the tool's axis, so that it has an up and a down; a ring
+/// goes up all the way, or down, with all of the flat end within it. Of a flank: it has a left and a
+/// right somewhere at all times.
 bool has_across(const Sweep& sweep);
 /// Of a flank: the tool pivots about a point near there, so that left becomes right.
 bool is_at_pivot(const Sweep& sweep, const Aspect& aspect);
