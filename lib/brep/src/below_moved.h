@@ -8,6 +8,8 @@
 #include "ncsim/brep/surface.h"
 #include "ncsim/trig/angles.h"
 
+#include "rim.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -227,6 +229,10 @@ public:
             return in_pieces(on, to < 0.0 ? -flank->length : flank->length, to);
         }
         constexpr double kBelow = 180.0;
+        if (is_rim(sweep_)) {
+            const OnRimPlaces on{sweep_, passage};
+            return in_pieces(on, kBelow, place_across(sweep_, passage, place.foot));
+        }
         const OnFillet on{sweep_, *sweep_.fillet(), passage, brep::around(sweep_, passage)};
         return in_pieces(on, kBelow, on.angle_of(place.normal));
     }
@@ -280,9 +286,9 @@ private:
             const Vec3 out = cda::normalized(n - cda::dot(n, axis) * axis);
             const Vec3 round = cda::cross(axis, out), profile = cda::cross(round, n);
             const double away = cda::dot(n, out);
-            const Vec3 turn = (cda::dot(along, profile) / fillet.radius) * profile +
-                              (cda::dot(along, round) * away / (fillet.ring + fillet.radius * away)) *
-                                  round;
+            const Vec3 turn =
+                (cda::dot(along, profile) / fillet.radius) * profile +
+                (cda::dot(along, round) * away / (fillet.ring + fillet.radius * away)) * round;
             const double up = cda::dot(n, at.up), side = cda::dot(n, at.side);
             const double around = (up * cda::dot(turn, at.side) - side * cda::dot(turn, at.up)) /
                                   (up * up + side * side);
@@ -303,6 +309,17 @@ private:
             const Vec3 profile = passage.axis - rise * at.normal;
             return {p, at,
                     cda::norm(along) * cda::norm(profile) / std::abs(cda::dot(along, profile))};
+        }
+    };
+
+    // By the angle about the axis, degrees.
+    struct OnRimPlaces {
+        const Sweep& sweep;
+        const Passage& passage;
+        Stroke operator()(double degrees) const {
+            const Vec3 p = point_across(sweep, passage, degrees);
+            return {p, aspect_at(sweep, passage, p),
+                    trig::kRadiansPerDegree * sweep.fillet()->ring};
         }
     };
 

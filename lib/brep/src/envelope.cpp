@@ -9,6 +9,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "ellipse.h"
+#include "rim.h"
 
 #include <algorithm>
 #include <array>
@@ -259,6 +260,7 @@ Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
 }
 
 Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
+    if (is_rim(sweep)) return aspect_of_rim(*sweep.fillet(), at, p);
     Aspect aspect;
     aspect.passage = at;
     const Seen seen(at, p);
@@ -294,16 +296,21 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     constexpr double kBeyondEnd = 0.25;
     const Nearest nearest = nearest_samples(sweep, p);
     const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
+    // What a rim passes may be near on both sides.
+    const bool is_of_rim = is_rim(sweep);
+    const auto far = [&](const Aspect& aspect) {
+        return is_of_rim ? std::abs(aspect.off) : aspect.off;
+    };
     std::optional<Aspect> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < nearest.count; ++k) {
         if (nearest.off[k] > nearest.least + half) continue;
         const Aspect aspect = nearest_from(sweep, nearest.sample[k], p);
-        double off = aspect.off;
+        double off = far(aspect);
         if (const double end = std::clamp(aspect.t, 0.0, 1.0);
             nearest.count > 1 && aspect.t != end) {
             const double beyond = std::abs(aspect.t - end) * sweep.length_mm();
-            off = aspect_at(sweep, end, p).off + kBeyondEnd * beyond;
+            off = far(aspect_at(sweep, end, p)) + kBeyondEnd * beyond;
         }
         if (off >= least) continue;
         least = off;
@@ -321,6 +328,7 @@ Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
     const Vec3 n = aspect.normal;
     const Fillet* fillet = sweep.fillet();
     if (!fillet) return {};
+    if (is_rim(sweep)) return gradient_of_rise_of_rim(*fillet, aspect);
     const double rise = dot(n, at.axis), far = aspect.off + fillet->radius;
     const Vec3 along = at.axis - rise * n;
     const double with_time = dot(aspect.drift, at.axis) + dot(n, at.turn);
@@ -428,6 +436,7 @@ Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degree
 
 double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
     const Flank* flank = sweep.flank();
+    if (is_rim(sweep)) return place_on_rim(sweep, passage, p);
     if (!flank) return degrees_around(around(sweep, passage), p);
     const double along = place_along(*flank, Seen(passage, p));
     const bool is_right = dot(p - passage.tip, Contact(*flank, passage, along).right) > 0.0;
@@ -436,6 +445,7 @@ double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
 
 Vec3 point_across(const Sweep& sweep, const Passage& passage, double place) {
     const Flank* flank = sweep.flank();
+    if (is_rim(sweep)) return point_on_rim(sweep, passage, place);
     if (!flank) return point_around(sweep, passage, place);
     const double along = std::abs(place) - flank->length;
     const Vec3 out = Contact(*flank, passage, along).out(place < 0.0, passage.axis);
