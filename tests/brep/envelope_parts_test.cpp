@@ -210,18 +210,6 @@ TEST(Recognise, KnowsWhereBullNosesStopNearlyLevel) {
     }
 }
 
-// Strips of such rings that cannot stay are not put in again and again.
-TEST(Recognise, EndsWhereBullNosesGoDownAndLevelInTurns) {
-    const Golden golden{"turns",
-                        "T4 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X25 Z-1.05\nG1 X30\nG1 X35 Z-1.2\n"
-                        "G1 X40 Z-1.1\nG0 Z5\n",
-                        {},
-                        0.0};
-    const Made made = make(golden, 0.05);
-    EXPECT_EQ(made.solid.part.solids.size(), 1U);
-    EXPECT_TRUE(made.solid.is_sound);
-}
-
 // Down, up, and in a chain, with what their sides leave: its flat end goes level nowhere.
 TEST(Recognise, KnowsTheCornersOfBullNosesThatTurn) {
     const std::string start = "T4 M6\nG0 X20 Y30 Z20\n", end = "G0 Z60\n";

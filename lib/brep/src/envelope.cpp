@@ -195,8 +195,7 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
     return nearest;
 }
 
-// To a time that is later by so little that all goes straight. Not of rims: `rate` is of another
-// distance there.
+// To a time that is later by so little that all goes straight.
 void advance(Aspect& aspect, double by, Vec3 p) {
     Passage& at = aspect.passage;
     at.tip = at.tip + by * at.speed;
@@ -229,7 +228,7 @@ Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
         if (!(std::abs(next - t) > kNoTime)) break;
         const bool is_between = next > before && next < after;
         if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
-        if (is_between && !is_rim(sweep) && std::abs(step) < kShort) {
+        if (is_between && std::abs(step) < kShort) {
             advance(aspect, step, p);
             break;
         }

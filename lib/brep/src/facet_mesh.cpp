@@ -173,13 +173,6 @@ std::uint32_t FacetMesh::next_boundary(std::uint32_t h) const {
     return n;
 }
 
-std::uint32_t FacetMesh::boundary_before(std::uint32_t h) const {
-    std::uint32_t before = h;
-    while (next_boundary(before) != h)
-        before = next_boundary(before);
-    return before;
-}
-
 std::uint32_t FacetMesh::add_edge(const HalfEdge& edge) {
     edges_.push_back(edge);
     lengths_.push_back(0.0);
@@ -211,7 +204,10 @@ std::uint32_t FacetMesh::part_from(std::uint32_t h, std::uint32_t last) {
 // twins. At both ends, where these have a common corner, there is one more, beside the facet that
 // is beyond the label there.
 void FacetMesh::lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface) {
-    const std::uint32_t first = chain.front(), before = boundary_before(first);
+    const std::uint32_t first = chain.front();
+    std::uint32_t before = first;
+    while (next_boundary(before) != first)
+        before = next_boundary(before);
     const std::uint32_t after = next_boundary(chain.back());
     const auto number = static_cast<std::uint32_t>(facets_.size());
     Facet strip = facets_[edges_[first].facet];

@@ -88,9 +88,8 @@ public:
     /// not end where the first starts. Given up, it is of their label. It is beside what ends
     /// there.
     void lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface);
-    /// The half-edge after that one around what has its label, and the one before.
+    /// The half-edge after that one around what has its label.
     std::uint32_t next_boundary(std::uint32_t h) const;
-    std::uint32_t boundary_before(std::uint32_t h) const;
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
     std::uint32_t number_of(const Surface& surface) { return surfaces_.add(surface); }
     /// Who cut a facet.

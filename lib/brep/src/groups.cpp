@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -309,47 +308,35 @@ bool Groups::join_fin(std::uint32_t g, std::uint32_t n) {
     return true;
 }
 
-// What lies beside strips has edges that no group knows yet, and waits for the next time.
 bool Groups::lay_strips() {
-    std::vector<bool> waits(groups_.size(), false);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Torus>> rings;
-    bool any = false;
-    const std::size_t edges = mesh_.edges().size();
-    for (std::uint32_t h = 0; h < edges; ++h) {
-        const std::uint32_t g = group_at(h);
-        if (waits[g] || !is_boundary(h)) continue;
-        const std::uint32_t n = group_beyond(h);
+    for (std::uint32_t h = 0; h < mesh_.edges().size(); ++h) {
+        if (!is_boundary(h)) continue;
+        const std::uint32_t g = group_at(h), n = group_beyond(h);
         const auto* flat = std::get_if<Plane>(&form_of(g));
         const auto* moved = std::get_if<Envelope>(&form_of(n));
-        if (waits[n] || !flat || !moved || !groups_[g].is_analytic) continue;
-        const auto [known, is_new] = rings.try_emplace({g, n});
-        if (is_new) known->second = ring_beside(*flat, *moved);
-        const std::optional<Torus>& ring = known->second;
+        if (!flat || !moved || !groups_[g].is_analytic) continue;
+        const auto ring = ring_beside(*flat, *moved);
         if (!ring) continue;
-        const Surface corner{*ring, true};
+        const std::uint32_t number = mesh_.number_of({*ring, true});
         // Polygons in the place of a profile have flat ends that are wider.
         const bool is_beyond = std::ranges::all_of(groups_[g].facets, [&](std::uint32_t i) {
             const Facet& facet = mesh_[i];
             return norm(away(ring->centre, ring->axis, facet.centroid)) > ring->major &&
-                   !facet.was_given_up && !facet.was_ceded &&
-                   mesh_.fits(facet, corner, 1.5 * facet.error_mm, kMostTurnOfNeighbours);
+                   !facet.was_given_up &&
+                   mesh_.fits(facet, mesh_.surface(number), 1.5 * facet.error_mm,
+                              kMostTurnOfNeighbours);
         });
         if (is_beyond) {
-            for (const std::uint32_t i : groups_[g].facets)
-                mesh_.cede(i, mesh_.number_of(corner));
-            waits[g] = any = true;
-            continue;
+            relabel(g, number);
+            return true;
         }
         if (!goes_around(h, *ring)) continue;
         const std::vector<std::uint32_t> chain = chain_from(h);
         if (chain.empty()) continue;
-        for (const std::uint32_t beside : {g, n, group_beyond(boundary_before(chain.front())),
-                                           group_beyond(next_boundary(chain.back()))})
-            waits[beside] = true;
-        mesh_.lay_strip(chain, mesh_.number_of(corner));
-        any = true;
+        mesh_.lay_strip(chain, number);
+        return true;
     }
-    return any;
+    return false;
 }
 
 // Is what it goes around the flat end in the ring, and not a plane at the height of that?
@@ -364,11 +351,13 @@ bool Groups::goes_around(std::uint32_t h, const Torus& ring) const {
 // Half-edges one after the other between the same two, all of them, from the first one on; none if
 // these have no ends, or a strip has been given up there.
 std::vector<std::uint32_t> Groups::chain_from(std::uint32_t h) const {
-    if (group_beyond(boundary_before(h)) == group_beyond(h)) return {};
+    std::uint32_t before = h;
+    while (next_boundary(before) != h)
+        before = next_boundary(before);
+    if (group_beyond(before) == group_beyond(h)) return {};
     std::vector<std::uint32_t> chain;
     for (std::uint32_t n = h; group_beyond(n) == group_beyond(h); n = next_boundary(n)) {
-        const HalfEdge& edge = mesh_.edges()[n];
-        if (mesh_[edge.facet].is_strip || mesh_[mesh_.edges()[edge.twin].facet].is_strip) return {};
+        if (mesh_[mesh_.edges()[n].facet].is_strip) return {};
         chain.push_back(n);
     }
     return chain;

@@ -80,9 +80,8 @@ public:
     std::uint32_t group_at(std::uint32_t h) const { return group_of_[mesh_.edges()[h].facet]; }
     std::uint32_t group_beyond(std::uint32_t h) const { return group_at(mesh_.edges()[h].twin); }
     bool is_boundary(std::uint32_t h) const { return group_at(h) != group_beyond(h); }
-    /// The next one around its group, and the one before.
+    /// The next one around its group.
     std::uint32_t next_boundary(std::uint32_t h) const { return mesh_.next_boundary(h); }
-    std::uint32_t boundary_before(std::uint32_t h) const { return mesh_.boundary_before(h); }
 
 private:
     void meet();
