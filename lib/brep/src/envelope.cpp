@@ -9,7 +9,6 @@
 #include "ncsim/trig/angles.h"
 
 #include "ellipse.h"
-#include "rim.h"
 
 #include <algorithm>
 #include <array>
@@ -289,7 +288,6 @@ Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
 }
 
 Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
-    if (is_rim(sweep)) return aspect_of_rim(*sweep.fillet(), at, p);
     Aspect aspect;
     aspect.passage = at;
     const Seen seen(at, p);
@@ -325,21 +323,16 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     constexpr double kBeyondEnd = 0.25;
     const Nearest nearest = nearest_samples(sweep, p);
     const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
-    // What a rim passes may be near on both sides.
-    const bool is_of_rim = is_rim(sweep);
-    const auto far = [&](const Aspect& aspect) {
-        return is_of_rim ? std::abs(aspect.off) : aspect.off;
-    };
     std::optional<Aspect> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < nearest.count; ++k) {
         if (nearest.off[k] > nearest.least + half) continue;
         const Aspect aspect = nearest_from(sweep, nearest.time[k], p);
-        double off = far(aspect);
+        double off = aspect.off;
         if (const double end = std::clamp(aspect.t, 0.0, 1.0);
             nearest.count > 1 && aspect.t != end) {
             const double beyond = std::abs(aspect.t - end) * sweep.length_mm();
-            off = far(aspect_at(sweep, end, p)) + kBeyondEnd * beyond;
+            off = aspect_at(sweep, end, p).off + kBeyondEnd * beyond;
         }
         if (off >= least) continue;
         least = off;
@@ -357,7 +350,6 @@ Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
     const Vec3 n = aspect.normal;
     const Fillet* fillet = sweep.fillet();
     if (!fillet) return {};
-    if (is_rim(sweep)) return gradient_of_rise_of_rim(*fillet, aspect);
     const double rise = dot(n, at.axis), far = aspect.off + fillet->radius;
     const Vec3 along = at.axis - rise * n;
     const double with_time = dot(aspect.drift, at.axis) + dot(n, at.turn);
@@ -392,40 +384,6 @@ double degrees_around(const Around& at, Vec3 p) {
     return degrees < 0.0 ? degrees + 360.0 : degrees;
 }
 
-// Of a fillet: the normal of its characteristic that is `across`, unit, seen along the way of the
-// ring's centre. It meets the axis of the tool, a, at another height than that centre. With e what
-// points out of the axis there, V the velocity of the centre and R the radius of the ring
-//
-//     n V = R (n a) (e a'),
-//
-// so n is nearly at right angles to the way where the tool turns slowly; by secants (Illinois).
-Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& at, Vec3 across) {
-    const double speed = norm(velocity_at(passage, fillet.height));
-    const double most = fillet.ring * norm(passage.turn) / speed;
-    if (!(most > 0.0 && most < 1.0)) return across;
-    const auto normal = [&](double ahead) {
-        return std::sqrt(1.0 - ahead * ahead) * across + ahead * at.ahead;
-    };
-    const auto off = [&](double ahead) {
-        const Vec3 n = normal(ahead), out = normalized(level(n, passage.axis));
-        return ahead - fillet.ring * dot(n, passage.axis) * dot(out, passage.turn) / speed;
-    };
-    constexpr int kMostSecants = 60;
-    constexpr double kNoSine = 1e-16;
-    double low = -most, high = most, below = off(low), above = off(high);
-    double ahead = 0.0, value = off(ahead);
-    for (int i = 0; i < kMostSecants && std::abs(value) > kNoSine; ++i) {
-        const bool is_low = value < 0.0;
-        (is_low ? low : high) = ahead;
-        (is_low ? below : above) = value;
-        ahead = low - below * (high - low) / (above - below);
-        value = off(ahead);
-        // The end that stays counts for half.
-        if ((value < 0.0) == is_low) (is_low ? above : below) *= 0.5;
-    }
-    return normal(ahead);
-}
-
 // Of a fillet. The angle of the point grows with that of its normal, which is on the same side of
 // up and down.
 Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
@@ -457,15 +415,14 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
     const Around at = around(sweep, passage);
     const auto angle = trig::sin_cos(degrees);
+    const Vec3 n = angle.cos * at.up + angle.sin * at.side;
     const Fillet& fillet = *sweep.fillet();
-    const Vec3 n = normal_across(fillet, passage, at, angle.cos * at.up + angle.sin * at.side);
     const Vec3 ring = fillet.ring > 0.0 ? fillet.ring * normalized(level(n, passage.axis)) : Vec3{};
     return at.centre + ring + fillet.radius * n;
 }
 
 double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
     const Flank* flank = sweep.flank();
-    if (is_rim(sweep)) return place_on_rim(sweep, passage, p);
     if (!flank) return degrees_around(around(sweep, passage), p);
     const double along = place_along(*flank, Seen(passage, p));
     const bool is_right = dot(p - passage.tip, Contact(*flank, passage, along).right) > 0.0;
@@ -474,7 +431,6 @@ double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
 
 Vec3 point_across(const Sweep& sweep, const Passage& passage, double place) {
     const Flank* flank = sweep.flank();
-    if (is_rim(sweep)) return point_on_rim(sweep, passage, place);
     if (!flank) return point_around(sweep, passage, place);
     const double along = std::abs(place) - flank->length;
     const Vec3 out = Contact(*flank, passage, along).out(place < 0.0, passage.axis);
@@ -493,17 +449,12 @@ bool has_across(const Sweep& sweep) {
             return touches(at, 0.0) || touches(at, flank->length);
         });
     }
-    // Where a ring turns, its flat end may not go level anywhere: what is ahead of that touches it
-    // in one curve, and what is behind in another one.
-    constexpr double kClear = 1.1;
-    const double ring = sweep.fillet()->ring;
     bool rises = false, falls = false;
     const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
         const Vec3 way = velocity_at(at, lowest_centre(sweep));
         const double lean = dot(way, at.axis), length = norm(way);
-        const double least = std::max(kFlattest * length, kClear * ring * norm(at.turn));
-        rises = rises || lean > -least;
-        falls = falls || lean < least;
+        rises = rises || lean > -kFlattest * length;
+        falls = falls || lean < kFlattest * length;
         return length > kNoLength && std::abs(lean) < kSteepest * length;
     });
     return is_usual && (sweep.is_ball() || !rises || !falls);

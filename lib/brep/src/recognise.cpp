@@ -73,7 +73,7 @@ public:
             has_joined_ = false;
             do
                 groups_.gather();
-            while (groups_.unify() || groups_.give_up_rings() || groups_.lay_strips());
+            while (groups_.unify() || groups_.give_up_rings());
             chains_.trace();
             // What is wrong with edges is often due to corners that are, and so with faces.
             chains_.solve();

@@ -64,7 +64,7 @@ Passage passage(const TurningWay& way, double t);
 using ToolWay = std::variant<StraightWay, RoundWay, TurningWay>;
 
 /// A piece of a circle: what turns about the axis is a piece of a ring, or of a ball. Radius of the
-/// ring and height above the tip of its centre; radius of the circle, 0 of the rim of a flat end.
+/// ring and height above the tip of its centre; radius of the circle.
 struct Fillet {
     double ring = 0.0, height = 0.0, radius = 0.0;
     bool operator==(const Fillet&) const = default;
@@ -170,15 +170,13 @@ double height_of_centre(const Sweep& sweep, const Aspect& aspect);
 /// `side`, in [0, 360): 180 is below the tool, as a rule. Of flanks mm along the profile, from as
 /// far below the lower end as it is long; negative to the right of the way.
 double place_across(const Sweep& sweep, const Passage& passage, Vec3 p);
-/// The point that is there.
+/// The point that is there: of balls on any way, of rings while the axis does not turn.
 Vec3 point_across(const Sweep& sweep, const Passage& passage, double place);
-/// The point of the characteristic of a fillet whose normal is at such an angle, as seen along the
-/// way.
+/// The point of the characteristic of a fillet whose normal is at such an angle.
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees);
 
-/// Of a fillet: nothing of it is as steep as the tool's axis, so that it has an up and a down, and
-/// a ring goes up all the way, or down, and its flat end level nowhere. Of a flank: it has a left
-/// and a right somewhere at all times.
+/// Of a fillet: nothing of it is as steep as the tool's axis, so that it has an up and a down. Of a
+/// flank: it has a left and a right somewhere at all times.
 bool has_across(const Sweep& sweep);
 /// Of a flank: the tool pivots about a point near there, so that left becomes right.
 bool is_at_pivot(const Sweep& sweep, const Aspect& aspect);
