@@ -104,22 +104,30 @@ TEST(Check, FindsCirclesThatTouch) {
     EXPECT_EQ(faults_of(part, 0, 1e-9, miss, 1e-4).size(), 1U);
 }
 
+constexpr Vec3 kUp{0, 0, 1};
+
+// Of a level face within one loop.
+std::string faults_between(std::vector<Vec3> corners, std::vector<Edge> edges, Loop loop) {
+    Part part;
+    part.vertices = std::move(corners);
+    part.edges = std::move(edges);
+    Face face;
+    face.surface.form = Plane{{}, kUp};
+    face.frame = {{}, kUp, {1, 0, 0}};
+    face.loops = {std::move(loop)};
+    part.faces.push_back(face);
+    double miss = 0.0;
+    return told(faults_of(part, 0, 1e-9, miss));
+}
+
 // A line ends at the tip of a slender ellipse, and crosses it once more if it goes up: 0.04 mm
 // before that, or by so little that it may be meant to touch.
 TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
     const auto faults = [](double rise) {
-        Part part;
-        part.vertices = {{0, 0, 0}, {-1, 10, 0}, {-9.95, 9.95 * rise, 0}};
-        const Vec3 up{0, 0, 1};
-        part.edges = {
-            {1, 0, Ellipse{{0, 10, 0}, up, {0, 1, 0}, 10, 1}}, {1, 2, Line{}}, {2, 0, Line{}}};
-        Face face;
-        face.surface.form = Plane{{}, up};
-        face.frame = {{}, up, {1, 0, 0}};
-        face.loops = {{{2, true}, {0, false}, {1, true}}};
-        part.faces.push_back(face);
-        double miss = 0.0;
-        return told(faults_of(part, 0, 1e-9, miss));
+        return faults_between(
+            {{0, 0, 0}, {-1, 10, 0}, {-9.95, 9.95 * rise, 0}},
+            {{1, 0, Ellipse{{0, 10, 0}, kUp, {0, 1, 0}, 10, 1}}, {1, 2, Line{}}, {2, 0, Line{}}},
+            {{2, true}, {0, false}, {1, true}});
     };
     EXPECT_NE(faults(0.2).find(kCrossOrTouch), std::string::npos);
     EXPECT_EQ(faults(0.001), "");
@@ -131,8 +139,6 @@ TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {
 // it than programs round.
 TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
     const auto faults = [](double half) {
-        Part part;
-        const Vec3 up{0, 0, 1};
         // Of both circles the points beside the y axis, on both sides.
         const double inner = std::sqrt(25.0 - half * half), outer = std::sqrt(225.0 - half * half);
         const Vec3 low{0, -inner, 0}, lower{0, -outer, 0};
@@ -140,15 +146,10 @@ TEST(Check, FindsNeighboursThatCrossBeforeTheirCorner) {
             const double a = degrees * 3.14159265358979323846 / 180.0;
             return centre + radius * Vec3{std::cos(a), std::sin(a), 0};
         };
-        part.vertices = {{-half, 0, 0}, on(low, 5, 30), on(lower, 15, 60)};
-        part.edges = {{1, 0, Circle{low, up, 5}}, {0, 2, Circle{lower, -up, 15}}, {2, 1, Line{}}};
-        Face face;
-        face.surface.form = Plane{{}, up};
-        face.frame = {{}, up, {1, 0, 0}};
-        face.loops = {{{0, false}, {2, false}, {1, false}}};
-        part.faces.push_back(face);
-        double miss = 0.0;
-        return told(faults_of(part, 0, 1e-9, miss));
+        return faults_between(
+            {{-half, 0, 0}, on(low, 5, 30), on(lower, 15, 60)},
+            {{1, 0, Circle{low, kUp, 5}}, {0, 2, Circle{lower, -kUp, 15}}, {2, 1, Line{}}},
+            {{0, false}, {2, false}, {1, false}});
     };
     EXPECT_NE(faults(0.1).find(kCrossOrTouch), std::string::npos);
     EXPECT_EQ(faults(0.01), "");

@@ -12,6 +12,7 @@ ncsim_add_test(brep
     made_part.cpp
     mass_test.cpp
     order_test.cpp
+    ramps_test.cpp
     random_parts.cpp
     section_test.cpp
     solids.cpp

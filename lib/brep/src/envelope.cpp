@@ -61,7 +61,8 @@ std::size_t samples_for(const RoundWay& way) {
 
 // Where few powers count, the way is nearly straight.
 std::size_t samples_for(const TurningWay& way) {
-    return std::min<std::size_t>(33, 2 * way.powers.size() + 1);
+    constexpr std::size_t kMost = 33;
+    return std::min(kMost, 2 * way.powers.size() + 1);
 }
 
 Vec3 level(Vec3 v, Vec3 axis) {

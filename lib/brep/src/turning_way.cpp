@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ways of tools that turn, as series of Chebyshev polynomials: what is as smooth as turns by
+// Ways of tools that turn, as polynomials through Chebyshev points: what is as smooth as turns by
 // constant speeds is known to the last bits from few values (Trefethen, Approximation Theory and
-// Approximation Practice, 2013, chapters 3 and 8).
+// Approximation Practice, 2013, chapters 3 and 8). Of that low a degree powers are as exact as
+// Chebyshev's polynomials, and all is told in one loop.
 #include "ncsim/brep/envelope.h"
 #include "ncsim/trig/angles.h"
 
@@ -39,7 +40,7 @@ double cosine_at(std::size_t k, std::size_t times) {
     return trig::sin_cos(static_cast<double>(times) * degrees).cos;
 }
 
-// Of all that the polynomials count for, as many as tell more than rounding.
+// What Chebyshev's polynomials count for, of as many as tell more than rounding.
 std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& values) {
     std::vector<Coordinates> terms(kTerms, Coordinates{});
     for (std::size_t j = 0; j < kTerms; ++j) {
@@ -75,7 +76,7 @@ std::vector<Coordinates> terms_through(const std::array<Coordinates, kTerms>& va
     return terms;
 }
 
-// T(k + 1) = 2 s T(k) - T(k - 1).
+// What powers of s count for in these: T(k + 1) = 2 s T(k) - T(k - 1).
 std::vector<Coordinates> powers_of(const std::vector<Coordinates>& terms) {
     const std::size_t count = terms.size();
     std::vector<Coordinates> powers(count, Coordinates{});

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ramps: what a flat end leaves where it goes down or up, an extruded circle.
+#include "ncsim/brep/check.h"
+#include "ncsim/brep/frames.h"
+#include "ncsim/brep/measure.h"
+
+#include "brep/golden.h"
+#include "brep/made_part.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace ncsim::brep {
+namespace {
+
+using test::Golden;
+using test::kBlock;
+using test::Kinds;
+using test::kinds_of;
+using test::kPi;
+using test::Made;
+using test::make;
+
+// Two ramps that meet on a ridge, askew: where their floors meet the edge has a corner, nearer to
+// its end than facets are wide, and of the four faces in one corner of the polyhedron no four meet.
+// Between the walls the tool stood and left a strip of 0.62 mm, along which the bend has its
+// circle: as large as facets were it was no face, or the floors had its edge twice.
+TEST(Recognise, KnowsRampsThatMeetAskew) {
+    const Golden golden{
+        "ridge", "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n", {}, 0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    for (const double tolerance : {0.05, 0.02, 0.01, 0.0055, 0.001}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{12, 2, 0, 0, 0, 3}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
+    }
+}
+
+// Down a ramp, along a slot and back, and up another ramp, askew. The wall beside that touches its
+// floor from where it starts, on the circle where both ramps begin, and the floor of the first ramp
+// crosses both there and a little farther up: the corner of the three is farther up.
+TEST(Recognise, KnowsRampsThatMeetInAValley) {
+    for (const std::string end : {"34", "38"}) {
+        const Golden golden{
+            "valley",
+            "T1 M6\nG0 X10 Y30 Z5\nG1 X30 Z-8\nG1 Y10\nG1 Y30\nG1 X60 Y" + end + " Z-2\nG0 Z5\n",
+            {},
+            0.0};
+        const double left = volume(make(golden, 0.002).solid.part);
+        for (const double tolerance : {0.05, 0.02, 0.0055}) {
+            SCOPED_TRACE(end + " " + std::to_string(tolerance));
+            const Made made = make(golden, tolerance);
+            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{13, 2, 0, 0, 0, 2}));
+            EXPECT_EQ(made.solid.facets_kept, 0U);
+            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+            EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
+        }
+    }
+}
+
+// A ramp leaves the block through its side, where its floor ends in half an ellipse. Readers know
+// the ends of that by their angles, half a turn apart, and took it to pass above.
+TEST(Recognise, RampsHaveNoEdgesHalfAround) {
+    const Golden golden{"ramp_out", "T1 M6\nG0 X60 Y30 Z0\nG1 X100 Z-8\nG0 Z5\n", {}, 0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    const Part& part = made.solid.part;
+    int ellipses = 0;
+    for (const Edge& edge : part.edges) {
+        if (!std::holds_alternative<Ellipse>(edge.curve)) continue;
+        ++ellipses;
+        EXPECT_LT(cda::norm(part.vertices[edge.to] - part.vertices[edge.from]), 6.0);
+    }
+    EXPECT_EQ(ellipses, 2);
+    Part checked = part;
+    EXPECT_TRUE(check(checked, 1e-9).empty());
+    const double left = kBlock - (1250.0 / 3.0 + 50.0 * kPi);
+    EXPECT_NEAR(volume(part), left, 1e-9 * left);
+}
+
+// A shallow ramp ends in a wall whose axis is upright: their edge is a spline. Readers found places
+// of a long one so roughly that they drew nothing of the ramp.
+TEST(Recognise, ShallowRampsHaveShortSplines) {
+    const Golden golden{"ramp_into_a_bore",
+                        "T1 M6\nG0 X20 Y30 Z5\nG1 Z-2\nG1 X40 Z-2.6\nG0 Z5\n"
+                        "G0 X38 Y34\nG1 Z-6\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Part part = make(golden, 0.05).solid.part;
+    int splines = 0;
+    for (const Face& face : part.faces) {
+        const auto* ramp = std::get_if<Extrusion>(&face.surface.form);
+        if (!ramp) continue;
+        const auto out = [&](std::uint32_t v) {
+            const Vec3 p = part.vertices[v];
+            return cda::normalized(p - place_along(*ramp, p) * ramp->along - ramp->centre);
+        };
+        for (const EdgeUse& use : face.loops.front()) {
+            const Edge& edge = part.edges[use.edge];
+            if (!std::holds_alternative<Spline>(edge.curve)) continue;
+            ++splines;
+            EXPECT_GT(cda::dot(out(edge.from), out(edge.to)), 0.8);
+            // Each half is the curve that it was part of.
+            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            for (const double t : {0.0, 0.3, 0.7, 1.0})
+                EXPECT_NEAR(distance(*ramp, track.at(t)), 0.0, 1e-5);
+        }
+    }
+    EXPECT_GT(splines, 1);
+    Part checked = part;
+    EXPECT_TRUE(check(checked, 1e-4).empty());
+}
+
+// The floor of a nearly level ramp ends in a point between its wall and where the next ramp goes
+// down. Beside the wall, what is in front of the way and what is behind it are as high at one
+// place: readers took the one for the other, and drew nothing. The file has only the half of the
+// circle in front; of a ramp without such a corner it has the circle.
+TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
+    const auto ramp = [](const std::string& next) {
+        return test::make_part(
+            setup::job_of({"shallow.nc",
+                           "(T1 D=6. CR=0. - flat end mill)\n(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\n"
+                           "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X28.583 Y27.391 Z5\nG1 Z-1.225\n"
+                           "G1 X8.76 Y46.844 Z-1.096\n" +
+                               next + "G0 Z5\nM30\n"}),
+            0.05);
+    };
+    const Made alone = ramp(""), ends = ramp("G1 X16.198 Y56.155 Z-7.608\n");
+    EXPECT_EQ(alone.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
+    EXPECT_NE(ends.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
+    int halves = 0;
+    for (const Face& face : ends.solid.part.faces) {
+        const auto half = half_of_ramp(ends.solid.part, face);
+        if (!half) continue;
+        ++halves;
+        const Vec3 ahead = cda::normalized(Vec3{8.76 - 28.583, 46.844 - 27.391, 0});
+        EXPECT_NEAR(cda::norm(*half - ahead), 0.0, 1e-6);
+    }
+    EXPECT_EQ(halves, 1);
+}
+
+// Ramps cross at little more than their rounding, and two of their corners are 2 um apart: along
+// what touches a corner may be off by more than programs round. As one they were off what is around
+// them, which cost 88 facets instead of 63.
+TEST(Recognise, CornersOfRampsStayApart) {
+    const Made made = test::make_part(
+        setup::job_of({"ramps.nc",
+                       "(T1 D=3.175 CR=0. - flat end mill)\n"
+                       "(STOCK/BLOCK,14.,14.,9.,-2.,-2.,9.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                       "G0 X8.379266 Y6.814496 Z5\nG1 Z-4.235128\n"
+                       "X7.190038 Y8.003216 Z-4.195353\nX5.955598 Y6.790112 Z-3.599152\n"
+                       "X5.807770 Y6.855136 Z-3.577811\nX5.795070 Y6.904920 Z-3.587681\n"
+                       "X5.800150 Y6.945814 Z-3.599789\nX5.824534 Y6.990772 Z-3.617882\n"
+                       "X7.013254 Y8.180000 Z-4.196001\nX5.824534 Y9.369228 Z-4.244505\n"
+                       "X5.807770 Y9.395136 Z-4.248148\nX5.800150 Y9.414440 Z-4.251800\n"
+                       "G0 Z5\nM30\n"}),
+        0.02);
+    // Some of them are triangles of one whose corners were moved off its plane.
+    EXPECT_LE(made.solid.facets_kept, 75U);
+}
+
+}  // namespace
+}  // namespace ncsim::brep
