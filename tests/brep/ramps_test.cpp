@@ -10,7 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <variant>
 
@@ -118,6 +121,43 @@ TEST(Recognise, ShallowRampsHaveShortSplines) {
     EXPECT_TRUE(check(checked, 1e-4).empty());
 }
 
+struct RationalCubic {
+    std::array<Vec3, 4> points;
+    std::array<double, 4> weights;
+    Vec3 at(double t) const {
+        const double u = 1.0 - t;
+        const std::array shares{u * u * u, 3.0 * t * u * u, 3.0 * t * t * u, t * t * t};
+        Vec3 sum;
+        double all = 0.0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            sum = sum + (shares[i] * weights[i]) * points[i];
+            all += shares[i] * weights[i];
+        }
+        return (1.0 / all) * sum;
+    }
+};
+
+// In a file, after its four points.
+RationalCubic first_rational_cubic(const std::string& step) {
+    const auto numbers = [&](std::size_t from, auto... into) {
+        std::istringstream text(step.substr(from, 200));
+        char comma = 0;
+        ((text >> *into >> comma), ...);
+    };
+    RationalCubic cubic;
+    const std::string name = "RATIONAL_B_SPLINE_CURVE((", point = "CARTESIAN_POINT('',(";
+    const std::size_t at = step.find(name);
+    auto& w = cubic.weights;
+    numbers(at + name.size(), &w[0], &w[1], &w[2], &w[3]);
+    std::size_t before = at;
+    for (std::size_t i = 4; i-- > 0;) {
+        before = step.rfind(point, before - 1);
+        Vec3& p = cubic.points[i];
+        numbers(before + point.size(), &p.x, &p.y, &p.z);
+    }
+    return cubic;
+}
+
 // The floor of a nearly level ramp ends in a point between its wall and where the next ramp goes
 // down. Beside the wall, what is in front of the way and what is behind it are as high at one
 // place: readers took the one for the other, and drew nothing. The file has only the half of the
@@ -132,15 +172,22 @@ TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
                                next + "G0 Z5\nM30\n"}),
             0.05);
     };
+    const Vec3 ahead = cda::normalized(Vec3{8.76 - 28.583, 46.844 - 27.391, 0});
     const Made alone = ramp(""), ends = ramp("G1 X16.198 Y56.155 Z-7.608\n");
     EXPECT_EQ(alone.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
-    EXPECT_NE(ends.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
+    ASSERT_NE(ends.step.find("RATIONAL_B_SPLINE_CURVE"), std::string::npos);
+    const RationalCubic curve = first_rational_cubic(ends.step);
+    const Vec3 centre = 0.5 * (curve.at(0.0) + curve.at(1.0));
+    EXPECT_NEAR(cda::norm(curve.at(0.5) - centre - 3.0 * ahead), 0.0, 1e-6);
+    for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+        EXPECT_NEAR(cda::norm(curve.at(t) - centre), 3.0, 1e-9) << t;
+        EXPECT_NEAR(curve.at(t).z, centre.z, 1e-9) << t;
+    }
     int halves = 0;
     for (const Face& face : ends.solid.part.faces) {
         const auto half = half_of_ramp(ends.solid.part, face);
         if (!half) continue;
         ++halves;
-        const Vec3 ahead = cda::normalized(Vec3{8.76 - 28.583, 46.844 - 27.391, 0});
         EXPECT_NEAR(cda::norm(*half - ahead), 0.0, 1e-6);
     }
     EXPECT_EQ(halves, 1);

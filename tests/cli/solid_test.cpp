@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -24,8 +26,17 @@ TEST(Run, TheSolidHasTheSurfacesThatToolsLeave) {
     folder.write("drill.nc",
                  "(T1 D=6. CR=0. TAPER=118deg - drill)\n(STOCK/BLOCK,20.,20.,20.,0.,0.,20.)\n"
                  "G21 G90\nT1 M6 S5000 M3\nG0 X10. Y10. Z5.\nG1 Z-10. F100.\nG0 Z5.\nM30\n");
-    const Ran ran = folder.run({"run", "drill.nc", "--step", "a.step", "--step-strict"});
+    const Ran ran =
+        folder.run({"run", "drill.nc", "--step", "a.step", "--step-strict", "--report", "a.json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    // 20 x 20 x 20 less a bore of 6 to where its tip starts, and that.
+    const double pi = std::numbers::pi, tip = 3.0 / std::tan(59.0 * pi / 180.0);
+    const double left = 8000.0 - 9.0 * pi * (10.0 - tip + tip / 3.0);
+    const std::string step = folder.read("a.step"), told = "VOLUME_MEASURE(";
+    ASSERT_TRUE(contains(step, told));
+    EXPECT_NEAR(std::stod(step.substr(step.find(told) + told.size())), left, 1e-6);
+    const json report = json::parse(folder.read("a.json"));
+    EXPECT_NEAR(report["step"]["volume_mm3"].get<double>(), left, 1e-3);
     EXPECT_TRUE(contains(ran.out, "step      8 faces: 6 planes, 1 cylinder, 1 cone; edges within"))
         << ran.out;
     EXPECT_EQ(ncsim::test::count(folder.read("a.step"), "CYLINDRICAL_SURFACE("), 1U);
