@@ -196,6 +196,58 @@ TEST(Recognise, KnowsTheSidesOfBallsThatTurn) {
     }
 }
 
+// Where such a slope is nearly level, what is left of the ring around the flat end where the tool
+// stood is a hundredth of a millimetre high, and no facet tells it.
+TEST(Recognise, KnowsWhereBullNosesStopNearlyLevel) {
+    const std::string start = "T4 M6\nG0 X20 Y30 Z0\n", end = "G0 Z5\n";
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"G1 X60 Z-2\n", {7, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+          {"G1 X40 Z-1\nG1 X60 Y40 Z-2\n", {7, 0, 0, 0, 2, 0, 0, 0, 0, 2}}}) {
+        const Golden golden{"level", start + moves + end, kinds, 0.0};
+        const double left = volume(make(golden, 0.002).solid.part);
+        SCOPED_TRACE(moves);
+        expect_at({0.05, 0.02, 0.0055}, golden, left);
+    }
+}
+
+// Strips of such rings that cannot stay are not put in again and again.
+TEST(Recognise, EndsWhereBullNosesGoDownAndLevelInTurns) {
+    const Golden golden{"turns",
+                        "T4 M6\nG0 X20 Y30 Z5\nG1 Z-1\nG1 X25 Z-1.05\nG1 X30\nG1 X35 Z-1.2\n"
+                        "G1 X40 Z-1.1\nG0 Z5\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(made.solid.part.solids.size(), 1U);
+    EXPECT_TRUE(made.solid.is_sound);
+}
+
+// Down, up, and in a chain, with what their sides leave: its flat end goes level nowhere.
+TEST(Recognise, KnowsTheCornersOfBullNosesThatTurn) {
+    const std::string start = "T4 M6\nG0 X20 Y30 Z20\n", end = "G0 Z60\n";
+    for (const auto& [moves, kinds] :
+         {std::pair<std::string, Kinds>{"G1 Z-5\nG1 X55 Y33 Z-6 B3\n",
+                                        {7, 2, 0, 0, 2, 0, 0, 0, 0, 3}},
+          {"G1 Z-8\nG1 X60.48 Y33 Z3.5 B10\n", {7, 2, 0, 0, 2, 0, 0, 0, 0, 3}},
+          {"G1 Z-8\nG1 X40.88 Y31 Z-4.5 B2\nG1 X60.48 Y33 Z2 B5\n",
+           {7, 2, 0, 0, 2, 0, 0, 0, 0, 6}}}) {
+        const Golden golden{"bull", start + moves + end, kinds, 0.0};
+        const double left = volume(make(golden, 0.025).solid.part);
+        SCOPED_TRACE(moves);
+        expect_at({0.05, 0.02}, golden, left);
+    }
+}
+
+// The circle of a flat end: at both ends of the way it is an edge.
+TEST(Recognise, KnowsTheRimsOfFlatEndsThatTurn) {
+    const Golden golden{"rim",
+                        "T1 M6\nG0 X20 Y30 Z20\nG1 Z-5\nG1 X55 Y33 Z-6 B3\nG0 Z60\n",
+                        {7, 2, 0, 0, 0, 0, 0, 0, 0, 3},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    expect_at({0.05, 0.02, 0.0055}, golden, left);
+}
+
 // An arc nearer to its centre where it ends, and a helix in an upright plane.
 TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
     for (const auto& [moves, kinds] :

@@ -91,8 +91,8 @@ double random_place(Draw& draw, const Sweep& sweep, double low, double high) {
     return draw.from(1.1, 1.9) * (draw.from(-1, 1) < 0.0 ? -flank->length : flank->length);
 }
 
-// Balls and bull noses: lines that are neither level nor too steep, and helices and spirals, wider
-// than the tool, whose axis may lean; and flanks.
+// Balls and bull noses: lines that are neither level nor too steep, turning ones, and helices and
+// spirals, wider than the tool, whose axis may lean; and flanks.
 Envelope random_envelope(Draw& draw) {
     for (;;) {
         if (draw.from(0, 1) < 0.3) return random_flank(draw);
@@ -101,7 +101,7 @@ Envelope random_envelope(Draw& draw) {
                             draw.from(0.5, 3.0)};
         const Vec3 axis = draw.direction();
         ToolWay way;
-        if (is_ball && draw.from(0, 1) < 0.4) {
+        if (draw.from(0, 1) < 0.4) {
             const auto turn = random_turn(draw, axis);
             if (!turn) continue;
             way = *turn;
@@ -115,7 +115,8 @@ Envelope random_envelope(Draw& draw) {
             const double lean = std::abs(dot(normalized(at.speed), at.axis));
             return lean < 0.95 && (fillet.ring == 0.0 || lean > 0.05);
         };
-        if (std::ranges::all_of(envelope.sweep->samples(), is_usual)) return envelope;
+        if (has_across(*envelope.sweep) && std::ranges::all_of(envelope.sweep->samples(), is_usual))
+            return envelope;
     }
 }
 
@@ -225,6 +226,61 @@ TEST(Envelope, SidesTouchTheirCornerRadii) {
             EXPECT_NEAR(distance(ball, p), 0.0, 1e-9);
             EXPECT_NEAR(norm(gradient(ball, p) - gradient(side, p)), 0.0, 1e-6);
             EXPECT_NEAR(distance(Trail{ball, flank.sine}, p), 0.0, 1e-6);
+        }
+    }
+}
+
+// A fillet without a radius: where its circle passes, by differences.
+TEST(Envelope, OfARimIsWhereItsCirclePasses) {
+    Draw draw(12);
+    int seen = 0;
+    while (seen < 200) {
+        const Vec3 axis = draw.direction();
+        const auto turn = random_turn(draw, axis);
+        if (!turn) continue;
+        const Envelope rim{
+            std::make_shared<Sweep>(Fillet{draw.from(1.0, 5.0), draw.from(0.0, 3.0), 0.0}, *turn)};
+        const Sweep& sweep = *rim.sweep;
+        const auto is_usual = [&](const Passage& at) {
+            const double lean = std::abs(dot(normalized(at.speed), at.axis));
+            return lean < 0.9 && lean > 0.1;
+        };
+        if (!has_across(sweep) || !std::ranges::all_of(sweep.samples(), is_usual)) continue;
+        ++seen;
+        const double t = draw.from(0.1, 0.9), place = draw.from(110.0, 250.0);
+        const auto point = [&](double time, double across_way) {
+            return point_across(sweep, sweep.at(time), across_way);
+        };
+        const Vec3 p = point(t, place);
+        constexpr double kTime = 1e-5, kAcross = 1e-3;
+        const Vec3 n = normalized(cross(point(t, place + kAcross) - point(t, place - kAcross),
+                                        point(t + kTime, place) - point(t - kTime, place)));
+        const Aspect on = place_on(rim, p);
+        EXPECT_NEAR(on.off, 0.0, 1e-10);
+        EXPECT_NEAR(on.t, t, 1e-9);
+        EXPECT_NEAR(std::abs(dot(on.normal, n)), 1.0, 1e-8);
+        // Below the tool.
+        EXPECT_LT(dot(on.normal, on.passage.axis), 0.0);
+        EXPECT_NEAR(place_across(sweep, on.passage, p), place, 1e-8);
+        const double off = draw.from(-0.05, 0.05);
+        const Vec3 beside = p + off * on.normal;
+        EXPECT_NEAR(distance(rim, beside), off, 1e-6);
+        EXPECT_NEAR(distance(Trail{rim, dot(on.normal, on.passage.axis)}, p), 0.0, 1e-8);
+        EXPECT_NEAR(distance(Characteristic{rim, t}, p), 0.0, 1e-10);
+        constexpr double kStep = 1e-6;
+        const auto value = [&](Vec3 at) {
+            const Aspect aspect = place_on(rim, at);
+            return Vec3{aspect.off, aspect.t, dot(aspect.normal, aspect.passage.axis)};
+        };
+        const Aspect aspect = place_on(rim, beside);
+        const Vec3 time = gradient_of_time(aspect), rise = gradient_of_rise(sweep, aspect);
+        for (int k = 0; k < 3; ++k) {
+            Vec3 step;
+            step[k] = kStep;
+            const Vec3 slope = (0.5 / kStep) * (value(beside + step) - value(beside - step));
+            EXPECT_NEAR(slope.x, aspect.normal[k], 1e-5);
+            EXPECT_NEAR(slope.y, time[k], 1e-4 * (1.0 + norm(time)));
+            EXPECT_NEAR(slope.z, rise[k], 1e-4 * (1.0 + norm(rise)));
         }
     }
 }

@@ -566,10 +566,10 @@ TEST(Recognise, SaysTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(make(golden, 0.05, 1).step, make(golden, 0.05, 3).step);
 }
 
-// Where a tool turns no finer cut helps, nor beside it: none is asked for.
+// Where a flat end that turns goes level no finer cut helps, nor beside it: none is asked for.
 TEST(Recognise, FacetsBesideThoseOfATurningToolAreNotGivenUp) {
     const test::Made turning = test::make_part(
-        "turning", "T1 M6\nG0 X-10 Y30 Z30\nG1 X20 Z15\nG1 X40 B20\nG1 X60 B-10\nG0 Z40 B0\n");
+        "turning", "T1 M6\nG0 X-10 Y30 Z20\nG1 Z-4\nG1 X20\nG1 X60.48 Y33 Z4.54 B10\nG0 Z60\n");
     EXPECT_GT(turning.solid.facets_kept, 20U);
     EXPECT_EQ(turning.solid.facets_given_up, 0U);
 }

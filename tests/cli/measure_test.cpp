@@ -83,7 +83,8 @@ TEST(Measure, SaysTheSameAsJson) {
 TEST(Measure, SaysWhatItDidNotMeasure) {
     Folder folder;
     std::string helix = kSlot;
-    helix.replace(helix.find("CR=0."), 5, "CR=1.");
+    helix.replace(helix.find("CR=0."), 5, "CR=0. TAPER=45deg");
+    helix.replace(helix.find("flat end mill"), 13, "chamfer mill");
     helix.replace(helix.find("G0 X-30."), 8, "G0 X-10.");
     helix.replace(helix.find("G1 X30."), 7, "G2 X10. I10. Z-4.");
     folder.write("helix.nc", helix);

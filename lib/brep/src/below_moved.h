@@ -227,6 +227,10 @@ public:
             return in_pieces(on, to < 0.0 ? -flank->length : flank->length, to);
         }
         constexpr double kBelow = 180.0;
+        if (sweep_.is_rim()) {
+            const OnRimPlaces on{sweep_, passage};
+            return in_pieces(on, kBelow, place_across(sweep_, passage, place.foot));
+        }
         const OnFillet on{sweep_, *sweep_.fillet(), passage, brep::around(sweep_, passage)};
         return in_pieces(on, kBelow, on.angle_of(place.normal));
     }
@@ -255,6 +259,7 @@ private:
             return degrees < 0.0 ? degrees + 360.0 : degrees;
         }
         Stroke operator()(double degrees) const {
+            if (fillet.ring > 0.0 && passage.turn != Vec3{}) return turning(degrees);
             const auto angle = trig::sin_cos(degrees);
             const Vec3 n = angle.cos * at.up + angle.sin * at.side;
             const Vec3 on = angle.cos * at.side - angle.sin * at.up;
@@ -269,6 +274,23 @@ private:
                 p = p + (fillet.ring / length) * level;
             }
             return {p, aspect_at(sweep, passage, p), trig::kRadiansPerDegree * cda::norm(pace)};
+        }
+        // By how much the normal turns for each mm along the characteristic, seen along the way.
+        Stroke turning(double degrees) const {
+            const Vec3 p = point_with_normal(sweep, passage, degrees);
+            const Aspect there = aspect_at(sweep, passage, p);
+            const Vec3 n = there.normal, axis = passage.axis;
+            const Vec3 along = cda::normalized(cda::cross(n, there.drift));
+            const Vec3 out = cda::normalized(n - cda::dot(n, axis) * axis);
+            const Vec3 round = cda::cross(axis, out), profile = cda::cross(round, n);
+            const double away = cda::dot(n, out);
+            const Vec3 turn =
+                (cda::dot(along, profile) / fillet.radius) * profile +
+                (cda::dot(along, round) * away / (fillet.ring + fillet.radius * away)) * round;
+            const double up = cda::dot(n, at.up), side = cda::dot(n, at.side);
+            const double around = (up * cda::dot(turn, at.side) - side * cda::dot(turn, at.up)) /
+                                  (up * up + side * side);
+            return {p, there, trig::kRadiansPerDegree / std::abs(around)};
         }
     };
 
@@ -285,6 +307,17 @@ private:
             const Vec3 profile = passage.axis - rise * at.normal;
             return {p, at,
                     cda::norm(along) * cda::norm(profile) / std::abs(cda::dot(along, profile))};
+        }
+    };
+
+    // By the angle about the axis, degrees.
+    struct OnRimPlaces {
+        const Sweep& sweep;
+        const Passage& passage;
+        Stroke operator()(double degrees) const {
+            const Vec3 p = point_across(sweep, passage, degrees);
+            return {p, aspect_at(sweep, passage, p),
+                    trig::kRadiansPerDegree * sweep.fillet()->ring};
         }
     };
 

@@ -9,6 +9,7 @@
 #include "ncsim/trig/angles.h"
 
 #include "ellipse.h"
+#include "rim.h"
 
 #include <algorithm>
 #include <array>
@@ -32,52 +33,8 @@ constexpr double kNoLength = 1e-9;
 // So far do directions count, mm.
 constexpr double kPart = 100.0;
 
-Passage passage(const StraightWay& way, double t) {
-    return {way.from + t * way.along, way.along, {}, way.axis, {}, {}};
-}
-
-Passage passage(const RoundWay& way, double t) {
-    const double w = t * way.swept;
-    const auto angle = trig::sin_cos(w / kRadiansPerDegree);
-    const Vec3 side = cross(way.about, way.ahead);
-    const Vec3 up = angle.cos * way.ahead + angle.sin * side;
-    const Vec3 on = angle.cos * side - angle.sin * way.ahead;
-    const double reach = way.reach + way.growth * w;
-    Passage p;
-    p.tip = way.centre + reach * up + (way.lead * w) * way.about;
-    p.speed = way.swept * (way.growth * up + reach * on + way.lead * way.about);
-    p.change = (way.swept * way.swept) * (2.0 * way.growth * on - reach * up);
-    p.axis = way.axis;
-    return p;
-}
-
-std::size_t samples_for(const StraightWay&) {
-    return 2;
-}
-std::size_t samples_for(const RoundWay& way) {
-    constexpr double kStep = 5.0;  // degrees
-    return 9 + static_cast<std::size_t>(std::abs(way.swept) / kRadiansPerDegree / kStep);
-}
-
-// Where few powers count, the way is nearly straight.
-std::size_t samples_for(const TurningWay& way) {
-    constexpr std::size_t kMost = 33;
-    return std::min(kMost, 2 * way.powers.size() + 1);
-}
-
 Vec3 level(Vec3 v, Vec3 axis) {
     return v - dot(v, axis) * axis;
-}
-
-// Above the tip: of the point on the axis in which the normal ends that is so far along the flank.
-double height_of_centre(const Flank& flank, double along) {
-    return flank.height + (along - flank.radius * flank.sine) / flank.cosine;
-}
-
-// The same of the lower end; of the centre of a ring.
-double lowest_centre(const Sweep& sweep) {
-    const Fillet* fillet = sweep.fillet();
-    return fillet ? fillet->height : height_of_centre(*sweep.flank(), 0.0);
 }
 
 Vec3 middle_of(const Sweep& sweep, const Passage& passage) {
@@ -175,6 +132,11 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
         return beyond * beyond + above * above;
     };
     Nearest nearest;
+    if (sweep.is_rim()) {
+        for (const double when : starts_on_rim(sweep, p))
+            nearest.take(when, std::sqrt(off(sweep.at(when))));
+        return nearest;
+    }
     constexpr double kAny = std::numeric_limits<double>::infinity();
     const double step = 1.0 / static_cast<double>(samples.size() - 1);
     double before = kAny, here = off(samples.front());
@@ -195,7 +157,8 @@ Nearest nearest_samples(const Sweep& sweep, Vec3 p) {
     return nearest;
 }
 
-// To a time that is later by so little that all goes straight.
+// To a time that is later by so little that all goes straight. Not of rims: `rate` is of another
+// distance there.
 void advance(Aspect& aspect, double by, Vec3 p) {
     Passage& at = aspect.passage;
     at.tip = at.tip + by * at.speed;
@@ -228,7 +191,7 @@ Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
         if (!(std::abs(next - t) > kNoTime)) break;
         const bool is_between = next > before && next < after;
         if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
-        if (is_between && std::abs(step) < kShort) {
+        if (is_between && !sweep.is_rim() && std::abs(step) < kShort) {
             advance(aspect, step, p);
             break;
         }
@@ -259,29 +222,6 @@ Shape shape_at(const Flank& flank, const Seen& seen) {
 
 }  // namespace
 
-Sweep::Sweep(const Meridian& meridian, const ToolWay& way) : meridian_(meridian), way_(way) {
-    const std::size_t count =
-        std::visit([](const auto& which) { return samples_for(which); }, way_);
-    for (std::size_t i = 0; i < count; ++i)
-        samples_.push_back(at(static_cast<double>(i) / static_cast<double>(count - 1)));
-    const auto length = [&](double height) {
-        double sum = 0.0;
-        for (std::size_t i = 1; i < count; ++i) {
-            const Passage &from = samples_[i - 1], &to = samples_[i];
-            sum += norm(to.tip + height * to.axis - from.tip - height * from.axis);
-        }
-        return sum;
-    };
-    length_ = length(0.0);
-    if (const Flank* side = flank())
-        length_ =
-            std::max(length(lowest_centre(*this)), length(height_of_centre(*side, side->length)));
-}
-
-Passage Sweep::at(double t) const {
-    return std::visit([t](const auto& way) { return passage(way, t); }, way_);
-}
-
 Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
     Aspect aspect = aspect_at(sweep, sweep.at(t), p);
     aspect.t = t;
@@ -289,6 +229,7 @@ Aspect aspect_at(const Sweep& sweep, double t, Vec3 p) {
 }
 
 Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
+    if (sweep.is_rim()) return aspect_of_rim(*sweep.fillet(), at, p);
     Aspect aspect;
     aspect.passage = at;
     const Seen seen(at, p);
@@ -299,18 +240,18 @@ Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p) {
     aspect.off = shape.off;
     aspect.normal = n;
     aspect.foot = p - aspect.off * n;
+    // The tool spins by a x a': what that does to a vector v is (a v) a' - (a' v) a.
     const Vec3 v = p - at.tip;
-    const Vec3 spin = cross(at.axis, at.turn), spin_up = cross(at.axis, at.bend);
-    const Vec3 speed = at.speed + cross(spin, v);
-    const Vec3 change = at.change + cross(spin_up, v) - cross(spin, at.speed);
-    // How the normal changes with the point: along the profile, and around the axis.
-    const Vec3 along = shape.cosine * at.axis - shape.sine * seen.out;
-    const Vec3 round = cross(at.axis, seen.out);
-    Vec3 turned = (shape.bend * dot(speed, along)) * along;
-    if (seen.radius > 0.0)
-        turned = turned + (dot(speed, round) * shape.cosine / seen.radius) * round;
-    aspect.drift = cross(spin, n) - turned;
+    const Vec3 speed = at.speed + seen.height * at.turn - dot(at.turn, v) * at.axis;
+    const Vec3 change = at.change + seen.height * at.bend - dot(at.axis, at.speed) * at.turn +
+                        (dot(at.turn, at.speed) - dot(at.bend, v)) * at.axis;
     aspect.rate = -dot(n, speed);
+    // How the normal changes with the point: along the profile, and around the axis.
+    const double around = seen.radius > 0.0 ? shape.cosine / seen.radius : 0.0;
+    const Vec3 along = shape.cosine * at.axis - shape.sine * seen.out;
+    const Vec3 level_speed = speed + aspect.rate * n;
+    aspect.drift = shape.sine * at.turn - dot(at.turn, n) * at.axis - around * level_speed -
+                   ((shape.bend - around) * dot(speed, along)) * along;
     aspect.bend = -dot(aspect.drift, speed) - dot(n, change);
     return aspect;
 }
@@ -324,16 +265,21 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     constexpr double kBeyondEnd = 0.25;
     const Nearest nearest = nearest_samples(sweep, p);
     const double half = 0.5 * sweep.length_mm() / static_cast<double>(sweep.samples().size() - 1);
+    // What a rim passes may be near on both sides.
+    const bool is_of_rim = sweep.is_rim();
+    const auto far = [&](const Aspect& aspect) {
+        return is_of_rim ? std::abs(aspect.off) : aspect.off;
+    };
     std::optional<Aspect> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < nearest.count; ++k) {
         if (nearest.off[k] > nearest.least + half) continue;
         const Aspect aspect = nearest_from(sweep, nearest.time[k], p);
-        double off = aspect.off;
+        double off = far(aspect);
         if (const double end = std::clamp(aspect.t, 0.0, 1.0);
             nearest.count > 1 && aspect.t != end) {
             const double beyond = std::abs(aspect.t - end) * sweep.length_mm();
-            off = aspect_at(sweep, end, p).off + kBeyondEnd * beyond;
+            off = far(aspect_at(sweep, end, p)) + kBeyondEnd * beyond;
         }
         if (off >= least) continue;
         least = off;
@@ -342,38 +288,22 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
     return *best;
 }
 
-Vec3 gradient_of_time(const Aspect& aspect) {
-    return aspect.bend != 0.0 ? (-1.0 / aspect.bend) * aspect.drift : Vec3{};
-}
-
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
     const Passage& at = aspect.passage;
     const Vec3 n = aspect.normal;
     const Fillet* fillet = sweep.fillet();
     if (!fillet) return {};
+    if (sweep.is_rim()) return gradient_of_rise_of_rim(*fillet, aspect);
     const double rise = dot(n, at.axis), far = aspect.off + fillet->radius;
     const Vec3 along = at.axis - rise * n;
     const double with_time = dot(aspect.drift, at.axis) + dot(n, at.turn);
     return (1.0 / far) * along + with_time * gradient_of_time(aspect);
 }
 
-Vec3 velocity_at(const Passage& passage, double height) {
-    return passage.speed + height * passage.turn;
-}
-
 double height_of_centre(const Sweep& sweep, const Aspect& aspect) {
     const Flank* flank = sweep.flank();
     if (!flank) return sweep.fillet()->height;
     return height_of_centre(*flank, place_along(*flank, Seen(aspect.passage, aspect.foot)));
-}
-
-Around around(const Sweep& sweep, const Passage& passage) {
-    Around at;
-    at.centre = middle_of(sweep, passage);
-    at.ahead = normalized(velocity_at(passage, lowest_centre(sweep)));
-    at.up = normalized(level(passage.axis, at.ahead));
-    at.side = cross(at.ahead, at.up);
-    return at;
 }
 
 namespace {
@@ -383,6 +313,40 @@ double degrees_around(const Around& at, Vec3 p) {
     const Vec3 v = p - at.centre;
     const double degrees = trig::angle_of(dot(v, at.up), dot(v, at.side));
     return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
+// Of a fillet: the normal of its characteristic that is `across`, unit, seen along the way of the
+// ring's centre. It meets the axis of the tool, a, at another height than that centre. With e what
+// points out of the axis there, V the velocity of the centre and R the radius of the ring
+//
+//     n V = R (n a) (e a'),
+//
+// so n is nearly at right angles to the way where the tool turns slowly; by secants (Illinois).
+Vec3 normal_across(const Fillet& fillet, const Passage& passage, const Around& at, Vec3 across) {
+    const double speed = norm(velocity_at(passage, fillet.height));
+    const double most = fillet.ring * norm(passage.turn) / speed;
+    if (!(most > 0.0 && most < 1.0)) return across;
+    const auto normal = [&](double ahead) {
+        return std::sqrt(1.0 - ahead * ahead) * across + ahead * at.ahead;
+    };
+    const auto off = [&](double ahead) {
+        const Vec3 n = normal(ahead), out = normalized(level(n, passage.axis));
+        return ahead - fillet.ring * dot(n, passage.axis) * dot(out, passage.turn) / speed;
+    };
+    constexpr int kMostSecants = 60;
+    constexpr double kNoSine = 1e-16;
+    double low = -most, high = most, below = off(low), above = off(high);
+    double ahead = 0.0, value = off(ahead);
+    for (int i = 0; i < kMostSecants && std::abs(value) > kNoSine; ++i) {
+        const bool is_low = value < 0.0;
+        (is_low ? low : high) = ahead;
+        (is_low ? below : above) = value;
+        ahead = low - below * (high - low) / (above - below);
+        value = off(ahead);
+        // The end that stays counts for half.
+        if ((value < 0.0) == is_low) (is_low ? above : below) *= 0.5;
+    }
+    return normal(ahead);
 }
 
 // Of a fillet. The angle of the point grows with that of its normal, which is on the same side of
@@ -416,14 +380,15 @@ Vec3 point_around(const Sweep& sweep, const Passage& passage, double degrees) {
 Vec3 point_with_normal(const Sweep& sweep, const Passage& passage, double degrees) {
     const Around at = around(sweep, passage);
     const auto angle = trig::sin_cos(degrees);
-    const Vec3 n = angle.cos * at.up + angle.sin * at.side;
     const Fillet& fillet = *sweep.fillet();
+    const Vec3 n = normal_across(fillet, passage, at, angle.cos * at.up + angle.sin * at.side);
     const Vec3 ring = fillet.ring > 0.0 ? fillet.ring * normalized(level(n, passage.axis)) : Vec3{};
     return at.centre + ring + fillet.radius * n;
 }
 
 double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
     const Flank* flank = sweep.flank();
+    if (sweep.is_rim()) return place_on_rim(sweep, passage, p);
     if (!flank) return degrees_around(around(sweep, passage), p);
     const double along = place_along(*flank, Seen(passage, p));
     const bool is_right = dot(p - passage.tip, Contact(*flank, passage, along).right) > 0.0;
@@ -432,6 +397,7 @@ double place_across(const Sweep& sweep, const Passage& passage, Vec3 p) {
 
 Vec3 point_across(const Sweep& sweep, const Passage& passage, double place) {
     const Flank* flank = sweep.flank();
+    if (sweep.is_rim()) return point_on_rim(sweep, passage, place);
     if (!flank) return point_around(sweep, passage, place);
     const double along = std::abs(place) - flank->length;
     const Vec3 out = Contact(*flank, passage, along).out(place < 0.0, passage.axis);
@@ -450,12 +416,17 @@ bool has_across(const Sweep& sweep) {
             return touches(at, 0.0) || touches(at, flank->length);
         });
     }
+    // Where a ring turns, its flat end may not go level anywhere: what is ahead of that touches it
+    // in one curve, and what is behind in another one.
+    constexpr double kClear = 1.1;
+    const double ring = sweep.fillet()->ring;
     bool rises = false, falls = false;
     const bool is_usual = std::ranges::all_of(sweep.samples(), [&](const Passage& at) {
         const Vec3 way = velocity_at(at, lowest_centre(sweep));
         const double lean = dot(way, at.axis), length = norm(way);
-        rises = rises || lean > -kFlattest * length;
-        falls = falls || lean < kFlattest * length;
+        const double least = std::max(kFlattest * length, kClear * ring * norm(at.turn));
+        rises = rises || lean > -least;
+        falls = falls || lean < least;
         return length > kNoLength && std::abs(lean) < kSteepest * length;
     });
     return is_usual && (sweep.is_ball() || !rises || !falls);

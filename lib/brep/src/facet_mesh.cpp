@@ -162,6 +162,104 @@ std::size_t FacetMesh::given_up() const {
     return count;
 }
 
+bool FacetMesh::is_boundary(std::uint32_t h) const {
+    return facets_[edges_[h].facet].label != facets_[edges_[edges_[h].twin].facet].label;
+}
+
+std::uint32_t FacetMesh::next_boundary(std::uint32_t h) const {
+    std::uint32_t n = edges_[h].next;
+    while (!is_boundary(n))
+        n = edges_[edges_[n].twin].next;
+    return n;
+}
+
+std::uint32_t FacetMesh::boundary_before(std::uint32_t h) const {
+    std::uint32_t before = h;
+    while (next_boundary(before) != h)
+        before = next_boundary(before);
+    return before;
+}
+
+std::uint32_t FacetMesh::add_edge(const HalfEdge& edge) {
+    edges_.push_back(edge);
+    lengths_.push_back(0.0);
+    return static_cast<std::uint32_t>(edges_.size() - 1);
+}
+
+void FacetMesh::pair(std::uint32_t h, std::uint32_t twin) {
+    edges_[h].twin = twin;
+    edges_[twin].twin = h;
+    lengths_[twin] = lengths_[h];
+}
+
+// The corner where `h` ends becomes another one, in the same place, for all that is between it and
+// `last`, of the same label.
+std::uint32_t FacetMesh::part_from(std::uint32_t h, std::uint32_t last) {
+    const std::uint32_t corner = edges_[last].from,
+                        own = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(points_[corner]);
+    std::uint32_t n = edges_[h].next;
+    edges_[n].from = own;
+    while (n != last) {
+        n = edges_[edges_[n].twin].next;
+        edges_[n].from = own;
+    }
+    return own;
+}
+
+// Along the chain the strip has one half-edge beside each of it, and one back beside each of its
+// twins. At both ends, where these have a common corner, there is one more, beside the facet that
+// is beyond the label there.
+void FacetMesh::lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface) {
+    const std::uint32_t first = chain.front(), before = boundary_before(first);
+    const std::uint32_t after = next_boundary(chain.back());
+    const auto number = static_cast<std::uint32_t>(facets_.size());
+    Facet strip = facets_[edges_[first].facet];
+    strip.own = strip.label;
+    strip.label = strip.plain = surface;
+    strip.area = 0.0;
+    strip.may_be_true = false;
+    strip.was_labelled = false;
+    strip.is_strip = true;
+
+    std::vector<std::uint32_t> corners, parted;
+    corners.push_back(edges_[first].from);
+    for (const std::uint32_t h : chain)
+        corners.push_back(to(h));
+    std::uint32_t from = before;
+    for (std::size_t i = 0; i <= chain.size(); ++i) {
+        const std::uint32_t last = i < chain.size() ? chain[i] : after;
+        parted.push_back(part_from(from, last));
+        from = last;
+    }
+    // Between corner and corner at both ends, in the facets beyond.
+    const std::uint32_t begin = edges_[before].twin, end = edges_[after].twin;
+    std::uint32_t previous = begin;
+    while (edges_[previous].next != begin)
+        previous = edges_[previous].next;
+    edges_[begin].from = parted.front();
+    const std::uint32_t at_begin = add_edge({corners.front(), edges_[begin].facet, begin, kNone});
+    edges_[previous].next = at_begin;
+    const std::uint32_t at_end =
+        add_edge({parted.back(), edges_[end].facet, edges_[end].next, kNone});
+    edges_[end].next = at_end;
+
+    std::vector<std::uint32_t> loop;
+    const auto add = [&](std::uint32_t corner, std::uint32_t twin) {
+        loop.push_back(add_edge({corner, number, kNone, kNone}));
+        pair(twin, loop.back());
+    };
+    for (std::size_t i = 0; i < chain.size(); ++i)
+        add(corners[i], edges_[chain[i]].twin);
+    add(corners.back(), at_end);
+    for (std::size_t i = chain.size(); i-- > 0;)
+        add(parted[i + 1], chain[i]);
+    add(parted.front(), at_begin);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        edges_[loop[i]].next = loop[(i + 1) % loop.size()];
+    facets_.push_back(strip);
+}
+
 void FacetMesh::link() {
     std::vector<std::uint32_t> number(source_.boundary.vertices.size(), kNone);
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {

@@ -35,6 +35,7 @@ struct Facet {
     bool is_final = false;      ///< It stays a facet.
     bool was_given_up = false;
     bool was_ceded = false;  ///< To a neighbour, for a corner that was none.
+    bool is_strip = false;   ///< Without width: no polyhedron has it.
 };
 
 struct HalfEdge {
@@ -82,7 +83,16 @@ public:
         facets_[i].is_unknown = true;
         facets_[i].was_labelled = false;
     }
+    /// A strip without width on another surface, between what is on both sides of these half-edges
+    /// of one label, each of which goes on where the one before ends, and the last of which does
+    /// not end where the first starts. Given up, it is of their label. It is beside what ends
+    /// there.
+    void lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface);
+    /// The half-edge after that one around what has its label, and the one before.
+    std::uint32_t next_boundary(std::uint32_t h) const;
+    std::uint32_t boundary_before(std::uint32_t h) const;
     const Surface& surface(std::uint32_t number) const { return surfaces_[number]; }
+    std::uint32_t number_of(const Surface& surface) { return surfaces_.add(surface); }
     /// Who cut a facet.
     const std::vector<cda::Origin>& origins(std::uint32_t i) const {
         return source_.origins[facets_[i].face];
@@ -104,6 +114,10 @@ private:
     std::uint32_t plain_label(std::uint32_t f, const Facet& facet,
                               const std::map<cda::Origin, Source>& sources);
     void link();
+    bool is_boundary(std::uint32_t h) const;
+    std::uint32_t part_from(std::uint32_t h, std::uint32_t last);
+    std::uint32_t add_edge(const HalfEdge& edge);
+    void pair(std::uint32_t h, std::uint32_t twin);
     void label_needles();
     void part_fans();
     // Of a round tool, and not a piece of any of its surfaces.

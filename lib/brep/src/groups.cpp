@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -16,6 +17,10 @@
 namespace ncsim::brep {
 
 namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
 
 // Of what joins a neighbour, as a chord.
 constexpr double kMostTurnOfNeighbours = 0.6;
@@ -44,13 +49,35 @@ std::optional<double> thickness_between(const Surface& a, const Surface& b) {
     return (a.is_hollow ? two->radius - one->radius : one->radius - two->radius) + off;
 }
 
-// Where a tool goes that crosses a pipe or a flank there, beside `p`.
+// Where a tool goes that crosses a pipe, a flank or what a ring leaves there, beside `p`.
 Vec3 way_at(const Form& across, Vec3 p) {
     if (const auto* plane = std::get_if<Plane>(&across)) return plane->normal;
     const auto& stood = std::get<Characteristic>(across);
     const Aspect at = aspect_at(*stood.of.sweep, stood.t, p);
     const Vec3 velocity = velocity_at(at.passage, height_of_centre(*stood.of.sweep, at));
-    return cda::normalized(away({}, at.passage.axis, velocity));
+    const Fillet* fillet = stood.of.sweep->fillet();
+    const bool is_ring = fillet && fillet->ring > 0.0;
+    return cda::normalized(is_ring ? velocity : away({}, at.passage.axis, velocity));
+}
+
+// Where a corner radius stood, if the plane is that of its flat end there.
+std::optional<Torus> ring_beside(const Plane& flat, const Envelope& moved) {
+    const Fillet* fillet = moved.sweep->fillet();
+    if (!fillet || moved.sweep->is_rim() || fillet->ring <= fillet->radius) return std::nullopt;
+    std::vector<double> times{0.0, 1.0};
+    if (const auto* way = std::get_if<StraightWay>(&moved.sweep->way())) {
+        const double off = cda::dot(flat.origin - way->from, flat.normal) - fillet->height;
+        times = {(off + fillet->radius) / cda::dot(way->along, flat.normal)};
+    }
+    for (const double t : times) {
+        const Passage at = moved.sweep->at(t);
+        const Vec3 centre = around(*moved.sweep, at).centre;
+        const bool is_its = cda::dot(at.axis, flat.normal) > 0.0 &&
+                            is_parallel(at.axis, flat.normal) &&
+                            near(distance(flat, centre), fillet->radius);
+        if (is_its) return Torus{centre, at.axis, fillet->ring, fillet->radius};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -156,10 +183,10 @@ bool Groups::unify() {
     return any;
 }
 
-// Where its way bends, a ball leaves a lune between two pipes, and a side a strip between two
-// flanks. Longer, these meet in the plane between both, farther out than the lune by little where
-// the way bends little: and then facets are wider than the lune, and have gaps where it ought to
-// be. Pipes may bend themselves: envelopes.
+// Where its way bends, a ball or a corner radius leaves a lune between two pipes, and a side a
+// strip between two flanks. Longer, these meet in the plane between both, farther out than the lune
+// by little where the way bends little: and then facets are wider than the lune, and have gaps
+// where it ought to be. Pipes may bend themselves: envelopes.
 bool Groups::join_lunes() {
     bool any = false;
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
@@ -187,18 +214,20 @@ bool Groups::join_lunes() {
     return any;
 }
 
-// What goes on from where a ball or a side stood, as `g` tells.
+// What goes on from where a ball, a side or a corner radius stood, as `g` tells.
 std::vector<Groups::Pipe> Groups::pipes_beside(std::uint32_t g) const {
     const auto* ball = std::get_if<Sphere>(&form_of(g));
     const auto* side = std::get_if<Cylinder>(&form_of(g));
-    if (!groups_[g].is_analytic || (!ball && !side)) return {};
+    const auto* ring = std::get_if<Torus>(&form_of(g));
+    if (!groups_[g].is_analytic || (!ball && !side && !ring)) return {};
     std::vector<Pipe> pipes;
     std::optional<Vec3> axis;
     for (const auto& [n, shared] : neighbours(g)) {
         const auto* envelope = std::get_if<Envelope>(&form_of(n));
         if (!envelope) continue;
-        const auto t = ball ? end_at(*envelope, ball->centre)
-                            : end_on_axis(*envelope, side->origin, side->axis);
+        const auto t = ball   ? end_at(*envelope, ball->centre)
+                       : ring ? end_at(*envelope, ring->centre)
+                              : end_on_axis(*envelope, side->origin, side->axis);
         if (!t) continue;
         pipes.push_back({n, shared, Characteristic{*envelope, *t}});
         axis = envelope->sweep->at(*t).axis;
@@ -277,6 +306,75 @@ bool Groups::join_fin(std::uint32_t g, std::uint32_t n) {
     for (const std::uint32_t i : fin)
         relabel(i, groups_[*beside.begin()].surface);
     return true;
+}
+
+bool Groups::lay_strips() {
+    std::vector<bool> has_gone(groups_.size(), false);  // onto a ring
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::optional<Torus>> rings;
+    bool any = false;
+    const std::size_t edges = mesh_.edges().size();
+    for (std::uint32_t h = 0; h < edges; ++h) {
+        const std::uint32_t g = group_at(h);
+        const std::uint32_t n = group_beyond_strips(h);
+        if (n == g || n == kNone || has_gone[g]) continue;
+        const auto* flat = std::get_if<Plane>(&form_of(g));
+        const auto* moved = std::get_if<Envelope>(&form_of(n));
+        if (!flat || !moved || !groups_[g].is_analytic) continue;
+        const auto [known, is_new] = rings.try_emplace({g, n});
+        if (is_new) known->second = ring_beside(*flat, *moved);
+        const std::optional<Torus>& ring = known->second;
+        if (!ring) continue;
+        const Surface corner{*ring, true};
+        // Polygons in the place of a profile have flat ends that are wider.
+        const bool is_beyond =
+            is_new && std::ranges::all_of(groups_[g].facets, [&](auto i) {
+                const Facet& facet = mesh_[i];
+                return norm(away(ring->centre, ring->axis, facet.centroid)) > ring->major &&
+                       !facet.was_given_up && !facet.was_ceded &&
+                       mesh_.fits(facet, corner, 1.5 * facet.error_mm, kMostTurnOfNeighbours);
+            });
+        if (is_beyond) {
+            for (const std::uint32_t i : groups_[g].facets)
+                mesh_.cede(i, mesh_.number_of(corner));
+            has_gone[g] = any = true;
+            continue;
+        }
+        if (!goes_around(h, *ring)) continue;
+        const std::vector<std::uint32_t> chain = chain_from(h);
+        if (chain.empty()) continue;
+        mesh_.lay_strip(chain, mesh_.number_of(corner));
+        any = true;
+    }
+    return any;
+}
+
+// Is what it goes around the flat end in the ring, and not a plane at the height of that?
+bool Groups::goes_around(std::uint32_t h, const Torus& ring) const {
+    constexpr double kErrors = 3.0;
+    const Vec3 from = mesh_.point(mesh_.edges()[h].from), to = mesh_.point(mesh_.to(h));
+    const Vec3 middle = 0.5 * (from + to);
+    return dot(cross(ring.axis, to - from), away(ring.centre, ring.axis, middle)) < 0.0 &&
+           std::abs(distance(ring, middle)) <= kErrors * error_of(group_at(h));
+}
+
+// None of strips that were put in since groups were made.
+std::uint32_t Groups::group_beyond_strips(std::uint32_t h) const {
+    const std::uint32_t facet = mesh_.edges()[mesh_.edges()[h].twin].facet;
+    return facet < group_of_.size() ? group_of_[facet] : kNone;
+}
+
+// Half-edges one after the other between the same two, all of them, from the first one on; none if
+// these have no ends, or a strip has been given up there.
+std::vector<std::uint32_t> Groups::chain_from(std::uint32_t h) const {
+    const std::uint32_t beyond = group_beyond(h);
+    if (group_beyond_strips(boundary_before(h)) == beyond) return {};
+    std::vector<std::uint32_t> chain;
+    for (std::uint32_t n = h; group_beyond_strips(n) == beyond; n = next_boundary(n)) {
+        const HalfEdge& edge = mesh_.edges()[n];
+        if (mesh_[edge.facet].is_strip || mesh_[mesh_.edges()[edge.twin].facet].is_strip) return {};
+        chain.push_back(n);
+    }
+    return chain;
 }
 
 bool Groups::give_up_rings() {
@@ -463,13 +561,6 @@ double Groups::perimeter(std::uint32_t g) const {
     for (const auto& [n, shared] : neighbours(g))
         sum += shared;
     return sum;
-}
-
-std::uint32_t Groups::next_boundary(std::uint32_t h) const {
-    std::uint32_t n = mesh_.edges()[h].next;
-    while (!is_boundary(n))
-        n = mesh_.edges()[mesh_.edges()[n].twin].next;
-    return n;
 }
 
 }  // namespace ncsim::brep

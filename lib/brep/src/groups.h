@@ -44,6 +44,10 @@ public:
     /// the wall; fins between two walls, and what they stand on; and a facet that stands for
     /// nothing and a neighbour within its error. True: labels have changed.
     bool unify();
+    /// Where a corner radius leaves the place in which it stood, nearly level, a ring is left
+    /// between its flat end and its envelope, narrower than facets, which do not have it: it is a
+    /// strip between both. True: there are more facets.
+    bool lay_strips();
     /// Straight edges beside a ring may cross the circles where readers cut it open, and then they
     /// lose the face; and what is off a coil or a dome by little is somewhere else on it beside a
     /// wall, or off a ramp that is less steep than facets are large. Rings, coils, domes and such
@@ -76,8 +80,9 @@ public:
     std::uint32_t group_at(std::uint32_t h) const { return group_of_[mesh_.edges()[h].facet]; }
     std::uint32_t group_beyond(std::uint32_t h) const { return group_at(mesh_.edges()[h].twin); }
     bool is_boundary(std::uint32_t h) const { return group_at(h) != group_beyond(h); }
-    /// The next one around its group.
-    std::uint32_t next_boundary(std::uint32_t h) const;
+    /// The next one around its group, and the one before.
+    std::uint32_t next_boundary(std::uint32_t h) const { return mesh_.next_boundary(h); }
+    std::uint32_t boundary_before(std::uint32_t h) const { return mesh_.boundary_before(h); }
 
 private:
     void meet();
@@ -91,6 +96,9 @@ private:
     bool join_ledges();
     bool join_fins();
     bool join_fin(std::uint32_t g, std::uint32_t n);
+    bool goes_around(std::uint32_t h, const Torus& ring) const;
+    std::uint32_t group_beyond_strips(std::uint32_t h) const;
+    std::vector<std::uint32_t> chain_from(std::uint32_t h) const;
     void relabel(std::uint32_t g, std::uint32_t surface);
     void give_up(std::uint32_t g, bool for_good);
     bool absorb(std::uint32_t g, double errors, double most_turn);

@@ -5,6 +5,7 @@
 #include "contact.h"
 #include "nearly.h"
 #include "plane_cut.h"
+#include "rim.h"
 
 #include <cmath>
 
@@ -153,6 +154,30 @@ std::optional<Curve> meet(const Envelope& envelope, const Form& other) {
     return Circle{across->origin, across->normal, envelope.sweep->fillet()->radius};
 }
 
+// Of what a rim passes and another form: where it stood, if both have all of that circle and these
+// two points are on it.
+std::optional<Curve> circle_of_rim(const Envelope& envelope, const Form& other, Vec3 p, Vec3 q) {
+    const Sweep& sweep = *envelope.sweep;
+    if (!sweep.is_rim()) return std::nullopt;
+    for (const double t : {0.0, 1.0}) {
+        const Passage at = sweep.at(t);
+        const Around middle = around(sweep, at);
+        const double radius = sweep.fillet()->ring;
+        const auto is_on = [&](Vec3 v) {
+            return std::abs(dot(v - middle.centre, at.axis)) <= kTouchMm &&
+                   std::abs(norm(v - middle.centre) - radius) <= kTouchMm;
+        };
+        const Vec3 out = cross(middle.side, at.axis);
+        const auto is_of_other = [&](Vec3 direction) {
+            return std::abs(distance(other, middle.centre + radius * direction)) <= kTouchMm;
+        };
+        if (is_on(p) && is_on(q) && is_of_other(middle.side) && is_of_other(-middle.side) &&
+            is_of_other(out) && is_of_other(-out))
+            return Circle{middle.centre, at.axis, radius};
+    }
+    return std::nullopt;
+}
+
 bool is_ruled(const Form& form) {
     return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
            std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
@@ -164,6 +189,11 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
     if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
     if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
+    for (const auto& [form, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        const auto* envelope = std::get_if<Envelope>(form);
+        const auto circle = envelope ? circle_of_rim(*envelope, *other, p, q) : std::nullopt;
+        if (circle) return circle;
+    }
     if (const auto* envelope = std::get_if<Envelope>(&a)) return meet(*envelope, b);
     if (const auto* envelope = std::get_if<Envelope>(&b)) return meet(*envelope, a);
     if (const auto* spiral = std::get_if<Spiral>(&a)) return meet(*spiral, b);

@@ -71,9 +71,7 @@ public:
                 return std::nullopt;
             failures_.clear();
             has_joined_ = false;
-            do
-                groups_.gather();
-            while (groups_.unify() || groups_.give_up_rings());
+            if (!settle_groups()) return std::nullopt;
             chains_.trace();
             // What is wrong with edges is often due to corners that are, and so with faces.
             chains_.solve();
@@ -107,6 +105,16 @@ public:
     double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
 
 private:
+    // Until nothing joins any more. False: there was no end to it.
+    bool settle_groups() {
+        constexpr int kMostPasses = 1000;
+        for (int pass = 0; pass < kMostPasses; ++pass) {
+            groups_.gather();
+            if (!groups_.unify() && !groups_.give_up_rings() && !groups_.lay_strips()) return true;
+        }
+        return false;
+    }
+
     Part build() {
         Part part;
         // Where chains have vanished, their ends are one vertex.

@@ -192,7 +192,10 @@ public:
         const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
         if (e.rise() <= kEqual) {
             // Nothing is cut by what closes the profile above.
-            if (e.widening() > 0.0 || e.rise() < -kEqual) leave_unknown();
+            const Fillet edge{e.end_radius, e.end_height, 0.0};
+            const bool is_unknown =
+                e.widening() > 0.0 ? !has_across(Sweep(edge, way)) : e.rise() < -kEqual;
+            if (is_unknown) leave_unknown();
             return;
         }
         // On both sides of the way of a tip it would be one surface with an edge in it.
@@ -210,8 +213,7 @@ public:
     void envelope(const Element& e, const ToolWay& way) {
         const auto* turning = std::get_if<TurningWay>(&way);
         if (turning && e.fillet <= 0.0) return flank(e, *turning);
-        const bool turns_ring = turning && e.radius > kEqual;
-        if (e.fillet <= 0.0 || turns_ring) return leave_unknown();
+        if (e.fillet <= 0.0) return leave_unknown();
         constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
         const auto* round = std::get_if<RoundWay>(&way);
         const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
@@ -227,6 +229,14 @@ public:
             if (!has_across(*sweep)) return leave_unknown();
             add(Envelope{std::move(sweep)});
         }
+    }
+
+    // The corner in which a side starts, on any way on which the tool turns.
+    void rim(const Element& e, const TurningWay& way) {
+        if (e.radius <= kEqual || e.rise() <= kEqual) return;
+        auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, way);
+        if (!has_across(*sweep)) return leave_unknown();
+        add(Envelope{std::move(sweep)});
     }
 
     // The same where both ends of the arc are not as far from the centre. `left` is half of what it
@@ -605,6 +615,7 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
                 sweep_arc(sweeps, e, is_corner, *way, axis);
             } else if (turning) {
                 sweeps.envelope(e, *turning);
+                if (is_corner) sweeps.rim(e, *turning);
             } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
                 sweeps.leave_unknown();
             } else if (start.translation != end.translation) {

@@ -4,7 +4,7 @@
 // constant speeds is known to the last bits from few values (Trefethen, Approximation Theory and
 // Approximation Practice, 2013, chapters 3 and 8). Of that low a degree powers are as exact as
 // Chebyshev's polynomials, and all is told in one loop.
-#include "ncsim/brep/envelope.h"
+#include "ncsim/brep/sweep.h"
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>
