@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/brep/envelope.h"
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/surface.h"
 #include "ncsim/trig/angles.h"
 
@@ -20,9 +21,11 @@ inline constexpr std::array<double, 4> kAbscissae{0.1834346424956498, 0.52553240
                                                   0.7966664774136267, 0.9602898564975363};
 inline constexpr std::array<double, 4> kWeights{0.3626837833783620, 0.3137066458778873,
                                                 0.2223810344533745, 0.1012285362903763};
-// The same for degree 7.
+// The same for degrees 7 and 3.
 inline constexpr std::array<double, 2> kFewAbscissae{0.3399810435848563, 0.8611363115940526};
 inline constexpr std::array<double, 2> kFewWeights{0.6521451548625461, 0.3478548451374538};
+inline constexpr std::array<double, 1> kTwoAbscissae{0.5773502691896258};
+inline constexpr std::array<double, 1> kTwoWeights{1.0};
 
 // Integrals over the second parameter from a fixed start to where a point is: of the area, and of
 // the volume of the cone from a point -w, in the frame of the surface, three times. What is left
@@ -212,7 +215,8 @@ private:
 // flanks from their lower end.
 class OnEnvelope {
 public:
-    OnEnvelope(const Envelope& envelope, Vec3 apex) : sweep_(*envelope.sweep), apex_(apex) {}
+    OnEnvelope(const Envelope& envelope, Vec3 apex, Exactness exactness)
+        : sweep_(*envelope.sweep), apex_(apex), is_rough_(exactness == Exactness::Rough) {}
 
     // Of area, three times the volume, and four times volume times middle.
     struct Sum {
@@ -325,13 +329,17 @@ private:
         return {a.area + b.area, a.volume + b.volume, a.moment + b.moment};
     }
 
-    // Where few points tell it within kNearly, more of them do within the square of that.
+    // Where few points tell it that nearly, more of them do within the square of that.
     template <typename On>
     Sum in_pieces(const On& on, double from, double to, int depth = 16) const {
-        constexpr double kNearly = 1e-6;
-        const Sum few = piece(on, from, to, kFewAbscissae, kFewWeights);
-        const Sum sum = piece(on, from, to, kAbscissae, kWeights);
-        if (depth == 0 || std::abs(sum.area - few.area) <= kNearly * std::abs(sum.area)) return sum;
+        constexpr double kNearly = 1e-6, kRoughly = 3e-3;
+        const Sum few = is_rough_ ? piece(on, from, to, kTwoAbscissae, kTwoWeights)
+                                  : piece(on, from, to, kFewAbscissae, kFewWeights);
+        const Sum sum = is_rough_ ? piece(on, from, to, kFewAbscissae, kFewWeights)
+                                  : piece(on, from, to, kAbscissae, kWeights);
+        const double near_enough = is_rough_ ? kRoughly : kNearly;
+        if (depth == 0 || std::abs(sum.area - few.area) <= near_enough * std::abs(sum.area))
+            return sum;
         const double middle = 0.5 * (from + to);
         return plus(in_pieces(on, from, middle, depth - 1), in_pieces(on, middle, to, depth - 1));
     }
@@ -357,6 +365,7 @@ private:
 
     const Sweep& sweep_;
     Vec3 apex_;
+    bool is_rough_;
 };
 
 }  // namespace ncsim::brep

@@ -83,6 +83,18 @@ public:
         }
     }
 
+    // Where it is, and how far off the form.
+    struct Place {
+        Point at;
+        double off;
+    };
+    Place place(Vec3 p, Beside& beside) const {
+        const auto* envelope = std::get_if<Envelope>(form_);
+        if (!envelope) return {(*this)(p), distance(*form_, p)};
+        const Aspect aspect = place_on(*envelope, p, beside);
+        return {point_of(*envelope->sweep, aspect), aspect.off};
+    }
+
     Point operator()(Vec3 at) const {
         // From the middle of the half of the circle, which turns with the way.
         if (const auto* c = std::get_if<Coil>(form_)) {
@@ -95,14 +107,8 @@ public:
             const SpiralPlace place = place_on(*s, at);
             return {(s->reach + s->offset) * place.turn, place.height};
         }
-        if (const auto* e = std::get_if<Envelope>(form_)) {
-            const Sweep& sweep = *e->sweep;
-            const Aspect place = place_on(*e, at);
-            const double across = place_across(sweep, place.passage, place.foot);
-            const Fillet* fillet = sweep.fillet();
-            const double scale = fillet ? (fillet->ring + fillet->radius) * kRadiansPerDegree : 1.0;
-            return {scale * across, sweep.length_mm() * place.t};
-        }
+        if (const auto* e = std::get_if<Envelope>(form_))
+            return point_of(*e->sweep, place_on(*e, at));
         const Local p = local(at);
         if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
             return {p.x, p.y};
@@ -127,6 +133,13 @@ public:
     }
 
 private:
+    static Point point_of(const Sweep& sweep, const Aspect& place) {
+        const double across = place_across(sweep, place.passage, place.foot);
+        const Fillet* fillet = sweep.fillet();
+        const double scale = fillet ? (fillet->ring + fillet->radius) * kRadiansPerDegree : 1.0;
+        return {scale * across, sweep.length_mm() * place.t};
+    }
+
     // In the coordinates of its axes.
     bool is_straight_up() const {
         return std::holds_alternative<Cylinder>(*form_) ||
@@ -406,6 +419,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 !(norm(track.at(0.0) - part.vertices[edge.from]) <= tolerance_mm))
                 tell("a curve misses its end");
             Vec3 last = part.vertices[begin];
+            Point last_place = map(last);
+            Beside beside;
             std::uint64_t last_name = begin;
             double last_at = 0.0;
             for (std::size_t k = 0; k <= steps; ++k) {
@@ -415,7 +430,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                     at += 0.25 * static_cast<double>(quarter) * (track.start_of(piece + 1) - at);
                 Vec3 p = track.at(at);
                 if (k == steps) p = part.vertices[end];
-                miss = std::max(miss, std::abs(distance(face.surface.form, p)));
+                const Map::Place place = map.place(p, beside);
+                miss = std::max(miss, std::abs(place.off));
                 if (const auto* cone = std::get_if<Cone>(&face.surface.form);
                     cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
                     tell("an edge is beyond the apex");
@@ -424,9 +440,10 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                     tell("an edge passes beside the apex");
                 if (k > 0) {
                     const std::uint64_t name = k == steps ? end : ++inside;
-                    segments.push_back({map(last), map(p), last_name, name, &track, last_at, at,
+                    segments.push_back({last_place, place.at, last_name, name, &track, last_at, at,
                                         is_straight && map.keeps_lines(), use.edge});
                     last_name = name;
+                    last_place = place.at;
                 }
                 last = p;
                 last_at = at;

@@ -166,7 +166,7 @@ void advance(Aspect& aspect, double by, Vec3 p) {
     at.axis = at.axis + by * at.turn;
     at.turn = at.turn + by * at.bend;
     aspect.t += by;
-    aspect.off += by * aspect.rate;
+    aspect.off += by * (aspect.rate + 0.5 * by * aspect.bend);
     aspect.rate += by * aspect.bend;
     aspect.normal = aspect.normal + by * aspect.drift;
     aspect.foot = p - aspect.off * aspect.normal;
@@ -177,8 +177,9 @@ void advance(Aspect& aspect, double by, Vec3 p) {
 Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     constexpr int kMostSteps = 40;
     constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
-    // What changes with the square of such a step is less than rounding.
-    constexpr double kShort = 1e-9;
+    // What changes with the square of such a step, a turn of some whole ones in all of the time at
+    // most, is rounding.
+    constexpr double kShort = 1e-7;
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
     double before = -kAnyTime, after = kAnyTime;
     Aspect aspect = aspect_at(sweep, when, p);
@@ -286,6 +287,15 @@ Aspect place_on(const Envelope& envelope, Vec3 p) {
         best = aspect;
     }
     return *best;
+}
+
+Aspect place_on(const Envelope& envelope, Vec3 p, double near_time) {
+    const Sweep& sweep = *envelope.sweep;
+    // Rings pass a point twice, soon after each other where they are nearly level.
+    const bool is_of_ring = sweep.fillet() && !sweep.is_ball();
+    if (is_of_ring || std::holds_alternative<StraightWay>(sweep.way()))
+        return place_on(envelope, p);
+    return nearest_from(sweep, near_time, p);
 }
 
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {

@@ -95,8 +95,7 @@ private:
             Middle middle;
             for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
                 const Vec3 bow = knot(i, j).around - knot(i + 1, j).around;
-                middle.take(place_on(envelope_, at(i, j, 0.5, 0.0)),
-                            (0.125 * (around_[i + 1] - around_[i])) * bow);
+                middle.take(aspect(i, j, 0.5, 0.0), (0.125 * (around_[i + 1] - around_[i])) * bow);
             }
             share_around_[i] = middle.share();
         }
@@ -104,8 +103,7 @@ private:
             Middle middle;
             for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
                 const Vec3 bow = knot(i, j).along - knot(i, j + 1).along;
-                middle.take(place_on(envelope_, at(i, j, 0.0, 0.5)),
-                            (0.125 * (along_[j + 1] - along_[j])) * bow);
+                middle.take(aspect(i, j, 0.0, 0.5), (0.125 * (along_[j + 1] - along_[j])) * bow);
             }
             share_along_[j] = middle.share();
         }
@@ -148,8 +146,13 @@ private:
         return sum;
     }
 
+    // At about the time of the knots beside it.
+    Aspect aspect(std::size_t i, std::size_t j, double u, double v) const {
+        const double time = along_[j] + v * (along_[j + 1] - along_[j]);
+        return place_on(envelope_, at(i, j, u, v), time);
+    }
     double off(std::size_t i, std::size_t j, double u, double v) const {
-        return std::abs(place_on(envelope_, at(i, j, u, v)).off);
+        return std::abs(aspect(i, j, u, v).off);
     }
 
     // Another knot in the middle of pieces that are too far off, both ways; true: there are.
@@ -241,8 +244,9 @@ Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& enve
     const Sweep& sweep = *envelope.sweep;
     double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;
     for (const auto& points : points_along(part, face)) {
+        Beside beside;
         for (const Vec3& p : points) {
-            const Aspect aspect = place_on(envelope, p);
+            const Aspect aspect = place_on(envelope, p, beside);
             const double across = place_across(sweep, aspect.passage, p);
             first = std::min(first, across);
             last = std::max(last, across);

@@ -76,7 +76,7 @@ KnownFaces::Known& KnownFaces::look_at(const Part& part, Face& face, std::uint32
         std::swap(face.loops.front(), face.loops[known.outline]);
         if (known.outline != 0) face.frame = frame_for(part, face);
         known.frame = face.frame;
-        known.measure = measure(part, face, apex_);
+        known.measure = measure(part, face, apex_, Exactness::Rough);
         return known;
     }
     std::swap(face.loops.front(), face.loops[known.outline]);

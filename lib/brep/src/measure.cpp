@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 
 namespace ncsim::brep {
 
@@ -39,11 +40,13 @@ void integrate_piece(const Track& track, double begin, double width,
 
 // Splines have so many knots that what is between two of them is of degree 3 within some 1e-9.
 template <typename F>
-void integrate(const Track& track, const F& f) {
+void integrate(const Track& track, const F& f, Exactness exactness = Exactness::Full) {
     const std::size_t pieces = track.pieces();
     for (std::size_t i = 0; i < pieces; ++i) {
         const double begin = track.start_of(i), width = track.start_of(i + 1) - begin;
-        if (track.is_spline()) {
+        if (track.is_spline() && exactness == Exactness::Rough) {
+            integrate_piece(track, begin, width, kTwoAbscissae, kTwoWeights, f);
+        } else if (track.is_spline()) {
             integrate_piece(track, begin, width, kFewAbscissae, kFewWeights, f);
         } else {
             integrate_piece(track, begin, width, kAbscissae, kWeights, f);
@@ -67,11 +70,7 @@ template <typename F>
 void integrate_level(const Track& track, const F& f) {
     if (track.circle()) return integrate_round(track, f);
     if (!track.is_straight()) return integrate(track, f);
-    constexpr double kAbscissa = 0.5773502691896258;  // of degree 3
-    for (const double sign : {-1.0, 1.0}) {
-        const Track::Step step = track.step(0.5 + sign * 0.5 * kAbscissa);
-        f(0.5, step.at, step.derivative);
-    }
+    integrate_piece(track, 0.0, 1.0, kTwoAbscissae, kTwoWeights, f);
 }
 
 // On what is round about an axis.
@@ -226,26 +225,39 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
 
 // --- What circles and tools pass ------------------------------------------------------------
 
+template <typename Form>
+auto place_beside(const Form& form, Vec3 p, Beside& beside) {
+    if constexpr (std::is_same_v<Form, Envelope>) {
+        return place_on(form, p, beside);
+    } else {
+        return place_on(form, p);
+    }
+}
+
 template <typename Form, typename On, typename Take>
 void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
-               const Take& take) {
+               Exactness exactness, const Take& take) {
     for_edges(part, face, [&](const Track& track, double sign) {
-        integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
-            const auto place = place_on(form, at);
+        Beside beside;
+        const auto take_point = [&](double weight, Vec3 at, Vec3 derivative) {
+            const auto place = place_beside(form, at, beside);
             take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
-        });
+        };
+        integrate(track, take_point, exactness);
     });
 }
 
 template <typename Form, typename On>
-Measure measure_moved(const Part& part, const Face& face, const Form& form, const On& on) {
+Measure measure_moved(const Part& part, const Face& face, const Form& form, const On& on,
+                      Exactness exactness = Exactness::Full) {
     Measure sum;
-    for_moved(part, face, form, on, [&](double length, double turned, const auto& place) {
-        const auto b = on.below(place);
-        sum.length += length;
-        sum.area -= turned * b.area;
-        sum.volume -= turned * b.volume / 3.0;
-    });
+    for_moved(part, face, form, on, exactness,
+              [&](double length, double turned, const auto& place) {
+                  const auto b = on.below(place);
+                  sum.length += length;
+                  sum.area -= turned * b.area;
+                  sum.volume -= turned * b.volume / 3.0;
+              });
     if (face.surface.is_hollow) sum.area = -sum.area;
     return sum;
 }
@@ -253,7 +265,7 @@ Measure measure_moved(const Part& part, const Face& face, const Form& form, cons
 template <typename Form, typename On>
 Vec3 moment_of_moved(const Part& part, const Face& face, const Form& form, const On& on) {
     Vec3 sum;
-    for_moved(part, face, form, on, [&](double, double turned, const auto& place) {
+    for_moved(part, face, form, on, Exactness::Full, [&](double, double turned, const auto& place) {
         sum = sum - turned * on.moment(place);
     });
     return sum;
@@ -293,11 +305,11 @@ Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) 
 // Upright, w (w n) grows evenly with the height, on cones with its cube: two points tell it.
 template <typename At>
 Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
-    constexpr double kAbscissa = 0.5773502691896258;  // of degree 3
     Vec3 sum;
-    for (const double sign : {-1.0, 1.0})
-        sum =
-            sum + 0.5 * p.z * across_face(axes, apex, p, at(0.5 * (1.0 + sign * kAbscissa) * p.z));
+    for (const double sign : {-1.0, 1.0}) {
+        const double height = 0.5 * (1.0 + sign * kTwoAbscissae[0]) * p.z;
+        sum = sum + 0.5 * p.z * across_face(axes, apex, p, at(height));
+    }
     return sum;
 }
 
@@ -420,13 +432,14 @@ Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
     }
     // What is around a point of an edge takes long, and is the same for all three.
     Sums sums;
-    const OnEnvelope on(*envelope, apex);
-    for_moved(part, face, *envelope, on, [&](double, double turned, const Aspect& place) {
-        const OnEnvelope::Sum below = on.below(place);
-        sums.volume -= turned * below.volume / 3.0;
-        sums.area -= turned * below.area;
-        sums.moment = sums.moment - 0.25 * turned * below.moment;
-    });
+    const OnEnvelope on(*envelope, apex, Exactness::Full);
+    for_moved(part, face, *envelope, on, Exactness::Full,
+              [&](double, double turned, const Aspect& place) {
+                  const OnEnvelope::Sum below = on.below(place);
+                  sums.volume -= turned * below.volume / 3.0;
+                  sums.area -= turned * below.area;
+                  sums.moment = sums.moment - 0.25 * turned * below.moment;
+              });
     if (face.surface.is_hollow) sums.area = -sums.area;
     return sums;
 }
@@ -459,7 +472,7 @@ Mass mass(const Sums& sums, Vec3 apex) {
 
 }  // namespace
 
-Measure measure(const Part& part, const Face& face, Vec3 apex) {
+Measure measure(const Part& part, const Face& face, Vec3 apex, Exactness exactness) {
     if (const auto* f = std::get_if<Plane>(&face.surface.form))
         return measure_plane(part, face, *f, apex);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
@@ -489,7 +502,7 @@ Measure measure(const Part& part, const Face& face, Vec3 apex) {
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return measure_moved(part, face, *f, OnSpiral(*f, apex));
     if (const auto* f = std::get_if<Envelope>(&face.surface.form))
-        return measure_moved(part, face, *f, OnEnvelope(*f, apex));
+        return measure_moved(part, face, *f, OnEnvelope(*f, apex, exactness), exactness);
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

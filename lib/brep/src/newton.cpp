@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace ncsim::brep {
 
@@ -84,6 +85,11 @@ Vec3 shortest_step(const std::array<std::array<double, 3>, 3>& m, Vec3 right) {
 }  // namespace
 
 double solve(std::span<const Form* const> forms, Vec3& p) {
+    std::vector<Beside> beside(forms.size());
+    return solve(forms, p, beside);
+}
+
+double solve(std::span<const Form* const> forms, Vec3& p, std::span<Beside> beside) {
     constexpr int kMostSteps = 60;
     constexpr double kLongest = 1.0;
     // Steps this short are rounding, as soon as they do not become shorter.
@@ -92,8 +98,8 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
     for (int step = 0; step < kMostSteps; ++step) {
         std::array<std::array<double, 3>, 3> m{};
         Vec3 right;
-        for (const Form* form : forms) {
-            const auto [d, g] = off(*form, p);
+        for (std::size_t k = 0; k < forms.size(); ++k) {
+            const auto [d, g] = off(*forms[k], p, beside[k]);
             right = right - d * g;
             for (int i = 0; i < 3; ++i) {
                 for (int j = 0; j < 3; ++j)
@@ -107,8 +113,8 @@ double solve(std::span<const Form* const> forms, Vec3& p) {
         before = length;
     }
     double miss = 0.0;
-    for (const Form* form : forms)
-        miss = std::max(miss, std::abs(distance(*form, p)));
+    for (std::size_t k = 0; k < forms.size(); ++k)
+        miss = std::max(miss, std::abs(distance(*forms[k], p, beside[k])));
     return miss;
 }
 

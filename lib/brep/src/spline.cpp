@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace ncsim::brep {
@@ -42,22 +44,24 @@ public:
         }
     }
 
-    Vec3 direction(Vec3 p, Vec3 ahead) const {
-        const Vec3 t = cross(gradient(*forms_[0], p), gradient(*forms_[1], p));
+    Vec3 direction(Vec3 p, Vec3 ahead) {
+        const Vec3 t =
+            cross(off(*forms_[0], p, beside_[0]).gradient, off(*forms_[1], p, beside_[1]).gradient);
         if (norm(t) < kLeastAngle) return {};
         return dot(t, ahead) < 0.0 ? -normalized(t) : normalized(t);
     }
 
     // Where both forms touch in one point of their curve, at its end: its direction there is that
     // of a parabola through a point nearby. Towards `next`.
-    Vec3 end_direction(Vec3 end, Vec3 next) const {
+    Vec3 end_direction(Vec3 end, Vec3 next) {
+        beside_ = {};
         const Vec3 ahead = normalized(next - end);
         const Vec3 plain = direction(end, ahead);
         if (plain != Vec3{}) return plain;
         // As near as they part there.
         for (const double nearby : {0.02, 0.1, 0.4}) {  // mm
             Vec3 p = end + std::min(nearby, 0.5 * norm(next - end)) * ahead;
-            solve(forms_, p);
+            solve(forms_, p, std::span(beside_).first(2));
             const Vec3 there = direction(p, ahead);
             if (there != Vec3{}) return normalized(2.0 * normalized(p - end) - there);
         }
@@ -65,22 +69,22 @@ public:
     }
 
     // The point of the curve in the plane across the direction, `step` ahead.
-    bool advance(const Knot& from, double step, Knot& to) const {
+    bool advance(const Knot& from, double step, Knot& to) {
         to.at = from.at + step * from.along;
         const Form across = Plane{to.at, from.along};
         const std::array<const Form*, 3> three{forms_[0], forms_[1], &across};
-        if (solve(three, to.at) > kAccuracy * kAccuracy) return false;
+        if (solve(three, to.at, beside_) > kAccuracy * kAccuracy) return false;
         to.along = direction(to.at, to.at - from.at);
         return to.along != Vec3{} && follows(from, to);
     }
 
     // Is the cubic between both knots as near as it has to be? Its derivatives at them are so
     // long.
-    bool follows(const Knot& from, const Knot& to) const {
+    bool follows(const Knot& from, const Knot& to) {
         const double length = norm(to.at - from.at);
         return follows(from, to, length, length);
     }
-    bool follows(const Knot& from, const Knot& to, double first, double last) const {
+    bool follows(const Knot& from, const Knot& to, double first, double last) {
         const Vec3 chord = to.at - from.at;
         const double length = norm(chord);
         if (dot(from.along, chord) < kStraight * length ||
@@ -90,8 +94,8 @@ public:
             const double r = 1.0 - s;
             const Vec3 p = (r * r * (1.0 + 2.0 * s)) * from.at + (s * r * r * first) * from.along +
                            (s * s * (3.0 - 2.0 * s)) * to.at - (s * s * r * last) * to.along;
-            for (const Form* form : forms_) {
-                if (std::abs(distance(*form, p)) > accuracy_) return false;
+            for (std::size_t k = 0; k < forms_.size(); ++k) {
+                if (std::abs(distance(*forms_[k], p, beside_[k])) > accuracy_) return false;
             }
         }
         return true;
@@ -99,6 +103,7 @@ public:
 
 private:
     std::array<const Form*, 2> forms_;
+    std::array<Beside, 3> beside_;  // of both, and of what goes across
     double accuracy_ = 0.5 * kAccuracy;
 };
 
@@ -150,7 +155,7 @@ Spline through(const std::vector<Knot>& knots, const Pace& pace) {
 }
 
 // Through the knots, and others between them where it would be too far off.
-Spline through(const Walk& walk, std::vector<Knot> knots) {
+Spline through(Walk& walk, std::vector<Knot> knots) {
     constexpr double kEven = 10.0;
     constexpr int kMostPasses = 20;
     const std::vector<double> chords = chords_of(knots);
@@ -185,7 +190,7 @@ namespace {
 // `away` is how much of the way is far enough from an end to tell its direction there.
 std::optional<Spline> follow(const Form& a, const Form& b, const std::vector<Vec3>& points,
                              double away) {
-    const Walk walk(a, b, points.front(), points.back());
+    Walk walk(a, b, points.front(), points.back());
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i)
         length += norm(points[i] - points[i - 1]);

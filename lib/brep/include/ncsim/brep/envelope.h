@@ -43,6 +43,8 @@ Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p);
 /// At the time when it is nearest: the distance from the envelope is that from the element. Beyond
 /// the ends the way goes on as it did.
 Aspect place_on(const Envelope& envelope, Vec3 p);
+/// The same from near that time on, as that of a place beside it: no other one is looked for.
+Aspect place_on(const Envelope& envelope, Vec3 p, double near_time);
 
 /// Of the sine by which its normal rises against the axis.
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect);

@@ -7,6 +7,7 @@
 #include "ncsim/cda/vec.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -110,6 +111,18 @@ struct Off {
     Vec3 gradient;
 };
 Off off(const Form& form, Vec3 p);
+
+/// The last point of those that are looked at one after the other on one form: when a tool was
+/// nearest to it, and how that changes. The time of the next one, beside it, is looked for from
+/// there.
+struct Beside {
+    std::optional<double> time;
+    Vec3 at, slope;
+};
+Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside);
+Off off(const Form& form, Vec3 p, Beside& beside);
+double distance(const Form& form, Vec3 p, Beside& beside);
+
 /// Unit, out of the material.
 Vec3 outward(const Surface& surface, Vec3 p);
 
