@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--only TEXT]: what the
-// solids for CAD come to, of a program, or of every program of a folder that leaves one. A line
-// each: whether all its feed moves are lines along Z, level lines and level arcs ("simple"); faces
-// and bytes of the STEP of facets and of that of true surfaces; facets that were kept; and what
+// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--only TEXT] [--draft]:
+// what the solids for CAD come to, of a program, or of every program of a folder that leaves one. A
+// line each: whether all its feed moves are lines along Z, level lines and level arcs ("simple");
+// faces and bytes of the STEP of facets and of that of true surfaces; facets that were kept;
+// seconds of processor time that the cut took, and the solid with cuts made for it; and what
 // ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with N seconds
-// of processor time (60) and 4 GB, the judge with twice as many; as a draft, within 0.005 mm, tools
-// within 0.05 mm. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
+// of processor time (60) and 4 GB, the judge with twice as many; cut as `ncsim run` does by
+// default, or as drafts. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/gcode/interpreter.h"
@@ -30,6 +31,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -51,6 +53,7 @@ struct Made {
     std::uint64_t facet_faces = 0, facet_bytes = 0;  ///< Of the solid of facets alone.
     std::uint64_t faces = 0, bytes = 0;
     std::uint64_t facets_kept = 0;
+    double cut_s = 0.0, solid_s = 0.0;  ///< Of processor time.
     std::array<char, 200> why{};
 
     void say(const std::string& text) {
@@ -85,17 +88,22 @@ std::string step_of(const brep::Part& part, const exporter::Provenance& provenan
     return out.str();
 }
 
-// Writes the solid to `step`, and what the judge is to find beside it.
-Made make(const std::string& path, const std::filesystem::path& step) {
+double seconds_used() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// Writes the solid to `step`, and what the judge is to find beside it. What is known of it as soon
+// as it is cut goes to `has_cut`.
+template <typename HasCut>
+Made make(const std::string& path, const std::filesystem::path& step, bool is_draft,
+          const HasCut& has_cut) {
     setup::InputSet inputs;
     setup::JobOptions options;
     options.program = path;
     simulation::Plan plan;
     plan.job = setup::read_job(options, inputs);
     plan.threads = 1;
-    plan.draft = true;
-    plan.tolerance = 0.005;
-    plan.tool_tolerance = 0.05;
+    plan.draft = is_draft;
     plan.keep_boundary = true;
     const simulation::Survey survey = simulation::survey(plan);
     Made made;
@@ -112,7 +120,12 @@ Made make(const std::string& path, const std::filesystem::path& step) {
     });
     simulation::Verification nothing;
     nothing.keep_cuts = true;
+    const double begin = seconds_used();
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
+    made.cut_s = seconds_used() - begin;
+    made.outcome = Outcome::TooSlow;
+    made.say("its solid is too slow");
+    has_cut(made);
     if (milled.boundary->faces.empty()) {
         made.say("nothing is left");
         return made;
@@ -121,8 +134,10 @@ Made make(const std::string& path, const std::filesystem::path& step) {
     made.facet_faces = facets.faces.size();
     made.facet_bytes = step_of(facets, milled.provenance).size();
     constexpr int kMostRefinements = 3;
+    const double start = seconds_used();
     const simulation::Solid solid =
         simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kMostRefinements);
+    made.solid_s = seconds_used() - start;
     const brep::Part& part = solid.recognised.part;
     const std::string text = step_of(part, solid.provenance);
     made.faces = part.faces.size();
@@ -137,6 +152,7 @@ Made make(const std::string& path, const std::filesystem::path& step) {
         << "solids -" << shells << "\nvolume " << std::to_string(brep::volume(part)) << "\nmoved "
         << kIntegrals + std::max(part.miss_mm, part.facet_miss_mm) << '\n';
     made.outcome = Outcome::Solid;
+    made.say("");
     return made;
 }
 
@@ -157,7 +173,8 @@ bool took_too_long(int status) {
 }
 
 // In a process of its own.
-Made make_apart(const std::string& path, const std::filesystem::path& step, unsigned seconds) {
+Made make_apart(const std::string& path, const std::filesystem::path& step, unsigned seconds,
+                bool is_draft) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     std::fflush(stdout);
@@ -166,23 +183,31 @@ Made make_apart(const std::string& path, const std::filesystem::path& step, unsi
     if (child == 0) {
         ::close(ends[0]);
         limit_all(seconds);
+        const auto tell = [&](const Made& made) {
+            return ::write(ends[1], &made, sizeof made) == static_cast<ssize_t>(sizeof made);
+        };
         Made made;
         try {
-            made = make(path, step);
+            made = make(path, step, is_draft, tell);
         } catch (const std::exception& e) {
             made = {};
             made.say(e.what());
         }
-        const auto written = ::write(ends[1], &made, sizeof made);
-        ::_exit(written == static_cast<ssize_t>(sizeof made) ? 0 : 1);
+        ::_exit(tell(made) ? 0 : 1);
     }
     ::close(ends[1]);
-    Made made;
-    const bool is_there = ::read(ends[0], &made, sizeof made) == static_cast<ssize_t>(sizeof made);
+    // The last one that it told.
+    Made made, told;
+    bool is_there = false;
+    while (::read(ends[0], &told, sizeof told) == static_cast<ssize_t>(sizeof told)) {
+        made = told;
+        is_there = true;
+    }
     ::close(ends[0]);
     int status = 0;
     ::waitpid(child, &status, 0);
-    if (!is_there) {
+    const bool has_ended = is_there && made.outcome != Outcome::TooSlow;
+    if (!has_ended && !(is_there && took_too_long(status))) {
         made = {};
         if (took_too_long(status)) made.outcome = Outcome::TooSlow;
         made.say(took_too_long(status) ? "too slow" : "it came down");
@@ -219,14 +244,17 @@ std::string judged(const std::string& judge, const std::filesystem::path& step, 
 // Of a kind of programs.
 struct Sum {
     int solids = 0, whole = 0;
+    double cut_s = 0.0, solid_s = 0.0;
     void add(const Made& made) {
         ++solids;
         if (made.facets_kept == 0) ++whole;
+        cut_s += made.cut_s;
+        solid_s += made.solid_s;
     }
     void print(const char* name) const {
         if (solids == 0) return;
-        std::printf("%s: %d of %d without facets, %.1f %%\n", name, whole, solids,
-                    100.0 * whole / solids);
+        std::printf("%s: %d of %d without facets, %.1f %%; cuts %.1f s, solids %.1f s\n", name,
+                    whole, solids, 100.0 * whole / solids, cut_s, solid_s);
     }
 };
 
@@ -245,6 +273,7 @@ struct Options {
     std::string judge, only;
     std::uintmax_t largest = ~std::uintmax_t{0};
     unsigned seconds = 60;
+    bool is_draft = false;
 };
 
 // Of each a line, then the sums. Is nothing wrong?
@@ -253,13 +282,13 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
     std::vector<Made> all;
     Sum of_all, of_simple;
     int valid = 0, invalid = 0, not_judged = 0, failed = 0, slow = 0;
-    std::printf("%-10s %-7s %9s %9s %9s %9s %9s  program\n", "judged", "moves", "faces", "bytes",
-                "of facets", "bytes", "kept");
+    std::printf("%-10s %-7s %9s %9s %9s %9s %9s %7s %7s  program\n", "judged", "moves", "faces",
+                "bytes", "of facets", "bytes", "kept", "cut s", "solid s");
     for (const corpus::Entry& entry : corpus::entries_of(o.path)) {
         std::error_code error;
         const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
         if (error || size > o.largest || entry.name.find(o.only) == std::string::npos) continue;
-        const Made made = make_apart(entry.path.string(), step, o.seconds);
+        const Made made = make_apart(entry.path.string(), step, o.seconds, o.is_draft);
         if (made.outcome == Outcome::Nothing) continue;
         if (made.outcome != Outcome::Solid) {
             ++(made.outcome == Outcome::TooSlow ? slow : failed);
@@ -278,14 +307,14 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
             verdict = !has_judged ? "not judged" : fault.empty() ? "valid" : "INVALID";
             ++(!has_judged ? not_judged : fault.empty() ? valid : invalid);
         }
-        std::printf("%-10s %-7s %9llu %9llu %9llu %9llu %9llu  %s%s%s\n", verdict,
+        std::printf("%-10s %-7s %9llu %9llu %9llu %9llu %9llu %7.2f %7.2f  %s%s%s\n", verdict,
                     made.is_simple ? "simple" : "other",
                     static_cast<unsigned long long>(made.faces),
                     static_cast<unsigned long long>(made.bytes),
                     static_cast<unsigned long long>(made.facet_faces),
                     static_cast<unsigned long long>(made.facet_bytes),
-                    static_cast<unsigned long long>(made.facets_kept), entry.name.c_str(),
-                    fault.empty() ? "" : ": ", fault.c_str());
+                    static_cast<unsigned long long>(made.facets_kept), made.cut_s, made.solid_s,
+                    entry.name.c_str(), fault.empty() ? "" : ": ", fault.c_str());
         std::fflush(stdout);
     }
     std::printf("\n");
@@ -321,6 +350,8 @@ int main(int argc, char** argv) {
             o.seconds = static_cast<unsigned>(std::strtoul(argv[++i], nullptr, 10));
         } else if (word == "--only" && has_value) {
             o.only = argv[++i];
+        } else if (word == "--draft") {
+            o.is_draft = true;
         } else if (o.path.empty() && !word.starts_with('-')) {
             o.path = word;
         } else {
@@ -331,7 +362,7 @@ int main(int argc, char** argv) {
     if (o.path.empty() || o.seconds == 0) {
         std::fprintf(stderr,
                      "usage: judge_solids PATH [--judge READ_STEP] [--largest BYTES] "
-                     "[--seconds N] [--only TEXT]\n");
+                     "[--seconds N] [--only TEXT] [--draft]\n");
         return 2;
     }
     std::string folder = (std::filesystem::temp_directory_path() / "judge_solids.XXXXXX").string();
