@@ -5,7 +5,6 @@
 #pragma once
 
 #include "ncsim/brep/envelope.h"
-#include "ncsim/brep/measure.h"
 #include "ncsim/brep/surface.h"
 #include "ncsim/trig/angles.h"
 
@@ -215,8 +214,8 @@ private:
 // flanks from their lower end.
 class OnEnvelope {
 public:
-    OnEnvelope(const Envelope& envelope, Vec3 apex, Exactness exactness)
-        : sweep_(*envelope.sweep), apex_(apex), is_rough_(exactness == Exactness::Rough) {}
+    OnEnvelope(const Envelope& envelope, Vec3 apex, bool is_rough)
+        : sweep_(*envelope.sweep), apex_(apex), is_rough_(is_rough) {}
 
     // Of area, three times the volume, and four times volume times middle.
     struct Sum {

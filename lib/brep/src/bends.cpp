@@ -146,6 +146,10 @@ bool is_of_circle(const Coil& coil, Vec3 centre, Vec3 p) {
     return dot(place_on(coil, p).out, p - centre) > 0.0;
 }
 
+bool is_of_circle(const Dome& dome, Vec3 centre, Vec3 p) {
+    return dot(place_on(dome, p).out, p - centre) > 0.0;
+}
+
 std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p) {
     if (const auto* coil = std::get_if<Coil>(&b)) return common_circle(*coil, a, p);
     if (const auto* coil = std::get_if<Coil>(&a)) return common_circle(*coil, b, p);

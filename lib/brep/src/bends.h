@@ -40,9 +40,10 @@ std::optional<Extrusion> moved_circle(const Form& form, Vec3 axis);
 /// centre nearest to the height of `p`.
 std::optional<Vec3> common_circle(const Form& a, const Form& b, Vec3 p);
 
-/// Where the tool stands ahead of what it left a turn before, the point below its circle is of
-/// another one, which was behind there.
+/// Where the tool goes through what it left before, a point beside its circle is of another one,
+/// which was behind there, or before it.
 bool is_of_circle(const Coil& coil, Vec3 centre, Vec3 p);
+bool is_of_circle(const Dome& dome, Vec3 centre, Vec3 p);
 
 /// Than to the other one.
 bool is_nearer(const Plane& one, const Plane& other, Vec3 p);

@@ -432,7 +432,7 @@ Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
     }
     // What is around a point of an edge takes long, and is the same for all three.
     Sums sums;
-    const OnEnvelope on(*envelope, apex, Exactness::Full);
+    const OnEnvelope on(*envelope, apex, false);
     for_moved(part, face, *envelope, on, Exactness::Full,
               [&](double, double turned, const Aspect& place) {
                   const OnEnvelope::Sum below = on.below(place);
@@ -502,7 +502,8 @@ Measure measure(const Part& part, const Face& face, Vec3 apex, Exactness exactne
     if (const auto* f = std::get_if<Spiral>(&face.surface.form))
         return measure_moved(part, face, *f, OnSpiral(*f, apex));
     if (const auto* f = std::get_if<Envelope>(&face.surface.form))
-        return measure_moved(part, face, *f, OnEnvelope(*f, apex, exactness), exactness);
+        return measure_moved(part, face, *f, OnEnvelope(*f, apex, exactness == Exactness::Rough),
+                             exactness);
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,

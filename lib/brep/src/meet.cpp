@@ -81,8 +81,9 @@ Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
                    cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
 }
 
-// Of a dome and another form, through `p` and `q`.
-std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q) {
+// Of a dome and another form, through `p` and `q`. Where the tool goes through what it left before,
+// their curve may end on a common circle, but pass beside it.
+std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
     if (const auto* plane = std::get_if<Plane>(&other)) {
         const bool is_level = is_parallel(plane->normal, dome.axis);
         if (touch(other, dome)) {
@@ -95,11 +96,11 @@ std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q) {
     const auto centre = common_circle(dome, other, p);
     const auto is_level = [&](Vec3 at) { return near(dot(at - *centre, dome.axis), 0.0); };
     if (!centre || !is_level(p) || !is_level(q)) return std::nullopt;
+    if (!is_of_circle(dome, *centre, near_to)) return std::nullopt;
     return Circle{*centre, dome.axis, dome.radius};
 }
 
-// The same of a coil. Where the tool stands ahead of what it left a turn before, their curve ends
-// on a common circle, but passes lower, where the circle was behind.
+// The same of a coil.
 std::optional<Curve> meet(const Coil& coil, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
     const auto is_level = [&](Vec3 a, Vec3 b) { return near(dot(a - b, coil.axis), 0.0); };
     if (const auto* plane = std::get_if<Plane>(&other)) {
@@ -198,8 +199,8 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     if (const auto* envelope = std::get_if<Envelope>(&b)) return meet(*envelope, a);
     if (const auto* spiral = std::get_if<Spiral>(&a)) return meet(*spiral, b);
     if (const auto* spiral = std::get_if<Spiral>(&b)) return meet(*spiral, a);
-    if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q);
-    if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q);
+    if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q, near_to);
+    if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q, near_to);
     const bool is_first_plane = std::holds_alternative<Plane>(a);
     const bool is_second_plane = std::holds_alternative<Plane>(b);
     if (is_first_plane && is_second_plane) return Line{};
