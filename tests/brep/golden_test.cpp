@@ -61,6 +61,11 @@ std::vector<Golden> goldens() {
          "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X50\nG0 Z5\n",
          {9, 2, 0, 0, 0},
          kBlock - 4.0 * (300.0 + 25.0 * kPi)},
+        // Both moves are one hull, named for the second; the wall is where the first one starts.
+        {"slot_in_two_moves",
+         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X23\nG1 X28\nG0 Z5\n",
+         {9, 2, 0, 0, 0},
+         kBlock - 4.0 * (80.0 + 25.0 * kPi)},
         {"slot_askew",
          "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG1 X44 Y27\nG0 Z5\n",
          {9, 2, 0, 0, 0},

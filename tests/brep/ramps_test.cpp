@@ -68,6 +68,26 @@ TEST(Recognise, KnowsRampsThatMeetInAValley) {
     }
 }
 
+// A cutter shorter than its groove is deep, down an arc in the plane of its axis: its upper end
+// leaves a roof, which it goes through as it retracts. Their curve has its ends on the circle where
+// the arc ends, and passes above it.
+TEST(Recognise, KnowsRoofsThatToolsGoThrough) {
+    const Golden golden{"roof",
+                        "(TOOL#=6 FLUTE=4 LEN=12 UNIT=METRIC)\nT6 M6\nG0 X45 Y30 Z0\n"
+                        "G18 G3 X29 Z-19.596 I-20 K0\nG17\nG0 Z5\n",
+                        {},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 1, 0, 0, 0, 0, 2}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
+    }
+}
+
 // A ramp leaves the block through its side, where its floor ends in half an ellipse. Readers know
 // the ends of that by their angles, half a turn apart, and took it to pass above.
 TEST(Recognise, RampsHaveNoEdgesHalfAround) {
