@@ -8,6 +8,7 @@
 #include "ncsim/brep/measure.h"
 #include "ncsim/cda/boundary.h"
 
+#include "brep/cam_parts.h"
 #include "brep/made_part.h"
 #include "brep/random_parts.h"
 
@@ -521,6 +522,16 @@ TEST(Recognise, FinishingByABallLeavesNoFacets) {
             setup::job_of({"part.nc", test::random_part(test::kRasters + seed)}), 0.05);
         EXPECT_EQ(made.solid.facets_kept, 0U) << seed;
         EXPECT_EQ(made.solid.shells_kept, 0U) << seed;
+    }
+}
+
+// Of these most kept facets where moves in a row go on one as the other.
+TEST(Recognise, CamProgramsLeaveNoFacets) {
+    for (const std::uint64_t seed : {0U,  1U,  2U,  3U,  4U,  6U,  8U,  11U, 12U, 13U,
+                                     14U, 15U, 17U, 19U, 21U, 22U, 23U, 26U, 30U, 32U}) {
+        const Made made =
+            test::make_part(setup::job_of({"part.nc", test::cam_part(test::kCam + seed)}), 0.05);
+        EXPECT_EQ(made.solid.facets_kept, 0U) << seed;
     }
 }
 

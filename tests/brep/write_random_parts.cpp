@@ -9,6 +9,7 @@
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
+#include "brep/cam_parts.h"
 #include "brep/random_parts.h"
 #include "brep/tilted_parts.h"
 
@@ -40,7 +41,7 @@ simulation::Plan plan_of(const std::filesystem::path& stem, std::uint64_t seed) 
             << "preset = \"" << part.machine << "\"\ncontrol = { tip_frame = \"table\" }\n";
         return plan_of(part, name);
     }
-    const std::string program = random_part(seed);
+    const std::string program = seed >= kCam ? cam_part(seed) : random_part(seed);
     out << program;
     simulation::Plan plan;
     plan.job = setup::job_of({name, program});

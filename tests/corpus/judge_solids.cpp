@@ -7,7 +7,8 @@
 // seconds of processor time that the cut took, and the solid with cuts made for it; and what
 // ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with N seconds
 // of processor time (60) and 4 GB, the judge with twice as many; cut as `ncsim run` does by
-// default, or as drafts. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
+// default, and as drafts, which guess tools, if that refuses them or --draft is told. Exit code 1
+// if a solid is not valid, or a program makes ncsim fail.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/gcode/interpreter.h"
@@ -105,7 +106,11 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
     plan.threads = 1;
     plan.draft = is_draft;
     plan.keep_boundary = true;
-    const simulation::Survey survey = simulation::survey(plan);
+    simulation::Survey survey = simulation::survey(plan);
+    if (!survey.is_ready() && !is_draft) {
+        plan.draft = true;
+        survey = simulation::survey(plan);
+    }
     Made made;
     made.outcome = Outcome::Nothing;
     if (!survey.is_ready() || survey.is_flat()) {

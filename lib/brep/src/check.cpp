@@ -431,6 +431,10 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                 Vec3 p = track.at(at);
                 if (k == steps) p = part.vertices[end];
                 const Map::Place place = map.place(p, beside);
+                if (!std::isfinite(place.at.x + place.at.y + place.off)) {
+                    tell("an edge is nowhere on the surface");
+                    return faults;
+                }
                 miss = std::max(miss, std::abs(place.off));
                 if (const auto* cone = std::get_if<Cone>(&face.surface.form);
                     cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
