@@ -45,6 +45,17 @@ double bull_section() {
     return 12.0 * 3.0 - 2.0 * (4.0 - kPi);
 }
 
+// Of the bull nose, 2 deep, along 29.5 mm and a quarter of an arc of radius 5.5, nearer to whose
+// centre it is wider than that: at each height strips, the ends, and what is around the corner.
+double narrow_corner() {
+    const double strips = 59.0 + 5.5 * kPi, round = kPi;  // for each mm of radius; its square
+    const double first = 8.0 + kPi, second = 32.0 + 8.0 * kPi + 16.0 / 3.0;
+    const double u = std::sqrt(1.75);
+    const double beyond =
+        4.0 * u - u * u * u / 3.0 - 3.0 * (0.75 * u + 2.0 * std::asin(0.5 * u)) + 2.25 * u;
+    return strips * first + round * second - (1.0 - 0.25 * kPi) * beyond;
+}
+
 // Under the circle of radius 30, from -y to y.
 double across_bar(double y) {
     return 2.0 * (y * std::sqrt(900.0 - y * y) + 900.0 * std::asin(y / 30.0));
@@ -131,6 +142,12 @@ std::vector<Golden> goldens() {
          "T4 M6\nG0 X55 Y30 Z5\nG1 Z-3\nG2 X55 Y30 I-15 J0\nG0 Z5\n",
          {8, 2, 0, 0, 2},
          kBlock - 30.0 * kPi * bull_section()},
+        // Around a corner that is narrower than the tool: within the arc the ring is thicker than
+        // wide, and comes to a tip, which is a corner of its face.
+        {"narrow_corner",
+         "T4 M6\nG0 X25 Y8 Z5\nG1 Z-2\nG1 X35.5\nG3 X41 Y13.5 I0 J5.5\nG1 Y32.5\nG0 Z5\n",
+         {7, 4, 0, 0, 4},
+         kBlock - narrow_corner()},
         // The rim of the tool leaves the floor, which is as deep as where it passed last.
         {"ramp",
          "T1 M6\nG0 X20 Y30 Z0\nG1 X60 Z-4\nG0 Z5\n",
@@ -527,8 +544,8 @@ TEST(Recognise, FinishingByABallLeavesNoFacets) {
 
 // Of these most kept facets where moves in a row go on one as the other.
 TEST(Recognise, CamProgramsLeaveNoFacets) {
-    for (const std::uint64_t seed : {0U,  1U,  2U,  3U,  4U,  6U,  8U,  11U, 12U, 13U,
-                                     14U, 15U, 17U, 19U, 21U, 22U, 23U, 26U, 30U, 32U}) {
+    for (const std::uint64_t seed : {0U,  1U,  2U,  3U,  4U,  6U,  8U,  11U, 12U, 13U, 14U,
+                                     15U, 17U, 19U, 21U, 22U, 23U, 26U, 30U, 32U, 67U, 85U}) {
         const Made made =
             test::make_part(setup::job_of({"part.nc", test::cam_part(test::kCam + seed)}), 0.05);
         EXPECT_EQ(made.solid.facets_kept, 0U) << seed;

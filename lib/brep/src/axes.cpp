@@ -4,6 +4,7 @@
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace ncsim::brep {
@@ -19,7 +20,10 @@ Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
     return local;
 }
 
-double cut_of(const Part& part, const Face& face, const Axes& axes, double major) {
+double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus& torus) {
+    const double major = torus.major, minor = torus.minor;
+    if (is_spindle(torus))
+        return trig::angle_of(-major, -std::sqrt(std::max(0.0, minor * minor - major * major)));
     constexpr int kSteps = 32;
     struct Angle {
         double degrees;
@@ -54,6 +58,13 @@ double cut_of(const Part& part, const Face& face, const Axes& axes, double major
         cut = angles[i].degrees + 0.5 * gap;
     }
     return cut > 180.0 ? cut - 360.0 : cut;
+}
+
+double degrees_from(double cut, const Torus& torus, const Local& p) {
+    constexpr double kTurn = 360.0, kQuarter = 90.0;
+    const double degrees = trig::angle_of(p.away - torus.major, p.z) - cut;
+    if (!is_spindle(torus)) return degrees < 0.0 ? degrees + kTurn : degrees;
+    return std::max(0.0, degrees < -kQuarter ? degrees + kTurn : degrees);
 }
 
 }  // namespace ncsim::brep

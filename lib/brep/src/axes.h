@@ -69,6 +69,9 @@ void for_edges(const Part& part, const Face& face, const Visit& visit) {
 /// Where the face of a ring is not, on the way around the tube, degrees in (-180, 180]: in the
 /// middle of the widest gap between points of its edges, of those that are not between two edges
 /// with the face between them.
-double cut_of(const Part& part, const Face& face, const Axes& axes, double major);
+/// Of a spindle in the tip.
+double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus& torus);
+/// From there on, degrees.
+double degrees_from(double cut, const Torus& torus, const Local& p);
 
 }  // namespace ncsim::brep

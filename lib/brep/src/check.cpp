@@ -70,7 +70,7 @@ public:
             if (norm(sum) < 0.1 * s->radius) middle = face.frame.axis;
             axes_ = Axes(s->centre, {s->centre, middle, across(middle)});
         } else if (const auto* t = std::get_if<Torus>(form_)) {
-            cut_ = cut_of(part, face, axes_, t->major);
+            cut_ = cut_of(part, face, axes_, *t);
         } else if (const auto* coil = std::get_if<Coil>(form_)) {
             double sum = 0.0;
             for_edges(part, face, [&](const Track& track, double) {
@@ -118,9 +118,9 @@ public:
             return {scale * p.x, scale * p.y};
         }
         const auto& t = std::get<Torus>(*form_);
-        double degrees = trig::angle_of(p.away - t.major, p.z);
-        if (degrees < cut_) degrees += 360.0;
-        return out(p, t.minor * (1.0 + (degrees - cut_) * kRadiansPerDegree));
+        const double around = degrees_from(cut_, t, p) * kRadiansPerDegree;
+        if (!is_spindle(t)) return out(p, t.minor * (1.0 + around));
+        return p.away > 0.0 ? out(p, t.minor * around) : Point{0.0, 0.0};
     }
 
     bool is_cone() const { return std::holds_alternative<Cone>(*form_); }

@@ -120,8 +120,17 @@ Frame frame_for(const Part& part, const Face& face) {
     const auto loops = points_along(part, face);
     if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
         return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};
-    if (const auto* f = std::get_if<Torus>(&face.surface.form))
-        return {f->centre, f->axis, x_axis(loops, f->centre, f->axis)};
+    if (const auto* f = std::get_if<Torus>(&face.surface.form)) {
+        if (!is_spindle(*f)) return {f->centre, f->axis, x_axis(loops, f->centre, f->axis)};
+        // Of the tip there is no angle.
+        constexpr double kInTip = 1e-6;
+        std::vector<std::vector<Vec3>> clear = loops;
+        for (auto& points : clear) {
+            std::erase_if(points,
+                          [&](Vec3 p) { return norm(cross(p - f->centre, f->axis)) < kInTip; });
+        }
+        return {f->centre, f->axis, x_axis(clear, f->centre, f->axis)};
+    }
     if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
         const auto zone = axis_of_zone(part, face);
         const Vec3 axis = zone ? *zone : sphere_axis(loops, f->centre);

@@ -54,6 +54,13 @@ bool is_flank(const Form& form) {
     return envelope && envelope->sweep->flank();
 }
 
+// Of such facets go on beyond the tip, as wide as polygons in its place have sides.
+bool is_peak(const Surface& surface) {
+    const auto* ring = std::get_if<Torus>(&surface.form);
+    return (ring && is_spindle(*ring)) ||
+           (!surface.is_hollow && std::holds_alternative<Cone>(surface.form));
+}
+
 // Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does:
 // by how much, mm. Where the tool pivots there is none.
 double beyond_end(const Form& form, Vec3 p) {
@@ -151,7 +158,9 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
             if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
                 continue;
             double score = 0.0;
-            const double slack = is_coil ? kSlackOfCoils : is_flank(form) ? kSlackOfFlanks : kSlack;
+            const double slack = is_coil                                        ? kSlackOfCoils
+                                 : is_flank(form) || is_peak(candidate.surface) ? kSlackOfFlanks
+                                                                                : kSlack;
             if (!fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score))
                 continue;
             const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;

@@ -124,17 +124,25 @@ struct BelowSphere {
 };
 
 struct BelowTorus {
+    BelowTorus(const Torus& torus, Vec3 apex, double from)
+        : ring(torus), major(torus.major), minor(torus.minor), w(apex), cut(from) {}
+    Torus ring;
     double major, minor;
     Vec3 w;
     double cut;  // degrees, where the angle around the tube jumps
+    // Of a spindle from its tip on, which may be a corner.
     Below operator()(const Local& p) const {
         const double out = p.away - major;
         const double length = std::sqrt(out * out + p.z * p.z);
-        const double s = p.z / length, c = out / length;
-        double degrees = trig::angle_of(out, p.z);
-        if (degrees < cut) degrees += 360.0;
-        const double f = degrees * kRadiansPerDegree;
         const double a = (w.x * p.x + w.y * p.y) / p.away;
+        const double degrees = cut + degrees_from(cut, ring, p);
+        const Below all = below(degrees * kRadiansPerDegree, p.z / length, out / length, a);
+        if (!is_spindle(ring)) return all;
+        const auto tip = trig::sin_cos(cut);
+        const Below before = below(cut * kRadiansPerDegree, tip.sin, tip.cos, a);
+        return {all.area - before.area, all.volume - before.volume};
+    }
+    Below below(double f, double s, double c, double a) const {
         return {minor * (major * f + minor * s),
                 minor * (major * minor * f + major * (major + a) * s - major * w.z * c +
                          minor * minor * s + minor * (major + a) * 0.5 * (f + s * c) +
@@ -409,11 +417,9 @@ Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
         return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
-    const double cut = cut_of(part, face, axes, f.major);
+    const double cut = cut_of(part, face, axes, f);
     return quarter(around_axis(part, face, axes, [&](const Local& p) {
-        double to = trig::angle_of(p.away - f.major, p.z);
-        if (to < cut) to += 2.0 * kHalfTurn;
-        return around_face(axes, apex, p, cut, to, 4,
+        return around_face(axes, apex, p, cut, cut + degrees_from(cut, f, p), 4,
                            [&](double angle) { return round(f.major, f.minor, angle); });
     }));
 }
@@ -507,8 +513,7 @@ Measure measure(const Part& part, const Face& face, Vec3 apex, Exactness exactne
     const auto& f = std::get<Torus>(face.surface.form);
     const Axes axes(f.centre, face.frame);
     return around(part, face, axes,
-                  BelowTorus{f.major, f.minor, axes.turned(f.centre - apex),
-                             cut_of(part, face, axes, f.major)});
+                  BelowTorus(f, axes.turned(f.centre - apex), cut_of(part, face, axes, f)));
 }
 
 double volume(const Part& part) {

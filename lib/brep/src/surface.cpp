@@ -376,6 +376,11 @@ double place_along(const Extrusion& extrusion, Vec3 p) {
     return dot(p - extrusion.centre, extrusion.axis) / dot(extrusion.along, extrusion.axis);
 }
 
+bool is_spindle(const Torus& torus) {
+    constexpr double kThicker = 1e-6;
+    return torus.major <= torus.minor * (1.0 + kThicker);
+}
+
 double half_angle_rad(const Cone& cone) {
     return trig::angle_of(1.0, cone.slope) * (std::numbers::pi / 180.0);
 }

@@ -168,8 +168,9 @@ public:
         const double reach = way.reach;
         if (e.fillet > 0.0) {
             if (!is_level) return envelope(e, way);
-            tube(at, axis, reach + e.radius, e.fillet);
-            if (e.radius > kEqual && reach > e.radius) tube(at, axis, reach - e.radius, e.fillet);
+            tube(at, axis, reach + e.radius, e.fillet, true);
+            if (e.radius > kEqual && reach > e.radius)
+                tube(at, axis, reach - e.radius, e.fillet, true);
         } else if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {
@@ -339,11 +340,14 @@ private:
         add(Plane{at, e.widening() > 0.0 ? axis : -axis});
     }
 
-    void tube(Vec3 centre, Vec3 axis, double major, double minor) {
+    void tube(Vec3 centre, Vec3 axis, double major, double minor, bool may_be_spindle = false) {
+        // About as thick as wide, it comes to tips that nobody can tell from each other.
+        constexpr double kLeastApart = 0.01;
+        const Torus torus{centre, axis, major, minor};
         if (major <= kEqual) {
             add(Sphere{centre, minor});
-        } else if (major > minor * (1.0 + 1e-6)) {
-            add(Torus{centre, axis, major, minor});
+        } else if (!is_spindle(torus) || (may_be_spindle && major < minor * (1.0 - kLeastApart))) {
+            add(torus);
         } else if (!at_rest_) {
             leave_unknown();
         }

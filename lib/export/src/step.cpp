@@ -523,8 +523,25 @@ private:
                    along.places + ",.UNSPECIFIED.)");
     }
     Entity surface_of(const brep::Torus& form, const brep::Face& face) {
+        if (brep::is_spindle(form)) return spindle(form, face.frame);
         return add("TOROIDAL_SURFACE(''," + place_of(face.frame) + "," + real(form.major) + "," +
                    real(form.minor) + ")");
+    }
+
+    // What readers know no torus for: half of its circle, from tip to tip, turns about the axis.
+    Entity spindle(const brep::Torus& form, const brep::Frame& frame) {
+        const Vec3 y = cda::cross(frame.axis, frame.x);
+        const brep::Frame place{frame.origin + form.major * frame.x, -y, frame.x};
+        const Entity circle = add("CIRCLE(''," + place_of(place) + "," + real(form.minor) + ")");
+        const double height =
+            std::sqrt(std::max(0.0, form.minor * form.minor - form.major * form.major));
+        const Entity from = point(frame.origin - height * frame.axis);
+        const Entity to = point(frame.origin + height * frame.axis);
+        const Entity half = add("TRIMMED_CURVE(''," + ref(circle) + ",(" + ref(from) + "),(" +
+                                ref(to) + "),.T.,.CARTESIAN.)");
+        const Entity axis = add("AXIS1_PLACEMENT(''," + ref(point(frame.origin)) + "," +
+                                ref(direction(frame.axis)) + ")");
+        return add("SURFACE_OF_REVOLUTION(''," + ref(half) + "," + ref(axis) + ")");
     }
 
     // The colour of a tool.
