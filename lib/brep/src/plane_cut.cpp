@@ -134,8 +134,10 @@ void PlaneCut::cut(const Torus& f) {
         if (std::abs(h) >= f.minor) return;
         const double half = std::sqrt(f.minor * f.minor - h * h);
         const Vec3 centre = f.centre - h * plane_.normal, x = across(plane_.normal);
-        for (const double radius : {f.major + half, f.major - half})
-            add({centre, radius * x, radius * cross(plane_.normal, x)});
+        for (const double radius : {f.major + half, f.major - half}) {
+            // Of a spindle no face is beyond its tip.
+            if (radius > 0.0) add({centre, radius * x, radius * cross(plane_.normal, x)});
+        }
         return;
     }
     if (std::abs(cosine) > kParallel) return;

@@ -228,7 +228,8 @@ private:
         if (const auto* envelope = std::get_if<Envelope>(&form))
             return cut_step_by_step(face, *envelope, events);
         const PlaneCut cut(form, lifted_);
-        if (!cut.is_known()) return events.empty() && !may_be_cut(form);
+        if (!cut.is_known() || is_spindle_cut_upright(form))
+            return events.empty() && !may_be_cut(form);
         if (cut.branches() == 0) return events.empty();
         const PlaneCut exact(form, plane_);
         std::vector<std::vector<Event>> of(cut.branches());
@@ -242,6 +243,13 @@ private:
             }
         }
         return true;
+    }
+
+    // Nobody knows there which pieces of the cut are those away from the axis.
+    bool is_spindle_cut_upright(const Form& form) const {
+        constexpr double kLevel = 1e-9;
+        const auto* ring = std::get_if<Torus>(&form);
+        return ring && is_spindle(*ring) && norm(cross(ring->axis, plane_.normal)) > kLevel;
     }
 
     // Of rings that lie askew, and cones that are cut along a ruling.
@@ -350,6 +358,9 @@ private:
     // Is the branch, which no edge passes, in the face? Asked along a second cut, across it.
     std::optional<bool> has(const Face& face, const PlaneCut& cut, std::size_t branch) const {
         if (face.loops.empty()) return true;
+        // What has its tip as a corner does not go round.
+        const auto* ring = std::get_if<Torus>(&face.surface.form);
+        if (ring && is_spindle(*ring) && face.loops.size() == 1) return false;
         constexpr int kTries = 16;
         for (int i = 0; i < kTries; ++i) {
             const Vec3 q = cut.at(branch, 360.0 * (i + 0.371) / kTries);
