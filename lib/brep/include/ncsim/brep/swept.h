@@ -50,7 +50,8 @@ struct Source {
 ///
 /// Arcs whose radius changes by more than 4 µm leave planes below flat ends and spirals beside
 /// upright sides. Lines that rise by less than 1 µm for 1 mm, arcs whose radius changes by more
-/// than a fifth of it for each radian, and rings that are thicker than wide, have no surface here.
+/// than a fifth of it for each radian, and rings that are thicker than wide but of arcs about the
+/// tool's axis, or nearly as thick as wide, have no surface here.
 /// Of tools that turn envelopes on lines, of sides and balls, and of corner radii and rims where
 /// the flat end goes level nowhere; and those at rest. `told`: the machine that
 /// moves it, null for the default one; it may hold the tool or the part at any angle. What has no
