@@ -128,13 +128,13 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
     const double begin = seconds_used();
     const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
     made.cut_s = seconds_used() - begin;
-    made.outcome = Outcome::TooSlow;
-    made.say("its solid is too slow");
-    has_cut(made);
     if (milled.boundary->faces.empty()) {
         made.say("nothing is left");
         return made;
     }
+    made.outcome = Outcome::TooSlow;
+    made.say("its solid is too slow");
+    has_cut(made);
     const brep::Part facets = exporter::flat_solid(*milled.boundary, exporter::kStepTolerance).part;
     made.facet_faces = facets.faces.size();
     made.facet_bytes = step_of(facets, milled.provenance).size();
