@@ -120,6 +120,20 @@ std::string faults_between(std::vector<Vec3> corners, std::vector<Edge> edges, L
     return told(faults_of(part, 0, 1e-9, miss));
 }
 
+// A line through the axis of a pipe is at no angle there.
+TEST(Check, FindsEdgesThatAreNowhereOnTheirSurface) {
+    Part part;
+    part.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}};
+    part.edges = {{0, 1, Line{}}, {1, 2, Line{}}, {2, 0, Line{}}};
+    Face face;
+    face.surface.form = Cylinder{{}, kUp, 1.0};
+    face.frame = {{}, kUp, {0, -1, 0}};
+    face.loops = {{{0, true}, {1, true}, {2, true}}};
+    part.faces.push_back(face);
+    double miss = 0.0;
+    EXPECT_NE(told(faults_of(part, 0, 1e-3, miss)).find("nowhere"), std::string::npos);
+}
+
 // A line ends at the tip of a slender ellipse, and crosses it once more if it goes up: 0.04 mm
 // before that, or by so little that it may be meant to touch.
 TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {

@@ -19,6 +19,7 @@
 namespace ncsim::brep {
 namespace {
 
+using test::expect_at;
 using test::Golden;
 using test::kBlock;
 using test::Kinds;
@@ -26,18 +27,6 @@ using test::kinds_of;
 using test::kPi;
 using test::Made;
 using test::make;
-
-// Its faces and what is left of it, at any of these tolerances, and no facet.
-void expect_at(const std::vector<double>& tolerances, const Golden& golden, double left) {
-    for (const double tolerance : tolerances) {
-        SCOPED_TRACE(tolerance);
-        const Made made = make(golden, tolerance);
-        EXPECT_EQ(kinds_of(made.solid.part), golden.kinds);
-        EXPECT_EQ(made.solid.facets_kept, 0U);
-        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-        EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
-    }
-}
 
 // Of the smallest value of what goes down first and then up, between both ends.
 template <typename F>

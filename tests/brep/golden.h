@@ -3,13 +3,17 @@
 // Parts as a machinist would describe them.
 #pragma once
 
+#include "ncsim/brep/measure.h"
 #include "ncsim/brep/part.h"
 
 #include "brep/made_part.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace ncsim::brep::test {
 
@@ -36,6 +40,19 @@ inline Kinds kinds_of(const Part& part) {
     for (const Face& face : part.faces)
         ++kinds[face.surface.form.index()];
     return kinds;
+}
+
+// Its faces and what is left of it, but for such a share, at any of these tolerances, and no facet.
+inline void expect_at(const std::vector<double>& tolerances, const Golden& golden, double left,
+                      double share = 1e-8) {
+    for (const double tolerance : tolerances) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(golden, tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), golden.kinds);
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
+        EXPECT_NEAR(volume(made.solid.part), left, share * left);
+    }
 }
 
 }  // namespace ncsim::brep::test

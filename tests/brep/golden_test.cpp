@@ -75,7 +75,7 @@ std::vector<Golden> goldens() {
          kBlock - 4.0 * (300.0 + 25.0 * kPi)},
         // Both moves are one hull, named for the second; the wall is where the first one starts.
         {"slot_in_two_moves",
-         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X23\nG1 X28\nG0 Z5\n",
+         "T1 M6\nG0 X20 Y30 Z5\nG1 Z-4\nG1 X23\nG4 P1\nG1 X28\nG0 Z5\n",
          {9, 2, 0, 0, 0},
          kBlock - 4.0 * (80.0 + 25.0 * kPi)},
         {"slot_askew",
@@ -540,6 +540,19 @@ TEST(Recognise, FinishingByABallLeavesNoFacets) {
         EXPECT_EQ(made.solid.facets_kept, 0U) << seed;
         EXPECT_EQ(made.solid.shells_kept, 0U) << seed;
     }
+}
+
+// A lollipop leaves a ring above the middle of its ball, too, where no face of a ring thicker than
+// wide may be: facets stay there, and took all faces along.
+TEST(Recognise, FacetsOfLollipopsInNarrowCornersStayThere) {
+    const Golden golden{"lollipop",
+                        "(T6 D=8. - lollipop mill)\nT6 M6\nG0 X90 Y30 Z-10\nG1 X40\n"
+                        "G3 X41.5 Y31.5 I0 J1.5\nG1 Y40\nG0 Y70\nG0 Z20\n",
+                        {},
+                        0.0};
+    const Made made = make(golden, 0.05);
+    EXPECT_EQ(kinds_of(made.solid.part)[1], 2);
+    EXPECT_LT(made.solid.facets_kept, 60U);
 }
 
 // Of these most kept facets where moves in a row go on one as the other.

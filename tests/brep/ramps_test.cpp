@@ -20,6 +20,7 @@
 namespace ncsim::brep {
 namespace {
 
+using test::expect_at;
 using test::Golden;
 using test::kBlock;
 using test::Kinds;
@@ -33,17 +34,12 @@ using test::make;
 // Between the walls the tool stood and left a strip of 0.62 mm, along which the bend has its
 // circle: as large as facets were it was no face, or the floors had its edge twice.
 TEST(Recognise, KnowsRampsThatMeetAskew) {
-    const Golden golden{
-        "ridge", "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n", {}, 0.0};
+    const Golden golden{"ridge",
+                        "T1 M6\nG0 X10 Y30 Z5\nG1 X20 Z-5\nG1 X30 Z-2\nG1 X70 Y25 Z-12\nG0 Z5\n",
+                        {12, 2, 0, 0, 0, 3},
+                        0.0};
     const double left = volume(make(golden, 0.002).solid.part);
-    for (const double tolerance : {0.05, 0.02, 0.01, 0.0055, 0.001}) {
-        SCOPED_TRACE(tolerance);
-        const Made made = make(golden, tolerance);
-        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{12, 2, 0, 0, 0, 3}));
-        EXPECT_EQ(made.solid.facets_kept, 0U);
-        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-        EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
-    }
+    expect_at({0.05, 0.02, 0.01, 0.0055, 0.001}, golden, left, 1e-9);
 }
 
 // Down a ramp, along a slot and back, and up another ramp, askew. The wall beside that touches its
@@ -54,17 +50,11 @@ TEST(Recognise, KnowsRampsThatMeetInAValley) {
         const Golden golden{
             "valley",
             "T1 M6\nG0 X10 Y30 Z5\nG1 X30 Z-8\nG1 Y10\nG1 Y30\nG1 X60 Y" + end + " Z-2\nG0 Z5\n",
-            {},
+            {13, 2, 0, 0, 0, 2},
             0.0};
         const double left = volume(make(golden, 0.002).solid.part);
-        for (const double tolerance : {0.05, 0.02, 0.0055}) {
-            SCOPED_TRACE(end + " " + std::to_string(tolerance));
-            const Made made = make(golden, tolerance);
-            EXPECT_EQ(kinds_of(made.solid.part), (Kinds{13, 2, 0, 0, 0, 2}));
-            EXPECT_EQ(made.solid.facets_kept, 0U);
-            EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-            EXPECT_NEAR(volume(made.solid.part), left, 1e-9 * left);
-        }
+        SCOPED_TRACE(end);
+        expect_at({0.05, 0.02, 0.0055}, golden, left, 1e-9);
     }
 }
 
@@ -75,17 +65,10 @@ TEST(Recognise, KnowsRoofsThatToolsGoThrough) {
     const Golden golden{"roof",
                         "(TOOL#=6 FLUTE=4 LEN=12 UNIT=METRIC)\nT6 M6\nG0 X45 Y30 Z0\n"
                         "G18 G3 X29 Z-19.596 I-20 K0\nG17\nG0 Z5\n",
-                        {},
+                        {9, 1, 0, 0, 0, 0, 2},
                         0.0};
     const double left = volume(make(golden, 0.002).solid.part);
-    for (const double tolerance : {0.05, 0.02, 0.0055}) {
-        SCOPED_TRACE(tolerance);
-        const Made made = make(golden, tolerance);
-        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{9, 1, 0, 0, 0, 0, 2}));
-        EXPECT_EQ(made.solid.facets_kept, 0U);
-        EXPECT_LT(made.solid.part.miss_mm, 1e-5);
-        EXPECT_NEAR(volume(made.solid.part), left, 1e-8 * left);
-    }
+    expect_at({0.05, 0.02, 0.0055}, golden, left);
 }
 
 // A ramp leaves the block through its side, where its floor ends in half an ellipse. Readers know

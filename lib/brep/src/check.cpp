@@ -234,10 +234,12 @@ double sine_between(const Segment& s, const Segment& t) {
     return lengths > 0.0 ? std::abs(sx * ty - sy * tx) / lengths : 0.0;
 }
 
-// Pieces of curves without a common end: chords that come near are halved until it is clear. What
+// Pieces of curves without a common end: chords that come near are halved until it is clear, or one
+// is nowhere on the map. What
 // runs beside each other, but for a least angle, may be near.
 bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth,
                       double least_sine = 0.0) {
+    if (!std::isfinite(s.off + t.off)) return true;
     if (apart(s, t) >= s.off + t.off + clear) return false;
     if (depth == 0 || s.off + t.off <= 0.25 * clear)
         return apart(s, t) < clear && sine_between(s, t) >= least_sine;

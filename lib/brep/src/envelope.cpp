@@ -298,6 +298,15 @@ Aspect place_on(const Envelope& envelope, Vec3 p, double near_time) {
     return nearest_from(sweep, near_time, p);
 }
 
+Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside) {
+    constexpr double kFarthest = 0.1;  // where that changes faster, it does not go on so
+    const double later = std::clamp(dot(beside.slope, p - beside.at), -kFarthest, kFarthest);
+    const Aspect aspect =
+        beside.time ? place_on(envelope, p, *beside.time + later) : place_on(envelope, p);
+    beside = {aspect.t, p, gradient_of_time(aspect)};
+    return aspect;
+}
+
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect) {
     const Passage& at = aspect.passage;
     const Vec3 n = aspect.normal;

@@ -24,6 +24,8 @@ constexpr double kSlack = 1.5;
 constexpr double kSlackOfCoils = 2.0;
 // Of flanks, where hulls of two poses of a tool that turns gain about as much as tools are off.
 constexpr double kSlackOfFlanks = 3.0;
+// Of peaks, beyond whose tip facets go on as wide as polygons in their place have sides.
+constexpr double kSlackOfPeaks = 3.0;
 
 // How far a facet turns away from the surface on average over its corners.
 double turn_at_corners(const FlatFace& face, const Surface& surface) {
@@ -54,7 +56,13 @@ bool is_flank(const Form& form) {
     return envelope && envelope->sweep->flank();
 }
 
-// Of such facets go on beyond the tip, as wide as polygons in its place have sides.
+// No face of a spindle is above its centre: what lollipops leave there.
+bool is_above_spindle(const FlatFace& face, const Surface& surface) {
+    const auto* ring = std::get_if<Torus>(&surface.form);
+    return ring && is_spindle(*ring) && dot(face.centroid - ring->centre, ring->axis) >= 0.0;
+}
+
+// Does it come to a tip, in material?
 bool is_peak(const Surface& surface) {
     const auto* ring = std::get_if<Torus>(&surface.form);
     return (ring && is_spindle(*ring)) ||
@@ -105,6 +113,7 @@ double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<c
 
 bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
           double* score) {
+    if (is_above_spindle(face, surface)) return false;
     // In its middle, or, where that is off the surface (of a ring: the bottom of a round groove),
     // at its corners: if these are on it, since of a floor between walls there may be thousands.
     const auto [off_by, gradient] = off(surface.form, face.centroid);
@@ -158,9 +167,10 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
             if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
                 continue;
             double score = 0.0;
-            const double slack = is_coil                                        ? kSlackOfCoils
-                                 : is_flank(form) || is_peak(candidate.surface) ? kSlackOfFlanks
-                                                                                : kSlack;
+            const double slack = is_coil                      ? kSlackOfCoils
+                                 : is_flank(form)             ? kSlackOfFlanks
+                                 : is_peak(candidate.surface) ? kSlackOfPeaks
+                                                              : kSlack;
             if (!fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score))
                 continue;
             const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;

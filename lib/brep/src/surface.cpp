@@ -263,15 +263,6 @@ Off off(const Form& form, Vec3 p) {
     return std::visit(Both{p}, form);
 }
 
-Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside) {
-    constexpr double kFarthest = 0.1;
-    const double later = std::clamp(dot(beside.slope, p - beside.at), -kFarthest, kFarthest);
-    const Aspect aspect =
-        beside.time ? place_on(envelope, p, *beside.time + later) : place_on(envelope, p);
-    beside = {aspect.t, p, gradient_of_time(aspect)};
-    return aspect;
-}
-
 Off off(const Form& form, Vec3 p, Beside& beside) {
     const auto* envelope = std::get_if<Envelope>(&form);
     if (!envelope) return off(form, p);

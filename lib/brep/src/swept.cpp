@@ -168,9 +168,11 @@ public:
         const double reach = way.reach;
         if (e.fillet > 0.0) {
             if (!is_level) return envelope(e, way);
-            tube(at, axis, reach + e.radius, e.fillet, true);
+            // Farther around, the tip may be within a face.
+            const bool is_at_most_half = std::abs(way.swept) <= std::numbers::pi + kEqual;
+            tube(at, axis, reach + e.radius, e.fillet, is_at_most_half);
             if (e.radius > kEqual && reach > e.radius)
-                tube(at, axis, reach - e.radius, e.fillet, true);
+                tube(at, axis, reach - e.radius, e.fillet, is_at_most_half);
         } else if (std::abs(e.rise()) <= kEqual) {
             if (is_level) disc(e, at, axis);
         } else if (std::abs(e.widening()) <= kEqual) {

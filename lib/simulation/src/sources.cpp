@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sources.h"
 
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/walk.h"
+
 #include "join_moves.h"
 
 #include <algorithm>
@@ -15,45 +18,41 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Straight moves at feed in a row, one as the other. What these take together is one hull of the
-// last of them (toolpath::Walk), and so is what they leave where the first one starts.
+// Straight moves at feed of an upright tool in a row, one as the other. What these take together is
+// one hull, named for the last of them (toolpath::Walk), and so is what they leave where the first
+// one starts.
 class Row {
 public:
-    // The motion from where its row starts; nothing if that is its own start.
-    std::optional<gcode::Motion> take(const gcode::Motion& motion) {
-        const auto* line = std::get_if<gcode::Linear>(&motion.what);
-        const bool is_of_row = line && motion.kind == gcode::MoveKind::Feed;
-        if (!is_of_row || !last_ || motion.tool != last_->tool || !goes_on(*line)) {
+    // Where the row of a move started, if it is not the first one.
+    std::optional<gcode::Position> start_of(const gcode::Motion& motion) {
+        if (!gcode::start_of(motion)) return std::nullopt;
+        const gcode::Linear* line = toolpath::straight_upright(motion);
+        if (!line || motion.kind != gcode::MoveKind::Feed) {
             start_.reset();
-            last_.reset();
-            if (is_of_row) {
-                start_ = line->from;
-                last_ = motion;
-            }
             return std::nullopt;
         }
-        last_ = motion;
-        gcode::Motion together = motion;
-        std::get<gcode::Linear>(together.what).from = *start_;
-        return together;
+        const bool goes_on =
+            start_ && motion.tool == tool_ && end_ == line->from && is_ahead(*line);
+        if (!goes_on) start_ = line->from;
+        end_ = line->to;
+        tool_ = motion.tool;
+        return goes_on ? start_ : std::nullopt;
     }
 
 private:
-    static cda::Vec3 place(const gcode::Position& p) { return {p.x.mm(), p.y.mm(), p.z.mm()}; }
-
     // As far as the lattice tells.
-    bool goes_on(const gcode::Linear& line) const {
+    bool is_ahead(const gcode::Linear& line) const {
         constexpr double kLattice = 2e-5;  // mm
-        const gcode::Linear& before = std::get<gcode::Linear>(last_->what);
-        if (!(before.to == line.from)) return false;
-        const cda::Vec3 way = place(line.from) - place(*start_),
-                        on = place(line.to) - place(line.from);
-        const double length = cda::norm(way) + cda::norm(on);
-        return cda::dot(way, on) > 0.0 && cda::norm(cda::cross(way, on)) <= kLattice * length;
+        const cda::Vec3 from = toolpath::linear_axes(line.from);
+        const cda::Vec3 way = from - toolpath::linear_axes(*start_);
+        const cda::Vec3 on = toolpath::linear_axes(line.to) - from;
+        return cda::dot(way, on) > 0.0 &&
+               cda::norm(cda::cross(way, on)) <= kLattice * (cda::norm(way) + cda::norm(on));
     }
 
-    std::optional<gcode::Position> start_;
-    std::optional<gcode::Motion> last_;
+    std::optional<gcode::Position> start_;  // of a row
+    gcode::Position end_;
+    int tool_ = 0;
 };
 
 }  // namespace
@@ -75,7 +74,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
     Row row;
     MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
         ++motions;
-        const std::optional<gcode::Motion> together = row.take(motion);
+        const auto start_of_row = row.start_of(motion);
         if (next >= simulation.cuts.size() || simulation.cuts[next].motion != motions) return;
         const std::size_t origin = next++;
         const auto tool = survey.tools.find(motion.tool);
@@ -84,9 +83,11 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
         const double polygon =
             cutter == simulation.cutters.end() ? plan.tool_tolerance : cutter->second.error_mm;
         brep::Source source = brep::surfaces_of(motion, tool->second.tool, plan.placed.get());
-        if (together) {
-            brep::Source of_row =
-                brep::surfaces_of(*together, tool->second.tool, plan.placed.get());
+        // On machines that are told no moves are put together.
+        if (start_of_row && !plan.placed) {
+            gcode::Motion together = motion;
+            std::get<gcode::Linear>(together.what).from = *start_of_row;
+            brep::Source of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
             std::ranges::move(of_row.candidates, std::back_inserter(source.candidates));
         }
         source.error_mm = polygon + source.chords * plan.tolerance + plan.join_tolerance + rounding;

@@ -28,17 +28,6 @@ Length axis_at(Length from, Length to, double rate, double time) {
     return from + (rate * time / distance) * (to - from);
 }
 
-// Is it a straight one in which nothing is turned, now or before? Of most programs most are.
-const Linear* straight_upright(const gcode::Motion& motion) {
-    const auto* linear = std::get_if<Linear>(&motion.what);
-    if (!linear || motion.coordinates == gcode::Coordinates::Tip) return nullptr;
-    for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
-        if ((linear->from.*axis).degrees() != 0.0 || (linear->to.*axis).degrees() != 0.0)
-            return nullptr;
-    }
-    return linear;
-}
-
 cda::Box grown(cda::Box box, double by_mm) {
     box.min = box.min - cda::Vec3{by_mm, by_mm, by_mm};
     box.max = box.max + cda::Vec3{by_mm, by_mm, by_mm};
@@ -106,6 +95,16 @@ bool goes_exactly_along(const cda::Cell& hull, const cda::LatticePoint& way) {
 }
 
 }  // namespace
+
+const Linear* straight_upright(const gcode::Motion& motion) {
+    const auto* linear = std::get_if<Linear>(&motion.what);
+    if (!linear || motion.coordinates == gcode::Coordinates::Tip) return nullptr;
+    for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
+        if ((linear->from.*axis).degrees() != 0.0 || (linear->to.*axis).degrees() != 0.0)
+            return nullptr;
+    }
+    return linear;
+}
 
 std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
     if (!path.dog_leg) return {rapid};

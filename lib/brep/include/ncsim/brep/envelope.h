@@ -9,6 +9,7 @@
 #include "ncsim/brep/sweep.h"
 
 #include <memory>
+#include <optional>
 
 namespace ncsim::brep {
 
@@ -45,6 +46,14 @@ Aspect aspect_at(const Sweep& sweep, const Passage& at, Vec3 p);
 Aspect place_on(const Envelope& envelope, Vec3 p);
 /// The same from near that time on, as that of a place beside it: no other one is looked for.
 Aspect place_on(const Envelope& envelope, Vec3 p, double near_time);
+
+/// The last point of those that are looked at one after the other: when a tool was nearest to it,
+/// and how that changes. The time of the next one, beside it, is looked for from there.
+struct Beside {
+    std::optional<double> time;
+    Vec3 at, slope;
+};
+Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside);
 
 /// Of the sine by which its normal rises against the axis.
 Vec3 gradient_of_rise(const Sweep& sweep, const Aspect& aspect);

@@ -7,7 +7,6 @@
 #include "ncsim/cda/vec.h"
 
 #include <array>
-#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -116,14 +115,7 @@ struct Off {
 };
 Off off(const Form& form, Vec3 p);
 
-/// The last point of those that are looked at one after the other on one form: when a tool was
-/// nearest to it, and how that changes. The time of the next one, beside it, is looked for from
-/// there.
-struct Beside {
-    std::optional<double> time;
-    Vec3 at, slope;
-};
-Aspect place_on(const Envelope& envelope, Vec3 p, Beside& beside);
+/// Of points one after the other.
 Off off(const Form& form, Vec3 p, Beside& beside);
 double distance(const Form& form, Vec3 p, Beside& beside);
 

@@ -56,6 +56,10 @@ struct Step {
     Turning turning;       ///< And how the tool turns in it: for other parts of the tool.
 };
 
+/// The line of a straight move in which nothing is turned, now or before, as of most programs most
+/// are; else null.
+const gcode::Linear* straight_upright(const gcode::Motion& motion);
+
 /// What has to be followed besides the cutter in the stock: there, too, `bounds` and `turning` of
 /// the steps hold.
 struct Watch {
