@@ -134,6 +134,22 @@ TEST(Check, FindsEdgesThatAreNowhereOnTheirSurface) {
     EXPECT_NE(told(faults_of(part, 0, 1e-3, miss)).find("nowhere"), std::string::npos);
 }
 
+// Two curves that begin 2 um beside their common corner, as edges do beside facets: they come no
+// nearer to it than that, however often they are halved.
+TEST(Check, EndsWhereNeighboursMissTheirCorner) {
+    Part part;
+    part.vertices = {{-1.93e-3, -5.3e-4, 0}, {10, 0, 0}};
+    part.edges = {{0, 1, Spline{{{0, 0, 0}, {2, 0.5, 0}, {8, 0.5, 0}, {10, 0, 0}}, {0, 1}}},
+                  {1, 0, Spline{{{10, 0, 0}, {8, 0.6, 0}, {2, 0.6, 0}, {0, 0, 0}}, {0, 1}}}};
+    Face face;
+    face.surface.form = Plane{{}, kUp};
+    face.frame = {{}, kUp, {1, 0, 0}};
+    face.loops = {{{0, true}, {1, true}}};
+    part.faces.push_back(face);
+    double miss = 0.0;
+    EXPECT_EQ(told(faults_of(part, 0, 1e-2, miss)), "");
+}
+
 // A line ends at the tip of a slender ellipse, and crosses it once more if it goes up: 0.04 mm
 // before that, or by so little that it may be meant to touch.
 TEST(Check, FindsNeighboursThatCrossNearTheirCorner) {

@@ -208,6 +208,33 @@ TEST(Envelope, WhatCrossesItHasItsGradient) {
     }
 }
 
+// Points one after the other, each from the one before.
+TEST(Envelope, PointsInARowHaveTheirTimesForetold) {
+    Draw draw(11);
+    constexpr double kStep = 1e-4;
+    int seen = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Envelope envelope = random_envelope(draw);
+        const Sweep& sweep = *envelope.sweep;
+        const double t = draw.from(0.1, 0.9), place = random_place(draw, sweep, 120.0, 240.0);
+        const Vec3 p = point_across(sweep, sweep.at(t), place);
+        if (least_off(sweep, p) < -1e-6) continue;
+        ++seen;
+        Beside beside;
+        EXPECT_EQ(place_on(envelope, p, beside).t, place_on(envelope, p).t);
+        const Vec3 q = p + kStep * draw.direction();
+        const double foretold = *beside.time + dot(beside.slope, q - beside.at);
+        const Aspect next = place_on(envelope, q, beside), alone = place_on(envelope, q);
+        EXPECT_NEAR(next.t, alone.t, 1e-10);
+        EXPECT_NEAR(next.off, alone.off, 1e-10);
+        const double gone = std::abs(next.t - t);
+        EXPECT_LE(std::abs(foretold - next.t), 1e-8 + 0.2 * gone);
+        EXPECT_EQ(*beside.time, next.t);
+        EXPECT_EQ(norm(beside.at - q), 0.0);
+    }
+    EXPECT_GT(seen, 200);
+}
+
 // Where the profile goes smoothly from the one to the other, they touch on the way, too.
 TEST(Envelope, SidesTouchTheirCornerRadii) {
     Draw draw(11);

@@ -58,6 +58,21 @@ TEST(Recognise, KnowsRampsThatMeetInAValley) {
     }
 }
 
+// The arc by which a tool enters a slot askew, in short lines: rounded to a micrometre, each goes
+// up to half a degree aside of the one before. In one upright plane they leave one wall on each
+// side.
+TEST(Recognise, KnowsArcsOfEntryInRoundedLines) {
+    const Golden golden{"entry",
+                        "T1 M6\nG0 X20.91 Y25.389 Z5\nG1 Z-0.873\nG1 X20.961 Y25.348 Z-0.949\n"
+                        "G1 X21.02 Y25.301 Z-1.014\nG1 X21.086 Y25.247 Z-1.066\n"
+                        "G1 X21.158 Y25.19 Z-1.104\nG1 X21.233 Y25.129 Z-1.127\n"
+                        "G1 X21.311 Y25.067 Z-1.135\nG1 X46.061 Y5.167\nG0 Z5\n",
+                        {11, 2, 0, 0, 0, 6},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    expect_at({0.05, 0.0125, 0.005}, golden, left);
+}
+
 // A cutter shorter than its groove is deep, down an arc in the plane of its axis: its upper end
 // leaves a roof, which it goes through as it retracts. Their curve has its ends on the circle where
 // the arc ends, and passes above it.
@@ -198,7 +213,7 @@ TEST(Recognise, ShallowRampsThatEndInAPointAreHalfCirclesInFiles) {
 
 // Ramps cross at little more than their rounding, and two of their corners are 2 um apart: along
 // what touches a corner may be off by more than programs round. As one they were off what is around
-// them, which cost 88 facets instead of 63.
+// them, which cost a facet more.
 TEST(Recognise, CornersOfRampsStayApart) {
     const Made made = test::make_part(
         setup::job_of({"ramps.nc",
@@ -211,9 +226,9 @@ TEST(Recognise, CornersOfRampsStayApart) {
                        "X7.013254 Y8.180000 Z-4.196001\nX5.824534 Y9.369228 Z-4.244505\n"
                        "X5.807770 Y9.395136 Z-4.248148\nX5.800150 Y9.414440 Z-4.251800\n"
                        "G0 Z5\nM30\n"}),
-        0.02);
+        0.05);
     // Some of them are triangles of one whose corners were moved off its plane.
-    EXPECT_LE(made.solid.facets_kept, 75U);
+    EXPECT_LE(made.solid.facets_kept, 58U);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ ncsim_add_test(simulation
     models_test.cpp
     orientation_test.cpp
     shading_test.cpp
-    simulation_test.cpp)
-# The table of messages is private to the library.
+    simulation_test.cpp
+    upright_runs_test.cpp)
+# The table of messages and the runs are private to the library.
 target_include_directories(ncsim_simulation_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/simulation/src)

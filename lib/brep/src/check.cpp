@@ -261,8 +261,12 @@ constexpr Again kCrossing{1e-9, 0.06, 1e-3};
 // round alone crosses nearer to it.
 constexpr Again kCrossingElsewhere{1e-9, 0.0, 0.1};
 
-bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again& again) {
+// Beside facets curves miss their ends by more than that: what is left after so many halvings is
+// that.
+bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again& again,
+                 int halvings = 40) {
     constexpr int kDepth = 30;
+    if (halvings == 0) return false;
     const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
     const double near = again.nowhere * again.nowhere;
     const bool is_acute = sx * tx + sy * ty > 0.0;
@@ -273,7 +277,7 @@ bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again
         return curves_interfere(map, one, other, again.nearer, kDepth, again.least_sine);
     };
     return meet(s_far, t_far) || meet(s_near, t_far) || meet(s_far, t_near) ||
-           meet_beyond(map, s_near, t_near, again);
+           meet_beyond(map, s_near, t_near, again, halvings - 1);
 }
 
 // Turned round, so that they start in the point that they have in common.

@@ -90,7 +90,7 @@ double Chains::reach(const std::vector<std::uint32_t>& around) const {
         radius = std::max(radius, radius_of(groups_.form_of(g)));
         error = std::max(error, groups_.error_of(g));
     }
-    return 4.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
+    return 5.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
 }
 
 // Does the circle of a bend lie in a level face, or in the wall that the tool left where it stood?

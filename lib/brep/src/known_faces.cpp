@@ -89,8 +89,14 @@ bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, d
     if (known.tolerance_mm != tolerance_mm) {
         known.tolerance_mm = tolerance_mm;
         known.miss_mm = 0.0;
-        const auto faults =
-            faults_of(part, face, tolerance_mm, known.miss_mm, clear_mm, known.measure.area);
+        const auto faults_within = [&](double clear) {
+            return faults_of(part, face, tolerance_mm, known.miss_mm, clear, known.measure.area);
+        };
+        auto faults = faults_within(kClear);
+        // Nothing is laid down farther away than it is off.
+        if (const double clear = std::min(clear_mm, known.miss_mm);
+            faults.empty() && clear > kClear)
+            faults = faults_within(clear);
         const bool may_be_touch = std::ranges::all_of(
             faults, [](const Fault& fault) { return fault.what == kCrossOrTouch; });
         // Beside facets readers make edges as wide as they are off, and touching is folding.

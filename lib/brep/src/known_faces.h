@@ -49,7 +49,7 @@ public:
     /// apart, from round to round. What is known of it stays where it is.
     Known& look_at(const Part& part, Face& face, std::uint32_t name);
     /// Are there faults, and what do its edges miss? As faults_of(), of which a face is asked with
-    /// one clearance for a tolerance.
+    /// one clearance for a tolerance; of edges that miss less, what these miss is enough.
     static bool is_faulty(Known& known, const Part& part, std::uint32_t face, double tolerance_mm,
                           double clear_mm, double& miss_mm);
 

@@ -635,7 +635,8 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
         }
     }
     source.leaves_unknown = sweeps.leaves_unknown();
-    source.chords = sweeps.chords();
+    const bool is_straight = !turns && std::holds_alternative<gcode::Linear>(motion.what);
+    source.chords = is_straight ? 0.0 : sweeps.chords();
     return source;
 }
 

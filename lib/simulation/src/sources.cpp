@@ -5,6 +5,7 @@
 #include "ncsim/toolpath/walk.h"
 
 #include "join_moves.h"
+#include "upright_runs.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -72,7 +73,7 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
     std::uint64_t motions = 0;
     std::size_t next = 1;
     Row row;
-    MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
+    UprightRuns runs([&](const gcode::Motion& motion, double moved_mm) {
         ++motions;
         const auto start_of_row = row.start_of(motion);
         if (next >= simulation.cuts.size() || simulation.cuts[next].motion != motions) return;
@@ -90,14 +91,20 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
             brep::Source of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
             std::ranges::move(of_row.candidates, std::back_inserter(source.candidates));
         }
-        source.error_mm = polygon + source.chords * plan.tolerance + plan.join_tolerance + rounding;
+        source.error_mm = polygon + source.chords * plan.tolerance + moved_mm + rounding;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
+    });
+    // On machines that are told, tools may turn in any move.
+    MoveJoiner joiner(plan.join_tolerance, [&](const gcode::Motion& motion) {
+        if (plan.placed) runs.flush();
+        runs.take(motion);
     });
     gcode::InterpreterOptions silent = plan.job.interpreter;
     silent.observe_frame = nullptr;
     gcode::interpret(plan.job.program, silent,
                      [&](const gcode::Motion& motion) { joiner.take(motion); });
     joiner.flush();
+    runs.flush();
 }
 
 }  // namespace ncsim::simulation

@@ -28,7 +28,8 @@ struct Candidate {
 struct Source {
     std::vector<Candidate> candidates;
     double error_mm = 0.0;
-    /// By how many times what chords of the way are off its facets may be, on top of the rest.
+    /// By how many times what chords of the way are off its facets may be, on top of the rest: of
+    /// straight moves 0.
     double chords = 1.0;
     /// It may have left others, too: what fits none of them is what it is, however small.
     bool leaves_unknown = false;
