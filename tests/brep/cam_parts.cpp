@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brep/cam_parts.h"
 
+#include "ncsim/trig/angles.h"
+
 #include "brep/random_program.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string_view>
+#include <tuple>
+#include <vector>
 
 namespace ncsim::brep::test {
 
@@ -211,10 +220,41 @@ private:
     }
 };
 
+// Each block has its words of a plane in pairs.
+std::string turned(const std::string& program, double degrees) {
+    const auto t = trig::sin_cos(degrees);
+    std::string text;
+    std::istringstream lines(program);
+    for (std::string line; std::getline(lines, line);) {
+        std::map<char, double> words;
+        std::vector<std::string> kept;
+        std::istringstream in(line);
+        for (std::string word; in >> word;) {
+            if (std::string_view("XYIJ").find(word.front()) != std::string_view::npos) {
+                words[word.front()] = std::stod(word.substr(1));
+            } else {
+                kept.push_back(word);
+            }
+        }
+        for (const auto& [first, second, x0, y0] :
+             {std::tuple('X', 'Y', 40.0, 30.0), std::tuple('I', 'J', 0.0, 0.0)}) {
+            if (!words.contains(first) || !words.contains(second)) continue;
+            const double x = words[first] - x0, y = words[second] - y0;
+            kept.push_back(fmt::format("{}{:.3f}", first, x0 + t.cos * x - t.sin * y));
+            kept.push_back(fmt::format("{}{:.3f}", second, y0 + t.sin * x + t.cos * y));
+        }
+        text += fmt::format("{}\n", fmt::join(kept, " "));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string cam_part(std::uint64_t seed) {
-    return Cam(seed).write();
+    if (seed < kTurnedCam) return Cam(seed).write();
+    std::mt19937_64 random(seed);
+    const double degrees = static_cast<double>(random() % 36'000) / 100.0;
+    return turned(Cam(seed - kTurnedCam + kCam).write(), degrees);
 }
 
 }  // namespace ncsim::brep::test

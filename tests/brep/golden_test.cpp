@@ -502,6 +502,63 @@ TEST(Recognise, DomesHaveNoFacetsBesideThem) {
     EXPECT_FALSE(has_facet_beside<Dome>(make(golden, 0.05).solid.part));
 }
 
+// A pocket askew, by two tools, one of them twice: its walls are one plane each but for a
+// micrometre of rounding, by which they cross anywhere; facets of the tools are off by far more.
+TEST(Recognise, KnowsWallsThatProgramsRoundApart) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of({"askew.nc",
+                           "(T1 D=10. CR=0. - flat end mill)\n(T2 D=6. CR=0. - flat end mill)\n"
+                           "(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                           "G0 X28.641 Y17.352 Z5\nG1 Z-2\nX56.832 Y27.613\nX51.359 Y42.648\n"
+                           "X23.168 Y32.387\nX28.641 Y17.352\nG0 Z5\nT2 M6\n"
+                           "G0 X27.445 Y14.789 Z5\nG1 Z-2\nX59.395 Y26.417\nX52.555 Y45.211\n"
+                           "X20.605 Y33.583\nX27.445 Y14.789\nG0 Z5\nG0 X27.445 Y14.789 Z5\n"
+                           "G1 Z-4\nX59.395 Y26.417\nX52.555 Y45.211\nX20.605 Y33.583\n"
+                           "X27.445 Y14.789\nG0 Z5\nM30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{21, 4}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        // An island stays, wider below, where the larger tool was not.
+        constexpr double kOutline = 40.0 * 26.0 - (4.0 - kPi) * 3.0 * 3.0;
+        constexpr double kTaken = 2.0 * (kOutline - 20.0 * 6.0) + 2.0 * (kOutline - 28.0 * 14.0);
+        EXPECT_NEAR(volume(made.solid.part), 80.0 * 60.0 * 20.0 - kTaken, 0.5);
+    }
+}
+
+// A move of 0.1 mm at the end of a groove: between both ends of it a V-cutter leaves a strip of a
+// plane on the whole wall, which facets tell for a quarter of its height alone.
+TEST(Recognise, KnowsStripsBesideShortMoves) {
+    const Golden golden{"short",
+                        "T5 M6\nG0 X25.5675 Y22.5298 Z5\nG1 Z-1.27\nG1 X29.7128 Y22.4815\nG0 Z5\n"
+                        "G0 X26.4946 Y23.2156\nG1 Z-1.27\nG1 X25.5675 Y22.6314\n"
+                        "G1 X25.5675 Y22.5298\nG0 Z5\n",
+                        {12, 0, 4},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    expect_at({0.05, 0.02, 0.0055}, golden, left);
+}
+
+// A wall that the round end of another way comes through, by 2.5 um and 0.13 mm wide: as if they
+// touched, two edges crossed.
+TEST(Recognise, KnowsWhereWallsCrossByLittle) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of(
+                {"fin.nc",
+                 "(T1 D=1.5875 CR=0. - flat end mill)\n"
+                 "(STOCK/BLOCK,20.,20.,6.,-70.,-75.,6.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                 "G0 X79.8368 Y78.2213 Z5\nG1 Z-1.5\nG1 X78.2381 Y82.8363\n"
+                 "G1 X81.9037 Y86.5571\nG0 Z5\nG0 X83.4264 Y86.2949\nG1 Z-1.5\n"
+                 "G1 X79.9468 Y82.3124\nG1 X81.5178 Y77.959\nG0 Z5\nM30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{16, 6}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+    }
+}
+
 // A wall was a facet, since a move of a tenth of a micrometre left two corners where its loop came
 // to one.
 TEST(Recognise, CornersThatAreApartByRoundingAreOne) {

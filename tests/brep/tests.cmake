@@ -1,6 +1,6 @@
 find_package(fmt CONFIG REQUIRED)
 ncsim_add_test(brep
-  LIBRARIES ncsim::simulation fmt::fmt-header-only
+  LIBRARIES ncsim::simulation ncsim::trig fmt::fmt-header-only
   SOURCES
     apart_test.cpp
     cam_parts.cpp
@@ -35,7 +35,7 @@ set_tests_properties(brep.solids_are_read_by_opencascade PROPERTIES FIXTURES_REQ
 add_executable(ncsim_brep_random brep/write_random_parts.cpp brep/cam_parts.cpp
   brep/random_parts.cpp brep/tilted_parts.cpp)
 target_include_directories(ncsim_brep_random PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation fmt::fmt-header-only
+target_link_libraries(ncsim_brep_random PRIVATE ncsim::simulation ncsim::trig fmt::fmt-header-only
   ncsim_build_flags)
 function(ncsim_judge_parts name)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/brep/${name})
@@ -57,6 +57,8 @@ ncsim_judge_parts(parts_of_turning_balls 12 5000000)
 ncsim_judge_parts(parts_of_turning_sides 12 6000000)
 # As CAM systems write them.
 ncsim_judge_parts(cam_parts 24 7000000)
+# The same askew, rounded again.
+ncsim_judge_parts(turned_cam_parts 24 8000000)
 # Tools and parts that lean on machines of all kinds, where many facets stay; the same as facets
 # alone. 3001006: a plane with a corner 2 µm inside of an arc of its own, of which nothing was drawn;
 # 3100001: a needle in a plane that it does not lie in, narrower than its corners are off the planes around it;

@@ -61,8 +61,16 @@ bool all_shells_are_closed(const TopoDS_Shape& shape) {
 // What is drawn of it: how many faces have no triangles, and what volume is within those of all.
 struct Drawn {
     int without = 0;
+    std::string where;  // one of these
     double volume = 0.0;
 };
+
+std::string middle_of(const TopoDS_Shape& face) {
+    GProp_GProps surface;
+    BRepGProp::SurfaceProperties(face, surface);
+    const gp_Pnt at = surface.CentreOfMass();
+    return std::to_string(at.X()) + ' ' + std::to_string(at.Y()) + ' ' + std::to_string(at.Z());
+}
 
 constexpr double kDeflectionMm = 0.01;
 
@@ -74,6 +82,7 @@ Drawn draw(const TopoDS_Shape& shape) {
         const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(face.Current()), at);
         if (mesh.IsNull() || mesh->NbTriangles() == 0) {
             ++drawn.without;
+            drawn.where = middle_of(face.Current());
             continue;
         }
         double six = 0.0;
@@ -128,7 +137,8 @@ bool check(const std::filesystem::path& path) {
     expect(std::abs(properties.Mass() - expected.volume) <= slack,
            "volume " + std::to_string(properties.Mass()));
     const Drawn drawn = draw(shape);
-    expect(drawn.without == 0, std::to_string(drawn.without) + " faces without triangles");
+    expect(drawn.without == 0,
+           std::to_string(drawn.without) + " faces without triangles, at " + drawn.where);
     expect(
         std::abs(drawn.volume - properties.Mass()) <= slack + 2.0 * kDeflectionMm * surface.Mass(),
         "triangles around " + std::to_string(drawn.volume));

@@ -175,6 +175,7 @@ Vec3 Chains::middle_of(const Chain& chain) const {
 }
 
 void Chains::solve() {
+    std::vector<std::uint32_t> narrow;  // corners that only widen() finds
     for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
          ++i) {
         bool has_failed = !solve_corner(vertices_[i]);
@@ -186,8 +187,15 @@ void Chains::solve() {
         }
         Vertex& v = vertices_[i];
         v.has_failed = has_failed;
-        if (v.has_failed) failures_.push_back({v.groups, true, false, v.edge});
+        if (!v.has_failed) continue;
+        if (between_touching(v)) {
+            narrow.push_back(i);
+        } else {
+            failures_.push_back({v.groups, true, false, v.edge});
+        }
     }
+    if (!failures_.empty()) return;
+    widen(narrow);
     if (!failures_.empty()) return;
     join_same_corners();
     // One may turn another one round.
@@ -217,13 +225,27 @@ bool Chains::is_rounded_off(const Chain& chain) const {
     const auto is_on = [&](const Vertex& v, Vec3 p) {
         return std::ranges::all_of(v.groups, [&](std::uint32_t g) {
             const Form& form = groups_.form_of(g);
-            const bool is_pointed =
-                std::holds_alternative<Plane>(form) || std::holds_alternative<Cone>(form);
+            const bool is_pointed = std::holds_alternative<Plane>(form) ||
+                                    std::holds_alternative<Cylinder>(form) ||
+                                    std::holds_alternative<Cone>(form);
             return is_pointed && !groups_.is_facet(g) &&
                    std::abs(distance(form, p)) <= kMostRounded;
         });
     };
     return norm(to.at - from.at) <= kTouchMm && is_on(from, to.at) && is_on(to, from.at);
+}
+
+bool Chains::cross_at(std::uint32_t one, std::uint32_t other) {
+    bool any = false;
+    for (const std::uint32_t i : {chains_[one].from, chains_[one].to}) {
+        if (i != chains_[other].from && i != chains_[other].to) continue;
+        if (!vertices_[i].is_touch || vertices_[i].edge == kNone) continue;
+        const std::uint32_t corner = mesh_.edges()[vertices_[i].edge].from;
+        if (!crossed_.insert(corner).second) continue;
+        known_corners_[corner].clear();
+        any = true;
+    }
+    return any;
 }
 
 bool Chains::join_corners(std::uint32_t group) {
@@ -342,8 +364,12 @@ void Chains::solve_chain(Chain& chain) {
         const double sweep = track.sweep_degrees();
         // All but a whole turn: it goes back by the rest.
         if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
-            std::abs(sweep - std::abs(rough)) > 180.0)
-            return fail(chain);
+            std::abs(sweep - std::abs(rough)) > 180.0) {
+            // Of what programs round alone there is no way.
+            if (norm(to.at - from.at) > kMostRounded) return fail(chain);
+            chain.has_vanished = true;
+            return;
+        }
     }
     // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
     // have their ends there, and one direction.

@@ -63,9 +63,13 @@ public:
     /// Where any of these fail, edges are not tried.
     void solve();
     /// Corners of this group that are apart by less than what programs round, each on all that is
-    /// around the other one but for that, are one from now on; of planes and cones alone, since
-    /// elsewhere a corner may be off by more along what touches. True: there are more of them.
+    /// around the other one but for that, are one from now on; of planes, cylinders and cones
+    /// alone, since elsewhere a corner may be off by more along what touches. True: there are more
+    /// of them.
     bool join_corners(std::uint32_t group);
+    /// Two edges that meet again beside a corner in which surfaces touch: these cross there from
+    /// now on, if they do so well beside it. True: there are more of such corners.
+    bool cross_at(std::uint32_t one, std::uint32_t other);
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -86,6 +90,7 @@ private:
     bool solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside = {}) const;
     bool solve_corner(Vertex& v);
     bool is_above(std::uint32_t ramp, Vec3 p) const;
+    void move_to_crossing(Vertex& v, Vec3 start, const std::vector<std::uint32_t>& numbers) const;
     void move_to_ellipse(Vertex& v, Vec3 start) const;
     bool has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const;
     std::optional<Vec3> bend_at(const Vertex& v) const;
@@ -119,7 +124,10 @@ private:
     void join_same_corners();
     void join(std::uint32_t gone, std::uint32_t stays);
     std::optional<std::uint32_t> close_pinch(std::uint32_t v);
+    ChainsAt chains_at() const;
     bool flip_reversed();
+    std::optional<std::array<std::uint32_t, 2>> between_touching(const Vertex& v) const;
+    void widen(const std::vector<std::uint32_t>& narrow);
     bool is_reversed(Chain& chain) const;
     std::optional<bool> is_beyond_touch(const std::array<std::uint32_t, 2>& beside,
                                         std::uint32_t behind, std::uint32_t ahead, Vec3 from,
@@ -174,6 +182,7 @@ private:
     std::vector<std::vector<KnownCorner>> known_corners_;
     std::unordered_map<std::uint32_t, KnownSpline> known_splines_;
     std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  // corners of the mesh
+    std::set<std::uint32_t> crossed_;                           // corners of the mesh
 };
 
 }  // namespace ncsim::brep

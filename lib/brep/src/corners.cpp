@@ -170,6 +170,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
         }
     }
     move_to_ellipse(v, start);
+    move_to_crossing(v, start, numbers);
     v.miss = farthest(numbers, v.at);
     double off = norm(v.at - start);
     for (const std::vector<Vec3>& way : beside)
@@ -250,6 +251,18 @@ void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
         v.at = p;
         return;
     }
+}
+
+// Surfaces that touch but for rounding may cross on both sides of that, well beside it.
+void Chains::move_to_crossing(Vertex& v, Vec3 start,
+                              const std::vector<std::uint32_t>& numbers) const {
+    if (v.edge == kNone || !crossed_.contains(mesh_.edges()[v.edge].from)) return;
+    std::vector<const Form*> forms;
+    for (const std::uint32_t n : numbers)
+        forms.push_back(&mesh_.surface(n).form);
+    Vec3 p = start;
+    brep::solve(forms, p);
+    if (farthest(numbers, p) <= kFlat && norm(p - v.at) > kApart) v.at = p;
 }
 
 // A corner of facets stays where it is, or goes to where the faces beside them meet: within

@@ -79,6 +79,15 @@ bool FacetMesh::fits(const Facet& facet, const Surface& surface, double most,
     return brep::fits(shape_of(facet), surface, most, most_turn);
 }
 
+std::vector<Vec3> FacetMesh::corners_of(std::uint32_t facet) const {
+    std::vector<Vec3> corners;
+    for (const auto& loop : source_.boundary.faces[facets_[facet].face].loops) {
+        for (const std::uint32_t v : loop)
+            corners.push_back(source_.boundary.vertices[v]);
+    }
+    return corners;
+}
+
 FlatFace FacetMesh::shape_of(const Facet& facet) const {
     return {facet.normal, facet.centroid, source_.boundary.faces[facet.face].loops,
             source_.boundary.vertices};

@@ -104,6 +104,7 @@ public:
     std::size_t corners() const { return points_.size(); }
     Vec3 point(std::uint32_t v) const { return points_[v]; }
     double length(std::uint32_t h) const { return lengths_[h]; }
+    std::vector<Vec3> corners_of(std::uint32_t facet) const;
 
     /// Does the facet lie on the surface, within `most` (mm) and a turn (a chord)?
     bool fits(const Facet& facet, const Surface& surface, double most, double most_turn) const;

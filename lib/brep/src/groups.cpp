@@ -432,6 +432,56 @@ bool Groups::absorb(std::uint32_t g, double errors, double most_turn) {
     return true;
 }
 
+// Planes that programs round apart meet anywhere, and what is between them has no width. Of two
+// that touch the smaller one goes on as the other: which one has?
+std::optional<std::uint32_t> Groups::join_wall(std::uint32_t g) {
+    constexpr double kMostTurnOfOne = 1e-3;  // rad
+    const auto is_wall = [&](std::uint32_t n) {
+        return groups_[n].is_analytic && std::holds_alternative<Plane>(form_of(n)) &&
+               mesh_[groups_[n].facets.front()].label == groups_[n].surface;
+    };
+    if (!is_wall(g)) return std::nullopt;
+    std::optional<std::uint32_t> joined;
+    // Facets of one wall are off by as much as their tool's polygon is: of the other, by as much.
+    const auto lies_on_other = [&](std::uint32_t one, std::uint32_t other) {
+        const Form &own = form_of(one), &form = form_of(other);
+        return cda::norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
+                   kMostTurnOfOne &&
+               std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
+                   return std::ranges::all_of(mesh_.corners_of(i), [&](Vec3 p) {
+                       return std::abs(distance(form, p) - distance(own, p)) <= kTouchMm;
+                   });
+               });
+    };
+    // What touches the one is to touch the other one, too.
+    const auto keeps_touching = [&](std::uint32_t goes, std::uint32_t stays) {
+        return std::ranges::all_of(neighbours(goes), [&](const auto& beside) {
+            const Form& round = form_of(beside.first);
+            return !groups_[beside.first].is_analytic || std::holds_alternative<Plane>(round) ||
+                   !touch(form_of(goes), round) || touch(form_of(stays), round);
+        });
+    };
+    const auto join = [&](std::uint32_t n) {
+        if (n == g || !is_wall(n) || groups_[n].surface == groups_[g].surface) return false;
+        const bool is_larger = std::pair(groups_[n].area, n) > std::pair(groups_[g].area, g);
+        std::uint32_t goes = is_larger ? g : n, stays = is_larger ? n : g;
+        const auto may_go = [&] {
+            return lies_on_other(goes, stays) && keeps_touching(goes, stays);
+        };
+        if (!may_go()) std::swap(goes, stays);
+        if (!may_go()) return false;
+        relabel(goes, groups_[stays].surface);
+        joined = goes;
+        return true;
+    };
+    for (const auto& [n, shared] : neighbours(g)) {
+        if (join(n) ||
+            std::ranges::any_of(neighbours(n), [&](const auto& next) { return join(next.first); }))
+            break;
+    }
+    return joined;
+}
+
 // Within so many errors.
 bool Groups::lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const {
     return std::ranges::all_of(groups_[g].facets, [&](std::uint32_t i) {
@@ -496,8 +546,10 @@ bool Groups::relabel(const Failures& failures, Patience patience) {
             continue;
         }
         const bool absorbed = std::ranges::any_of(order, [&](std::uint32_t g) {
-            if (!may_be_absorbed(g) || !absorb(g, 3.0, kMostTurnOfNeighbours)) return false;
-            done.insert(g);
+            const auto joined = join_wall(g);
+            if (!joined && (!may_be_absorbed(g) || !absorb(g, 3.0, kMostTurnOfNeighbours)))
+                return false;
+            done.insert(joined.value_or(g));
             return true;
         });
         any = true;

@@ -102,6 +102,7 @@ private:
     void relabel(std::uint32_t g, std::uint32_t surface);
     void give_up(std::uint32_t g, bool for_good);
     bool absorb(std::uint32_t g, double errors, double most_turn);
+    std::optional<std::uint32_t> join_wall(std::uint32_t g);
     bool lies_on(std::uint32_t g, std::uint32_t n, double errors, double most_turn) const;
     bool may_be_absorbed(std::uint32_t g) const;
     bool cede_at(std::uint32_t edge);

@@ -250,7 +250,11 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
     const auto& plane = std::get<Plane>(is_first_plane ? a : b);
     const Form& other = is_first_plane ? b : a;
     if (const auto* f = std::get_if<Cylinder>(&other)) {
-        if (std::abs(dot(plane.normal, f->axis)) <= kNearlyParallel) return Line{};
+        const double lean = std::abs(dot(plane.normal, f->axis));
+        if (lean <= kNearlyParallel) return Line{};
+        // Of one of some metres readers draw nothing.
+        constexpr double kLongest = 1e-2;
+        if (lean < kLongest) return std::nullopt;
         return ellipse(plane, *f);
     }
     if (const auto* f = std::get_if<Extrusion>(&other)) {

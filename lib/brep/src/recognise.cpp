@@ -192,6 +192,10 @@ private:
                 has_joined_ = true;
                 continue;
             }
+            if (cross_at(part.faces[f], known[f]->fault_at)) {
+                has_joined_ = true;
+                continue;
+            }
             std::vector<std::uint32_t> around{g};
             if (!known[f]->fault_at.empty()) {
                 for (const auto& [loop, place] : known[f]->fault_at) {
@@ -210,6 +214,18 @@ private:
             failures_.push_back({std::move(around)});
         }
         return part;
+    }
+
+    // Edges of one corner that meet once more: the surfaces beside them do not touch there.
+    bool cross_at(const Face& face,
+                  const std::vector<std::pair<std::size_t, std::size_t>>& faults) {
+        const auto edge = [&](const auto& at) { return face.loops[at.first][at.second].edge; };
+        bool any = false;
+        for (std::size_t i = 0; i < faults.size(); ++i) {
+            for (std::size_t j = i + 1; j < faults.size(); ++j)
+                any = chains_.cross_at(edge(faults[i]), edge(faults[j])) || any;
+        }
+        return any;
     }
 
     // A chain as the part has it: what closes slits changes it.

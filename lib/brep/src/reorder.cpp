@@ -347,9 +347,8 @@ std::optional<std::uint32_t> Chains::close_pinch(std::uint32_t v) {
     return beyond;
 }
 
-// Where the corners of four faces almost meet, large facets may have them in the wrong order: of
-// the chain between two of the faces, what should be its end comes first.
-bool Chains::flip_reversed() {
+// The chains that end in a vertex, of three at most.
+Chains::ChainsAt Chains::chains_at() const {
     ChainsAt at(vertices_.size(), {kNone, kNone, kNone});
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
         if (chains_[c].has_vanished) continue;
@@ -358,6 +357,47 @@ bool Chains::flip_reversed() {
             if (place != at[v].end()) *place = c;
         }
     }
+    return at;
+}
+
+// Of three faces the two that the third one touches.
+std::optional<std::array<std::uint32_t, 2>> Chains::between_touching(const Vertex& v) const {
+    if (v.groups.size() != 3) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = v.groups[i], b = v.groups[(i + 1) % 3], c = v.groups[(i + 2) % 3];
+        if (groups_.is_facet(a) || groups_.is_facet(b) || groups_.is_facet(c)) return std::nullopt;
+        if (std::holds_alternative<Plane>(groups_.form_of(c)) &&
+            touch(groups_.form_of(a), groups_.form_of(c)) &&
+            touch(groups_.form_of(b), groups_.form_of(c)))
+            return std::array{a, b};
+    }
+    return std::nullopt;
+}
+
+// A wall beside a move that is shorter than a facet is wide ends where the two poses of the tool
+// have facets in one plane. On the true surfaces it goes on between both, to what ends these.
+void Chains::widen(const std::vector<std::uint32_t>& narrow) {
+    if (narrow.empty()) return;
+    ChainsAt at = chains_at();
+    for (const std::uint32_t v : narrow) {
+        const auto sides = between_touching(vertices_[v]);
+        const bool is_wide = sides && std::ranges::any_of(std::array(at[v]), [&](std::uint32_t c) {
+                                 if (c == kNone) return false;
+                                 const Chain& chain = chains_[c];
+                                 const bool is_between =
+                                     (chain.left == (*sides)[0] && chain.right == (*sides)[1]) ||
+                                     (chain.left == (*sides)[1] && chain.right == (*sides)[0]);
+                                 return is_between && flip(c, at, 1);
+                             });
+        if (!is_wide && vertices_[v].has_failed)
+            failures_.push_back({vertices_[v].groups, true, false, vertices_[v].edge});
+    }
+}
+
+// Where the corners of four faces almost meet, large facets may have them in the wrong order: of
+// the chain between two of the faces, what should be its end comes first.
+bool Chains::flip_reversed() {
+    ChainsAt at = chains_at();
     bool any = false;
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
         if (is_reversed(chains_[c])) any = flip(c, at, kMostFlips) || any;
