@@ -12,8 +12,8 @@ namespace ncsim::brep::test {
 
 /// Seeds of ncsim_brep_random from here on.
 inline constexpr std::uint64_t kCam = 7'000'000;
-/// From here on those of kCam, turned about the middle of the block, with numbers rounded again: what
-/// lay in one plane is apart by as much.
+/// From here on those of kCam, turned about the middle of the block, with numbers rounded again:
+/// what lay in one plane is apart by as much.
 inline constexpr std::uint64_t kTurnedCam = 8'000'000;
 
 /// Always the same for a seed. Tools and stock are in its comments.

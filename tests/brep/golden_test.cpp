@@ -559,6 +559,19 @@ TEST(Recognise, KnowsWhereWallsCrossByLittle) {
     }
 }
 
+// A V-groove around corners of 3.5 mm, 3.4 mm deep: within, the hill of each is 0.1 mm wide on top,
+// where polygons in the place of the cutter leave one of half a millimetre.
+TEST(Recognise, KnowsHillsWithinTheArcsOfVCutters) {
+    const Golden golden{"hill",
+                        "T5 M6\nG0 X40 Y20 Z5\nG1 Z-3.4\nG1 X49.5\nG3 X53 Y23.5 I0 J3.5\nG1 Y36.5\n"
+                        "G3 X49.5 Y40 I-3.5 J0\nG1 X30.5\nG3 X27 Y36.5 I0 J-3.5\nG1 Y23.5\n"
+                        "G3 X30.5 Y20 I3.5 J0\nG1 X40\nG0 Z5\n",
+                        {15, 0, 8},
+                        0.0};
+    constexpr double kTaken = 3.4 * 3.4 * (64.0 + 2.0 * kPi * 3.5);
+    expect_at({0.05, 0.02, 0.0055, 0.002}, golden, 80.0 * 60.0 * 20.0 - kTaken, 1e-9);
+}
+
 // A wall was a facet, since a move of a tenth of a micrometre left two corners where its loop came
 // to one.
 TEST(Recognise, CornersThatAreApartByRoundingAreOne) {

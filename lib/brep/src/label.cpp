@@ -2,6 +2,7 @@
 #include "label.h"
 
 #include "envelope_contact.h"
+#include "nearly.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,17 @@ bool is_peak(const Surface& surface) {
            (!surface.is_hollow && std::holds_alternative<Cone>(surface.form));
 }
 
+// A hill within an arc of a cutter that widens comes to a tip, and polygons in the place of the
+// cutter leave one that is as wide as half of their sides.
+double blunt_of(const FlatFace& face, const Cone& cone, double most) {
+    double widest = 0.0;
+    for (const auto& loop : face.loops) {
+        for (const std::uint32_t v : loop)
+            widest = std::max(widest, norm(away(cone.apex, cone.axis, face.points[v])));
+    }
+    return 0.5 * std::sqrt(8.0 * widest * most / kSlackOfPeaks);
+}
+
 // Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does:
 // by how much, mm. Where the tool pivots there is none.
 double beyond_end(const Form& form, Vec3 p) {
@@ -123,12 +135,16 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
     if (turn > most_turn) return false;
     double farthest = 0.0;
     const auto* cone = std::get_if<Cone>(&surface.form);
+    const double blunt = cone && !surface.is_hollow ? blunt_of(face, *cone, most) : 0.0;
     for (const auto& loop : face.loops) {
         for (const std::uint32_t v : loop) {
             const Vec3 p = face.points[v];
-            farthest = std::max(farthest, std::abs(distance(surface.form, p)));
-            if (farthest > most) return false;
-            if (cone && dot(p - cone->apex, cone->axis) < -most) return false;
+            const bool is_at_tip = blunt > 0.0 && norm(away(cone->apex, cone->axis, p)) < blunt;
+            const double here = is_at_tip ? std::max(most, blunt) : most;
+            const double off_here = std::abs(distance(surface.form, p));
+            farthest = std::max(farthest, std::min(off_here, most));
+            if (off_here > here) return false;
+            if (cone && dot(p - cone->apex, cone->axis) < -here) return false;
         }
     }
     if (!is_on) turn = turn_at_corners(face, surface);
