@@ -572,6 +572,27 @@ TEST(Recognise, KnowsHillsWithinTheArcsOfVCutters) {
     expect_at({0.05, 0.02, 0.0055, 0.002}, golden, 80.0 * 60.0 * 20.0 - kTaken, 1e-9);
 }
 
+// The same askew and in inches, whose four places are 2.5 um apart: where lines and arcs meet,
+// edges are left that are as short, and have no way.
+TEST(Recognise, KnowsVGroovesAskewInInches) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of({"inches.nc",
+                           "(T1 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
+                           "(STOCK/BLOCK,2.3622,2.3622,0.4724,1.1811,1.1811,0.4724)\n"
+                           "G90 G17 F300 S5000 M3\nG20\nT1 M6\nG0 X0.4654 Y0.3422 Z0.2\n"
+                           "G1 Z-0.1339\nX0.1697 Y0.7444\nG3 X0.0596 Y0.7612 I-0.0634 J-0.0466\n"
+                           "G1 X-0.7444 Y0.17\nG3 X-0.7612 Y0.06 I0.0466 J-0.0634\n"
+                           "G1 X-0.1697 Y-0.7444\nG3 X-0.0596 Y-0.7612 I0.0634 J0.0466\n"
+                           "G1 X0.7444 Y-0.17\nG3 X0.7612 Y-0.06 I-0.0466 J0.0634\n"
+                           "G1 X0.4654 Y0.3422\nG0 Z0.2\nM30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{17, 0, 8}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+    }
+}
+
 // A wall was a facet, since a move of a tenth of a micrometre left two corners where its loop came
 // to one.
 TEST(Recognise, CornersThatAreApartByRoundingAreOne) {

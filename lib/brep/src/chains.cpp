@@ -272,6 +272,14 @@ std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, c
     return known.spline;
 }
 
+// Is it no longer than what programs round, and was not in the polyhedron? Then there is no telling
+// which way it goes.
+bool Chains::is_of_rounding(const Chain& chain) const {
+    const Vec3 from = vertices_[chain.from].at;
+    return norm(vertices_[chain.to].at - from) <= kTouchMm &&
+           norm(middle_of(chain) - from) < reach({chain.left, chain.right});
+}
+
 void Chains::solve_chain(Chain& chain) {
     const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
     if (chain.has_vanished) return;
@@ -309,7 +317,8 @@ void Chains::solve_chain(Chain& chain) {
         // A line that comes back is none; nor is one the other way.
         const bool is_back =
             !chain.is_flipped && dot(to.at - from.at, points.back() - points.front()) < 0.0;
-        if (is_loop || (is_back && norm(to.at - from.at) > kPoint)) return fail(chain);
+        if (is_loop || (is_back && norm(to.at - from.at) > kPoint))
+            return !is_loop && is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = Line{};
         return;
     }
@@ -326,7 +335,7 @@ void Chains::solve_chain(Chain& chain) {
         // Where facets are large, corners of the polygon may lie beyond its true ends.
         if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))
             spline = spline_between(first, second, {from.at, to.at});
-        if (!spline) return fail(chain);
+        if (!spline) return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         chain.curve = std::move(*spline);
         return;
     }
@@ -365,10 +374,7 @@ void Chains::solve_chain(Chain& chain) {
         // All but a whole turn: it goes back by the rest.
         if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
             std::abs(sweep - std::abs(rough)) > 180.0) {
-            // Of what programs round alone there is no way.
-            if (norm(to.at - from.at) > kMostRounded) return fail(chain);
-            chain.has_vanished = true;
-            return;
+            return is_of_rounding(chain) ? vanish(chain) : fail(chain);
         }
     }
     // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines

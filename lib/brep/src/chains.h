@@ -152,6 +152,8 @@ private:
     std::optional<Spline> spline_of(const Chain& chain, const Form& first, const Form& second,
                                     const std::vector<Vec3>& points);
     void solve_chain(Chain& chain);
+    bool is_of_rounding(const Chain& chain) const;
+    void vanish(Chain& chain) const { chain.has_vanished = true; }
     void fail(Chain& chain) {
         chain.has_failed = true;
         failures_.push_back({{chain.left, chain.right}});

@@ -40,6 +40,15 @@ bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
     return false;
 }
 
+// Programs round by how much the others pass beside it: readers take corners as near as that for
+// it.
+void snap_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
+    for (const Form* form : forms) {
+        const auto* cone = std::get_if<Cone>(form);
+        if (cone && norm(p - cone->apex) <= kTouchMm) p = cone->apex;
+    }
+}
+
 // By how far the place of a point is beyond an end of the way, of whichever envelope that is most;
 // along that way, mm.
 Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
@@ -163,6 +172,7 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
     if (!at_apex(forms, v.at)) {
         brep::solve(forms, v.at);
         move_onto_way(forms, v.at);
+        snap_to_apex(forms, v.at);
         // Where curved ones touch, rounding is left over: not off the planes.
         for (const std::uint32_t n : numbers) {
             if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))
