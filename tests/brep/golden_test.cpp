@@ -505,25 +505,27 @@ TEST(Recognise, DomesHaveNoFacetsBesideThem) {
 // A pocket askew, by two tools, one of them twice: its walls are one plane each but for a
 // micrometre of rounding, by which they cross anywhere; facets of the tools are off by far more.
 TEST(Recognise, KnowsWallsThatProgramsRoundApart) {
+    const std::string finish =
+        "X-4.971 Y4.954\nX-4.3 Y-5.547\nX4.971 Y-4.954\nX4.3 Y5.547\nG0 Z5\n";
     for (const double tolerance : {0.05, 0.02, 0.0055}) {
         SCOPED_TRACE(tolerance);
         const Made made = test::make_part(
-            setup::job_of({"askew.nc",
-                           "(T1 D=10. CR=0. - flat end mill)\n(T2 D=6. CR=0. - flat end mill)\n"
-                           "(STOCK/BLOCK,80.,60.,20.,0.,0.,20.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
-                           "G0 X28.641 Y17.352 Z5\nG1 Z-2\nX56.832 Y27.613\nX51.359 Y42.648\n"
-                           "X23.168 Y32.387\nX28.641 Y17.352\nG0 Z5\nT2 M6\n"
-                           "G0 X27.445 Y14.789 Z5\nG1 Z-2\nX59.395 Y26.417\nX52.555 Y45.211\n"
-                           "X20.605 Y33.583\nX27.445 Y14.789\nG0 Z5\nG0 X27.445 Y14.789 Z5\n"
-                           "G1 Z-4\nX59.395 Y26.417\nX52.555 Y45.211\nX20.605 Y33.583\n"
-                           "X27.445 Y14.789\nG0 Z5\nM30\n"}),
+            setup::job_of(
+                {"askew.nc",
+                 "(T1 D=3.175 CR=0. - flat end mill)\n(T2 D=1.5875 CR=0. - flat end mill)\n"
+                 "(STOCK/BLOCK,40.,40.,8.,20.,20.,8.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                 "G0 X3.558 Y4.704 Z5\nG1 Z-2\nX-4.129 Y4.212\nX-3.558 Y-4.704\n"
+                 "X4.129 Y-4.212\nX3.558 Y4.704\nG0 Z5\nT2 M6\nG0 X4.3 Y5.547 Z5\n"
+                 "G1 Z-2\n" +
+                     finish + "G0 X4.3 Y5.547 Z5\nG1 Z-4\n" + finish + "M30\n"}),
             tolerance);
         EXPECT_EQ(kinds_of(made.solid.part), (Kinds{21, 4}));
         EXPECT_EQ(made.solid.facets_kept, 0U);
         // An island stays, wider below, where the larger tool was not.
-        constexpr double kOutline = 40.0 * 26.0 - (4.0 - kPi) * 3.0 * 3.0;
-        constexpr double kTaken = 2.0 * (kOutline - 20.0 * 6.0) + 2.0 * (kOutline - 28.0 * 14.0);
-        EXPECT_NEAR(volume(made.solid.part), 80.0 * 60.0 * 20.0 - kTaken, 0.5);
+        constexpr double kOutline = 10.8774 * 12.1096 - (4.0 - kPi) * 0.79375 * 0.79375;
+        constexpr double kTaken =
+            2.0 * (kOutline - 4.5277 * 5.7593) + 2.0 * (kOutline - 7.7025 * 8.9349);
+        EXPECT_NEAR(volume(made.solid.part), 40.0 * 40.0 * 8.0 - kTaken, 0.1);
     }
 }
 
