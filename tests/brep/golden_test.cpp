@@ -595,6 +595,38 @@ TEST(Recognise, KnowsVGroovesAskewInInches) {
     }
 }
 
+// Cones of the arc by which a V-cutter enters pass 1.5 um beside its tip where it began:
+// OpenCASCADE takes corners as near to an apex for it, and drew nothing of a face that had one.
+TEST(Recognise, HasCornersInTipsNotBesideThem) {
+    const Made made = test::make_part(
+        setup::job_of({"tips.nc",
+                       "(T1 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
+                       "(STOCK/BLOCK,2.3622,2.3622,0.4724,1.1811,1.1811,0.4724)\n"
+                       "G90 G17 F300 S5000 M3\nG20\nT1 M6\nG0 X0.4557 Y0.27 Z0.2\nG1 Z-0.0669\n"
+                       "G3 X0.4673 Y0.3527 I-0.0356 J0.0471\nG1 X0.1034 Y0.8347\n"
+                       "G3 X-0.0069 Y0.8501 I-0.0628 J-0.0474\nG1 X-0.8157 Y0.2395\n"
+                       "G3 X-0.8311 Y0.1292 I0.0474 J-0.0628\nG1 X-0.1034 Y-0.8347\n"
+                       "G3 X0.0069 Y-0.8501 I0.0628 J0.0474\nG1 X0.8157 Y-0.2395\n"
+                       "G3 X0.8311 Y-0.1292 I-0.0474 J0.0628\nG1 X0.4673 Y0.3527\n"
+                       "G3 X0.3846 Y0.3643 I-0.0471 J-0.0356\nG0 Z0.2\nM30\n"}),
+        0.05);
+    const Part& part = made.solid.part;
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    int in_tips = 0;
+    for (const Face& face : part.faces) {
+        const auto* cone = std::get_if<Cone>(&face.surface.form);
+        if (!cone) continue;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const double off = cda::norm(part.vertices[part.edges[use.edge].from] - cone->apex);
+                if (off == 0.0) ++in_tips;
+                EXPECT_TRUE(off == 0.0 || off > 3e-3) << off;
+            }
+        }
+    }
+    EXPECT_GT(in_tips, 0);
+}
+
 // A wall was a facet, since a move of a tenth of a micrometre left two corners where its loop came
 // to one.
 TEST(Recognise, CornersThatAreApartByRoundingAreOne) {
