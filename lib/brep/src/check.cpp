@@ -235,8 +235,7 @@ double sine_between(const Segment& s, const Segment& t) {
 }
 
 // Pieces of curves without a common end: chords that come near are halved until it is clear, or one
-// is nowhere on the map. What
-// runs beside each other, but for a least angle, may be near.
+// is nowhere on the map. What runs beside each other, but for a least angle, may be near.
 bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth,
                       double least_sine = 0.0) {
     if (!std::isfinite(s.off + t.off)) return true;

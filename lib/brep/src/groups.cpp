@@ -443,15 +443,18 @@ std::optional<std::uint32_t> Groups::join_wall(std::uint32_t g) {
     if (!is_wall(g)) return std::nullopt;
     std::optional<std::uint32_t> joined;
     // Facets of one wall are off by as much as their tool's polygon is: of the other, by as much.
+    // Of those that were joined before it is their first wall that counts.
     const auto lies_on_other = [&](std::uint32_t one, std::uint32_t other) {
-        const Form &own = form_of(one), &form = form_of(other);
-        return cda::norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
-                   kMostTurnOfOne &&
-               std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
-                   return std::ranges::all_of(mesh_.corners_of(i), [&](Vec3 p) {
+        const Form& form = form_of(other);
+        return std::ranges::all_of(groups_[one].facets, [&](std::uint32_t i) {
+            const Form& told = mesh_.surface(mesh_[i].plain).form;
+            const Form& own = std::holds_alternative<Plane>(told) ? told : form_of(one);
+            return cda::norm(std::get<Plane>(own).normal - std::get<Plane>(form).normal) <=
+                       kMostTurnOfOne &&
+                   std::ranges::all_of(mesh_.corners_of(i), [&](Vec3 p) {
                        return std::abs(distance(form, p) - distance(own, p)) <= kTouchMm;
                    });
-               });
+        });
     };
     // What touches the one is to touch the other one, too.
     const auto keeps_touching = [&](std::uint32_t goes, std::uint32_t stays) {

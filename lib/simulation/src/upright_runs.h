@@ -29,7 +29,7 @@ public:
     void flush();
 
     /// What programs round: three places of millimetres, or four of inches.
-    static constexpr double kRoundedMm = 3e-3;
+    static constexpr double kRoundedMm = 2e-3;
     static constexpr std::size_t kMostMoves = 256;
 
 private:
