@@ -15,6 +15,7 @@ ncsim_add_test(brep
     order_test.cpp
     ramps_test.cpp
     random_parts.cpp
+    rounding_test.cpp
     section_test.cpp
     solids.cpp
     surface_test.cpp

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What programs round apart, and what is narrower than the sides of a polygon: walls askew, strips,
+// tips.
+#include "ncsim/brep/measure.h"
+
+#include "brep/golden.h"
+#include "brep/made_part.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+
+namespace ncsim::brep {
+namespace {
+
+using test::expect_at;
+using test::Golden;
+using test::Kinds;
+using test::kinds_of;
+using test::kPi;
+using test::Made;
+using test::make;
+
+// A pocket askew, by two tools, one of them twice: its walls are one plane each but for a
+// micrometre of rounding, by which they cross anywhere; facets of the tools are off by far more.
+TEST(Recognise, KnowsWallsThatProgramsRoundApart) {
+    const std::string finish =
+        "X-4.971 Y4.954\nX-4.3 Y-5.547\nX4.971 Y-4.954\nX4.3 Y5.547\nG0 Z5\n";
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of(
+                {"askew.nc",
+                 "(T1 D=3.175 CR=0. - flat end mill)\n(T2 D=1.5875 CR=0. - flat end mill)\n"
+                 "(STOCK/BLOCK,40.,40.,8.,20.,20.,8.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                 "G0 X3.558 Y4.704 Z5\nG1 Z-2\nX-4.129 Y4.212\nX-3.558 Y-4.704\n"
+                 "X4.129 Y-4.212\nX3.558 Y4.704\nG0 Z5\nT2 M6\nG0 X4.3 Y5.547 Z5\n"
+                 "G1 Z-2\n" +
+                     finish + "G0 X4.3 Y5.547 Z5\nG1 Z-4\n" + finish + "M30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{21, 4}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        // An island stays, wider below, where the larger tool was not.
+        constexpr double kOutline = 10.8774 * 12.1096 - (4.0 - kPi) * 0.79375 * 0.79375;
+        constexpr double kTaken =
+            2.0 * (kOutline - 4.5277 * 5.7593) + 2.0 * (kOutline - 7.7025 * 8.9349);
+        EXPECT_NEAR(volume(made.solid.part), 40.0 * 40.0 * 8.0 - kTaken, 0.1);
+    }
+}
+
+// A move of 0.1 mm at the end of a groove: between both ends of it a V-cutter leaves a strip of a
+// plane on the whole wall, which facets tell for a quarter of its height alone.
+TEST(Recognise, KnowsStripsBesideShortMoves) {
+    const Golden golden{"short",
+                        "T5 M6\nG0 X25.5675 Y22.5298 Z5\nG1 Z-1.27\nG1 X29.7128 Y22.4815\nG0 Z5\n"
+                        "G0 X26.4946 Y23.2156\nG1 Z-1.27\nG1 X25.5675 Y22.6314\n"
+                        "G1 X25.5675 Y22.5298\nG0 Z5\n",
+                        {12, 0, 4},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    expect_at({0.05, 0.02, 0.0055}, golden, left);
+}
+
+// A wall that the round end of another way comes through, by 2.5 um and 0.13 mm wide: as if they
+// touched, two edges crossed.
+TEST(Recognise, KnowsWhereWallsCrossByLittle) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of(
+                {"fin.nc",
+                 "(T1 D=1.5875 CR=0. - flat end mill)\n"
+                 "(STOCK/BLOCK,20.,20.,6.,-70.,-75.,6.)\nG21 G90 G17 F300 S5000 M3\nT1 M6\n"
+                 "G0 X79.8368 Y78.2213 Z5\nG1 Z-1.5\nG1 X78.2381 Y82.8363\n"
+                 "G1 X81.9037 Y86.5571\nG0 Z5\nG0 X83.4264 Y86.2949\nG1 Z-1.5\n"
+                 "G1 X79.9468 Y82.3124\nG1 X81.5178 Y77.959\nG0 Z5\nM30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{16, 6}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+    }
+}
+
+// A V-groove around corners of 3.5 mm, 3.4 mm deep: within, the hill of each is 0.1 mm wide on top,
+// where polygons in the place of the cutter leave one of half a millimetre.
+TEST(Recognise, KnowsHillsWithinTheArcsOfVCutters) {
+    const Golden golden{"hill",
+                        "T5 M6\nG0 X40 Y20 Z5\nG1 Z-3.4\nG1 X49.5\nG3 X53 Y23.5 I0 J3.5\nG1 Y36.5\n"
+                        "G3 X49.5 Y40 I-3.5 J0\nG1 X30.5\nG3 X27 Y36.5 I0 J-3.5\nG1 Y23.5\n"
+                        "G3 X30.5 Y20 I3.5 J0\nG1 X40\nG0 Z5\n",
+                        {15, 0, 8},
+                        0.0};
+    constexpr double kTaken = 3.4 * 3.4 * (64.0 + 2.0 * kPi * 3.5);
+    expect_at({0.05, 0.02, 0.0055, 0.002}, golden, 80.0 * 60.0 * 20.0 - kTaken, 1e-9);
+}
+
+// The same askew and in inches, whose four places are 2.5 um apart: where lines and arcs meet,
+// edges are left that are as short, and have no way.
+TEST(Recognise, KnowsVGroovesAskewInInches) {
+    for (const double tolerance : {0.05, 0.02, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of({"inches.nc",
+                           "(T1 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
+                           "(STOCK/BLOCK,2.3622,2.3622,0.4724,1.1811,1.1811,0.4724)\n"
+                           "G90 G17 F300 S5000 M3\nG20\nT1 M6\nG0 X0.4654 Y0.3422 Z0.2\n"
+                           "G1 Z-0.1339\nX0.1697 Y0.7444\nG3 X0.0596 Y0.7612 I-0.0634 J-0.0466\n"
+                           "G1 X-0.7444 Y0.17\nG3 X-0.7612 Y0.06 I0.0466 J-0.0634\n"
+                           "G1 X-0.1697 Y-0.7444\nG3 X-0.0596 Y-0.7612 I0.0634 J0.0466\n"
+                           "G1 X0.7444 Y-0.17\nG3 X0.7612 Y-0.06 I-0.0466 J0.0634\n"
+                           "G1 X0.4654 Y0.3422\nG0 Z0.2\nM30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{17, 0, 8}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+    }
+}
+
+// Cones of the arc by which a V-cutter enters pass 1.5 um beside its tip where it began:
+// OpenCASCADE takes corners as near to an apex for it, and drew nothing of a face that had one.
+TEST(Recognise, HasCornersInTipsNotBesideThem) {
+    const Made made = test::make_part(
+        setup::job_of({"tips.nc",
+                       "(T1 D=10. CR=0. TAPER=45deg - chamfer mill)\n"
+                       "(STOCK/BLOCK,2.3622,2.3622,0.4724,1.1811,1.1811,0.4724)\n"
+                       "G90 G17 F300 S5000 M3\nG20\nT1 M6\nG0 X0.4557 Y0.27 Z0.2\nG1 Z-0.0669\n"
+                       "G3 X0.4673 Y0.3527 I-0.0356 J0.0471\nG1 X0.1034 Y0.8347\n"
+                       "G3 X-0.0069 Y0.8501 I-0.0628 J-0.0474\nG1 X-0.8157 Y0.2395\n"
+                       "G3 X-0.8311 Y0.1292 I0.0474 J-0.0628\nG1 X-0.1034 Y-0.8347\n"
+                       "G3 X0.0069 Y-0.8501 I0.0628 J0.0474\nG1 X0.8157 Y-0.2395\n"
+                       "G3 X0.8311 Y-0.1292 I-0.0474 J0.0628\nG1 X0.4673 Y0.3527\n"
+                       "G3 X0.3846 Y0.3643 I-0.0471 J-0.0356\nG0 Z0.2\nM30\n"}),
+        0.05);
+    const Part& part = made.solid.part;
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    int in_tips = 0;
+    for (const Face& face : part.faces) {
+        const auto* cone = std::get_if<Cone>(&face.surface.form);
+        if (!cone) continue;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const double off = cda::norm(part.vertices[part.edges[use.edge].from] - cone->apex);
+                if (off == 0.0) ++in_tips;
+                EXPECT_TRUE(off == 0.0 || off > 3e-3) << off;
+            }
+        }
+    }
+    EXPECT_GT(in_tips, 0);
+}
+
+}  // namespace
+}  // namespace ncsim::brep
