@@ -77,11 +77,12 @@ ncsim_judge_parts(tilted_facets --faceted
 # 90603 a nearly level ramp that ends beside its wall, of which nothing was drawn;
 # 100387 a floor between two arcs that end beyond the point in which they touch, likewise;
 # 8000028 a wall that a nearly parallel pipe cuts in an ellipse of some metres, likewise;
+# 1000019 a helix that stops, whose floor went on in the half of its circle that it does not leave, likewise;
 # 1100031 a wall where a helix stops that became part of its floor: its volume was told wrongly;
 # 1100082 a facet beside a floor as narrow as readers see, of which nothing was drawn once.
 ncsim_judge_parts(parts_that_were_faulty
   --seeds 60438 60794 60158 40087 60607 20146 70560 70629 70744 70967 80079 80669 80857 80946
-  90603 100387 1100031 1100082 8000028)
+  90603 100387 1000019 1100031 1100082 8000028)
 
 # All grooves of a sample are of a ball that turns and cuts with its side; its volume, within what
 # edges miss.

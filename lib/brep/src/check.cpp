@@ -125,6 +125,13 @@ public:
 
     bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
 
+    // Is it on the half that the circle of a coil does not leave there? Nothing of the face is.
+    bool is_of_other_half(Point at, double tolerance_mm) const {
+        constexpr double kQuarter = 90.0 * kRadiansPerDegree;
+        const auto* coil = std::get_if<Coil>(form_);
+        return coil && std::abs(at.x) > kQuarter * coil->radius + tolerance_mm;
+    }
+
     // Is what is straight straight on the map?
     bool keeps_lines() const {
         return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
@@ -441,6 +448,8 @@ std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double
                     return faults;
                 }
                 miss = std::max(miss, std::abs(place.off));
+                if (map.is_of_other_half(place.at, tolerance_mm))
+                    tell("an edge is on the other half of the circle");
                 if (const auto* cone = std::get_if<Cone>(&face.surface.form);
                     cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
                     tell("an edge is beyond the apex");
