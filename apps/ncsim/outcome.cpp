@@ -12,8 +12,9 @@ report::SolidFacts solid_facts(const Outcome& outcome) {
     const simulation::Solid& of = *outcome.solid;
     const brep::Recognised& solid = of.recognised;
     report::SolidFacts facts;
-    if (of.tool_tolerance_mm != outcome.plan.tool_tolerance)
-        facts.refined_mm = of.tool_tolerance_mm;
+    if (of.tool_tolerance_mm != outcome.plan.tool_tolerance ||
+        of.arc_tolerance_mm != outcome.plan.tolerance)
+        facts.own_cut = {of.tool_tolerance_mm, of.arc_tolerance_mm};
     facts.mitred_mm = solid.mitred_mm;
     facts.coarser = solid.coarser;
     for (const auto& form : brep::kForms)

@@ -211,9 +211,9 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "[analytic]")
         ->type_name("WHAT");
     run->add_option("--step-refine", o.step_refine,
-                    "Where facets are too large for true surfaces, cut again with round tools four "
-                    "times as fine, up to N times [3]")
-        ->check(CLI::Range(0, 4))
+                    "Where facets are too large for true surfaces, cut again with other tolerances, "
+                    "up to N times [6]")
+        ->check(CLI::Range(0, 6))
         ->type_name("N");
     run->add_flag("--step-strict", o.step_strict,
                   "Exit with 2 if round surfaces had to be kept as facets");

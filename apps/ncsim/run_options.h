@@ -51,7 +51,7 @@ struct Options : ProgramOptions, SimulationOptions {
     /// mm. Where it is not given, glTF and STL are exact, all others within kFlatTolerance.
     std::optional<double> simplify;
     StepSurfaces step_surfaces = StepSurfaces::Analytic;
-    int step_refine = 3;       ///< So many times finer tools are tried for it, at most.
+    int step_refine = 6;       ///< So many other cuts are tried for it, at most.
     bool step_strict = false;  ///< Facets that are kept are a failure.
     exporter::StepSchema step_schema = exporter::StepSchema::Ap242;
     bool step_attributes = false;  ///< Lines, tools and kind with each face.

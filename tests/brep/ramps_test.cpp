@@ -58,6 +58,46 @@ TEST(Recognise, KnowsRampsThatMeetInAValley) {
     }
 }
 
+// Down a helix into a groove around an island, once around and out of it on another one. Both leave
+// the wall of the island where it touches the circle of the floor, which begins there: the wall is
+// pinched, and one loop comes there twice.
+TEST(Recognise, KnowsHelicesThatTouchAWallInAPoint) {
+    const Golden golden{"helices",
+                        "T1 M6\nG0 X40 Y30 Z5\nG1 Z0\nG3 X60 Y30 Z-1 I10 J0\nG3 I-20\nG3 X40 Y30 "
+                        "Z1 I-10 J0\nG0 Z5\n",
+                        {8, 4, 0, 0, 0, 0, 0, 2},
+                        0.0};
+    const double left = volume(make(golden, 0.002).solid.part);
+    expect_at({0.05, 0.02, 0.0055}, golden, left, 1e-7);
+}
+
+// Out of the groove alone, as a program rounds it that has turned: they miss the point by a
+// micrometre or two.
+TEST(Recognise, KnowsHelicesThatTouchAWallButForRounding) {
+    for (const double tolerance : {0.05, 0.0055}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = test::make_part(
+            setup::job_of({"out.nc",
+                           "(T3 D=10. CR=0. - flat end mill)\n(STOCK/BLOCK,100.,100.,10.,0.,0.,"
+                           "10.)\nG21 G90 G17 F300 S5000 M3\nT3 M6\nG0 X60.000 Y67.321 Z10\n"
+                           "G1 Z-1\nG3 I-10.000 J-17.321\nG3 X50.000 Y50.000 Z1 I-5.000 J-8.660\n"
+                           "G0 Z30\nM30\n"}),
+            tolerance);
+        EXPECT_EQ(kinds_of(made.solid.part), (Kinds{8, 3, 0, 0, 0, 0, 0, 1}));
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        EXPECT_LT(made.solid.part.miss_mm, 3e-3);
+    }
+}
+
+// Ramps beside each other, one diameter apart: their floors touch in a point, and between them
+// their ways meet in an edge without an angle.
+TEST(Recognise, KnowsRampsThatTouch) {
+    const std::string ramp = "G1 Z-2\nG1 X60 Z-6\nG0 Z5\n", first = "T1 M6\nG0 X20 Y20 Z5\n" + ramp;
+    const double taken = kBlock - volume(make({"ramp", first, {}, 0.0}, 0.002).solid.part);
+    const Golden golden{"ramps", first + "G0 X20 Y30\n" + ramp, {10, 4, 0, 0, 0, 2}, 0.0};
+    expect_at({0.05, 0.02, 0.0055}, golden, kBlock - 2.0 * taken, 1e-9);
+}
+
 // The arc by which a tool enters a slot askew, in short lines: rounded to a micrometre, each goes
 // up to half a degree aside of the one before. In one upright plane they leave one wall on each
 // side.

@@ -148,5 +148,56 @@ TEST(Recognise, HasCornersInTipsNotBesideThem) {
     EXPECT_GT(in_tips, 0);
 }
 
+// Arcs of the outline of a letter, by a tool hardly narrower than one of them: where they meet, two
+// facets of the same wall are 2 um wide, and look anywhere.
+TEST(Recognise, KnowsFacetsThatLookAnywhere) {
+    const Made made = test::make_part(
+        setup::job_of({"letter.nc",
+                       "(T1 D=0.2 CR=0. - flat end mill)\n(STOCK/BLOCK,8.,8.,3.,-53.,-138.,3.)\n"
+                       "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X55.627333 Y139.257619\nG1 Z-1\n"
+                       "G3 X55.689239 Y140.010650 I-360.500100 J30.015265\n"
+                       "G2 X56.129706 Y142.210600 I9.608984 J-0.779809\n"
+                       "G2 X57.361522 Y145.156280 I18.570839 J-6.035504\n"
+                       "G2 X57.560947 Y145.112084 I0.093838 J-0.048606\n"
+                       "G2 X57.407392 Y144.057910 I-2.871840 J-0.119947\n"
+                       "G3 X57.145820 Y143.074205 I6.772678 J-2.327515\n"
+                       "G3 X57.095703 Y142.426370 I2.866516 J-0.547614\nG0 Z5\nM30\n"}),
+        0.05);
+    EXPECT_EQ(kinds_of(made.solid.part), (Kinds{7, 16}));
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+}
+
+// An arc that starts beside its wall by 0.1 um, since the one before ought to touch it, and ends in
+// a corner: as wide as it starts, it crosses there what it meets (OpenCASCADE: not valid).
+TEST(Recognise, CirclesAreAsWideAsTheirWalls) {
+    const Made made = test::make_part(
+        setup::job_of({"corner.nc",
+                       "(T1 D=0.2 CR=0. - flat end mill)\n(STOCK/BLOCK,12.,12.,3.,-70.,-10.,3.)\n"
+                       "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X78.461745 Y27.235018\nG1 Z-1\n"
+                       "G2 X78.481151 Y26.404061 I-30.373898 J-1.125046\n"
+                       "G2 X78.507900 Y22.465016 I-682.629744 J-6.605184\n"
+                       "G2 X78.520816 Y18.552545 I-3100.246320 J-12.191476\n"
+                       "G2 X78.523285 Y16.703497 I-692.449336 J-1.849007\n"
+                       "G2 X79.247643 Y19.781282 I290.211243 J-66.677235\n"
+                       "G2 X79.847015 Y22.197044 I179.387306 J-43.225326\nG0 Z5\nM30\n"}),
+        0.05);
+    const Part& part = made.solid.part;
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+    int circles = 0;
+    for (const Face& face : part.faces) {
+        const auto* wall = std::get_if<Cylinder>(&face.surface.form);
+        if (!wall) continue;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const auto* circle = std::get_if<Circle>(&part.edges[use.edge].curve);
+                if (!circle) continue;
+                ++circles;
+                EXPECT_NEAR(circle->radius, wall->radius, 1e-11 * wall->radius);
+            }
+        }
+    }
+    EXPECT_GT(circles, 8);
+}
+
 }  // namespace
 }  // namespace ncsim::brep

@@ -46,7 +46,7 @@ namespace {
 
 using namespace ncsim;
 
-enum class Outcome : std::uint8_t { Solid, Nothing, TooSlow, Failed };
+enum class Outcome : std::uint8_t { Solid, Nothing, Refused, TooSlow, Failed };
 
 struct Made {
     Outcome outcome = Outcome::Failed;
@@ -137,13 +137,19 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
     has_cut(made);
     const brep::Part facets = exporter::flat_solid(*milled.boundary, exporter::kStepTolerance).part;
     made.facet_faces = facets.faces.size();
-    made.facet_bytes = step_of(facets, milled.provenance).size();
-    constexpr int kMostRefinements = 3;
+    if (facets.faces.size() <= exporter::kStepMaxFaces)
+        made.facet_bytes = step_of(facets, milled.provenance).size();
+    constexpr int kMostRefinements = 6;
     const double start = seconds_used();
     const simulation::Solid solid =
         simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kMostRefinements);
     made.solid_s = seconds_used() - start;
     const brep::Part& part = solid.recognised.part;
+    if (part.faces.size() > exporter::kStepMaxFaces) {
+        made.outcome = Outcome::Refused;
+        made.say("it has more faces than a file is to have");
+        return made;
+    }
     const std::string text = step_of(part, solid.provenance);
     made.faces = part.faces.size();
     made.facets_kept = solid.recognised.facets_kept;
@@ -286,7 +292,7 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
     const std::filesystem::path step = folder / "part.step";
     std::vector<Made> all;
     Sum of_all, of_simple;
-    int valid = 0, invalid = 0, not_judged = 0, failed = 0, slow = 0;
+    int valid = 0, invalid = 0, not_judged = 0, failed = 0, slow = 0, refused = 0;
     std::printf("%-10s %-7s %9s %9s %9s %9s %9s %7s %7s  program\n", "judged", "moves", "faces",
                 "bytes", "of facets", "bytes", "kept", "cut s", "solid s");
     for (const corpus::Entry& entry : corpus::entries_of(o.path)) {
@@ -296,8 +302,13 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
         const Made made = make_apart(entry.path.string(), step, o.seconds, o.is_draft);
         if (made.outcome == Outcome::Nothing) continue;
         if (made.outcome != Outcome::Solid) {
-            ++(made.outcome == Outcome::TooSlow ? slow : failed);
-            std::printf("%-10s %s: %s\n", made.outcome == Outcome::TooSlow ? "too slow" : "FAILED",
+            const bool is_slow = made.outcome == Outcome::TooSlow;
+            const bool is_refused = made.outcome == Outcome::Refused;
+            ++(is_slow ? slow : is_refused ? refused : failed);
+            std::printf("%-10s %s: %s\n",
+                        is_slow      ? "too slow"
+                        : is_refused ? "refused"
+                                     : "FAILED",
                         entry.name.c_str(), made.why.data());
             continue;
         }
@@ -335,8 +346,8 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
                     median([](const Made& m) { return m.facet_bytes; }),
                     median([](const Made& m) { return m.bytes; }));
     }
-    std::printf("%d valid, %d invalid, %d not judged; %d too slow, %d failed\n", valid, invalid,
-                not_judged, slow, failed);
+    std::printf("%d valid, %d invalid, %d not judged; %d too slow, %d refused, %d failed\n", valid,
+                invalid, not_judged, slow, refused, failed);
     return invalid == 0 && failed == 0 && !all.empty();
 }
 

@@ -207,8 +207,31 @@ void Chains::solve() {
         bend(c);
     for (std::uint32_t c = 0; c < chains_.size(); ++c)
         pass_to_wall(c);
+    for (const Chain& chain : chains_) {
+        if (!chain.edges.empty() && chain.from != chain.to && joined_.contains(corners_of(chain)) &&
+            is_rounded_off(chain))
+            join_ends(chain);
+    }
     for (Chain& chain : chains_)
         solve_chain(chain);
+}
+
+// In the one that is nearer to all that meets in either.
+void Chains::join_ends(const Chain& chain) {
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const auto miss = [&](Vec3 p) {
+        double most = 0.0;
+        for (const Vertex* v : {&from, &to}) {
+            for (const std::uint32_t g : v->groups)
+                most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
+        }
+        return most;
+    };
+    if (miss(to.at) < miss(from.at)) {
+        from.at = to.at;
+    } else {
+        to.at = from.at;
+    }
 }
 
 bool Chains::is_of_turning_tools(const Vertex& v) const {
@@ -225,9 +248,9 @@ bool Chains::is_rounded_off(const Chain& chain) const {
     const auto is_on = [&](const Vertex& v, Vec3 p) {
         return std::ranges::all_of(v.groups, [&](std::uint32_t g) {
             const Form& form = groups_.form_of(g);
-            const bool is_pointed = std::holds_alternative<Plane>(form) ||
-                                    std::holds_alternative<Cylinder>(form) ||
-                                    std::holds_alternative<Cone>(form);
+            const bool is_pointed =
+                std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
+                std::holds_alternative<Cone>(form) || std::holds_alternative<Coil>(form);
             return is_pointed && !groups_.is_facet(g) &&
                    std::abs(distance(form, p)) <= kMostRounded;
         });
@@ -296,8 +319,7 @@ void Chains::solve_chain(Chain& chain) {
             return;
         }
     }
-    const bool is_joined = !chain.edges.empty() && joined_.contains(corners_of(chain));
-    if (!is_loop && (norm(to.at - from.at) <= kPoint || (is_joined && is_rounded_off(chain)))) {
+    if (!is_loop && norm(to.at - from.at) <= kPoint) {
         // A circle that ends where it begins, or nothing?
         if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {
             chain.has_vanished = true;

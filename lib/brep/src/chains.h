@@ -146,6 +146,7 @@ private:
     bool solve_beside_facets(Vertex& v) const;
     double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
     bool is_rounded_off(const Chain& chain) const;
+    void join_ends(const Chain& chain);
     std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
     Vec3 middle_of(const Chain& chain) const;

@@ -128,6 +128,16 @@ struct Touch {
             return {};
         return plane_at(a.origin, cross(a.axis, apart));
     }
+    // Ways beside each other, as far apart as their circles are wide.
+    Answer operator()(const Extrusion& a, const Extrusion& b) const {
+        if (!is_parallel(a.axis, b.axis) || !is_parallel(a.along, b.along)) return {};
+        const Vec3 apart = away(a.centre, a.along, b.centre);
+        const double d = norm(apart);
+        if (d < kApart || !near(dot(apart, a.axis), 0.0) ||
+            !(near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius))))
+            return {};
+        return plane_at(a.centre, cross(a.along, apart));
+    }
     Answer operator()(const Cylinder& a, const Sphere& b) const {
         if (!near(norm(away(a.origin, a.axis, b.centre)), 0.0) || !near(a.radius, b.radius))
             return {};

@@ -176,9 +176,11 @@ bool Groups::unify() {
         if ((group.is_analytic && !is_of_turning_tool(form_of(g))) || first.may_be_true ||
             first.is_final)
             continue;
-        if (2.0 * group.area < 2.0 * error_of(g) * perimeter(g)) {
-            any = absorb(g, 1.5, kMostTurnOfNeighbours) || absorb(g, 2.0, kMostTurnOfNarrow) || any;
-        }
+        const double around = perimeter(g);
+        if (2.0 * group.area >= 2.0 * error_of(g) * around) continue;
+        const bool is_of_rounding = 2.0 * group.area < kTouchMm * around;
+        any = absorb(g, 1.5, kMostTurnOfNeighbours) ||
+              absorb(g, 2.0, is_of_rounding ? kAnyTurn : kMostTurnOfNarrow) || any;
     }
     return any;
 }

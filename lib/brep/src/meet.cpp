@@ -55,9 +55,17 @@ std::optional<Axis> common_axis(const Form& a, const Form& b) {
     return sphere ? common_axis(b, a) : std::nullopt;
 }
 
-Curve circle_about(Vec3 origin, Vec3 direction, Vec3 p) {
-    const Vec3 centre = origin + dot(p - origin, direction) * direction;
-    return Circle{centre, direction, norm(p - centre)};
+// As wide as the wall, which `p` may miss by less than readers tell: where the circle ends at an
+// angle, it is to end in the corner.
+Curve circle_about(const Axis& axis, Vec3 p, const Form& a, const Form& b) {
+    constexpr double kOfReaders = 2e-7;
+    const Vec3 centre = axis.origin + dot(p - axis.origin, axis.direction) * axis.direction;
+    double radius = norm(p - centre);
+    for (const Form* form : {&a, &b}) {
+        const auto* wall = std::get_if<Cylinder>(form);
+        if (wall && std::abs(wall->radius - radius) <= kOfReaders) radius = wall->radius;
+    }
+    return Circle{centre, axis.direction, radius};
 }
 
 // The circle of a ring in a plane through its axis.
@@ -187,7 +195,7 @@ bool is_ruled(const Form& form) {
 }  // namespace
 
 std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
-    if (const auto axis = common_axis(a, b)) return circle_about(axis->origin, axis->direction, p);
+    if (const auto axis = common_axis(a, b)) return circle_about(*axis, p, a, b);
     if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
     if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
     for (const auto& [form, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -208,7 +216,7 @@ std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 nea
         if (is_ruled(a) && is_ruled(b)) return Line{};
         for (const Form* form : {&a, &b}) {
             if (const auto* pipe = std::get_if<Cylinder>(form))
-                return circle_about(pipe->origin, pipe->axis, p);
+                return circle_about({pipe->origin, pipe->axis}, p, a, b);
         }
         for (const Form* form : {&a, &b}) {
             const auto* plane = std::get_if<Plane>(&*touching);

@@ -129,6 +129,14 @@ private:
         close_slits(all, joints, same);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            if (groups_.is_facet(g)) continue;
+            for (const auto& [one, other] : touching_corners(g, all[g], joints, same)) {
+                part.vertices[one] = part.vertices[other];
+                same.unite(one, other);
+            }
+        }
+        join_touching_loops(all, joints, same);
         for (std::size_t c = 0; c < joints.size(); ++c)
             part.edges.push_back(
                 {same.find(joints[c].from), same.find(joints[c].to), chains_.all()[c].curve});
@@ -196,6 +204,11 @@ private:
                 has_joined_ = true;
                 continue;
             }
+            if (!groups_.is_facet(g) && touching_.insert(groups_[g].surface).second &&
+                !touching_corners(g, part.faces[f].loops, joints, same).empty()) {
+                has_joined_ = true;
+                continue;
+            }
             std::vector<std::uint32_t> around{g};
             if (!known[f]->fault_at.empty()) {
                 for (const auto& [loop, place] : known[f]->fault_at) {
@@ -233,6 +246,89 @@ private:
         std::uint32_t left, right;  // groups
         std::uint32_t from, to;     // vertices
     };
+
+    // Corners of a face in one place, without an edge from the one to the other: what is narrow
+    // between facets is only a point between curves that touch there. A whole circle that begins
+    // anywhere begins in such a corner.
+    using Corners = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<Corners> touching_corners(std::uint32_t g, const std::vector<Loop>& loops,
+                                          const std::vector<Joint>& joints,
+                                          cda::DisjointSets& same) const {
+        const auto at = [&](std::uint32_t v) { return chains_.vertices()[v].at; };
+        const double near_mm = touching_.contains(groups_[g].surface) ? kTouchMm : kPoint;
+        std::vector<std::uint32_t> corners;
+        std::vector<Corners> touching;
+        for (const Loop& loop : loops) {
+            for (const EdgeUse& use : loop)
+                corners.push_back(use.is_forward ? joints[use.edge].from : joints[use.edge].to);
+        }
+        for (const Loop& loop : loops) {
+            const Chain& chain = chains_.all()[loop.front().edge];
+            const auto* circle = std::get_if<Circle>(&chain.curve);
+            if (!chain.is_closed || !circle || std::holds_alternative<Plane>(groups_.form_of(g)))
+                continue;
+            const auto on_it = std::ranges::find_if(corners, [&](std::uint32_t v) {
+                const Vec3 p = at(v) - circle->centre;
+                const double height = dot(p, circle->axis);
+                const double away = cda::norm(p - height * circle->axis);
+                return v != chain.from && std::hypot(height, away - circle->radius) <= near_mm;
+            });
+            if (on_it != corners.end()) touching.emplace_back(chain.from, *on_it);
+        }
+        std::ranges::sort(corners, {}, [&](std::uint32_t v) { return std::pair(at(v).x, v); });
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            for (std::size_t j = i + 1; j < corners.size(); ++j) {
+                const std::uint32_t one = corners[i], other = corners[j];
+                if (at(other).x > at(one).x + near_mm) break;
+                if (cda::norm(at(other) - at(one)) <= near_mm && same.find(one) != same.find(other))
+                    touching.emplace_back(one, other);
+            }
+        }
+        std::erase_if(touching, [&](const Corners& corners_in_one_place) {
+            return is_edge_between(joints, same, corners_in_one_place);
+        });
+        return touching;
+    }
+
+    bool is_edge_between(const std::vector<Joint>& joints, cda::DisjointSets& same,
+                         const Corners& corners) const {
+        const auto ends = std::minmax({same.find(corners.first), same.find(corners.second)});
+        for (std::size_t c = 0; c < joints.size(); ++c) {
+            if (!chains_.all()[c].has_vanished &&
+                std::minmax({same.find(joints[c].from), same.find(joints[c].to)}) == ends)
+                return true;
+        }
+        return false;
+    }
+
+    // Loops of what is not flat that have a corner in common are one, which comes there twice.
+    void join_touching_loops(std::vector<std::vector<Loop>>& all, const std::vector<Joint>& joints,
+                             cda::DisjointSets& same) const {
+        const auto begin_of = [&](const EdgeUse& use) {
+            return same.find(use.is_forward ? joints[use.edge].from : joints[use.edge].to);
+        };
+        const auto at = [](Loop& loop, std::size_t i) {
+            return loop.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            if (groups_.is_facet(g) || std::holds_alternative<Plane>(groups_.form_of(g))) continue;
+            for (std::size_t l = 0; l < all[g].size(); ++l) {
+                Loop& loop = all[g][l];
+                for (std::size_t m = l + 1; m < all[g].size(); ++m) {
+                    Loop& other = all[g][m];
+                    for (std::size_t i = 0; i < loop.size(); ++i) {
+                        const auto there = std::ranges::find(other, begin_of(loop[i]), begin_of);
+                        if (there == other.end()) continue;
+                        std::ranges::rotate(other, there);
+                        loop.insert(at(loop, i), other.begin(), other.end());
+                        other.clear();
+                        break;
+                    }
+                }
+            }
+            std::erase_if(all[g], [](const Loop& loop) { return loop.empty(); });
+        }
+    }
 
     // Where a strip of a face has no width, its loop goes along a line and back: two walls that
     // touch the same third one in one line. What is beside the line on both sides meets in it. One
@@ -516,7 +612,9 @@ private:
     Groups groups_{mesh_};
     Failures failures_;  // of this round
     Chains chains_{mesh_, groups_, failures_};
-    KnownFaces known_;         // from the apex
+    KnownFaces known_;  // from the apex
+    // Surfaces on which corners that are no farther apart than programs round are one.
+    std::set<std::uint32_t> touching_;
     bool has_joined_ = false;  // corners, in this round: no face was given up for them
 };
 

@@ -87,9 +87,11 @@ std::string solid_text(const SolidFacts& solid) {
     // Nobody measures less.
     constexpr double kLeast = 1e-9;
     text += fmt::format("; edges within {:.2g} mm\n", std::max(solid.miss_mm, kLeast));
-    if (solid.refined_mm) {
-        text += fmt::format("          from a cut with round tools within {:g} mm, made for it\n",
-                            *solid.refined_mm);
+    if (solid.own_cut) {
+        text += fmt::format(
+            "          from a cut with round tools within {:g} mm, arcs within {:g} mm, made for "
+            "it\n",
+            solid.own_cut->tools_mm, solid.own_cut->arcs_mm);
     }
     if (solid.mitred_mm > kLeast) {
         text += fmt::format("          without lunes at bends of balls, up to {:.2g} mm high\n",
@@ -306,7 +308,10 @@ void write_report(std::ostream& out, const RunFacts& run) {
                         {"facets_within_mm", run.solid->facet_miss_mm},
                         {"lines_of_facets", run.solid->facet_lines},
                         {"left_out_at_bends_mm", run.solid->mitred_mm}};
-        if (run.solid->refined_mm) json["step"]["refined_to_mm"] = *run.solid->refined_mm;
+        if (run.solid->own_cut) {
+            json["step"]["refined_to_mm"] = run.solid->own_cut->tools_mm;
+            json["step"]["arcs_refined_to_mm"] = run.solid->own_cut->arcs_mm;
+        }
         if (run.solid->coarser > 1.0) json["step"]["facets_coarser"] = run.solid->coarser;
     }
     for (const SectionFacts& section : run.sections)

@@ -5,6 +5,8 @@
 
 #include "sources.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -42,36 +44,41 @@ bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simul
            solid.facets_given_up > (facets <= kMany ? 0 : solid.part.faces.size() / kFew);
 }
 
-// Of so many facets another cut takes no time to speak of. Finer ones are more where they stay, and
-// so tell nothing of what the next cut does.
-constexpr std::size_t kCheap = 2'000;
+// Another cut: by so much its tolerances are smaller. Finer facets tell better which surfaces meet
+// where. Others as fine tell it by other corners, and that helps as often.
+struct Cut {
+    double of_tools, of_arcs;
+};
+constexpr std::array kCuts{Cut{0.25, 0.25}, Cut{0.0625, 0.0625}, Cut{0.5, 1.0},
+                           Cut{1.0, 0.25},  Cut{0.5, 0.25},      Cut{0.25, 1.0}};
+// All of them together have no more facets, or one more: what they cost grows with these.
+constexpr std::size_t kMostOfAllCuts = 60'000;
 
 }  // namespace
 
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
                     double tolerance_mm, int most_refinements) {
     Solid best{solid_of(plan, survey, simulation, tolerance_mm), simulation.provenance,
-               plan.tool_tolerance};
+               plan.tool_tolerance, plan.tolerance};
     bool is_coarse = are_facets_too_large(best.recognised, simulation);
-    Plan finer = plan;
-    finer.keep_boundary = true;
-    finer.keep_paths = finer.keep_carved = finer.block_volumes = finer.hull_times = false;
-    bool is_cheap = true;
-    for (int i = 0; i < most_refinements && is_coarse && (is_cheap || i < 2); ++i) {
-        finer.tool_tolerance *= 0.25;
-        finer.tolerance *= 0.25;
+    Plan other = plan;
+    other.keep_boundary = true;
+    other.keep_paths = other.keep_carved = other.block_volumes = other.hull_times = false;
+    std::size_t facets = 0;
+    const auto most = static_cast<std::size_t>(most_refinements);
+    for (std::size_t i = 0; i < std::min(most, kCuts.size()) && is_coarse; ++i) {
+        if (facets > kMostOfAllCuts) break;
+        other.tool_tolerance = kCuts[i].of_tools * plan.tool_tolerance;
+        other.tolerance = kCuts[i].of_arcs * plan.tolerance;
         Verification nothing;
         nothing.keep_cuts = true;
-        Simulation again = simulate(finer, survey, nothing, {});
-        brep::Recognised solid = solid_of(finer, survey, again, tolerance_mm);
+        Simulation again = simulate(other, survey, nothing, {});
+        facets += again.boundary->faces.size();
+        brep::Recognised solid = solid_of(other, survey, again, tolerance_mm);
         is_coarse = are_facets_too_large(solid, again);
-        is_cheap = again.boundary->faces.size() <= kCheap;
-        // What did not help once hardly ever does.
-        if (solid.facets_kept >= best.recognised.facets_kept) {
-            if (!is_cheap) break;
-            continue;
-        }
-        best = {std::move(solid), std::move(again.provenance), finer.tool_tolerance};
+        if (solid.facets_kept < best.recognised.facets_kept)
+            best = {std::move(solid), std::move(again.provenance), other.tool_tolerance,
+                    other.tolerance};
     }
     return best;
 }

@@ -33,8 +33,12 @@ struct SolidFacts {
     std::size_t facets_kept = 0;  ///< Among the planes: of round tools, not recognised.
     double facet_miss_mm = 0.0;   ///< Of edges of theirs, from the faces beside them.
     std::vector<std::uint32_t> facet_lines{};  ///< Lines that cut those, ascending.
-    std::optional<double> refined_mm{};  ///< Tool tolerance of a cut made for it alone, if any.
-    double mitred_mm = 0.0;              ///< Left out at bends of balls, at most; 0: nothing.
+    /// Tolerances of a cut made for it alone, if any.
+    struct Cut {
+        double tools_mm = 0.0, arcs_mm = 0.0;
+    };
+    std::optional<Cut> own_cut{};
+    double mitred_mm = 0.0;  ///< Left out at bends of balls, at most; 0: nothing.
     /// Facets alone were joined within so many times the tolerance.
     double coarser = 1.0;
 };
