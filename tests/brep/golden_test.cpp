@@ -620,5 +620,33 @@ TEST(Recognise, FacetsBesideThoseOfATurningToolAreNotGivenUp) {
     EXPECT_EQ(turning.solid.facets_given_up, 0U);
 }
 
+// A slot along a cubic spline has walls of cylinders, since it is taken as arcs within 2 um: as
+// wide as the tool along all of its length, and a round end.
+TEST(Recognise, KnowsSlotsAlongSplines) {
+    const auto length = [] {
+        constexpr int kSteps = 100'000;
+        double sum = 0.0;
+        for (int i = 0; i < kSteps; ++i) {
+            const double t = (i + 0.5) / kSteps, r = 1.0 - t;
+            const double x = 3.0 * (20.0 * r * r + 20.0 * t * t), y = 3.0 * 2.0 * r * t * 20.0;
+            sum += std::hypot(x, y) / kSteps;
+        }
+        return sum;
+    };
+    for (const double tolerance : {0.05, 0.02}) {
+        SCOPED_TRACE(tolerance);
+        const Made made = make(
+            {"spline", "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG5 X60 Y40 I20 J0 P-20 Q0\nG0 Z5\n", {}, 0.0},
+            tolerance);
+        const Kinds kinds = kinds_of(made.solid.part);
+        EXPECT_EQ(kinds[0], 7);
+        EXPECT_GT(kinds[1], 10);
+        EXPECT_EQ(static_cast<std::size_t>(kinds[0] + kinds[1]), made.solid.part.faces.size());
+        EXPECT_EQ(made.solid.facets_kept, 0U);
+        const double left = kBlock - 4.0 * (10.0 * length() + kPi * 25.0);
+        EXPECT_NEAR(volume(made.solid.part), left, 0.01);
+    }
+}
+
 }  // namespace
 }  // namespace ncsim::brep

@@ -6,6 +6,7 @@ ncsim_add_test(toolpath
     machine_test.cpp
     messages_test.cpp
     sampler_test.cpp
+    spline_arcs_test.cpp
     stock_test.cpp
     tool_comment_test.cpp
     tool_file_test.cpp

@@ -182,6 +182,9 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
             if (is_moved != are_moved) continue;
             if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
                 continue;
+            if (candidate.ends && (distance((*candidate.ends)[0], face.centroid) < 0.0 ||
+                                   distance((*candidate.ends)[1], face.centroid) >= 0.0))
+                continue;
             double score = 0.0;
             const double slack = is_coil                      ? kSlackOfCoils
                                  : is_flank(form)             ? kSlackOfFlanks

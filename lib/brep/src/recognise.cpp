@@ -271,7 +271,8 @@ private:
                 const Vec3 p = at(v) - circle->centre;
                 const double height = dot(p, circle->axis);
                 const double away = cda::norm(p - height * circle->axis);
-                return v != chain.from && std::hypot(height, away - circle->radius) <= near_mm;
+                const double off = away - circle->radius;
+                return v != chain.from && height * height + off * off <= near_mm * near_mm;
             });
             if (on_it != corners.end()) touching.emplace_back(chain.from, *on_it);
         }

@@ -3,6 +3,7 @@
 
 #include "ncsim/toolpath/machine.h"
 #include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/spline_arcs.h"
 #include "ncsim/trig/angles.h"
 
 #include <algorithm>
@@ -31,6 +32,8 @@ constexpr double kEqual = 1e-9;
 constexpr double kFlattest = 1e-3;
 // Programs round: an arc may end so much nearer to its centre than it starts.
 constexpr double kMostSpiral = 4e-3;
+// Splines are taken as arcs that are no farther from them, mm: what programs round.
+constexpr double kBesideSpline = 2e-3;
 // Facets of what a rim passes are no farther from it, mm.
 constexpr double kBesideRim = 0.5;
 
@@ -108,6 +111,13 @@ public:
     explicit Sweeps(std::vector<Candidate>& into) : into_(&into) {}
 
     void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
+
+    /// Where all that is added is, but for planes; and what is not at rest, along the way.
+    void set_place(const std::optional<cda::Box>& place,
+                   const std::optional<std::array<Plane, 2>>& ends) {
+        place_ = place;
+        ends_ = ends;
+    }
 
     /// Something of the motion has no surface here.
     bool leaves_unknown() const { return leaves_unknown_; }
@@ -334,7 +344,11 @@ private:
     }
 
     void add(const Form& form, bool is_hollow = true) {
-        into_->push_back({{form, is_hollow && !std::holds_alternative<Plane>(form)}, at_rest_});
+        const bool is_plane = std::holds_alternative<Plane>(form);
+        into_->push_back({{form, is_hollow && !is_plane}, at_rest_});
+        if (is_plane) return;
+        into_->back().place = place_;
+        if (!at_rest_) into_->back().ends = ends_;
     }
 
     // What closes the profile below looks down, above up; the material is on the other side.
@@ -377,6 +391,8 @@ private:
 
     std::vector<Candidate>* into_;
     bool at_rest_ = false;
+    std::optional<cda::Box> place_;
+    std::optional<std::array<Plane, 2>> ends_;
     bool leaves_unknown_ = false;
     double chords_ = 1.0;
 };
@@ -558,6 +574,76 @@ void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const Way& way,
     }
 }
 
+// A level piece of a spline, in W: a line, or an arc.
+struct SplineWay {
+    Vec3 from, to;
+    std::optional<Way> arc;
+    cda::Box box;  // of the way of the tip
+    std::array<Plane, 2> ends;
+    bool begins_in_corner = true;
+};
+
+std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses) {
+    if (!is_plain(spline.from, spline.to)) return {};
+    const auto X_WP = frame_of(poses, spline.from);
+    if (!X_WP) return {};
+    const Pose turn{X_WP->rows, {}};
+    std::vector<SplineWay> ways;
+    for (const toolpath::SplinePiece& piece : toolpath::arcs_of(spline, kBesideSpline)) {
+        SplineWay way{*X_WP * piece.from, *X_WP * piece.to, {}, {}, {}, piece.begins_in_corner};
+        way.ends = {Plane{way.from, normalized(way.to - way.from)},
+                    Plane{way.to, normalized(way.to - way.from)}};
+        way.box.add(way.from);
+        way.box.add(way.to);
+        if (piece.radius > 0.0) {
+            Way arc;
+            arc.centre = arc.fitted = *X_WP * piece.centre;
+            arc.about = turn * Vec3{0.0, 0.0, 1.0};
+            arc.radius = arc.fitted_radius = arc.start = piece.radius;
+            arc.ahead = normalized(way.from - arc.centre);
+            arc.swept = piece.swept_degrees * trig::kRadiansPerDegree;
+            const Vec3 side = cross(arc.about, arc.ahead);
+            for (const double share : {0.25, 0.5, 0.75}) {
+                const auto angle = trig::sin_cos(share * piece.swept_degrees);
+                way.box.add(arc.centre + piece.radius * (angle.cos * arc.ahead + angle.sin * side));
+            }
+            const auto direction = [&](Vec3 p) {
+                const Vec3 left = normalized(cross(arc.about, p - arc.centre));
+                return arc.swept > 0.0 ? left : -left;
+            };
+            way.ends = {Plane{way.from, direction(way.from)}, Plane{way.to, direction(way.to)}};
+            way.arc = arc;
+        }
+        ways.push_back(std::move(way));
+    }
+    return ways;
+}
+
+// A piece of the profile along a spline. What each arc leaves is near it.
+void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
+                  const std::vector<SplineWay>& ways, Vec3 axis) {
+    const double wide = std::max(e.radius, e.end_radius) + e.fillet + kBesideRim;
+    for (const SplineWay& way : ways) {
+        cda::Box box;
+        for (const double height : {e.height, e.end_height}) {
+            for (const Vec3 corner : {way.box.min, way.box.max}) {
+                box.add(corner + height * axis + Vec3{wide, wide, wide});
+                box.add(corner + height * axis - Vec3{wide, wide, wide});
+            }
+        }
+        sweeps.set_place(box, way.ends);
+        sweeps.set_at_rest(false);
+        if (way.arc) {
+            sweep_arc(sweeps, e, is_corner, *way.arc, axis);
+        } else {
+            sweeps.line(e, way.from, axis, normalized(way.to - way.from));
+        }
+        sweeps.set_at_rest(true);
+        if (way.begins_in_corner) sweeps.rest(e, way.from, axis);
+    }
+    sweeps.set_place({}, {});
+}
+
 // Of a line, unit. Programs round where a tool ends that goes along its axis.
 Vec3 direction_of(Vec3 way, Vec3 axis) {
     constexpr double kMostBeside = 2e-3, kSteep = 1e-3;  // mm; of the length
@@ -609,6 +695,10 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
     if (arc) way = way_of(*arc, poses);
     std::optional<TurningWay> turning;
     if (turns) turning = turning_way_of(motion, poses);
+    std::vector<SplineWay> spline;
+    if (const auto* curve = std::get_if<gcode::Spline>(&motion.what); curve && !turns)
+        spline = ways_of(*curve, poses);
+    if (!spline.empty()) source.beside_mm = kBesideSpline;
     Sweeps sweeps(source.candidates);
     for (const toolpath::ToolPiece& piece : tool.pieces) {
         if (!piece.cutting) continue;
@@ -619,6 +709,8 @@ Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
             sweeps.set_at_rest(false);
             if (way) {
                 sweep_arc(sweeps, e, is_corner, *way, axis);
+            } else if (!spline.empty()) {
+                sweep_spline(sweeps, e, is_corner, spline, axis);
             } else if (turning) {
                 sweeps.envelope(e, *turning);
                 if (is_corner) sweeps.rim(e, *turning);

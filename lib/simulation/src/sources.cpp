@@ -91,7 +91,8 @@ void for_each_source(const Plan& plan, const Survey& survey, const Simulation& s
             brep::Source of_row = brep::surfaces_of(together, tool->second.tool, nullptr);
             std::ranges::move(of_row.candidates, std::back_inserter(source.candidates));
         }
-        source.error_mm = polygon + source.chords * plan.tolerance + moved_mm + rounding;
+        source.error_mm =
+            polygon + source.chords * plan.tolerance + source.beside_mm + moved_mm + rounding;
         sink(cda::Origin{static_cast<std::uint32_t>(origin)}, std::move(source));
     });
     // On machines that are told, tools may turn in any move.

@@ -11,6 +11,7 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Candidate {
     bool is_at_rest = false;  ///< Of the tool in its first or last pose.
     /// Where it is, nearly, of surfaces that go on and come back: what is elsewhere is none of it.
     std::optional<cda::Box> place{};
+    /// Of one piece of a way: where it begins and where it ends, both planes across the way,
+    /// looking along it. Facets belong to the piece in which their middles are.
+    std::optional<std::array<Plane, 2>> ends{};
 };
 
 /// Whose facets approximate one of the candidates, and how well: no corner is farther from it than
@@ -31,6 +35,9 @@ struct Source {
     /// By how many times what chords of the way are off its facets may be, on top of the rest: of
     /// straight moves 0.
     double chords = 1.0;
+    /// How far the candidates are beside what the motion leaves, mm: those of splines, which are
+    /// taken as arcs.
+    double beside_mm = 0.0;
     /// It may have left others, too: what fits none of them is what it is, however small.
     bool leaves_unknown = false;
 };
