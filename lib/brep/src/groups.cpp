@@ -475,6 +475,9 @@ std::optional<std::uint32_t> Groups::join_wall(std::uint32_t g) {
         };
         if (!may_go()) std::swap(goes, stays);
         if (!may_go()) return false;
+        // Not to and fro.
+        if (!walls_.emplace(groups_[goes].facets.front(), groups_[stays].surface).second)
+            return false;
         relabel(goes, groups_[stays].surface);
         joined = goes;
         return true;

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -115,6 +116,7 @@ private:
     std::vector<std::uint32_t> group_of_;  // of each facet
     std::vector<std::uint32_t> first_;     // of each group, in neighbours_
     std::vector<std::pair<std::uint32_t, double>> neighbours_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> walls_;  // facets of one, and what it became
     double mitred_mm_ = 0.0;
 };
 
