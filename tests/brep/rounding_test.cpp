@@ -148,6 +148,23 @@ TEST(Recognise, HasCornersInTipsNotBesideThem) {
     EXPECT_GT(in_tips, 0);
 }
 
+// An arc in lines of 8 um and 1 um in turns: two of its walls are part of each other but for
+// rounding, and would become so in turns.
+TEST(Recognise, WallsAreNotJoinedToAndFro) {
+    const Made made = test::make_part(
+        setup::job_of({"isolation.nc",
+                       "(T1 D=0.2 CR=0. - flat end mill)\n(STOCK/BLOCK,3.,3.,1.,0.5,-10.5,1.)\n"
+                       "G21 G90 G17 F300 S5000 M3\nT1 M6\nG0 X0.69922 Y12.00826\nG1 Z-0.05\n"
+                       "X0.69170 Y12.00557\nX0.69076 Y12.00521\nX0.68327 Y12.00245\n"
+                       "X0.68233 Y12.00209\nX0.67483 Y11.99922\nX0.67392 Y11.99886\n"
+                       "X0.66645 Y11.99594\nX0.66554 Y11.99556\nX0.65812 Y11.99254\n"
+                       "X0.65718 Y11.99218\nX0.64982 Y11.98909\nX0.64888 Y11.98870\n"
+                       "X0.64154 Y11.98555\nG0 Z5\nM30\n"}),
+        0.05);
+    EXPECT_EQ(kinds_of(made.solid.part)[1], 2);
+    EXPECT_EQ(made.solid.facets_kept, 0U);
+}
+
 // Arcs of the outline of a letter, by a tool hardly narrower than one of them: where they meet, two
 // facets of the same wall are 2 um wide, and look anywhere.
 TEST(Recognise, KnowsFacetsThatLookAnywhere) {
