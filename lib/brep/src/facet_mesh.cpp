@@ -130,12 +130,8 @@ std::uint32_t FacetMesh::plain_label(std::uint32_t f, const Facet& facet,
     for (const cda::Origin origin : source_.origins[f]) {
         const auto source = sources.find(origin);
         if (source == sources.end()) continue;
-        std::vector<Candidate> plain = source->second.candidates;
-        std::erase_if(plain, [](const Candidate& candidate) {
-            return std::holds_alternative<Envelope>(candidate.surface.form);
-        });
-        const Candidate* better =
-            best_of(shape_of(facet), plain, source->second.error_mm, kMostTurn, best);
+        const Candidate* better = best_of(shape_of(facet), source->second.candidates,
+                                          source->second.error_mm, kMostTurn, best, false);
         if (better) label = surfaces_.add(better->surface);
     }
     return label;

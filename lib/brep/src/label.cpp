@@ -154,7 +154,7 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 }
 
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
-                         double most_turn, double& best) {
+                         double most_turn, double& best, bool with_envelopes) {
     // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors. A
     // surface that the tool went along is preferred to one where it only stood, but beyond its end.
     constexpr double kExact = -1.0, kAtRest = 0.05, kBeyond = 0.1, kNoLess = 1e-9;
@@ -177,9 +177,9 @@ const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candid
         for (const Candidate& candidate : candidates) {
             const Form& form = candidate.surface.form;
             const bool is_coil = std::holds_alternative<Coil>(form);
-            const bool is_moved = is_coil || std::holds_alternative<Dome>(form) ||
-                                  std::holds_alternative<Envelope>(form);
-            if (is_moved != are_moved) continue;
+            const bool is_envelope = std::holds_alternative<Envelope>(form);
+            const bool is_moved = is_coil || is_envelope || std::holds_alternative<Dome>(form);
+            if (is_moved != are_moved || (is_envelope && !with_envelopes)) continue;
             if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
                 continue;
             if (candidate.ends && (distance((*candidate.ends)[0], face.centroid) < 0.0 ||

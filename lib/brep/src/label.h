@@ -33,8 +33,8 @@ bool fits(const FlatFace& face, const Surface& surface, double most, double most
 
 /// The candidate that the face turns away from least, if one that fits within one and a half times
 /// `error` (mm; of coils twice) and `most_turn` (a chord) is better than `best`, which is then what
-/// it is worth; else null.
+/// it is worth; else null. `with_envelopes`: of all of them, else but for envelopes.
 const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
-                         double most_turn, double& best);
+                         double most_turn, double& best, bool with_envelopes = true);
 
 }  // namespace ncsim::brep

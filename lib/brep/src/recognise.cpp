@@ -276,11 +276,14 @@ private:
             });
             if (on_it != corners.end()) touching.emplace_back(chain.from, *on_it);
         }
-        std::ranges::sort(corners, {}, [&](std::uint32_t v) { return std::pair(at(v).x, v); });
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            for (std::size_t j = i + 1; j < corners.size(); ++j) {
-                const std::uint32_t one = corners[i], other = corners[j];
-                if (at(other).x > at(one).x + near_mm) break;
+        std::vector<std::pair<double, std::uint32_t>> along;
+        for (const std::uint32_t v : corners)
+            along.emplace_back(at(v).x, v);
+        std::ranges::sort(along);
+        for (std::size_t i = 0; i < along.size(); ++i) {
+            for (std::size_t j = i + 1; j < along.size(); ++j) {
+                if (along[j].first > along[i].first + near_mm) break;
+                const std::uint32_t one = along[i].second, other = along[j].second;
                 if (cda::norm(at(other) - at(one)) <= near_mm && same.find(one) != same.find(other))
                     touching.emplace_back(one, other);
             }
