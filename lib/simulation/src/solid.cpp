@@ -47,7 +47,7 @@ bool are_facets_too_large(const brep::Recognised& solid, const Simulation& simul
 // Another cut: by so much its tolerances are smaller. Finer facets tell better which surfaces meet
 // where. Others as fine tell it by other corners, and that helps as often.
 struct Cut {
-    double of_tools, of_arcs;
+    double of_tools, of_arcs;  // joined moves as arcs
 };
 constexpr std::array kCuts{Cut{0.25, 0.25}, Cut{0.0625, 0.0625}, Cut{0.5, 1.0},
                            Cut{1.0, 0.25},  Cut{0.5, 0.25},      Cut{0.25, 1.0}};
@@ -70,6 +70,7 @@ Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& si
         if (facets > kMostOfAllCuts) break;
         other.tool_tolerance = kCuts[i].of_tools * plan.tool_tolerance;
         other.tolerance = kCuts[i].of_arcs * plan.tolerance;
+        other.join_tolerance = kCuts[i].of_arcs * plan.join_tolerance;
         Verification nothing;
         nothing.keep_cuts = true;
         Simulation again = simulate(other, survey, nothing, {});
