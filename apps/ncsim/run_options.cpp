@@ -210,9 +210,10 @@ CLI::App* add_run(CLI::App& app, Options& options) {
            "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
            "[analytic]")
         ->type_name("WHAT");
-    run->add_option("--step-refine", o.step_refine,
-                    "Where facets are too large for true surfaces, cut again with other tolerances, "
-                    "up to N times [6]")
+    run->add_option(
+           "--step-refine", o.step_refine,
+           "Where facets are too large for true surfaces, cut again with other tolerances, "
+           "up to N times [6]")
         ->check(CLI::Range(0, 6))
         ->type_name("N");
     run->add_flag("--step-strict", o.step_strict,

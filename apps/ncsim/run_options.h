@@ -32,7 +32,7 @@ enum class StandsStill : std::uint8_t { Machine, Part };
 /// Empty paths: not asked for.
 struct Options : ProgramOptions, SimulationOptions {
     bool shows_machine = false;  ///< Links of the machine in pictures and files that can move.
-    std::vector<std::string> transparent;  ///< Links of it.
+    std::vector<std::string> transparent;             ///< Links of it.
     StandsStill stands_still = StandsStill::Machine;  ///< In pictures of both.
     std::string machine;  ///< A machine.toml: offsets, and how it turns.
     std::string png, gltf, vrml, stl, ply, threemf, step, report, stats, xml, save_stock;

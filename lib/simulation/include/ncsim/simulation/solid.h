@@ -20,15 +20,15 @@ brep::Recognised solid_of(const Plan& plan, const Survey& survey, const Simulati
 struct Solid {
     brep::Recognised recognised;
     exporter::Provenance provenance;  ///< For its origins.
-    /// Of the round tools, and of arcs, of the cut that said which surfaces meet where; those of the
-    /// plan, unless it was another one.
+    /// Of the round tools, and of arcs, of the cut that said which surfaces meet where; those of
+    /// the plan, unless it was another one.
     double tool_tolerance_mm = 0.0, arc_tolerance_mm = 0.0;
 };
 
 /// The same. Where more than one in a hundred faces are facets that were too large for what is
 /// beside them, or any of a part of at most 20,000, the program is simulated once more with other
-/// tolerances, mostly finer ones, up to `most_refinements` times (six are known), until there are no
-/// such facets any more or those cuts have had 60,000 facets; what has the fewest counts.
+/// tolerances, mostly finer ones, up to `most_refinements` times (six are known), until there are
+/// no such facets any more or those cuts have had 60,000 facets; what has the fewest counts.
 Solid refined_solid(const Plan& plan, const Survey& survey, const Simulation& simulation,
                     double tolerance_mm, int most_refinements);
 
