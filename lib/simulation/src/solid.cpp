@@ -51,7 +51,8 @@ struct Cut {
 };
 constexpr std::array kCuts{Cut{0.25, 0.25}, Cut{0.0625, 0.0625}, Cut{0.5, 1.0},
                            Cut{1.0, 0.25},  Cut{0.5, 0.25},      Cut{0.25, 1.0}};
-// All of them together have no more facets, or one more: what they cost grows with these.
+// As soon as those that were made have more facets than that together, there are no more: what they
+// cost grows with these.
 constexpr std::size_t kMostOfAllCuts = 60'000;
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -27,6 +28,8 @@ constexpr double kStraight = 1e5;
 Vec3 to_the_left(Vec3 v) {
     return {-v.y, v.x, 0.0};
 }
+
+using Biarc = std::array<SplinePiece, 2>;
 
 // A point of the curve, and where it goes from there or comes from.
 struct Place {
@@ -80,7 +83,7 @@ private:
     }
 
     // Both arcs leave their ends as far along the directions there.
-    static std::optional<std::vector<SplinePiece>> biarc(const Place& from, const Place& to) {
+    static std::optional<Biarc> biarc(const Place& from, const Place& to) {
         const Vec3 chord = to.at - from.at;
         const double square = dot(chord, chord);
         if (!(square > 0.0)) return std::nullopt;
@@ -95,7 +98,7 @@ private:
         const auto first = arc(from.at, joint, from.direction, from.at);
         const auto second = arc(joint, to.at, to.direction, to.at);
         if (!first || !second) return std::nullopt;
-        return std::vector{*first, *second};
+        return Biarc{*first, *second};
     }
 
     // That goes by `direction` in `end`, which is one of its ends.
@@ -120,7 +123,7 @@ private:
         return std::abs(degrees) < kMost ? std::optional(piece) : std::nullopt;
     }
 
-    bool is_near(const std::vector<SplinePiece>& pair, const Place& from, const Place& to) const {
+    bool is_near(const Biarc& pair, const Place& from, const Place& to) const {
         constexpr int kSamples = 16;
         for (int i = 0; i < kSamples; ++i) {
             const Vec3 p = at(lerp(from.u, to.u, (i + 0.5) / kSamples));
