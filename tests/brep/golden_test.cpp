@@ -648,5 +648,17 @@ TEST(Recognise, KnowsSlotsAlongSplines) {
     }
 }
 
+// A spline of the first degree has a corner, in which the tool leaves what is round.
+TEST(Recognise, KnowsCornersOfSplines) {
+    const Golden golden{"corner",
+                        "T1 M6\nG0 X20 Y20 Z5\nG1 Z-4\nG5.2 P1 L2\nX40 Y20 P1\nX40 Y40 P1\nG5.3\n"
+                        "G0 Z5\n",
+                        {11, 3},
+                        0.0};
+    // Two rectangles that have a corner in common, two half circles, a quarter of one.
+    const double left = kBlock - 4.0 * (2.0 * 20.0 * 10.0 - 5.0 * 5.0 + 1.25 * kPi * 25.0);
+    expect_at({0.05, 0.02, 0.0055}, golden, left, 1e-9);
+}
+
 }  // namespace
 }  // namespace ncsim::brep
