@@ -3,7 +3,9 @@
 // read_step <folder or file>: it, or every .step in the folder, is read by OpenCASCADE as valid
 // closed solids, in millimetres, with the volume (of "solid", where other formats have another one)
 // and the number of faces that the .expect file beside it names. Each face becomes triangles, as
-// programs draw it, and these have the volume, too.
+// programs draw it, and these have the volume, too; one that is hardly wider than chords may be off
+// its arcs becomes triangles by finer chords.
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -72,15 +74,38 @@ std::string middle_of(const TopoDS_Shape& face) {
     return std::to_string(at.X()) + ' ' + std::to_string(at.Y()) + ' ' + std::to_string(at.Z());
 }
 
-constexpr double kDeflectionMm = 0.01;
+constexpr double kDeflectionMm = 0.01, kAngleOfChords = 0.3;
+
+Handle(Poly_Triangulation) mesh_of(const TopoDS_Shape& face) {
+    TopLoc_Location at;
+    return BRep_Tool::Triangulation(TopoDS::Face(face), at);
+}
+
+// The chords of two of its edges may cross.
+bool is_narrow(const TopoDS_Shape& face) {
+    GProp_GProps surface, edges;
+    BRepGProp::SurfaceProperties(face, surface);
+    BRepGProp::LinearProperties(face, edges);
+    return 2.0 * std::abs(surface.Mass()) < 2.0 * kDeflectionMm * edges.Mass();
+}
+
+Handle(Poly_Triangulation) finer_mesh_of(const TopoDS_Shape& face) {
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(face);
+    BRepMesh_IncrementalMesh(copy, 0.1 * kDeflectionMm, false, 0.1 * kAngleOfChords);
+    return mesh_of(copy);
+}
+
+bool is_empty(const Handle(Poly_Triangulation) & mesh) {
+    return mesh.IsNull() || mesh->NbTriangles() == 0;
+}
 
 Drawn draw(const TopoDS_Shape& shape) {
-    BRepMesh_IncrementalMesh(shape, kDeflectionMm, false, 0.3);
+    BRepMesh_IncrementalMesh(shape, kDeflectionMm, false, kAngleOfChords);
     Drawn drawn;
     for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-        TopLoc_Location at;
-        const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(face.Current()), at);
-        if (mesh.IsNull() || mesh->NbTriangles() == 0) {
+        auto mesh = mesh_of(face.Current());
+        if (is_empty(mesh) && is_narrow(face.Current())) mesh = finer_mesh_of(face.Current());
+        if (is_empty(mesh)) {
             ++drawn.without;
             drawn.where = middle_of(face.Current());
             continue;
