@@ -15,7 +15,6 @@
 #include "ncsim/brep/check.h"
 #include "ncsim/brep/flat_part.h"
 #include "ncsim/brep/measure.h"
-#include "ncsim/cda/disjoint_sets.h"
 
 #include "chains.h"
 #include "chords.h"
@@ -25,6 +24,7 @@
 #include "known_faces.h"
 #include "nearly.h"
 #include "nesting.h"
+#include "outlines.h"
 #include "pinches.h"
 #include "readable.h"
 #include "warped.h"
@@ -51,8 +51,6 @@ constexpr int kPatientRounds = 8, kLastPatience = 16, kMostRounds = 100;
 constexpr std::size_t kManyFacets = 20'000, kTooManyFacets = 200'000;
 constexpr int kMostRoundsOfMany = 40, kMostRoundsWithCorners = 8;
 constexpr double kNoWidth = 1e-3;  // mm
-// Ends of slits that are nearer than that are one, mm.
-constexpr double kSlit = 1e-7;
 
 class ShellRecogniser {
 public:
@@ -117,31 +115,23 @@ private:
 
     Part build() {
         Part part;
-        // Where chains have vanished, their ends are one vertex.
-        cda::DisjointSets same(chains_.vertices().size());
-        for (const Chain& chain : chains_.all()) {
-            if (chain.has_vanished) same.unite(chain.from, chain.to);
-        }
-        auto all = chains_.loops();
-        std::vector<Joint> joints;
-        for (const Chain& chain : chains_.all())
-            joints.push_back({chain.left, chain.right, chain.from, chain.to});
-        close_slits(all, joints, same);
+        Outlines outlines(groups_, chains_);
         for (const Vertex& v : chains_.vertices())
             part.vertices.push_back(v.at);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
             if (groups_.is_facet(g)) continue;
-            for (const auto& [one, other] : touching_corners(g, all[g], joints, same)) {
-                part.vertices[one] = part.vertices[other];
-                same.unite(one, other);
+            for (const Corners& corners : outlines.touching_corners(g, outlines[g], near_on(g))) {
+                part.vertices[corners.first] = part.vertices[corners.second];
+                outlines.unite(corners);
             }
         }
-        join_touching_loops(all, joints, same);
-        for (std::size_t c = 0; c < joints.size(); ++c)
-            part.edges.push_back(
-                {same.find(joints[c].from), same.find(joints[c].to), chains_.all()[c].curve});
+        outlines.join_touching_loops();
+        for (std::uint32_t c = 0; c < chains_.all().size(); ++c) {
+            const auto [from, to] = outlines.ends_of(c);
+            part.edges.push_back({from, to, chains_.all()[c].curve});
+        }
         const auto is_sound = [&](std::uint32_t g) {
-            return std::ranges::none_of(all[g], [&](const Loop& loop) {
+            return std::ranges::none_of(outlines[g], [&](const Loop& loop) {
                 return std::ranges::any_of(
                     loop, [&](const EdgeUse& use) { return chains_.all()[use.edge].has_failed; });
             });
@@ -151,7 +141,7 @@ private:
         std::vector<KnownFaces::Known*> known;  // of each face
         std::vector<bool> has_gone(groups_.size(), false);
         for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-            if (all[g].empty()) {
+            if (outlines[g].empty()) {
                 has_gone[g] = true;
                 vanish(g, true);
                 continue;
@@ -159,7 +149,7 @@ private:
             if (!is_sound(g)) continue;
             Face face;
             face.surface = groups_.surface_of(g);
-            face.loops = std::move(all[g]);
+            face.loops = std::move(outlines[g]);
             name(face, g);
             face.is_facet = groups_.is_facet(g);
             auto& found = known_.look_at(part, face, groups_[g].facets.front());
@@ -205,7 +195,7 @@ private:
                 continue;
             }
             if (!groups_.is_facet(g) && touching_.insert(groups_[g].surface).second &&
-                !touching_corners(g, part.faces[f].loops, joints, same).empty()) {
+                !outlines.touching_corners(g, part.faces[f].loops, near_on(g)).empty()) {
                 has_joined_ = true;
                 continue;
             }
@@ -229,6 +219,11 @@ private:
         return part;
     }
 
+    // How near corners in one place are, mm.
+    double near_on(std::uint32_t g) const {
+        return touching_.contains(groups_[g].surface) ? kTouchMm : kPoint;
+    }
+
     // Edges of one corner that meet once more: the surfaces beside them do not touch there.
     bool cross_at(const Face& face,
                   const std::vector<std::pair<std::size_t, std::size_t>>& faults) {
@@ -239,228 +234,6 @@ private:
                 any = chains_.cross_at(edge(faults[i]), edge(faults[j])) || any;
         }
         return any;
-    }
-
-    // A chain as the part has it: what closes slits changes it.
-    struct Joint {
-        std::uint32_t left, right;  // groups
-        std::uint32_t from, to;     // vertices
-    };
-
-    // Corners of a face in one place, without an edge from the one to the other: what is narrow
-    // between facets is only a point between curves that touch there. A whole circle that begins
-    // anywhere begins in such a corner.
-    using Corners = std::pair<std::uint32_t, std::uint32_t>;
-    std::vector<Corners> touching_corners(std::uint32_t g, const std::vector<Loop>& loops,
-                                          const std::vector<Joint>& joints,
-                                          cda::DisjointSets& same) const {
-        const auto at = [&](std::uint32_t v) { return chains_.vertices()[v].at; };
-        const double near_mm = touching_.contains(groups_[g].surface) ? kTouchMm : kPoint;
-        std::vector<std::uint32_t> corners;
-        std::vector<Corners> touching;
-        for (const Loop& loop : loops) {
-            for (const EdgeUse& use : loop)
-                corners.push_back(use.is_forward ? joints[use.edge].from : joints[use.edge].to);
-        }
-        for (const Loop& loop : loops) {
-            const Chain& chain = chains_.all()[loop.front().edge];
-            const auto* circle = std::get_if<Circle>(&chain.curve);
-            if (!chain.is_closed || !circle || std::holds_alternative<Plane>(groups_.form_of(g)))
-                continue;
-            const auto on_it = std::ranges::find_if(corners, [&](std::uint32_t v) {
-                const Vec3 p = at(v) - circle->centre;
-                const double height = dot(p, circle->axis);
-                const double away = cda::norm(p - height * circle->axis);
-                const double off = away - circle->radius;
-                return v != chain.from && height * height + off * off <= near_mm * near_mm;
-            });
-            if (on_it != corners.end()) touching.emplace_back(chain.from, *on_it);
-        }
-        std::vector<std::pair<double, std::uint32_t>> along;
-        for (const std::uint32_t v : corners)
-            along.emplace_back(at(v).x, v);
-        std::ranges::sort(along);
-        for (std::size_t i = 0; i < along.size(); ++i) {
-            for (std::size_t j = i + 1; j < along.size(); ++j) {
-                if (along[j].first > along[i].first + near_mm) break;
-                const std::uint32_t one = along[i].second, other = along[j].second;
-                if (cda::norm(at(other) - at(one)) <= near_mm && same.find(one) != same.find(other))
-                    touching.emplace_back(one, other);
-            }
-        }
-        std::erase_if(touching, [&](const Corners& corners_in_one_place) {
-            return is_edge_between(joints, same, corners_in_one_place);
-        });
-        return touching;
-    }
-
-    bool is_edge_between(const std::vector<Joint>& joints, cda::DisjointSets& same,
-                         const Corners& corners) const {
-        const auto ends = std::minmax({same.find(corners.first), same.find(corners.second)});
-        for (std::size_t c = 0; c < joints.size(); ++c) {
-            if (!chains_.all()[c].has_vanished &&
-                std::minmax({same.find(joints[c].from), same.find(joints[c].to)}) == ends)
-                return true;
-        }
-        return false;
-    }
-
-    // Loops of what is not flat that have a corner in common are one, which comes there twice.
-    void join_touching_loops(std::vector<std::vector<Loop>>& all, const std::vector<Joint>& joints,
-                             cda::DisjointSets& same) const {
-        const auto begin_of = [&](const EdgeUse& use) {
-            return same.find(use.is_forward ? joints[use.edge].from : joints[use.edge].to);
-        };
-        const auto at = [](Loop& loop, std::size_t i) {
-            return loop.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-            if (groups_.is_facet(g) || std::holds_alternative<Plane>(groups_.form_of(g))) continue;
-            for (std::size_t l = 0; l < all[g].size(); ++l) {
-                Loop& loop = all[g][l];
-                for (std::size_t m = l + 1; m < all[g].size(); ++m) {
-                    Loop& other = all[g][m];
-                    for (std::size_t i = 0; i < loop.size(); ++i) {
-                        const auto there = std::ranges::find(other, begin_of(loop[i]), begin_of);
-                        if (there == other.end()) continue;
-                        std::ranges::rotate(other, there);
-                        loop.insert(at(loop, i), other.begin(), other.end());
-                        other.clear();
-                        break;
-                    }
-                }
-            }
-            std::erase_if(all[g], [](const Loop& loop) { return loop.empty(); });
-        }
-    }
-
-    // Where a strip of a face has no width, its loop goes along a line and back: two walls that
-    // touch the same third one in one line. What is beside the line on both sides meets in it. One
-    // of both ways may be longer, and goes on beside the face.
-    void close_slits(std::vector<std::vector<Loop>>& all, std::vector<Joint>& joints,
-                     cda::DisjointSets& same) const {
-        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-            if (groups_.is_facet(g)) continue;
-            for (std::size_t l = 0; l < all[g].size(); ++l) {
-                while (close_slit(g, l, all, joints, same)) {
-                }
-            }
-        }
-        for (std::vector<Loop>& loops : all)
-            std::erase_if(loops, [](const Loop& loop) { return loop.empty(); });
-    }
-
-    bool close_slit(std::uint32_t g, std::size_t l, std::vector<std::vector<Loop>>& all,
-                    std::vector<Joint>& joints, cda::DisjointSets& same) const {
-        const auto begin_of = [&](const EdgeUse& use) -> std::uint32_t& {
-            return use.is_forward ? joints[use.edge].from : joints[use.edge].to;
-        };
-        const auto end_of = [&](const EdgeUse& use) -> std::uint32_t& {
-            return use.is_forward ? joints[use.edge].to : joints[use.edge].from;
-        };
-        const auto beyond = [&](const EdgeUse& use) -> std::uint32_t& {
-            return use.is_forward ? joints[use.edge].right : joints[use.edge].left;
-        };
-        const auto is_straight = [&](const EdgeUse& use) {
-            const Chain& chain = chains_.all()[use.edge];
-            return !chain.has_failed && std::holds_alternative<Line>(chain.curve);
-        };
-        const auto at = [&](std::uint32_t vertex) { return chains_.vertices()[vertex].at; };
-        const std::size_t size = all[g][l].size();
-        for (std::size_t i = 0; i < size && size > 1; ++i) {
-            const std::size_t next = (i + 1) % size;
-            const EdgeUse there = all[g][l][i], back = all[g][l][next];
-            if (there.edge == back.edge || !is_straight(there) || !is_straight(back)) continue;
-            const std::uint32_t start = begin_of(there), far = end_of(there), end = end_of(back);
-            if (same.find(far) != same.find(begin_of(back))) continue;
-            const std::uint32_t one = beyond(there), two = beyond(back);
-            if (one == g || two == g || groups_.is_facet(one) || groups_.is_facet(two)) continue;
-            const bool is_whole = cda::norm(at(start) - at(end)) <= kSlit;
-            const bool is_longer = !is_whole && lies_between(at(end), at(start), at(far));
-            const bool is_shorter = !is_whole && lies_between(at(start), at(far), at(end));
-            if (!is_whole && !is_longer && !is_shorter) continue;
-            // What is left of the longer one stays in the loop; the other one, which is the slit,
-            // is between what is beyond both.
-            const EdgeUse slit = is_longer ? back : there, longer = is_longer ? there : back;
-            if (is_whole) same.unite(start, end);
-            if (!is_whole && !divide(all[is_longer ? one : two], longer, slit, is_longer)) continue;
-            if (is_longer) end_of(there) = end;
-            if (is_shorter) begin_of(back) = start;
-            if (is_whole) {
-                if (one == two) {
-                    take_out(all[one], there.edge, back.edge);
-                } else {
-                    beyond({there.edge, !there.is_forward}) = two;
-                    for (Loop& other : all[two]) {
-                        for (EdgeUse& use : other) {
-                            if (use.edge == back.edge) use = there;
-                        }
-                    }
-                }
-            } else if (one == two) {
-                take_out(all[one], slit.edge, slit.edge);
-            } else {
-                beyond({slit.edge, !slit.is_forward}) = is_longer ? one : two;
-            }
-            Loop left;
-            for (std::size_t k = 0; k < size; ++k) {
-                const EdgeUse& use = all[g][l][k];
-                const bool stays = !is_whole && use.edge == longer.edge;
-                if ((k != i && k != next) || stays) left.push_back(use);
-            }
-            all[g][l] = std::move(left);
-            return true;
-        }
-        return false;
-    }
-
-    static bool lies_between(Vec3 p, Vec3 from, Vec3 to) {
-        const Vec3 along = to - from;
-        const double t = dot(p - from, along) / dot(along, along);
-        return t > 0.0 && t < 1.0 && cda::norm(p - from - t * along) <= kSlit;
-    }
-
-    // Of the face beyond the longer one: it runs along that, and along the slit, one after the
-    // other.
-    static bool divide(std::vector<Loop>& loops, const EdgeUse& longer, const EdgeUse& slit,
-                       bool is_there) {
-        for (Loop& loop : loops) {
-            const auto at = std::ranges::find(loop, longer.edge, &EdgeUse::edge);
-            if (at == loop.end()) continue;
-            // Against the longer one, so along the slit.
-            loop.insert(is_there ? at : at + 1, slit);
-            return true;
-        }
-        return false;
-    }
-
-    // Of the loops of a face two edges that have become one, or one that it has twice: with the
-    // face on both sides.
-    static void take_out(std::vector<Loop>& loops, std::uint32_t one, std::uint32_t two) {
-        std::vector<std::pair<std::size_t, std::size_t>> uses;
-        for (std::size_t l = 0; l < loops.size(); ++l) {
-            for (std::size_t i = 0; i < loops[l].size(); ++i) {
-                if (loops[l][i].edge == one || loops[l][i].edge == two) uses.emplace_back(l, i);
-            }
-        }
-        if (uses.size() != 2) return;
-        const auto place = [](Loop& loop, std::size_t i) {
-            return loop.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        Loop &first = loops[uses[0].first], &second = loops[uses[1].first];
-        std::ranges::rotate(first, place(first, uses[0].second));
-        if (&first == &second) {
-            const auto at = place(first, uses[1].second - uses[0].second);
-            Loop rest(at + 1, first.end());
-            first.erase(at, first.end());
-            first.erase(first.begin());
-            loops.push_back(std::move(rest));
-            return;
-        }
-        std::ranges::rotate(second, place(second, uses[1].second));
-        first.erase(first.begin());
-        first.insert(first.end(), second.begin() + 1, second.end());
-        second.clear();
     }
 
     // Of it and the facets beside it; zero if there are none.
