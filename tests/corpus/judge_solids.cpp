@@ -7,8 +7,9 @@
 // seconds of processor time that the cut took, and the solid with cuts made for it; and what
 // ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with N seconds
 // of processor time (60) and 4 GB, the judge with twice as many; cut as `ncsim run` does by
-// default, and as drafts, which guess tools, if that refuses them or --draft is told. Exit code 1
-// if a solid is not valid, or a program makes ncsim fail.
+// default, with what a draft would guess if it refuses them, as the message against them tells one
+// to; or as drafts, if --draft is told. Exit code 1 if a solid is not valid, or a program makes
+// ncsim fail.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/gcode/interpreter.h"
@@ -117,7 +118,7 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
         made.say(survey.is_flat() ? "it never tells Z" : simulation::reason_against(survey));
         return made;
     }
-    simulation::coarsen(plan, survey, true, true);
+    if (is_draft) simulation::coarsen(plan, survey, false, false);
     gcode::InterpreterOptions silent = plan.job.interpreter;
     silent.observe_frame = nullptr;
     gcode::interpret(plan.job.program, silent, [&](const gcode::Motion& motion) {
