@@ -50,10 +50,19 @@ std::optional<Spline> beside_circle(const Form& a, const Form& b, Vec3 from, Vec
     return spline;
 }
 
+// Is it in since the last trace?
+template <typename Key>
+bool is_new(const Key& key, std::set<Key>& all, std::set<Key>& now) {
+    if (all.insert(key).second) now.insert(key);
+    return now.contains(key);
+}
+
 }  // namespace
 
 void Chains::trace() {
     chains_.clear();
+    joined_now_.clear();
+    crossed_now_.clear();
     vertices_.clear();
     mitred_mm_ = 0.0;
     vertex_of_.assign(mesh_.corners(), kNone);
@@ -212,26 +221,66 @@ void Chains::solve() {
             is_rounded_off(chain))
             join_ends(chain);
     }
+    for (Vertex& v : vertices_)
+        v.at = laid(v, v.at);
     for (Chain& chain : chains_)
         solve_chain(chain);
+    if (failures_.empty()) join_vanished();
 }
 
-// In the one that is nearer to all that meets in either.
+// Where an edge between corners that are apart by rounding has vanished, all others end in one of
+// them.
+void Chains::join_vanished() {
+    std::set<std::uint32_t> moved;
+    for (const Chain& chain : chains_) {
+        if (!chain.has_vanished || chain.edges.empty() || chain.from == chain.to ||
+            norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint ||
+            !is_rounded_off(chain))
+            continue;
+        join_ends(chain);
+        moved.insert({chain.from, chain.to});
+    }
+    for (Chain& chain : chains_) {
+        if (!chain.has_vanished && (moved.contains(chain.from) || moved.contains(chain.to)))
+            solve_chain(chain);
+    }
+}
+
+// In the one that is nearer to all that meets in either, but for coils: what ends on these are
+// splines, which go to where they have to, and circles and lines do not. Not off the planes.
 void Chains::join_ends(const Chain& chain) {
     Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    std::vector<const Form*> forms;
+    for (const Vertex* v : {&from, &to}) {
+        for (const std::uint32_t g : v->groups)
+            forms.push_back(&groups_.form_of(g));
+    }
     const auto miss = [&](Vec3 p) {
         double most = 0.0;
-        for (const Vertex* v : {&from, &to}) {
-            for (const std::uint32_t g : v->groups)
-                most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
+        for (const Form* form : forms) {
+            if (!std::holds_alternative<Coil>(*form))
+                most = std::max(most, std::abs(distance(*form, p)));
         }
         return most;
     };
-    if (miss(to.at) < miss(from.at)) {
-        from.at = to.at;
-    } else {
-        to.at = from.at;
+    Vec3 at = miss(to.at) < miss(from.at) ? to.at : from.at;
+    for (const Form* form : forms) {
+        if (const auto* plane = std::get_if<Plane>(form))
+            at = at - distance(*plane, at) * plane->normal;
     }
+    from.at = to.at = laid(to, laid(from, at));
+}
+
+// On the planes that a corner is to lie in.
+Vec3 Chains::laid(const Vertex& v, Vec3 p) const {
+    if (v.edge == kNone) return p;
+    const std::uint32_t corner = mesh_.edges()[v.edge].from;
+    for (auto one = laid_.lower_bound({corner, 0}); one != laid_.end(); ++one) {
+        if (one->first != corner) break;
+        if (const auto* plane = std::get_if<Plane>(&mesh_.surface(one->second).form))
+            p = p - distance(*plane, p) * plane->normal;
+    }
+    return p;
 }
 
 bool Chains::is_of_turning_tools(const Vertex& v) const {
@@ -264,9 +313,28 @@ bool Chains::cross_at(std::uint32_t one, std::uint32_t other) {
         if (i != chains_[other].from && i != chains_[other].to) continue;
         if (!vertices_[i].is_touch || vertices_[i].edge == kNone) continue;
         const std::uint32_t corner = mesh_.edges()[vertices_[i].edge].from;
-        if (!crossed_.insert(corner).second) continue;
+        if (!is_new(corner, crossed_, crossed_now_)) continue;
         known_corners_[corner].clear();
         any = true;
+    }
+    return any;
+}
+
+bool Chains::lay_on_planes(std::uint32_t one, std::uint32_t other) {
+    std::set<std::uint32_t> around;
+    for (const std::uint32_t i : {one, other})
+        around.insert(vertices_[i].groups.begin(), vertices_[i].groups.end());
+    for (const Chain& chain : chains_) {
+        if (chain.is_closed && chain.from == one) around.insert({chain.left, chain.right});
+    }
+    bool any = false;
+    for (const std::uint32_t i : {one, other}) {
+        const Vertex& v = vertices_[i];
+        for (const std::uint32_t g : around) {
+            const auto* plane = std::get_if<Plane>(&groups_.form_of(g));
+            if (!plane || v.edge == kNone || std::abs(distance(*plane, v.at)) <= kPoint) continue;
+            any = laid_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
+        }
     }
     return any;
 }
@@ -278,7 +346,7 @@ bool Chains::join_corners(std::uint32_t group) {
             chain.is_flipped || chain.has_failed || chain.has_vanished || chain.from == chain.to ||
             !is_rounded_off(chain))
             continue;
-        any = joined_.insert(corners_of(chain)).second || any;
+        any = is_new(corners_of(chain), joined_, joined_now_) || any;
     }
     return any;
 }

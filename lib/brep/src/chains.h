@@ -71,6 +71,11 @@ public:
     /// now on, if they do so well beside it. True: there are more of such corners.
     bool cross_at(std::uint32_t one, std::uint32_t other);
 
+    /// Corners in one place, the first one of which may be where a whole circle begins, lie from
+    /// now on in each plane that either is in: edges that end beyond it by what programs round
+    /// would cross what goes along it beside the corner. True: some did not.
+    bool lay_on_planes(std::uint32_t one, std::uint32_t other);
+
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }
     /// For each group the loops around it, of uses of chains; those that have vanished left out.
@@ -147,6 +152,8 @@ private:
     double farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const;
     bool is_rounded_off(const Chain& chain) const;
     void join_ends(const Chain& chain);
+    void join_vanished();
+    Vec3 laid(const Vertex& v, Vec3 p) const;
     std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
     Vec3 middle_of(const Chain& chain) const;
@@ -184,8 +191,11 @@ private:
     };
     std::vector<std::vector<KnownCorner>> known_corners_;
     std::unordered_map<std::uint32_t, KnownSpline> known_splines_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> joined_;  // corners of the mesh
-    std::set<std::uint32_t> crossed_;                           // corners of the mesh
+    /// Corners of the mesh, and those of them that came in since the last trace: several faces may
+    /// fail in one.
+    std::set<std::pair<std::uint32_t, std::uint32_t>> joined_, joined_now_;
+    std::set<std::uint32_t> crossed_, crossed_now_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> laid_;  // corners of the mesh, surfaces
 };
 
 }  // namespace ncsim::brep

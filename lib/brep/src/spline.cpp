@@ -58,14 +58,22 @@ public:
         const Vec3 ahead = normalized(next - end);
         const Vec3 plain = direction(end, ahead);
         if (plain != Vec3{}) return plain;
-        // As near as they part there.
-        for (const double nearby : {0.02, 0.1, 0.4}) {  // mm
+        // As near as they part there; farther away, where what programs round bends the curve: the
+        // first one that the next one agrees with.
+        constexpr double kAgree = 0.01;  // radians, nearly
+        Vec3 along = ahead;
+        bool is_first = true;
+        for (const double nearby : {0.02, 0.1, 0.4, 1.6}) {  // mm
             Vec3 p = end + std::min(nearby, 0.5 * norm(next - end)) * ahead;
             solve(forms_, p, std::span(beside_).first(2));
             const Vec3 there = direction(p, ahead);
-            if (there != Vec3{}) return normalized(2.0 * normalized(p - end) - there);
+            if (there == Vec3{}) continue;
+            const Vec3 farther = normalized(2.0 * normalized(p - end) - there);
+            if (!is_first && norm(farther - along) < kAgree) break;
+            along = farther;
+            is_first = false;
         }
-        return ahead;
+        return along;
     }
 
     // The point of the curve in the plane across the direction, `step` ahead.
