@@ -20,8 +20,8 @@ using cda::normalized;
 using gcode::Position;
 using toolpath::Pose;
 
-// Lengths that are equal but for rounding, mm.
-constexpr double kEqual = 1e-9;
+// What is 1, or 0, but for rounding.
+constexpr double kUnit = 1e-9;
 // Programs round: an arc may end so much nearer to its centre than it starts.
 constexpr double kMostSpiral = 4e-3;
 
@@ -49,8 +49,8 @@ std::optional<Pose> frame_of(const toolpath::Poses& poses, Position p) {
     for (std::size_t i = 0; i < 3; ++i) {
         const int axis = static_cast<int>(i);
         X_WP.rows[i] = {columns[0][axis], columns[1][axis], columns[2][axis]};
-        if (std::abs(norm(columns[i]) - 1.0) > kEqual ||
-            std::abs(dot(columns[i], columns[(i + 1) % 3])) > kEqual)
+        if (std::abs(norm(columns[i]) - 1.0) > kUnit ||
+            std::abs(dot(columns[i], columns[(i + 1) % 3])) > kUnit)
             return std::nullopt;
     }
     return X_WP;
@@ -98,13 +98,13 @@ std::optional<ArcWay> way_of(const gcode::Arc& arc) {
     chord[third] = 0.0;
     // Along the chord: programs round both, and what is a micrometre higher where the way is level
     // is far to the side.
-    if (const double square = dot(chord, chord); square > kEqual) {
+    if (const double square = dot(chord, chord); square > kUnit) {
         const Vec3 middle = 0.5 * (from + to);
         way.fitted = way.centre - (dot(way.centre - middle, chord) / square) * chord;
     }
     way.fitted_radius =
         0.5 * (norm_across(from, way.fitted, third) + norm_across(to, way.fitted, third));
-    way.is_level = std::abs(from[third] - to[third]) <= kEqual;
+    way.is_level = std::abs(from[third] - to[third]) <= kUnit;
     const auto level = [&](Vec3 p) {
         Vec3 v = p - way.centre;
         v[third] = 0.0;
