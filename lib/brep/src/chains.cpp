@@ -320,21 +320,16 @@ bool Chains::cross_at(std::uint32_t one, std::uint32_t other) {
     return any;
 }
 
-bool Chains::lay_on_planes(std::uint32_t one, std::uint32_t other) {
-    std::set<std::uint32_t> around;
-    for (const std::uint32_t i : {one, other})
-        around.insert(vertices_[i].groups.begin(), vertices_[i].groups.end());
-    for (const Chain& chain : chains_) {
-        if (chain.is_closed && chain.from == one) around.insert({chain.left, chain.right});
-    }
+bool Chains::lay_on_circle(std::uint32_t of_circle, std::uint32_t vertex) {
+    const auto circle = std::ranges::find_if(
+        chains_, [&](const Chain& chain) { return chain.is_closed && chain.from == of_circle; });
+    const Vertex& v = vertices_[vertex];
+    if (circle == chains_.end() || v.edge == kNone) return false;
     bool any = false;
-    for (const std::uint32_t i : {one, other}) {
-        const Vertex& v = vertices_[i];
-        for (const std::uint32_t g : around) {
-            const auto* plane = std::get_if<Plane>(&groups_.form_of(g));
-            if (!plane || v.edge == kNone || std::abs(distance(*plane, v.at)) <= kPoint) continue;
-            any = laid_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
-        }
+    for (const std::uint32_t g : {circle->left, circle->right}) {
+        const auto* plane = std::get_if<Plane>(&groups_.form_of(g));
+        if (!plane || std::abs(distance(*plane, v.at)) <= kPoint) continue;
+        any = laid_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
     }
     return any;
 }

@@ -71,10 +71,9 @@ public:
     /// now on, if they do so well beside it. True: there are more of such corners.
     bool cross_at(std::uint32_t one, std::uint32_t other);
 
-    /// Corners in one place, the first one of which may be where a whole circle begins, lie from
-    /// now on in each plane that either is in: edges that end beyond it by what programs round
-    /// would cross what goes along it beside the corner. True: some did not.
-    bool lay_on_planes(std::uint32_t one, std::uint32_t other);
+    /// A corner in which a whole circle begins lies in the plane of that from now on: edges that
+    /// end beyond it by what programs round would cross it beside the corner. True: it did not.
+    bool lay_on_circle(std::uint32_t of_circle, std::uint32_t vertex);
 
     const std::vector<Chain>& all() const { return chains_; }
     const std::vector<Vertex>& vertices() const { return vertices_; }

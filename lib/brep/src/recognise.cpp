@@ -123,7 +123,7 @@ private:
             for (const Corners& corners : outlines.touching_corners(g, outlines[g], near_on(g))) {
                 part.vertices[corners.first] = part.vertices[corners.second];
                 outlines.unite(corners);
-                if (chains_.lay_on_planes(corners.first, corners.second)) has_joined_ = true;
+                if (chains_.lay_on_circle(corners.first, corners.second)) has_joined_ = true;
             }
         }
         outlines.join_touching_loops();
