@@ -63,6 +63,7 @@ bool all_shells_are_closed(const TopoDS_Shape& shape) {
 // What is drawn of it: how many faces have no triangles, and what volume is within those of all.
 struct Drawn {
     int without = 0;
+    int finer = 0;      // narrow ones, only by finer chords
     std::string where;  // one of these
     double volume = 0.0;
 };
@@ -86,7 +87,8 @@ bool is_narrow(const TopoDS_Shape& face) {
     GProp_GProps surface, edges;
     BRepGProp::SurfaceProperties(face, surface);
     BRepGProp::LinearProperties(face, edges);
-    return 2.0 * std::abs(surface.Mass()) < 2.0 * kDeflectionMm * edges.Mass();
+    const double width = 2.0 * std::abs(surface.Mass()) / edges.Mass();
+    return width < 2.0 * kDeflectionMm;
 }
 
 Handle(Poly_Triangulation) finer_mesh_of(const TopoDS_Shape& face) {
@@ -104,7 +106,10 @@ Drawn draw(const TopoDS_Shape& shape) {
     Drawn drawn;
     for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
         auto mesh = mesh_of(face.Current());
-        if (is_empty(mesh) && is_narrow(face.Current())) mesh = finer_mesh_of(face.Current());
+        if (is_empty(mesh) && is_narrow(face.Current())) {
+            mesh = finer_mesh_of(face.Current());
+            ++drawn.finer;
+        }
         if (is_empty(mesh)) {
             ++drawn.without;
             drawn.where = middle_of(face.Current());
@@ -167,8 +172,9 @@ bool check(const std::filesystem::path& path) {
     expect(
         std::abs(drawn.volume - properties.Mass()) <= slack + 2.0 * kDeflectionMm * surface.Mass(),
         "triangles around " + std::to_string(drawn.volume));
-    std::cout << path << ": " << solids << " solids, " << faces << " faces, " << properties.Mass()
-              << " mm³\n";
+    std::cout << path << ": " << solids << " solids, " << faces << " faces, ";
+    if (drawn.finer > 0) std::cout << drawn.finer << " of them by finer chords, ";
+    std::cout << properties.Mass() << " mm³\n";
     return good;
 }
 

@@ -49,7 +49,8 @@ inline constexpr double kBesideSpline = 2e-3;
 /// No rotary axis moves.
 bool is_still(const gcode::Position& from, const gcode::Position& to);
 /// Nothing where a rotary axis moves, U, V or W do not stand at 0, the linear axes are not at right
-/// angles as the rotary ones stand, or the radius changes by more than a fifth for each radian.
+/// angles as the rotary ones stand, or the radius changes by more than a fifth for each radian, or
+/// by more than what programs round in more than a turn.
 std::optional<ArcWay> way_of(const gcode::Arc& arc, const toolpath::Poses& poses);
 /// None in the same cases.
 std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses);
