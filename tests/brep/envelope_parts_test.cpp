@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parts with envelopes: as golden ones, their volumes by sums over squares where no paper has them.
+#include "ncsim/brep/curve.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/brep/swept.h"
 #include "ncsim/gcode/interpreter.h"
 #include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
 
 #include "brep/golden.h"
 
@@ -249,6 +251,54 @@ TEST(Recognise, KnowsTheGroovesOfBallsOnOtherArcs) {
         SCOPED_TRACE(moves);
         expect_at({0.05, 0.02, 0.0055}, golden, left);
     }
+}
+
+// A corner radius on an arc hardly wider than itself: its envelope folds, and edges of its face go
+// along the fold, where some of their points are in no place of it. What faces bound has the area
+// of their edges, seen from any side; so the volume is the same from wherever it is summed up.
+TEST(Envelope, AreasAreKnownWhereItFolds) {
+    simulation::Plan plan;
+    plan.job = setup::job_of(
+        {"fold.nc",
+         "(T4 D=12. CR=2. - bull nose end mill)\n(STOCK/BLOCK,60.,50.,15.,-30.,5.,15.)\n"
+         "G21 G90 G17 F300 S5000 M3\nT4 M6\nG0 X39.698 Y5.769 Z5\nG1 Z-6.016\n"
+         "G1 X56.396 Y5.769 Z-4.604\nG2 X50.695 Y11.470 Z-6.647 I-5.701 J0\n"
+         "G1 X51.163 Y30.374 Z-1.182\nG0 Z5\nM30\n"});
+    plan.keep_boundary = true;
+    const simulation::Survey survey = simulation::survey(plan);
+    simulation::Verification nothing;
+    nothing.keep_cuts = true;
+    const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
+    const Recognised solid = simulation::solid_of(plan, survey, milled, 1e-6);
+    ASSERT_EQ(solid.facets_kept, 0);
+    const Part& part = solid.part;
+    const auto three = [&](const Face& face, Vec3 apex) {
+        return 3.0 * measure(part, face, apex).volume;
+    };
+    int envelopes = 0;
+    for (const Face& face : part.faces) {
+        if (!std::holds_alternative<brep::Envelope>(face.surface.form)) continue;
+        ++envelopes;
+        Vec3 of_edges;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part.edges[use.edge];
+                const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+                constexpr int kSteps = 20'000;
+                for (int i = 0; i < kSteps; ++i) {
+                    const Vec3 from = track.at(double(i) / kSteps);
+                    const Vec3 to = track.at(double(i + 1) / kSteps);
+                    of_edges = of_edges + (use.is_forward ? 0.5 : -0.5) *
+                                              cda::cross(from - part.vertices[0], to - from);
+                }
+            }
+        }
+        const double here = three(face, {});
+        const Vec3 area{here - three(face, {1, 0, 0}), here - three(face, {0, 1, 0}),
+                        here - three(face, {0, 0, 1})};
+        EXPECT_LT(cda::norm(area - of_edges), 2e-3);
+    }
+    EXPECT_EQ(envelopes, 6);
 }
 
 // Each of 300 turns was two surfaces to try, for each facet: a line of 40 characters took a minute.

@@ -173,7 +173,8 @@ void advance(Aspect& aspect, double by, Vec3 p) {
 }
 
 // Newton's method, or downhill where it would go up; between times before and after the nearest
-// one, as soon as such are known.
+// one, as soon as such are known. Where points miss the edge of an envelope that folds there, no
+// time may be nearest: then it is the one at which this began.
 Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     constexpr int kMostSteps = 40;
     constexpr double kNoTime = 1e-14, kAnyTime = std::numeric_limits<double>::infinity();
@@ -183,21 +184,24 @@ Aspect nearest_from(const Sweep& sweep, double when, Vec3 p) {
     const double longest = 1.0 / static_cast<double>(sweep.samples().size() - 1);
     double before = -kAnyTime, after = kAnyTime;
     Aspect aspect = aspect_at(sweep, when, p);
-    for (int i = 0; i < kMostSteps; ++i) {
+    bool is_found = false;
+    for (int i = 0; i < kMostSteps && !is_found; ++i) {
         const double t = aspect.t;
         (aspect.rate > 0.0 ? after : before) = t;
         const double downhill = aspect.rate > 0.0 ? -longest : longest;
         const double step = aspect.bend > 0.0 ? -aspect.rate / aspect.bend : downhill;
         double next = t + std::clamp(step, -longest, longest);
-        if (!(std::abs(next - t) > kNoTime)) break;
+        if (!(std::abs(next - t) > kNoTime)) return aspect;
         const bool is_between = next > before && next < after;
         if (!is_between && before > -kAnyTime && after < kAnyTime) next = 0.5 * (before + after);
-        if (is_between && !sweep.is_rim() && std::abs(step) < kShort) {
+        is_found = is_between && !sweep.is_rim() && std::abs(step) < kShort;
+        if (is_found) {
             advance(aspect, step, p);
-            break;
+        } else {
+            aspect = aspect_at(sweep, next, p);
         }
-        aspect = aspect_at(sweep, next, p);
     }
+    if (!is_found) aspect = aspect_at(sweep, when, p);
     return aspect;
 }
 

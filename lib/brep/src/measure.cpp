@@ -39,19 +39,27 @@ void integrate_piece(const Track& track, double begin, double width,
 }
 
 // Splines have so many knots that what is between two of them is of degree 3 within some 1e-9.
-template <typename F>
-void integrate(const Track& track, const F& f, Exactness exactness = Exactness::Full) {
+template <typename Piece>
+void for_pieces(const Track& track, Exactness exactness, const Piece& piece) {
     const std::size_t pieces = track.pieces();
     for (std::size_t i = 0; i < pieces; ++i) {
         const double begin = track.start_of(i), width = track.start_of(i + 1) - begin;
         if (track.is_spline() && exactness == Exactness::Rough) {
-            integrate_piece(track, begin, width, kTwoAbscissae, kTwoWeights, f);
+            piece(begin, width, kTwoAbscissae, kTwoWeights);
         } else if (track.is_spline()) {
-            integrate_piece(track, begin, width, kFewAbscissae, kFewWeights, f);
+            piece(begin, width, kFewAbscissae, kFewWeights);
         } else {
-            integrate_piece(track, begin, width, kAbscissae, kWeights, f);
+            piece(begin, width, kAbscissae, kWeights);
         }
     }
+}
+
+template <typename F>
+void integrate(const Track& track, const F& f, Exactness exactness = Exactness::Full) {
+    for_pieces(track, exactness,
+               [&](double begin, double width, const auto& abscissae, const auto& weights) {
+                   integrate_piece(track, begin, width, abscissae, weights, f);
+               });
 }
 
 // Along a circle that lies level, what is integrated is of degree 3 in cosine and sine, at most,
@@ -233,25 +241,103 @@ double turns_about(const Part& part, const Face& face, const Axes& axes) {
 
 // --- What circles and tools pass ------------------------------------------------------------
 
-template <typename Form>
-auto place_beside(const Form& form, Vec3 p, Beside& beside) {
-    if constexpr (std::is_same_v<Form, Envelope>) {
-        return place_on(form, p, beside);
-    } else {
-        return place_on(form, p);
+// Along an edge of an envelope. Where that folds, times change along edges as roots do, and points
+// that miss it by rounding tell them but roughly: pieces are halved there, and what is left of the
+// time that one takes counts for all of it evenly.
+class OverTimes {
+public:
+    OverTimes(const Track& track, const Envelope& envelope) : track_(track), envelope_(envelope) {}
+
+    // `take`: how much length, how much time, backwards, and the place.
+    template <typename Take>
+    void operator()(Exactness exactness, const Take& take) {
+        for_pieces(track_, exactness,
+                   [&](double begin, double width, const auto& abscissae, const auto& weights) {
+                       const auto all = steps(begin, width, abscissae, weights);
+                       const double left = exactness == Exactness::Full || is_at_fold(all)
+                                               ? left_of(all, begin, width)
+                                               : 0.0;
+                       take_all(all, left, begin, width, kMostHalves, take);
+                   });
     }
-}
+
+private:
+    struct Step {
+        double length, time;
+        Aspect place;
+    };
+
+    template <std::size_t N>
+    std::array<Step, 2 * N> steps(double begin, double width,
+                                  const std::array<double, N>& abscissae,
+                                  const std::array<double, N>& weights) {
+        std::array<Step, 2 * N> all;
+        std::size_t i = 0;
+        integrate_piece(track_, begin, width, abscissae, weights,
+                        [&](double weight, Vec3 at, Vec3 derivative) {
+                            const Aspect place = place_on(envelope_, at, beside_);
+                            all[i++] = {weight * norm(derivative),
+                                        weight * OnEnvelope::turn(place, derivative), place};
+                        });
+        return all;
+    }
+
+    // The nearer to it, the less the distance from the tool bends with time.
+    template <std::size_t N>
+    static bool is_at_fold(const std::array<Step, N>& all) {
+        constexpr double kEven = 0.25;
+        const auto [least, most] =
+            std::ranges::minmax(all, {}, [](const Step& step) { return step.place.bend; });
+        return least.place.bend < kEven * most.place.bend;
+    }
+
+    template <std::size_t N>
+    double left_of(const std::array<Step, N>& all, double begin, double width) {
+        double left = time_at(begin) - time_at(begin + width);
+        for (const Step& step : all)
+            left -= step.time;
+        return left;
+    }
+
+    template <std::size_t N, typename Take>
+    void take_all(const std::array<Step, N>& all, double left, double begin, double width,
+                  int halves, const Take& take) {
+        constexpr double kNearly = 1e-7;
+        if (halves > 0 && !(std::abs(left) <= kNearly)) {
+            const double half = 0.5 * width;
+            for (const double start : {begin, begin + half}) {
+                const auto finer = steps(start, half, kAbscissae, kWeights);
+                take_all(finer, left_of(finer, start, half), start, half, halves - 1, take);
+            }
+            return;
+        }
+        for (const Step& step : all)
+            take(step.length, step.time + left / static_cast<double>(N), step.place);
+    }
+
+    double time_at(double t) { return place_on(envelope_, track_.at(t), beside_).t; }
+
+    static constexpr int kMostHalves = 12;
+    const Track& track_;
+    const Envelope& envelope_;
+    Beside beside_;
+};
 
 template <typename Form, typename On, typename Take>
 void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
                Exactness exactness, const Take& take) {
     for_edges(part, face, [&](const Track& track, double sign) {
-        Beside beside;
-        const auto take_point = [&](double weight, Vec3 at, Vec3 derivative) {
-            const auto place = place_beside(form, at, beside);
-            take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
-        };
-        integrate(track, take_point, exactness);
+        if constexpr (std::is_same_v<Form, Envelope>) {
+            OverTimes over_times(track, form);
+            over_times(exactness, [&](double length, double time, const Aspect& place) {
+                take(length, sign * time, place);
+            });
+        } else {
+            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+                const auto place = place_on(form, at);
+                take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
+            });
+        }
     });
 }
 
