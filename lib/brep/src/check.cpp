@@ -347,17 +347,23 @@ std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
 }
 
 // Does the chord come so near to the apex of a cone, off the cone by more than programs round, that
-// nobody can tell on which side of it the edge goes?
+// nobody can tell on which side of it the edge goes? Or does it go past the axis?
 bool passes_beside_apex(const Form& form, Vec3 from, Vec3 to) {
     const auto* cone = std::get_if<Cone>(&form);
     if (!cone) return false;
     constexpr double kBeside = 4.0;
-    const Vec3 chord = to - from;
-    const double length = dot(chord, chord);
-    const double t = length > 0.0 ? dot(cone->apex - from, chord) / length : 0.0;
-    const Vec3 nearest = from + std::clamp(t, 0.0, 1.0) * chord;
-    const double off = std::abs(distance(form, nearest));
-    return off > kTouchMm && norm(nearest - cone->apex) < kBeside * off;
+    const auto nearest_to = [&](Vec3 v, Vec3 chord) {
+        const double length = dot(chord, chord);
+        const double t = length > 0.0 ? -dot(v, chord) / length : 0.0;
+        return from + std::clamp(t, 0.0, 1.0) * (to - from);
+    };
+    const auto off = [&](Vec3 p) { return std::abs(distance(form, p)); };
+    const auto level = [&](Vec3 v) { return v - dot(v, cone->axis) * cone->axis; };
+    const Vec3 begin = from - cone->apex, end = to - cone->apex;
+    const Vec3 nearest = nearest_to(begin, to - from);
+    if (off(nearest) > kTouchMm && norm(nearest - cone->apex) < kBeside * off(nearest)) return true;
+    const bool goes_past = dot(level(begin), level(end)) < 0.0;
+    return goes_past && off(nearest_to(level(begin), level(to - from))) > kTouchMm;
 }
 
 // How often the loops of a face go round, all of them together, about an axis through `origin` that
