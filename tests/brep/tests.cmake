@@ -79,10 +79,13 @@ ncsim_judge_parts(tilted_facets --faceted
 # 8000028 a wall that a nearly parallel pipe cuts in an ellipse of some metres, likewise;
 # 1000019 a helix that stops, whose floor went on in the half of its circle that it does not leave, likewise;
 # 1100031 a wall where a helix stops that became part of its floor: its volume was told wrongly;
-# 1100082 a facet beside a floor as narrow as readers see, of which nothing was drawn once.
+# 1100082 a facet beside a floor as narrow as readers see, of which nothing was drawn once;
+# 101075 a cone whose edges went past its axis beside facets, which was cut in two there;
+# 8000175 a wall's upright edges one above the other, but for rounding, which was not closed.
 ncsim_judge_parts(parts_that_were_faulty
   --seeds 60438 60794 60158 40087 60607 20146 70560 70629 70744 70967 80079 80669 80857 80946
-  90603 100387 1000019 1100031 1100082 8000028)
+  90603 100387 1000019 1100031 1100082 8000028 101075
+  8000175)
 
 # All grooves of a sample are of a ball that turns and cuts with its side; its volume, within what
 # edges miss.

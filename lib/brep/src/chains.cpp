@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -221,11 +223,60 @@ void Chains::solve() {
             is_rounded_off(chain))
             join_ends(chain);
     }
+    put_on_generators();
     for (Vertex& v : vertices_)
         v.at = laid(v, v.at);
     for (Chain& chain : chains_)
         solve_chain(chain);
     if (failures_.empty()) join_vanished();
+}
+
+// Where walls touch but for rounding, corners above each other are beside each other by as much:
+// readers find wires open there. All that hang together by such edges are on the line through the
+// one that misses what is around it least, if they miss that no more than others may.
+void Chains::put_on_generators() {
+    std::vector<std::uint32_t> above(vertices_.size());
+    std::iota(above.begin(), above.end(), 0U);
+    const auto root = [&](std::uint32_t v) {
+        while (above[v] != v)
+            v = above[v] = above[above[v]];
+        return v;
+    };
+    std::map<std::uint32_t, Vec3> axes;  // of roots
+    for (const Chain& chain : chains_) {
+        if (chain.has_vanished || chain.is_closed || chain.from == chain.to) continue;
+        const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+        const auto* wall = std::get_if<Cylinder>(&a);
+        if (!wall) wall = std::get_if<Cylinder>(&b);
+        if (!wall || groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) continue;
+        const Vec3 along = vertices_[chain.to].at - vertices_[chain.from].at;
+        const double beside = norm(cross(along, wall->axis));
+        if (beside <= kPoint || beside > kMostRounded ||
+            std::abs(dot(along, wall->axis)) <= beside || !touch(a, b))
+            continue;
+        const std::uint32_t one = root(chain.from), other = root(chain.to);
+        above[std::max(one, other)] = std::min(one, other);
+        axes[std::min(one, other)] = wall->axis;
+    }
+    if (axes.empty()) return;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> all;
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+        all[root(v)].push_back(v);
+    for (const auto& [first, axis] : axes) {
+        if (root(first) != first) continue;
+        const auto& lined = all[first];
+        const Vec3 base = vertices_[*std::ranges::min_element(lined, {}, [&](std::uint32_t v) {
+                              return vertices_[v].miss;
+                          })].at;
+        for (const std::uint32_t i : lined) {
+            Vertex& v = vertices_[i];
+            const Vec3 p = base + dot(v.at - base, axis) * axis;
+            std::vector<std::uint32_t> surfaces;
+            for (const std::uint32_t g : v.groups)
+                surfaces.push_back(groups_[g].surface);
+            if (farthest(surfaces, p) <= kTouchMm) v.at = p;
+        }
+    }
 }
 
 // Where an edge between corners that are apart by rounding has vanished, all others end in one of

@@ -152,6 +152,7 @@ private:
     bool is_rounded_off(const Chain& chain) const;
     void join_ends(const Chain& chain);
     void join_vanished();
+    void put_on_generators();
     Vec3 laid(const Vertex& v, Vec3 p) const;
     std::pair<std::uint32_t, std::uint32_t> corners_of(const Chain& chain) const;
     std::vector<Vec3> points_of(const Chain& chain) const;
