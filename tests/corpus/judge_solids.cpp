@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--only TEXT] [--draft]:
+// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--solid-seconds N]
+// [--only TEXT] [--draft]:
 // what the solids for CAD come to, of a program, or of every program of a folder that leaves one. A
 // line each: whether all its feed moves are lines along Z, level lines and level arcs ("simple");
 // faces and bytes of the STEP of facets and of that of true surfaces; facets that were kept;
 // seconds of processor time that the cut took, and the solid with cuts made for it; and what
-// ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with N seconds
-// of processor time (60) and 4 GB, the judge with twice as many; cut as `ncsim run` does by
+// ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with 4 GB and
+// --seconds of processor time (60) until it is cut, and twice as many, or --solid-seconds, for the
+// solid, the judge with as many; cut as `ncsim run` does by
 // default, with what a draft would guess if it refuses them, as the message against them tells one
 // to; or as drafts, if --draft is told. Exit code 1 if a solid is not valid, or a program makes
 // ncsim fail.
@@ -64,6 +66,14 @@ struct Made {
         why[length] = '\0';
         std::ranges::replace(why, '\n', ' ');
     }
+};
+
+struct Options {
+    std::filesystem::path path;
+    std::string judge, only;
+    std::uintmax_t largest = ~std::uintmax_t{0};
+    unsigned seconds = 60, solid_seconds = 0;
+    bool is_draft = false;
 };
 
 bool is_turned(const gcode::Position& p) {
@@ -168,25 +178,26 @@ Made make(const std::string& path, const std::filesystem::path& step, bool is_dr
     return made;
 }
 
-void limit(int what, rlim_t most) {
-    const rlimit limits{most, most};
+void limit(int what, rlim_t now, rlim_t later) {
+    const rlimit limits{now, later};
     ::setrlimit(what, &limits);
 }
 
-void limit_all(unsigned seconds) {
-    limit(RLIMIT_CPU, seconds);
-    limit(RLIMIT_AS, rlim_t{4'000'000'000});
-    limit(RLIMIT_CORE, 0);
+// Of processor time as many seconds now, and as many later.
+void limit_all(unsigned now, unsigned later) {
+    constexpr rlim_t kMemory = 4'000'000'000;
+    limit(RLIMIT_CPU, now, later);
+    limit(RLIMIT_AS, kMemory, kMemory);
+    limit(RLIMIT_CORE, 0, 0);
 }
 
-// The limit of processor time is the hard one, too: either signal.
+// Where both limits of processor time are equal, either signal.
 bool took_too_long(int status) {
     return WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
 }
 
 // In a process of its own.
-Made make_apart(const std::string& path, const std::filesystem::path& step, unsigned seconds,
-                bool is_draft) {
+Made make_apart(const std::string& path, const std::filesystem::path& step, const Options& o) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
     std::fflush(stdout);
@@ -194,13 +205,18 @@ Made make_apart(const std::string& path, const std::filesystem::path& step, unsi
     if (child < 0) throw std::runtime_error("no process");
     if (child == 0) {
         ::close(ends[0]);
-        limit_all(seconds);
+        const unsigned in_all = o.seconds + o.solid_seconds;
+        limit_all(o.seconds, in_all);
         const auto tell = [&](const Made& made) {
             return ::write(ends[1], &made, sizeof made) == static_cast<ssize_t>(sizeof made);
         };
+        const auto has_cut = [&](const Made& made) {
+            limit(RLIMIT_CPU, in_all, in_all);
+            tell(made);
+        };
         Made made;
         try {
-            made = make(path, step, is_draft, tell);
+            made = make(path, step, o.is_draft, has_cut);
         } catch (const std::exception& e) {
             made = {};
             made.say(e.what());
@@ -234,7 +250,7 @@ std::string judged(const std::string& judge, const std::filesystem::path& step, 
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("no process");
     if (child == 0) {
-        limit_all(2 * seconds);
+        limit_all(seconds, seconds);
         const int to = ::open(said.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
         ::dup2(to, STDERR_FILENO);
         const int nowhere = ::open("/dev/null", O_WRONLY);
@@ -280,14 +296,6 @@ std::uint64_t median_of(const std::vector<Made>& all, const Of& of) {
     return values[values.size() / 2];
 }
 
-struct Options {
-    std::filesystem::path path;
-    std::string judge, only;
-    std::uintmax_t largest = ~std::uintmax_t{0};
-    unsigned seconds = 60;
-    bool is_draft = false;
-};
-
 // Of each a line, then the sums. Is nothing wrong?
 bool judge_all(const Options& o, const std::filesystem::path& folder) {
     const std::filesystem::path step = folder / "part.step";
@@ -300,7 +308,7 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
         std::error_code error;
         const std::uintmax_t size = std::filesystem::file_size(entry.path, error);
         if (error || size > o.largest || entry.name.find(o.only) == std::string::npos) continue;
-        const Made made = make_apart(entry.path.string(), step, o.seconds, o.is_draft);
+        const Made made = make_apart(entry.path.string(), step, o);
         if (made.outcome == Outcome::Nothing) continue;
         if (made.outcome != Outcome::Solid) {
             const bool is_slow = made.outcome == Outcome::TooSlow;
@@ -320,7 +328,7 @@ bool judge_all(const Options& o, const std::filesystem::path& folder) {
         const char* verdict = "-";
         if (!o.judge.empty()) {
             bool has_judged = false;
-            fault = judged(o.judge, step, o.seconds, has_judged);
+            fault = judged(o.judge, step, o.solid_seconds, has_judged);
             verdict = !has_judged ? "not judged" : fault.empty() ? "valid" : "INVALID";
             ++(!has_judged ? not_judged : fault.empty() ? valid : invalid);
         }
@@ -365,6 +373,8 @@ int main(int argc, char** argv) {
             o.largest = std::strtoull(argv[++i], nullptr, 10);
         } else if (word == "--seconds" && has_value) {
             o.seconds = static_cast<unsigned>(std::strtoul(argv[++i], nullptr, 10));
+        } else if (word == "--solid-seconds" && has_value) {
+            o.solid_seconds = static_cast<unsigned>(std::strtoul(argv[++i], nullptr, 10));
         } else if (word == "--only" && has_value) {
             o.only = argv[++i];
         } else if (word == "--draft") {
@@ -379,9 +389,10 @@ int main(int argc, char** argv) {
     if (o.path.empty() || o.seconds == 0) {
         std::fprintf(stderr,
                      "usage: judge_solids PATH [--judge READ_STEP] [--largest BYTES] "
-                     "[--seconds N] [--only TEXT] [--draft]\n");
+                     "[--seconds N] [--solid-seconds N] [--only TEXT] [--draft]\n");
         return 2;
     }
+    if (o.solid_seconds == 0) o.solid_seconds = 2 * o.seconds;
     std::string folder = (std::filesystem::temp_directory_path() / "judge_solids.XXXXXX").string();
     if (::mkdtemp(folder.data()) == nullptr) {
         std::fprintf(stderr, "judge_solids: no folder for files\n");
