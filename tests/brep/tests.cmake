@@ -100,21 +100,24 @@ set_tests_properties(brep.five_axis_is_read_by_opencascade PROPERTIES
   FIXTURES_REQUIRED brep_five_axis)
 
 # Programs whose solids OpenCASCADE once found a fault in, or would if they were written another way;
-# each with its volume, and by how much edges miss: loops that come twice to a point of a wall, exact
-# and rounded at several angles (from a groove or into it), where coils miss their corner; floors that
-# touch in a point; arcs that start beside their wall and end in a corner. No other cut helps.
+# each with its volume, by how much edges miss, and options: loops that come twice to a point of a wall,
+# exact and rounded at several angles (from a groove or into it), where coils miss their corner; floors that
+# touch in a point; arcs that start beside their wall and end in a corner; short moves of a V-cutter.
+# No other cut helps.
 set(judged ${CMAKE_CURRENT_BINARY_DIR}/brep/judged)
 foreach(expected IN ITEMS "helices 98659.142038 1e-5"
     "helix-rounded 98729.809257 4e-4" "helix-10 98729.852563 4e-4" "helix-99 98729.810078 1e-4"
     "helix-156 98729.832264 6e-4" "helix-174 98729.801579 2e-4"
     "helix-into-171 98672.657675 7e-5" "helix-into-329 98672.691410 2e-4"
-    "helices-47 98659.170838 1.5e-3" "ramps 46569.203553 1e-9" "corner 429.924251 1e-6")
+    "helices-47 98659.170838 1.5e-3" "ramps 46569.203553 1e-9" "corner 429.924251 1e-6"
+    "engraved 119705.512126 1e-5 --tool-tolerance 0.0125"
+    "engraved-again 119916.525664 1e-8 --tool-tolerance 0.0125")
   separate_arguments(expected)
   list(POP_FRONT expected name volume miss)
   file(WRITE ${judged}/${name}.expect "solids 1\nvolume ${volume}\nmoved ${miss}\n")
   add_test(NAME brep.write_${name} COMMAND ncsim run
     ${CMAKE_CURRENT_SOURCE_DIR}/brep/judged/${name}.nc -q --step ${judged}/${name}.step --step-strict
-    --step-refine 0)
+    --step-refine 0 ${expected})
   set_tests_properties(brep.write_${name} PROPERTIES FIXTURES_SETUP brep_judged)
 endforeach()
 add_test(NAME brep.judged_programs_are_read_by_opencascade COMMAND ncsim_read_step ${judged})

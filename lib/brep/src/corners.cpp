@@ -15,6 +15,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace ncsim::brep {
@@ -76,6 +77,19 @@ void move_onto_way(const std::vector<const Form*>& forms, Vec3& p) {
         p = other;
         return;
     }
+}
+
+// Planes, no two of them parallel but for what programs round.
+bool are_askew(std::span<const Form* const> planes) {
+    constexpr double kLeastSine = 3e-3;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        for (std::size_t j = i + 1; j < planes.size(); ++j) {
+            const Vec3 one = std::get<Plane>(*planes[i]).normal;
+            if (norm(cda::cross(one, std::get<Plane>(*planes[j]).normal)) < kLeastSine)
+                return false;
+        }
+    }
+    return true;
 }
 
 // Of a point from the lines between these, mm.
@@ -185,7 +199,12 @@ bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& besid
     double off = norm(v.at - start);
     for (const std::vector<Vec3>& way : beside)
         off = std::min(off, distance_from(way, v.at));
-    const bool is_lost = !(v.miss <= kTouchMm) || off > reach(v.groups);
+    // Planes at small angles meet far away for little; not those that are parallel but for
+    // rounding.
+    constexpr double kFlatReach = 2.0;
+    const bool is_far = all_flat && are_askew(std::span(forms).first(count));
+    const bool is_lost =
+        !(v.miss <= kTouchMm) || off > (is_far ? kFlatReach : 1.0) * reach(v.groups);
     if (!is_lost) return true;
     // Planes that were made to meet within less than anybody sees.
     v.at = start;

@@ -158,7 +158,7 @@ private:
             // off.
             const double width = std::max(is_sickle(face) ? kTouchMm : kNoWidth, error_beside(g));
             has_gone[g] = groups_[g].is_analytic &&
-                          2.0 * std::abs(found.measure.area) < width * found.measure.length;
+                          2.0 * std::abs(found.measure.area) <= width * found.measure.length;
             if (has_gone[g]) vanish(g, true);
             volume_ += found.measure.volume;
             part.faces.push_back(std::move(face));

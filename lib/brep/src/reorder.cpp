@@ -406,9 +406,11 @@ bool Chains::flip_reversed() {
 }
 
 bool Chains::is_reversed(Chain& chain) const {
-    if (chain.is_closed || chain.is_flipped || chain.has_vanished) return false;
+    if (chain.is_closed || chain.has_vanished) return false;
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
     const Vec3 way = to.at - from.at;
+    // One beside it, which was flipped later, has changed its end.
+    if (chain.is_flipped) return dot(way, chain.way) < 0.0;
     if (from.has_failed || to.has_failed || norm(way) <= kPoint) return false;
     if (from.groups.size() == 3 && to.groups.size() == 3) {
         const auto third = [&](const Vertex& v) {
@@ -457,7 +459,8 @@ std::optional<Chains::Crossing> Chains::crossing_at(std::uint32_t number,
                                                     const ChainsAt& at) const {
     const Chain& chain = chains_[number];
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
-    if (chain.is_closed || chain.is_flipped || chain.from == chain.to) return std::nullopt;
+    const bool is_told = chain.is_flipped && chain.way == Vec3{};
+    if (chain.is_closed || is_told || chain.from == chain.to) return std::nullopt;
     if (from.groups.size() != 3 || to.groups.size() != 3) return std::nullopt;
     Crossing crossing{chain.left, chain.right};
     const auto third = [&](const Vertex& v) {
@@ -552,6 +555,7 @@ bool Chains::flip(std::uint32_t number, ChainsAt& at, int most) {
     chain.left = crossing->ahead;
     chain.right = crossing->behind;
     chain.is_flipped = true;
+    chain.way = is_whole ? to.at - from.at : Vec3{};
     if (is_whole) return true;
     // What touches goes on touching.
     for (const std::uint32_t e : std::array(at[nowhere])) {
