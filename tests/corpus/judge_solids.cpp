@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--solid-seconds N]
-// [--only TEXT] [--draft]:
-// what the solids for CAD come to, of a program, or of every program of a folder that leaves one. A
-// line each: whether all its feed moves are lines along Z, level lines and level arcs ("simple");
-// faces and bytes of the STEP of facets and of that of true surfaces; facets that were kept;
-// seconds of processor time that the cut took, and the solid with cuts made for it; and what
-// ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with 4 GB and
-// --seconds of processor time (60) until it is cut, and twice as many, or --solid-seconds, for the
-// solid, the judge with as many; cut as `ncsim run` does by
-// default, with what a draft would guess if it refuses them, as the message against them tells one
-// to; or as drafts, if --draft is told. Exit code 1 if a solid is not valid, or a program makes
-// ncsim fail.
+// judge_solids PATH [--judge READ_STEP] [--largest BYTES] [--seconds N] [--solid-seconds N] [--only
+// TEXT] [--draft]: what the solids for CAD come to, of a program, or of every program of a folder
+// that leaves one. A line each: whether all its feed moves are lines along Z, level lines and level
+// arcs ("simple"); faces and bytes of the STEP of facets and of that of true surfaces; facets that
+// were kept; seconds of processor time that the cut took, and the solid with cuts made for it; and
+// what ncsim_read_step, OpenCASCADE, says of it. Then sums. Each in a process of its own with 4 GB
+// and --seconds of processor time (60) until it is cut, and twice as many, or --solid-seconds, for
+// the solid, the judge with as many; cut as `ncsim run` does by default, with what a draft would
+// guess if it refuses them, as the message against them tells one to; or as drafts, if --draft is
+// told. Exit code 1 if a solid is not valid, or a program makes ncsim fail.
 #include "ncsim/brep/measure.h"
 #include "ncsim/export/step.h"
 #include "ncsim/gcode/interpreter.h"

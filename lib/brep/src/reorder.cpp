@@ -459,8 +459,8 @@ std::optional<Chains::Crossing> Chains::crossing_at(std::uint32_t number,
                                                     const ChainsAt& at) const {
     const Chain& chain = chains_[number];
     const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
-    const bool is_told = chain.is_flipped && chain.way == Vec3{};
-    if (chain.is_closed || is_told || chain.from == chain.to) return std::nullopt;
+    const bool is_for_good = chain.is_flipped && chain.way == Vec3{};
+    if (chain.is_closed || is_for_good || chain.from == chain.to) return std::nullopt;
     if (from.groups.size() != 3 || to.groups.size() != 3) return std::nullopt;
     Crossing crossing{chain.left, chain.right};
     const auto third = [&](const Vertex& v) {
