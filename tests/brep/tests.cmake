@@ -81,11 +81,12 @@ ncsim_judge_parts(tilted_facets --faceted
 # 1100031 a wall where a helix stops that became part of its floor: its volume was told wrongly;
 # 1100082 a facet beside a floor as narrow as readers see, of which nothing was drawn once;
 # 101075 a cone whose edges went past its axis beside facets, which was cut in two there;
-# 8000175 a wall's upright edges one above the other, but for rounding, which was not closed.
+# 8000175 a wall's upright edges one above the other, but for rounding, which was not closed;
+# 3002005 a line and an ellipse that touch in a corner of two loops, of which nothing was drawn.
 ncsim_judge_parts(parts_that_were_faulty
   --seeds 60438 60794 60158 40087 60607 20146 70560 70629 70744 70967 80079 80669 80857 80946
   90603 100387 1000019 1100031 1100082 8000028 101075
-  8000175)
+  8000175 3002005)
 
 # All grooves of a sample are of a ball that turns and cuts with its side; its volume, within what
 # edges miss.

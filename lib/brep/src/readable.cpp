@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -93,7 +96,64 @@ bool halve_once(Part& part) {
     return any;
 }
 
+// Where an edge leaves a corner of a plane, or arrives there.
+struct End {
+    std::size_t loop = 0;
+    std::uint32_t edge = 0;
+    Vec3 tangent;  // unit, either way
+};
+
+// Those of the lines and ellipses around a plane, of each corner.
+std::map<std::uint32_t, std::vector<End>> ends_at_corners(const Part& part, const Face& face) {
+    std::map<std::uint32_t, std::vector<End>> ends;
+    for (std::size_t l = 0; l < face.loops.size(); ++l) {
+        for (const EdgeUse& use : face.loops[l]) {
+            const Edge& edge = part.edges[use.edge];
+            if (!std::holds_alternative<Line>(edge.curve) &&
+                !std::holds_alternative<Ellipse>(edge.curve))
+                continue;
+            const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            const auto add = [&](std::uint32_t v, double t) {
+                ends[v].push_back({l, use.edge, cda::normalized(track.derivative(t))});
+            };
+            add(edge.from, 0.0);
+            add(edge.to, 1.0);
+        }
+    }
+    return ends;
+}
+
+// The ellipses of a plane that touch a straight edge of another loop of it in a corner of both.
+void find_touching_ellipses(const Part& part, const Face& face, std::set<std::uint32_t>& found) {
+    constexpr double kAlong = 1e-6;  // sine
+    for (const auto& [v, ends] : ends_at_corners(part, face)) {
+        for (const End& round : ends) {
+            if (!std::holds_alternative<Ellipse>(part.edges[round.edge].curve)) continue;
+            const bool touches = std::ranges::any_of(ends, [&](const End& straight) {
+                return straight.loop != round.loop &&
+                       std::holds_alternative<Line>(part.edges[straight.edge].curve) &&
+                       cda::norm(cda::cross(straight.tangent, round.tangent)) < kAlong;
+            });
+            if (touches) found.insert(round.edge);
+        }
+    }
+}
+
 }  // namespace
+
+void draw_in_ellipses(Part& part) {
+    constexpr double kGap = 1e-9;  // mm
+    std::set<std::uint32_t> touching;
+    for (const Face& face : part.faces) {
+        if (std::holds_alternative<Plane>(face.surface.form) && face.loops.size() > 1)
+            find_touching_ellipses(part, face, touching);
+    }
+    for (const std::uint32_t e : touching) {
+        auto& ellipse = std::get<Ellipse>(part.edges[e].curve);
+        ellipse.major_radius -= kGap;
+        ellipse.minor_radius -= kGap;
+    }
+}
 
 void halve_wide_edges(Part& part) {
     while (halve_once(part)) {

@@ -14,4 +14,10 @@ namespace ncsim::brep {
 /// than a quarter around it.
 void halve_wide_edges(Part& part);
 
+/// Ellipses of planes that end in a corner of another loop on a straight edge along them become
+/// smaller by 1e-9 mm. Where a line and an ellipse touch, readers find two places in which they
+/// cross, by rounding, and divide both edges there; of pieces that lie on each other they draw
+/// nothing.
+void draw_in_ellipses(Part& part);
+
 }  // namespace ncsim::brep

@@ -503,6 +503,7 @@ Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& 
     halve_wide_edges(result.part);
     part_at_horns(result.part);
     divide_arcs_beside_corners(result.part);
+    draw_in_ellipses(result.part);
     std::set<cda::Origin> of_facets;
     for (const Face& face : result.part.faces) {
         if (!face.is_facet) continue;
