@@ -233,6 +233,30 @@ TEST(Check, ComparesThePartWithItsDesign) {
     }
 }
 
+// Where a circle and a slot touch, the wall between them ends in a sharp edge, from whose sides the
+// polygon around the tool takes 0.05 mm, and from its end 0.7 mm.
+TEST(Check, SharpEdgesThatGoBackByTheErrorOfTheToolAreNotCertain) {
+    Folder folder;
+    const auto program = [](const std::string& last) {
+        return "(T1 D=10. - flat end mill)\n(STOCK/BLOCK,100.,70.,10.,0.,0.,10.)\n"
+               "G21 G90 G17 G54 G94\nT1 M6 S5000 M3\nG0 X50. Y35. Z5.\nG1 Z-4. F500.\n"
+               "G3 X50. Y35. I12.5 J0\nG0 Z5.\nG0 X85. Y-10.\nG1 Z-4.\nG1 Y80.\n" +
+               last + "G0 Z5.\nM30\n";
+    };
+    folder.write("part.nc", program(""));
+    folder.write("wider.nc", program("G1 X84.8\nG1 Y-10.\n"));
+    ASSERT_EQ(folder.run({"run", "part.nc", "-q", "--tool-tolerance", "0.001", "--stl", "part.stl"})
+                  .exit_code,
+              0);
+    const Ran ran = folder.run({"check", "part.nc", "--design", "part.stl", "-q"});
+    EXPECT_EQ(ran.exit_code, 4) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "warning: the part is cut into the design, around here by lines"))
+        << ran.out;
+    EXPECT_TRUE(contains(ran.out, "not certain: within the accuracy of the tool [gouge]"))
+        << ran.out;
+    EXPECT_EQ(folder.run({"check", "wider.nc", "--design", "part.stl", "-q"}).exit_code, 1);
+}
+
 // A straight way in short moves, between whose ends the design has a bridge: the lines are those
 // that went through it, although a plain run tells of several of them together.
 TEST(Check, NamesTheLinesOfAStraightWayThatCutIntoTheDesign) {

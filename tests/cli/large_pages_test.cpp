@@ -10,16 +10,18 @@
 namespace ncsim::cli_test {
 namespace {
 
-// What GLIBC_TUNABLES is in a run that waits for its job.
+// What GLIBC_TUNABLES is in a run that waits for its job. Before it is this program, the process is
+// the shell, which has the job open, too.
 std::string tunables(const Folder& folder, const std::string& program, const char* before = "") {
     return folder
-        .shell(std::string(before) + R"(
+        .shell(std::string(before) + R"sh(
             mkfifo job; exec 3<>job
-            "$0" run --job job )" +
-               program + R"( >/dev/null 2>&1 3>&- &
-            until readlink /proc/$!/fd/* | grep -q job; do sleep 0.01; done
+            "$0" run --job job )sh" +
+               program + R"sh( >/dev/null 2>&1 3>&- &
+            until [ "$(readlink /proc/$!/exe)" = "$(readlink -f "$0")" ] &&
+                readlink /proc/$!/fd/* | grep -q job; do sleep 0.01; done
             tr '\0' '\n' < /proc/$!/environ | grep GLIBC_TUNABLES
-            exec 3>&-; wait; rm job)")
+            exec 3>&-; wait; rm job)sh")
         .out;
 }
 

@@ -81,6 +81,25 @@ TEST(Design, WithAShallowerPocketShowsTheGougeAndWhoCutIt) {
     EXPECT_NEAR(c.deviation_mm, 0.1, 1e-9);
 }
 
+// What is missing of a wall is as deep as the wall is thick, half of it from either side; the wall
+// is 2 mm high.
+TEST(Design, TellsHowFarBelowItsSurfaceSomethingIsMissing) {
+    const cda::Cell left = box({-21, -12, -2}, {21, 0, 1}, 3),
+                    right = box({-21, 0.1, -2}, {21, 12, 1}, 4);
+    const auto part = block_less({box({-21, -12, -2}, {21, 12, 1}, 3)});
+    const auto design = block_less({left, right});
+    const auto c = compare(part.boundary(), mesh_of(design), kTolerance);
+    ASSERT_EQ(c.gouge.regions.size(), 1U);
+    EXPECT_NEAR(c.gouge.regions.front().depth_mm, 2.0, 0.05);
+    EXPECT_LE(c.gouge.regions.front().below_mm, 0.05 + 1e-9);
+    EXPECT_GE(c.gouge.regions.front().below_mm, 0.04);
+    const auto deep = block_less({box({-21, -12, -2.5}, {21, 12, 1}, 3)});
+    const auto shallow = block_less({box({-21, -12, -2}, {21, 12, 1}, 3)});
+    const auto flat = compare(deep.boundary(), mesh_of(shallow), kTolerance);
+    ASSERT_EQ(flat.gouge.regions.size(), 1U);
+    EXPECT_NEAR(flat.gouge.regions.front().below_mm, 0.5, 1e-9);
+}
+
 TEST(Design, WithinTheToleranceIsKept) {
     const auto part = block_less({kSlot});
     const auto design = block_less({box({-21, -5.03, -2.03}, {21, 4.97, 1})});

@@ -93,13 +93,25 @@ private:
     cda::TriangleTree tree_;
 };
 
+// How much more the tools of a region may have taken away than they would, mm.
+double gained_in(const DesignRegion& region, const Simulation& simulation) {
+    double error = 0.0;
+    for (const cda::Origin origin : region.origins) {
+        if (origin == cda::kStockOrigin) continue;
+        const auto cutter =
+            simulation.cutters.find(simulation.cuts.at(static_cast<std::size_t>(origin)).tool);
+        if (cutter != simulation.cutters.end()) error = std::max(error, cutter->second.error_mm);
+    }
+    return error + simulation.bounds.gained_mm;
+}
+
 Finding gouge(const DesignRegion& region, const Design& design, const Simulation& simulation) {
     Finding f = finding_for(region, simulation);
     f.rule = "gouge";
-    const auto cutter = simulation.cutters.find(f.tool);
-    const double off = (cutter == simulation.cutters.end() ? 0.0 : cutter->second.error_mm) +
-                       simulation.bounds.gained_mm;
-    const bool certain = region.depth_mm > design.tolerance_mm + design.deflection_mm + off;
+    const double off = design.deflection_mm + gained_in(region, simulation);
+    // A sharp edge goes back by many times of what was taken from its sides. They are cut into if
+    // what is missing lies deeper than the tools are off.
+    const bool certain = region.depth_mm > design.tolerance_mm + off && region.below_mm > off;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
     f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
     f.message = "the part is cut into the design";

@@ -102,8 +102,11 @@ class Places {
 public:
     Places(Vec3 origin, double grain) : origin_(origin), grain_(grain) {}
 
-    void add(Vec3 point, double depth, Origin face) {
+    /// `below(least)`: DesignRegion::below_mm, of which only what is more than `least` counts.
+    template <class Below>
+    void add(Vec3 point, double depth, Origin face, const Below& below) {
         Place& place = places_[cube_of(point)];
+        place.below = std::max(place.below, below(place.below));
         if (depth > place.depth) {
             place.depth = depth;
             place.point = point;
@@ -142,6 +145,7 @@ public:
                     cut_depth = place.cut_depth;
                     region.origin = place.face;
                 }
+                region.below_mm = std::max(region.below_mm, place.below);
                 region.box.add(place.box);
                 faces.insert(place.faces.begin(), place.faces.end());
                 for (const Cube& next : around(cube)) {
@@ -158,7 +162,7 @@ public:
 private:
     using Cube = std::array<std::int64_t, 3>;
     struct Place {
-        double depth = 0.0;
+        double depth = 0.0, below = 0.0;
         Vec3 point;
         double cut_depth = 0.0;  // at faces that were cut
         Origin face = cda::kStockOrigin;
@@ -199,11 +203,10 @@ public:
            Places& inside, Places& outside)
         : surface_(surface), other_(other), limits_(limits), inside_(inside), outside_(outside) {}
 
-    /// `face_of(triangle of the surface, triangle of the other)`: the face of the part.
-    template <class FaceOf>
-    void run(const FaceOf& face_of) {
-        const auto add = [&](Places& places, Vec3 p, double depth, std::uint32_t own,
-                             std::uint32_t others) { places.add(p, depth, face_of(own, others)); };
+    /// `add(places, point, triangle of the surface, what is nearest of the other)` for each that
+    /// is found.
+    template <class Add>
+    void run(const Add& add) {
         for (const Vec3& v : surface_.vertices)
             deviation_ = std::max(deviation_, other_.nearest(v).distance_mm);
         for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
@@ -310,7 +313,7 @@ private:
             found = true;
             Places& places = other_.contains(p) ? inside_ : outside_;
             if (radius <= limits_.grain) {
-                add(places, p, near.distance_mm, piece.triangle, near.triangle);
+                add(places, p, piece.triangle, near);
             }
             known = std::max(known, places.largest());
         };
@@ -354,6 +357,27 @@ private:
     std::vector<std::uint32_t> near_;
 };
 
+// How far below the surface of the design lies what is missing around a point of it, if nothing of
+// the part is nearer than `free`? At least; looked for along its normal, if it is more than
+// `least`.
+double missing_below(const TriangleTree& design, Vec3 point, std::uint32_t triangle, double free,
+                     double least) {
+    constexpr int kSteps = 8;
+    const Corners t = corners_of(design.mesh(), triangle);
+    const Vec3 area = cross(t[1] - t[0], t[2] - t[0]);
+    if (norm(area) == 0.0) return 0.0;
+    const Vec3 down = -normalized(area);
+    double deepest = 0.0;
+    // None lies deeper than it is away from the point.
+    for (int step = kSteps; step > 0; --step) {
+        const double away = free * step / kSteps;
+        if (away <= std::max(deepest, least)) break;
+        const Vec3 p = point + away * down;
+        if (design.contains(p)) deepest = std::max(deepest, design.nearest(p).distance_mm);
+    }
+    return deepest;
+}
+
 }  // namespace
 
 DesignComparison compare(const cda::Boundary& part, const cda::TriangleMesh& design,
@@ -373,9 +397,17 @@ DesignComparison compare(const cda::Boundary& part, const cda::TriangleMesh& des
     const TriangleTree made_tree(made), design_tree(design);
     const auto face_of = [&](std::uint32_t t) { return part.faces[made.face[t]].origin; };
     Search of_part(made, design_tree, limits, gouge, excess);
-    of_part.run([&](std::uint32_t own, std::uint32_t) { return face_of(own); });
+    of_part.run([&](Places& places, Vec3 p, std::uint32_t own, const TriangleTree::Nearest& near) {
+        places.add(p, near.distance_mm, face_of(own), [&](double) { return near.distance_mm; });
+    });
     Search of_design(design, made_tree, limits, excess, gouge);
-    of_design.run([&](std::uint32_t, std::uint32_t others) { return face_of(others); });
+    of_design.run([&](Places& places, Vec3 p, std::uint32_t own,
+                      const TriangleTree::Nearest& near) {
+        places.add(p, near.distance_mm, face_of(near.triangle), [&](double least) {
+            return &places == &gouge ? missing_below(design_tree, p, own, near.distance_mm, least)
+                                     : 0.0;
+        });
+    });
 
     DesignComparison result;
     result.gouge.regions = gouge.regions();
