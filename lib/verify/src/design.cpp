@@ -362,16 +362,16 @@ private:
 // `least`.
 double missing_below(const TriangleTree& design, Vec3 point, std::uint32_t triangle, double free,
                      double least) {
-    constexpr int kSteps = 8;
+    constexpr int kSteps = 20;
+    constexpr double kNext = 0.75;
     const Corners t = corners_of(design.mesh(), triangle);
     const Vec3 area = cross(t[1] - t[0], t[2] - t[0]);
     if (norm(area) == 0.0) return 0.0;
     const Vec3 down = -normalized(area);
     double deepest = 0.0;
     // None lies deeper than it is away from the point.
-    for (int step = kSteps; step > 0; --step) {
-        const double away = free * step / kSteps;
-        if (away <= std::max(deepest, least)) break;
+    double away = free;
+    for (int step = 0; step < kSteps && away > std::max(deepest, least); ++step, away *= kNext) {
         const Vec3 p = point + away * down;
         if (design.contains(p)) deepest = std::max(deepest, design.nearest(p).distance_mm);
     }
