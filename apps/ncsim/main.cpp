@@ -3,15 +3,15 @@
 // The ncsim program: argv in, an exit code out, and the one place that catches exceptions.
 #include "ncsim/report/plain_text.h"
 
-#include "check.h"
-#include "console.h"
-#include "diff.h"
-#include "large_pages.h"
-#include "machine_command.h"
-#include "measure_command.h"
-#include "merge.h"
-#include "options.h"
-#include "run.h"
+#include "check/check.h"
+#include "commands/diff.h"
+#include "commands/machine_command.h"
+#include "commands/measure_command.h"
+#include "commands/options.h"
+#include "merge/merge.h"
+#include "run/run.h"
+#include "system/console.h"
+#include "system/large_pages.h"
 
 #include <fcntl.h>
 #include <unistd.h>

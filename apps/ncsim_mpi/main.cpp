@@ -6,12 +6,12 @@
 #include "ncsim/report/tile_file.h"
 #include "ncsim/setup/digest.h"
 
-#include "console.h"
-#include "merge_tiles.h"
-#include "mesh_folder.h"
-#include "options.h"
-#include "run.h"
-#include "tile.h"
+#include "commands/options.h"
+#include "merge/merge_tiles.h"
+#include "run/mesh_folder.h"
+#include "run/run.h"
+#include "run/tile.h"
+#include "system/console.h"
 
 #include <fmt/format.h>
 #include <mpi.h>

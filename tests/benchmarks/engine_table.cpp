@@ -10,7 +10,7 @@
 #include "ncsim/toolpath/tool_table.h"
 #include "ncsim/toolpath/trace.h"
 
-#include "filter_counts.h"
+#include "exact/filter_counts.h"
 #include "measure.h"
 #include "programs.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/brep/apart.h"
+#include "heal/apart.h"
 
-#include "ncsim/brep/check.h"
 #include "ncsim/export/simplify.h"
 #include "ncsim/export/step.h"
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/solid.h"
 
 #include "brep/tilted_parts.h"
+#include "query/check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/brep/check.h"
+#include "query/check.h"
 
-#include "ncsim/brep/apart.h"
 #include "ncsim/brep/measure.h"
 
 #include "brep/solids.h"
+#include "heal/apart.h"
 
 #include <gtest/gtest.h>
 

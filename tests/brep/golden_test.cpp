@@ -4,13 +4,13 @@
 // nothing of it depends on how round the simulated tools are.
 #include "brep/golden.h"
 
-#include "ncsim/brep/check.h"
 #include "ncsim/brep/measure.h"
 #include "ncsim/cda/boundary.h"
 
 #include "brep/cam_parts.h"
 #include "brep/made_part.h"
 #include "brep/random_parts.h"
+#include "query/check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Ramps: what a flat end leaves where it goes down or up, an extruded circle.
-#include "ncsim/brep/check.h"
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/measure.h"
 
 #include "brep/golden.h"
 #include "brep/made_part.h"
+#include "query/check.h"
 
 #include <gtest/gtest.h>
 

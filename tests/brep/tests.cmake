@@ -21,6 +21,8 @@ ncsim_add_test(brep
     surface_test.cpp
     tilted_parts.cpp)
 
+target_include_directories(ncsim_brep_tests PRIVATE ${PROJECT_SOURCE_DIR}/lib/brep/src)
+
 # OpenCASCADE judges them, too (export/tests.cmake has its reader).
 set(solids ${CMAKE_CURRENT_BINARY_DIR}/brep/solids)
 add_executable(ncsim_brep_solids brep/write_solids.cpp brep/solids.cpp)

@@ -3,8 +3,8 @@
 // A block by itself, with boxes cut out of it.
 #pragma once
 
-#include "block_tree.h"
 #include "support/random_shapes.h"
+#include "tree/block_tree.h"
 
 #include <memory>
 #include <vector>

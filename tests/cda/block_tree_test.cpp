@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block_tree.h"
+#include "tree/block_tree.h"
 
 #include "block.h"
 

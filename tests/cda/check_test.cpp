@@ -3,8 +3,8 @@
 
 #include "ncsim/cda/tree.h"
 
-#include "stitch.h"
 #include "support/random_shapes.h"
+#include "surface/stitch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The proof that there is nothing, against unit cubes, and what it is for: asking where cells wait.
-#include "covering.h"
+#include "tree/covering.h"
 
 #include "ncsim/cda/tree.h"
 

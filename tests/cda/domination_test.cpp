@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What one plane or cell implies of another in a box, against points of the box.
-#include "domination.h"
+#include "tree/domination.h"
 
 #include "support/random_shapes.h"
 

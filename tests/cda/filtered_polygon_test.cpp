@@ -2,7 +2,7 @@
 //
 // Polygons in doubles against those of polygon.h, whose corners are integers: planes that cut
 // anywhere, and planes that meet in corners of the polygon.
-#include "filtered_polygon.h"
+#include "polytope/filtered_polygon.h"
 
 #include "support/random_shapes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "half_box.h"
+#include "exact/half_box.h"
 
 #include "support/random_shapes.h"
 

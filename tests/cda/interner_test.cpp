@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "interner.h"
+#include "exact/interner.h"
 
 #include "support/random.h"
 

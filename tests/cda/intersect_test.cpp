@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/cda/intersect.h"
 
-#include "linear_program.h"
+#include "polytope/linear_program.h"
 #include "support/random_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What makes triangles a hull: they close, once around, and no point is above any of them.
-#include "lattice_quickhull.h"
+#include "polytope/lattice_quickhull.h"
 
 #include "ncsim/cda/predicates.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "loops.h"
+#include "surface/loops.h"
 
 #include <gtest/gtest.h>
 

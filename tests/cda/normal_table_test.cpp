@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Bounds in floats against the linear program that they bound, solved by looking at all corners.
-#include "normal_table.h"
+#include "tree/normal_table.h"
 
 #include "support/random_shapes.h"
 

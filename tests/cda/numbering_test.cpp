@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numbering.h"
+#include "exact/numbering.h"
 
 #include "support/random_shapes.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Points rounded with an estimate in doubles against divisions, and numbers of points and keys.
-#include "outlines.h"
+#include "surface/outlines.h"
 
+#include "exact/wide.h"
 #include "support/random.h"
-#include "wide.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "plane_store.h"
+#include "tree/plane_store.h"
 
 #include "../support/random.h"
 

@@ -6,8 +6,8 @@
 #include "ncsim/cda/predicates.h"
 #include "ncsim/cda/tree.h"
 
+#include "polytope/within.h"
 #include "support/random_shapes.h"
-#include "within.h"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,12 @@
 #include "ncsim/cda/workpiece.h"
 
 #include "ncsim/cda/check.h"
-#include "ncsim/cda/difference.h"
 #include "ncsim/cda/flat.h"
 #include "ncsim/cda/mesh.h"
 #include "ncsim/cda/polytope.h"
 #include "ncsim/cda/tree.h"
 
+#include "polytope/difference.h"
 #include "support/oracle.h"
 #include "support/random_shapes.h"
 

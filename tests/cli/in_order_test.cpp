@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "in_order.h"
+#include "system/in_order.h"
 
 #include "cli/run_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "options.h"
+#include "commands/options.h"
 
-#include "progress.h"
+#include "system/progress.h"
 
 #include <gtest/gtest.h>
 

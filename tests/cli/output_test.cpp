@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "output.h"
+#include "system/output.h"
 
 #include "cli/run_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/export/camera.h"
 
-#include "visibility.h"
+#include "render/visibility.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "float_mesh.h"
+#include "mesh/float_mesh.h"
 
 #include "ncsim/cda/check.h"
 #include "ncsim/cda/tree.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/export/sheet.h"
 
-#include "lettering.h"
+#include "render/lettering.h"
 
 #include <gtest/gtest.h>
 

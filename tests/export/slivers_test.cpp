@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "slivers.h"
+#include "mesh/slivers.h"
 
 #include "ncsim/cda/check.h"
 

@@ -35,8 +35,9 @@ target_link_libraries(ncsim_export_tests PRIVATE GIF::GIF PNG::PNG)
 
 # The same pictures where OpenGL comes from EGL, whatever the library was built with.
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
-set(renderer camera gl lettering offscreen_egl overlay palette png provenance render resolve
-  shared_library sheet surface visibility)
+set(renderer mesh/provenance render/camera render/gl render/lettering render/offscreen_egl
+  render/overlay render/palette render/png render/render render/resolve render/shared_library
+  render/sheet render/surface render/visibility)
 list(TRANSFORM renderer REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/lib/export/src/\\1.cpp")
 add_executable(ncsim_egl_tests ${renderer}
   export/box_part.cpp export/golden_test.cpp export/polytope_part.cpp

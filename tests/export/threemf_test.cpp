@@ -4,7 +4,7 @@
 #include "ncsim/export/threemf.h"
 
 #include "box_part.h"
-#include "zip.h"
+#include "formats/zip.h"
 
 #include <gtest/gtest.h>
 

@@ -21,8 +21,26 @@ foreach(library trig gcode cda dexel machine toolpath verify brep export report 
   set(folders_${library} lib/${library}/include/ncsim/${library} lib/${library}/src)
 endforeach()
 
-# Folders of a room's sources that stand on each other, the lowest first.
-set(floors_gcode text control program)
+# Folders of a library's sources, the lowest first: a file may include files of its own folder and of
+# those before it. A name "a/b" is the folder b in a; files directly in a may include, and be included by, the
+# folders in it.
+set(floors_gcode text control/paths control/frames control/cycles program)
+set(floors_cda base exact polytope surface tree flat)
+set(floors_toolpath tools polytope motion)
+set(floors_brep geometry sources topology query heal recognise)
+set(floors_export mesh render formats)
+set(floors_setup files meshes machines job)
+set(floors_app system options run commands check merge)
+
+# A public header is on the floor of the source of its name. FOLDER:HEADER for headers without a source.
+set(headers_cda base:int128 base:mix base:vec base:tile_number exact:origin polytope:mesh polytope:sweep
+  polytope:workpiece flat:visitor)
+set(headers_toolpath polytope:pose polytope:side)
+set(headers_brep geometry:spline_surface geometry:facets)
+set(headers_export render:image render:render_options formats:moving_scene)
+set(headers_setup machines:told_kinematics job:job_options)
+# Values that all floors hand on: every floor may include the public headers of these libraries.
+set(open_headers gcode)
 
 # Arrows within a room that close a circle and are still there: ROOM/FROM>TO. One that is gone has to
 # be struck off; none may come in.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is said of a job that can be run, word for word: every row of messages.def.
-#include "messages.h"
+#include "job/messages.h"
 
 #include "ncsim/setup/job.h"
 
@@ -47,7 +47,7 @@ TEST(Messages, AreSaidInTheseWords) {
 TEST(Messages, AreAllSaidHere) {
     constexpr gcode::MessageText kRows[] = {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
-#include "messages.def"
+#include "job/messages.def"
 #undef NCSIM_DIAGNOSTIC
     };
     for (const gcode::MessageText& row : kRows) {

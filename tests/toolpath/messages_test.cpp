@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What is said of comments and tool files, word for word: every row of messages.def.
-#include "messages.h"
+#include "tools/messages.h"
 
 #include "ncsim/toolpath/tool_file.h"
 #include "ncsim/toolpath/tool_table.h"
@@ -76,7 +76,7 @@ TEST(Messages, AreSaidInTheseWords) {
 TEST(Messages, AreAllSaidHere) {
     constexpr gcode::MessageText kRows[] = {
 #define NCSIM_DIAGNOSTIC(name, severity, code, text) Message::name,
-#include "messages.def"
+#include "tools/messages.def"
 #undef NCSIM_DIAGNOSTIC
     };
     for (const gcode::MessageText& row : kRows) {

@@ -3,7 +3,7 @@
 
 #include "ncsim/trig/angles.h"
 
-#include "path.h"
+#include "motion/path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/report/annotations.h"
+#include "annotations.h"
 
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/report/make_entry.h"
 
-#include "ncsim/report/annotations.h"
 #include "ncsim/report/check_text.h"
 
+#include "annotations.h"
 #include "json.h"
 #include "shares.h"
 

@@ -3,9 +3,10 @@
 // Adds up the time of a program, row by row of the ledger, where feeds and rates are known.
 #pragma once
 
-#include "ncsim/verify/cycle_time.h"
 #include "ncsim/verify/ledger.h"
-#include "ncsim/verify/move.h"
+
+#include "cycle_time.h"
+#include "move.h"
 
 #include <cstddef>
 #include <optional>

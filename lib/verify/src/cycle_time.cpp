@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ncsim/verify/cycle_time.h"
+#include "cycle_time.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,10 @@
 // Collects what the rules see, and makes one finding of a row of the same fault.
 #pragma once
 
-#include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 #include "ncsim/verify/verdict.h"
+
+#include "move.h"
 
 #include <map>
 #include <string>

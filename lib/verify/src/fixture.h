@@ -5,10 +5,10 @@
 
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/walk.h"
-#include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
 #include "body.h"
+#include "move.h"
 
 #include <cstddef>
 #include <map>

@@ -3,10 +3,10 @@
 // What a verdict would rest on that nobody told: told as doubts.
 #pragma once
 
-#include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
 #include "finding_log.h"
+#include "move.h"
 #include "watched.h"
 
 #include <map>

@@ -7,7 +7,8 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/ledger.h"
-#include "ncsim/verify/move.h"
+
+#include "move.h"
 
 #include <cstddef>
 #include <vector>

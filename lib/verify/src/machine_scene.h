@@ -7,10 +7,10 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/joint_path.h"
 #include "ncsim/verify/evidence.h"
-#include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
 #include "free_space.h"
+#include "move.h"
 #include "pair_search.h"
 #include "rigid_body.h"
 

@@ -9,9 +9,9 @@
 #include "ncsim/cda/workpiece.h"
 #include "ncsim/toolpath/walk.h"
 #include "ncsim/verify/evidence.h"
-#include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
+#include "move.h"
 #include "watched.h"
 
 #include <cstddef>

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "ncsim/gcode/state.h"
-#include "ncsim/verify/move.h"
 #include "ncsim/verify/setup.h"
 
 #include "finding_log.h"
 #include "machine_scene.h"
+#include "move.h"
 
 #include <limits>
 

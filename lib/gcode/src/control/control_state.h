@@ -10,10 +10,10 @@
 
 #include "ncsim/gcode/state.h"
 
-#include "control/compensation.h"
 #include "control/copy_on_write.h"
 #include "control/growing_list.h"
-#include "control/path.h"
+#include "control/paths/compensation.h"
+#include "control/paths/path.h"
 #include "control/store.h"
 
 #include <cstdint>

@@ -13,13 +13,13 @@
 #include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/state.h"
 
-#include "control/area.h"
 #include "control/command.h"
-#include "control/compensation.h"
 #include "control/control_state.h"
+#include "control/cycles/area.h"
+#include "control/frames/plane_words.h"
 #include "control/parameters.h"
-#include "control/path.h"
-#include "control/plane_words.h"
+#include "control/paths/compensation.h"
+#include "control/paths/path.h"
 #include "control/rules.h"
 #include "text/message.h"
 

@@ -6,7 +6,7 @@
 #include "ncsim/gcode/interpretation.h"
 #include "ncsim/gcode/state.h"
 
-#include "control/plane_words.h"
+#include "control/frames/plane_words.h"
 
 #include <array>
 #include <map>

@@ -8,7 +8,7 @@
 
 #include "ncsim/gcode/block.h"
 #include "ncsim/gcode/diagnostic.h"
-#include "ncsim/gcode/parser.h"
+#include "ncsim/gcode/parser_options.h"
 
 #include <cstddef>
 #include <cstdint>

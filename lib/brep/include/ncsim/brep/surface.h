@@ -91,8 +91,8 @@ struct Helicoid {
 using Form = std::variant<Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Dome, Coil, Spiral,
                           Envelope, Helicoid, Characteristic, Trail>;
 
-/// Is it thicker than it is wide? Of such a ring faces lie below its centre, as seen along its axis,
-/// on the side away from the axis, and may have a corner in the tip to which it comes there.
+/// Is it thicker than it is wide? Of such a ring faces lie below its centre, as seen along its
+/// axis, on the side away from the axis, and may have a corner in the tip to which it comes there.
 bool is_spindle(const Torus& torus);
 
 /// A form, and on which side of it the material is.

@@ -6,6 +6,7 @@
 
 #include "ncsim/gcode/block.h"
 #include "ncsim/gcode/diagnostic.h"
+#include "ncsim/gcode/parser_options.h"
 #include "ncsim/gcode/source.h"
 
 #include <cstddef>
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace ncsim::gcode {
-
-struct ParserOptions {
-    /// Report as errors what RS274/NGC does not know, even if other controls do: nested comments,
-    /// checksums, expressions without brackets, console commands.
-    bool strict = false;
-};
 
 /// Reads a program line by line. Total: any byte sequence gives blocks; a line that cannot be
 /// read is reported and comes as BlockKind::Unreadable. Memory does not grow with the program.

@@ -20,7 +20,7 @@ struct DesignRegion {
     /// Of a gouge: so far below the design's surface a point lies that is missing, at least, mm.
     /// Where the design is thin, as at a sharp edge, that is less than `depth_mm`.
     double below_mm = 0.0;
-    cda::Box box;           ///< Of the points found in it, mm, W.
+    cda::Box box;  ///< Of the points found in it, mm, W.
     /// Of the face of the part at or nearest to its deepest point that is at a face that was cut;
     /// the stock's if there is none.
     cda::Origin origin = cda::kStockOrigin;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the path of a program to a verdict, whatever is wrong with it.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/simulation/check.h"
+
+#include "options/check_options.h"
+
+#include <stop_token>
+#include <string>
+
+namespace ncsim::app {
+
+/// What `path` and the options say is to be verified; `threads` evaluate at a time.
+simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
+                               unsigned threads, setup::InputSet& inputs);
+
+/// Reads and verifies `path`; returns the exit code that the program alone would have. Never
+/// throws: what is wrong is in the result. The result depends on the file and the options only.
+/// `threads` evaluate at a time. Gives up when it is asked to `stop`.
+int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
+                  const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
+                  std::stop_token stop);
+
+}  // namespace ncsim::app

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/check_settings.h"
+
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+#include "ncsim/setup/machine_formats.h"
+#include "ncsim/setup/mesh_file.h"
+#include "ncsim/setup/recorded_input.h"
+#include "ncsim/setup/stock_file.h"
+
+#include "check/reports.h"
+#include "commands/options.h"
+#include "system/console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+namespace ncsim::app {
+
+namespace {
+
+std::runtime_error error_at(const setup::ProjectSetting& setting, const std::string& what) {
+    return std::runtime_error(fmt::format("{}: {}", setting.where, what));
+}
+
+// As words of a command line; files are seen from the folder of the project.
+std::vector<std::string> words_of(const setup::ProjectSetting& setting, const std::string& folder) {
+    const std::optional<OptionKind> kind = kind_of_check_option(setting.option);
+    if (!kind) {
+        throw error_at(setting, fmt::format("'{}': no option of ncsim check that decides verdicts",
+                                            setting.option));
+    }
+    if (setting.is_flag != kind->is_flag) {
+        throw error_at(setting, fmt::format("'{}': expected {}", setting.option,
+                                            kind->is_flag ? "true or false" : "a value"));
+    }
+    const std::string name = "--" + setting.option;
+    if (setting.is_flag) return setting.is_on ? std::vector{name} : std::vector<std::string>();
+    std::vector<std::string> words;
+    for (const std::string& value : setting.values) {
+        const bool is_file =
+            kind->is_file || (setting.option == "stock" && setup::is_stock_file(value));
+        words.push_back(name + '=' +
+                        (is_file && !value.empty() ? setup::seen_in(folder, value) : value));
+    }
+    return words;
+}
+
+CheckOptions parsed(std::vector<std::string> words) {
+    Command command = parse_options(words);
+    if (const auto* farewell = std::get_if<Farewell>(&command)) {
+        std::string what = farewell->text.substr(0, farewell->text.find('\n'));
+        constexpr std::string_view kName = "ncsim: ";
+        if (what.starts_with(kName)) what.erase(0, kName.size());
+        throw std::runtime_error(what);
+    }
+    return std::get<CheckOptions>(std::move(command));
+}
+
+// One by one, so that it can be told where a fault is.
+void try_out(const setup::ProjectSetting& setting, const std::vector<std::string>& words) {
+    std::vector<std::string> all{"check", "-"};
+    all.insert(all.end(), words.begin(), words.end());
+    try {
+        (void)parsed(all);
+    } catch (const std::runtime_error& e) {
+        throw error_at(setting, e.what());
+    }
+}
+
+std::string key_of(const CheckOptions& options, const setup::RecordedInput& read) {
+    std::string key = fmt::format("ncsim {}\n{}", report::kVersion, options.told);
+    if (!options.csv.empty()) key += "csv\n";
+    for (const auto& [file, digest] : read.files())
+        key += named_anywhere(file) + '\n' + digest.value_or("") + '\n';
+    return key;
+}
+
+// What is kept serves all reports.
+report::EntryOptions entries_for(const CheckOptions& options, bool many) {
+    const bool all = !options.cache.empty() || !options.shard.empty();
+    report::EntryOptions entries;
+    entries.many = many;
+    entries.notes = options.notes;
+    entries.quiet = options.quiet;
+    entries.warnings_as_errors = options.warnings_as_errors;
+    entries.json = all || !options.json.empty();
+    entries.sarif = all || !options.sarif.empty();
+    entries.junit = all || !options.junit.empty();
+    entries.github = all || options.github;
+    entries.csv = !options.csv.empty();
+    entries.known = all || !options.write_baseline.empty();
+    entries.selection = options.selection;
+    return entries;
+}
+
+}  // namespace
+
+SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& told,
+                                       const std::vector<std::string>& programs,
+                                       setup::InputSet& inputs)
+    : told_(told), inputs_(inputs), many_(programs.size() > 1) {
+    std::map<std::string, std::size_t> numbers;
+    for (const std::string& program : programs) {
+        const setup::ProjectFile* project = told.no_project ? nullptr : project_of(program);
+        std::vector<setup::ProjectSetting> settings;
+        if (project) settings = setup::settings_for(*project, program);
+        std::string same = project ? project->name : "";
+        for (const setup::ProjectSetting& setting : settings)
+            same += '\n' + setting.where;
+        const auto [number, is_new] = numbers.try_emplace(same, settings_.size());
+        if (is_new) fill(settings_.emplace_back(), project, settings);
+        number_of_.push_back(number->second);
+    }
+}
+
+std::string SettingsOfPrograms::key() const {
+    std::string key;
+    for (const CheckSettings& settings : settings_)
+        key += settings.key;
+    for (const auto& [file, baseline] : baselines_) {
+        for (const auto& [program, findings] : baseline->programs())
+            key += baseline->about(program) + '\n';
+    }
+    for (const std::size_t number : number_of_)
+        key += fmt::format("{},", number);
+    return key;
+}
+
+std::string SettingsOfPrograms::lost_programs() const {
+    std::string text;
+    for (const auto& [file, baseline] : baselines_) {
+        for (const auto& [program, findings] : baseline->programs()) {
+            std::error_code ignored;
+            if (std::filesystem::exists(program, ignored)) continue;
+            text += fmt::format("ncsim: {}: {} known finding{} of '{}', which is not there\n",
+                                report::shown_path(file), findings, findings == 1 ? "" : "s",
+                                report::one_line(program));
+        }
+    }
+    return text;
+}
+
+std::shared_ptr<const report::Baseline> SettingsOfPrograms::baseline_of(
+    const CheckOptions& options) {
+    if (options.baseline.empty()) return nullptr;
+    const auto [known, is_new] = baselines_.try_emplace(options.baseline);
+    if (is_new && rewrites_baseline(options)) {
+        // The first time there is none yet.
+        auto before = overwritten_baseline(options.baseline);
+        known->second = std::make_shared<const report::Baseline>(
+            before ? std::move(*before) : report::Baseline(options.baseline));
+    } else if (is_new) {
+        known->second = std::make_shared<const report::Baseline>(options.baseline,
+                                                                 inputs_.read(options.baseline));
+    }
+    return known->second;
+}
+
+const setup::ProjectFile* SettingsOfPrograms::project_of(const std::string& program) {
+    const std::string folder = std::filesystem::path(program).parent_path().string();
+    const auto [above, is_new] = project_above_.try_emplace(folder);
+    if (is_new) above->second = setup::find_project_file(program);
+    if (!above->second) return nullptr;
+    const auto known = projects_.find(*above->second);
+    if (known != projects_.end()) return &known->second;
+    const auto read =
+        projects_.emplace(*above->second, setup::read_project_file(*above->second, inputs_));
+    for (const auto& section : read.first->second.sections) {
+        for (const setup::ProjectSetting& setting : section.settings)
+            try_out(setting, words_of(setting, read.first->second.folder));
+    }
+    return &read.first->second;
+}
+
+void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* project,
+                              const std::vector<setup::ProjectSetting>& settings) {
+    made.options = told_;
+    if (project) {
+        made.project = project->name;
+        // Lists would take the name of a program that follows for one of theirs.
+        std::vector<std::string> words = told_.words;
+        auto end = std::ranges::find(words, "--");
+        for (const setup::ProjectSetting& setting : settings) {
+            if (told_.given.contains(setting.option)) continue;
+            const std::vector<std::string> more = words_of(setting, project->folder);
+            end = words.insert(end, more.begin(), more.end()) +
+                  static_cast<std::ptrdiff_t>(more.size());
+        }
+        made.options = parsed(std::move(words));
+    }
+    const CheckOptions& options = made.options;
+    // The standard input is expected already, if the command line names it.
+    for (const std::string& path : inputs_of(options)) {
+        if (path != "-") inputs_.expect(path);
+    }
+    setup::RecordedInput read(inputs_);
+    simulation::Questions& questions = made.questions;
+    if (!options.machine.empty()) {
+        questions.machine = setup::read_machine(options.machine, read);
+        questions.bodies = simulation::bodies_of(questions.machine);
+    }
+    if (!options.design.empty()) {
+        setup::SurfaceFile file = setup::read_surface_file(options.design, read);
+        if (options.design_tolerance < 2.0 * file.deflection_mm) {
+            throw std::runtime_error(
+                fmt::format("--design-tol {:g}: '{}' is read as triangles within {:g} mm of its "
+                            "surfaces; {:g} or more",
+                            options.design_tolerance, setup::name_of_input(options.design),
+                            file.deflection_mm, 2.0 * file.deflection_mm));
+        }
+        made.design = simulation::Design{setup::name_of_input(options.design), std::move(file.mesh),
+                                         options.design_tolerance, std::move(file.face_names),
+                                         file.deflection_mm};
+        questions.design = &*made.design;
+    }
+    made.baseline = baseline_of(options);
+    questions.baseline = made.baseline.get();
+    questions.selection = options.selection;
+    questions.dog_leg = options.dog_leg;
+    questions.cut_free = options.cut_free;
+    questions.air_cuts = options.air_cuts;
+    questions.ledger = !options.csv.empty();
+    questions.look = !options.html.empty();
+    questions.warnings_as_errors = options.warnings_as_errors;
+    // With a single program, all that is told is meant for it.
+    questions.tools_are_meant = !many_;
+    made.entries = entries_for(options, many_);
+    made.key = key_of(options, read);
+    if (!many_) made.key += "one\n";
+    if (!options.cache.empty()) {
+        made.cache.emplace(options.cache, made.key,
+                           [](const std::string& what) { say("ncsim: " + what + '\n'); });
+    }
+}
+
+}  // namespace ncsim::app

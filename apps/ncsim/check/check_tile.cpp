@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/check_tile.h"
+
+#include "ncsim/setup/digest.h"
+#include "ncsim/setup/recorded_input.h"
+#include "ncsim/verify/evidence.h"
+
+#include "check/check_program.h"
+#include "check/check_settings.h"
+#include "run/tile.h"
+#include "system/output.h"
+
+#include <utility>
+
+namespace ncsim::app {
+
+int check_tile(CheckOptions options) {
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    const ShardNumber& number = options.number;
+    const TilePlace place({options.tile_words, {}, number.shard, number.of}, options.tile_out);
+    if (!options.redo && place.is_done(inputs)) return place.say("was verified before");
+    place.reserve(outputs);
+
+    setup::RecordedInput read(inputs);
+    SettingsOfPrograms settings(options, options.programs, read);
+    const CheckSettings& asked = settings.of(0);
+    simulation::Plan plan =
+        plan_to_check(options.programs[0], asked.options, options.threads, read);
+    plan.tile = cda::TileNumber{number.shard, number.of};
+    simulation::SeenTile seen = simulation::check_tile(std::move(plan), asked.questions);
+    report::TileFile file;
+    file.head = {options.tile_words, read.files(), number.shard, number.of, read.knows_all()};
+    for (const simulation::MetStock& met : seen.met)
+        file.met.emplace_back(met.motion, met.hulls);
+    file.evidence = verify::bytes_of(seen.evidence);
+    file.tile = std::move(seen.tile);
+    place.write(file, outputs);
+    return place.say("was verified");
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/reports.h"
+
+#include "ncsim/report/check_json.h"
+#include "ncsim/report/check_text.h"
+#include "ncsim/report/junit.h"
+#include "ncsim/report/sarif.h"
+#include "ncsim/setup/input.h"
+
+#include "options/program_options.h"
+#include "system/console.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <system_error>
+
+namespace ncsim::app {
+
+namespace {
+
+// Not proven stands between clean and faulty.
+bool is_better(int a, int b) {
+    const auto rank = [](int code) { return code == kNotProven ? 0.5 : code; };
+    return rank(a) < rank(b);
+}
+
+}  // namespace
+
+int exit_code_of(const report::Entries& all, bool exit_zero) {
+    int worst = kClean;
+    all([&](const report::Entry& entry) { worst = std::max(worst, entry.code, is_better); });
+    const bool judged = worst == kFindings || worst == kNotProven;
+    return judged && exit_zero ? int{kClean} : worst;
+}
+
+std::optional<report::Baseline> overwritten_baseline(const std::string& path) {
+    // Not of the inputs of the run, which no output may be.
+    setup::InputSet aside;
+    std::error_code ignored;
+    if (path.empty() || path == "-" || !std::filesystem::is_regular_file(path, ignored))
+        return std::nullopt;
+    return report::Baseline(path, aside.read(path));
+}
+
+Reports::Reports(const ReportOptions& options, OutputSet& outputs, bool many)
+    : options_(options),
+      outputs_(outputs),
+      many_(many),
+      before_(overwritten_baseline(options.write_baseline)) {}
+
+void Reports::tell(const report::Entry& entry) const {
+    if (options_.github) {
+        put_out(entry.github);
+    } else {
+        put_text(entry.text, outputs_.takes_standard_output());
+    }
+}
+
+void Reports::write(const report::Entries& all) const {
+    put_text(report::summary_of(all, {options_.notes, options_.quiet, many_}),
+             outputs_.takes_standard_output());
+    outputs_.write(options_.json, [&](std::ostream& out) { report::write_check_json(out, all); });
+    outputs_.write(options_.sarif, [&](std::ostream& out) { report::write_sarif(out, all); });
+    outputs_.write(options_.junit, [&](std::ostream& out) { report::write_junit(out, all); });
+    outputs_.write(options_.write_baseline, [&](std::ostream& out) {
+        report::write_baseline(out, options_.write_baseline, all, before_ ? &*before_ : nullptr);
+    });
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/result_cache.h"
+
+#include "ncsim/report/file_digests.h"
+#include "ncsim/setup/digest.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace fs = std::filesystem;
+
+ResultCache::ResultCache(std::string folder, std::string common,
+                         std::function<void(const std::string&)> complain)
+    : folder_(std::move(folder)), common_(std::move(common)), complain_(std::move(complain)) {}
+
+std::string named_anywhere(const std::string& path) {
+    std::error_code ignored;
+    const bool is_absolute = fs::path(path).is_absolute();
+    return is_absolute ? fs::current_path(ignored).string() + '\n' + path : path;
+}
+
+std::string ResultCache::path_of(const std::string& program, const std::string& about) const {
+    const std::string key = setup::digest_of(fmt::format(
+        "{} {}{} {}{}", common_.size(), common_, about.size(), about, named_anywhere(program)));
+    return (fs::path(folder_) / key.substr(0, 2) / key.substr(2)).string();
+}
+
+// Three lines: the files that were read, the entry, the digest of both.
+std::optional<report::Entry> ResultCache::find(const std::string& program, const std::string& about,
+                                               setup::InputSet& inputs) const {
+    std::ifstream in(path_of(program, about), std::ios::binary);
+    std::string files, entry, digest;
+    if (!std::getline(in, files) || !std::getline(in, entry) || !std::getline(in, digest) ||
+        digest != setup::digest_of(files + '\n' + entry)) {
+        return std::nullopt;
+    }
+    const auto read = report::file_digests_from(files);
+    if (!read) return std::nullopt;
+    const bool is_same = std::ranges::all_of(*read, [&](const auto& file) {
+        return setup::digest_of_file(file.first, inputs) == file.second;
+    });
+    return is_same ? report::entry_from(entry) : std::nullopt;
+}
+
+void ResultCache::keep(const std::string& program, const std::string& about,
+                       const report::Entry& entry, const setup::ReadFiles& read) {
+    if (entry.word == "not-verified") return;
+    const std::string files = report::line_of(read);
+    const std::string line = report::line_of(entry);
+    const std::string bytes =
+        fmt::format("{}\n{}\n{}\n", files, line, setup::digest_of(files + '\n' + line));
+    const fs::path path = path_of(program, about);
+    static std::atomic<unsigned> number{0};
+    const std::string aside = fmt::format("{}.{}.{}.tmp", path.string(), ::getpid(), number++);
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (!error) {
+        std::ofstream out(aside, std::ios::binary);
+        out << bytes;
+        out.close();
+        if (!out) error = std::make_error_code(std::errc::io_error);
+    }
+    if (!error) fs::rename(aside, path, error);
+    if (!error) return;
+    std::error_code ignored;
+    fs::remove(aside, ignored);
+    std::call_once(complained_, [&] {
+        complain_(fmt::format("cannot write to the cache '{}': {}", folder_, error.message()));
+    });
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/measure_command.h"
+
+#include "ncsim/brep/features.h"
+#include "ncsim/brep/measure.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangle_tree.h"
+#include "ncsim/export/step.h"
+#include "ncsim/report/measure_sheet.h"
+#include "ncsim/setup/machine_formats.h"
+#include "ncsim/simulation/models.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
+#include "ncsim/simulation/take_machine.h"
+
+#include "options/plan_options.h"
+#include "system/console.h"
+#include "system/output.h"
+
+#include <algorithm>
+#include <ostream>
+#include <set>
+#include <vector>
+
+namespace ncsim::app {
+
+namespace {
+
+report::CutBy cut_by(const std::vector<cda::Origin>& origins,
+                     const exporter::Provenance& provenance) {
+    std::set<std::uint32_t> lines, tools;
+    for (const cda::Origin origin : origins) {
+        const auto entry = provenance.of(origin);
+        if (entry.is_stock()) continue;
+        lines.insert(entry.nc_line);
+        tools.insert(entry.tool);
+    }
+    return {{lines.begin(), lines.end()}, {tools.begin(), tools.end()}};
+}
+
+report::MeasureSheet sheet_of(const simulation::Solid& solid, const cda::Boundary& boundary) {
+    const brep::Part& part = solid.recognised.part;
+    const cda::TriangleMesh mesh = cda::triangulate(boundary);
+    const brep::Features features = brep::features_of(part, cda::TriangleTree(mesh));
+    const auto by = [&](const auto& feature) { return cut_by(feature.origins, solid.provenance); };
+    report::MeasureSheet sheet;
+    sheet.extents = cda::bounds(boundary);
+    sheet.volume_mm3 = brep::volume(part);
+    for (const brep::Bore& b : features.bores) {
+        sheet.bores.push_back({b.mouth, b.axis, b.diameter, b.depth, b.mouth_slants_by,
+                               b.covers_degrees, std::string(brep::name_of(b.end)), b.tip_depth,
+                               b.tip_angle_degrees, by(b)});
+    }
+    for (const brep::Boss& b : features.bosses)
+        sheet.bosses.push_back({b.foot, b.axis, b.diameter, b.height, b.covers_degrees, by(b)});
+    for (const brep::Corner& c : features.corners)
+        sheet.corners.push_back(
+            {c.radius, c.is_inside, c.covers_degrees, c.on_axis, c.axis, by(c)});
+    for (const brep::Floor& f : features.floors)
+        sheet.floors.push_back({f.z, f.area, f.is_closed, f.box, by(f)});
+    for (const brep::Distance& d : features.distances)
+        sheet.distances.push_back({d.mm, d.is_void, d.from, d.to, by(d)});
+    sheet.has_too_many_walls = features.has_too_many_walls;
+    sheet.facets = features.facets;
+    sheet.facet_area_mm2 = features.facet_area;
+    sheet.facet_lines = cut_by(solid.recognised.of_facets, solid.provenance).lines;
+    return sheet;
+}
+
+}  // namespace
+
+cli::App* add_measure(cli::App& app, MeasureOptions& o) {
+    cli::App* measure = app.add_subcommand(
+        "measure", "List bores, floors, and what is between walls, as a calliper would find them");
+    add_program_options(*measure, o);
+    add_setup_options(*measure, o);
+    add_simulation_options(*measure, o);
+    measure
+        ->add_option("--machine", o.machine,
+                     "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+        ->type_name("FILE");
+    measure->add_option("--json", o.json, "The same, JSON")->type_name("FILE");
+    measure->add_flag("--quiet,-q", o.quiet, "Only errors and warnings, and what --json writes");
+    return measure;
+}
+
+void complete(const MeasureOptions& o) {
+    complete(static_cast<const ProgramOptions&>(o));
+    require_exact(o, "measure");
+    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
+}
+
+int run(const MeasureOptions& options) {
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    if (!options.machine.empty()) inputs.expect(options.machine);
+    simulation::Plan plan = plan_for(options, options, inputs);
+    if (!options.machine.empty())
+        simulation::take_machine(plan, setup::read_machine(options.machine, inputs));
+    if (plan.model.empty()) plan.model = simulation::models().front().name;
+    plan.keep_boundary = true;
+    outputs.reserve(options.json);
+    simulation::Survey survey = simulation::survey(plan);
+    print_findings(plan.job.program, survey.diagnostics);
+    if (!survey.is_ready()) {
+        say("ncsim: the program was not simulated\n");
+        return kFindings;
+    }
+    simulation::Verification nothing;
+    nothing.keep_cuts = true;
+    const simulation::Simulation milled = simulation::simulate(plan, survey, nothing, {});
+    print_findings(plan.job.program, milled.diagnostics);
+    constexpr int kRefinements = 2;
+    const simulation::Solid solid =
+        simulation::refined_solid(plan, survey, milled, exporter::kStepTolerance, kRefinements);
+    report::MeasureSheet sheet = sheet_of(solid, *milled.boundary);
+    sheet.program = plan.job.program.name;
+    if (!options.quiet) put_text(report::text_of(sheet), outputs.takes_standard_output());
+    outputs.write(options.json, [&](std::ostream& out) { report::write_measures(out, sheet); });
+    outputs.commit();
+    const bool faulty =
+        gcode::has_errors(survey.diagnostics) || gcode::has_errors(milled.diagnostics);
+    if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
+    return faulty ? kFindings : kClean;
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/options.h"
+
+#include "ncsim/report/plain_text.h"
+#include "ncsim/report/version.h"
+
+#include "options/suggestion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace {
+
+constexpr const char* kNotation = R"(
+Tools:  T1=flat:D10:L22:S12x30:H28x15,40x25  kinds flat, ball, bull, face, v, chamfer, drill,
+        taper, slot, dovetail, lollipop; values D diameter, L length of the flutes, R corner radius,
+        A angle, P tip diameter; above the flutes N neck and S shank (diameter, or diameter x
+        length), E from the tip to the holder, H holder from below (diameter x height, or
+        lower-upper x height); mm, or inches: D1/4in
+Stock:  x0,y0,z0:x1,y1,z1 or LxWxH (top at Z0, centred) or LxWxH@x,y,z (smallest corner); bars
+        DdxH (top at Z0) or DdxH@x,y,z (lower end), along X or Y: DXdxL, DYdxL;
+        mm, or inches: 4x2x1/2in
+)";
+
+constexpr const char* kFiles = R"(
+Files:  - is the standard input, where a file is read, or the standard output, where one is written;
+        what people read goes to the standard error then. An output that is an input is refused.
+)";
+
+constexpr const char* kExitCodes = R"(
+Exit codes: 0 clean, 1 the NC program has faults, 2 wrong usage, unreadable input or a failing
+world (disk full, no such folder), 3 a bug of ours, 4 not proven: no fault was found, but something
+that nobody told stands before "clean" (check).
+
+)";
+
+std::string footer(const char* example) {
+    return fmt::format("{}{}{}Example: {}", kNotation, kFiles, kExitCodes, example);
+}
+
+// `ncsim help run`, `ncsim version`: as people try, whatever the options are called.
+std::vector<std::string> as_options(std::vector<std::string> words) {
+    if (words.empty()) return words;
+    if (words[0] == "version" || words[0] == "-V") words[0] = "--version";
+    if (words[0] == "help") {
+        words.erase(words.begin());
+        if (words.size() > 1) words.resize(1);
+        words.emplace_back("--help");
+    }
+    return words;
+}
+
+// What was mistyped, and what may have been meant; empty if all words are known.
+std::string mistyped(const cli::App& app, const std::vector<std::string>& words) {
+    if (words.empty()) return {};
+    std::vector<std::string> commands;
+    const cli::App* command = nullptr;
+    for (const cli::App* c : app.subcommands()) {
+        commands.push_back(c->name());
+        if (words[0] == c->name()) command = c;
+    }
+    const auto meant = [](const std::string& nearest) {
+        return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
+    };
+    if (!command) {
+        if (words[0].starts_with("-")) return {};
+        std::string list;
+        for (const std::string& name : commands)
+            list += (list.empty() ? "" : ", ") + name;
+        return fmt::format("there is no command '{}'{} ({})", words[0],
+                           meant(nearest(words[0], commands)), list);
+    }
+    std::vector<std::string> options;
+    for (const cli::Option* option : command->options()) {
+        for (const std::string& name : option->long_names())
+            options.push_back("--" + name);
+    }
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (!name.starts_with("--") || name.size() == 2) continue;
+        if (std::ranges::find(options, name) == options.end())
+            return fmt::format("there is no option {}{}", name, meant(nearest(name, options)));
+    }
+    return {};
+}
+
+// An empty name of a file is a variable of a script that nobody set: what was meant to be read
+// would not be.
+void refuse_empty_names(const cli::App& command) {
+    for (const cli::Option* option : command.options()) {
+        const std::string type = option->type_name();
+        if (!type.starts_with("FILE") && !type.starts_with("DIR")) continue;
+        for (const std::string& value : option->values()) {
+            if (value.empty()) throw Refusal{fmt::format("{}: the name is empty", option->name())};
+        }
+    }
+}
+
+}  // namespace
+
+Command parse_options(const std::vector<std::string>& arguments) {
+    cli::App app{
+        "ncsim runs an NC milling program without a machine and shows what is left of the block.",
+        "ncsim"};
+    app.set_version_flag("--version", fmt::format("ncsim {}", report::kVersion));
+    app.require_subcommand();
+    const char* const run_example =
+        "ncsim run samples/simple.nc --png simple.png --gltf simple.glb";
+    app.footer(fmt::format("{}Example: {}", kExitCodes, run_example));
+
+    Options run_options;
+    cli::App* run = add_run(app, run_options);
+    run->footer(footer(run_example));
+    ParseOptions parse_options;
+    cli::App* parse = add_parse(app, parse_options);
+    parse->footer(footer("ncsim parse samples/simple.nc --canonical"));
+    ToolsOptions tools_options;
+    cli::App* tools = add_tools(app, tools_options);
+    tools->footer(footer("ncsim tools samples/complex.nc --save-job complex.toml"));
+    CheckOptions check_options;
+    cli::App* check = add_check(app, check_options);
+    check->footer(footer("ncsim check samples/simple.nc samples/complex.nc"));
+    MergeOptions merge_options;
+    cli::App* merge = add_merge(app, merge_options);
+    merge->footer(footer("ncsim merge results/ --sarif all.sarif"));
+    DiffOptions diff_options;
+    cli::App* diff = add_diff(app, diff_options);
+    diff->footer(footer("ncsim diff old.nc new.nc --tol 0.01"));
+    MachineOptions machine_options;
+    cli::App* machine = add_machine(app, machine_options);
+    machine->footer(footer("ncsim machine samples/machines/trt.toml --pose A-30,C45"));
+    MeasureOptions measure_options;
+    cli::App* measure = add_measure(app, measure_options);
+    measure->footer(footer("ncsim measure samples/simple.nc --json simple.json"));
+    RulesOptions rules_options;
+    cli::App* rules = add_rules(app, rules_options);
+
+    const std::vector<std::string> words = as_options(arguments);
+    try {
+        const cli::App::Outcome outcome = app.parse(words);
+        const cli::App* const chosen = app.chosen();
+        if (outcome == cli::App::Outcome::Help) return Farewell{kClean, chosen->help()};
+        if (outcome == cli::App::Outcome::Version)
+            return Farewell{kClean, fmt::format("ncsim {}\n", report::kVersion)};
+        refuse_empty_names(*chosen);
+        if (chosen == run) {
+            complete(run_options);
+            run_options.words = words_of_part(*run);
+            return run_options;
+        }
+        if (chosen == tools) {
+            complete(tools_options);
+            return tools_options;
+        }
+        if (chosen == check) {
+            complete(check_options);
+            check_options.words = words;
+            check_options.given = given_to(*check);
+            check_options.told = told_to(*check);
+            check_options.tile_words = words_of_check(*check);
+            return check_options;
+        }
+        if (chosen == merge) return merge_options;
+        if (chosen == diff) {
+            complete(diff_options);
+            return diff_options;
+        }
+        if (chosen == machine) return machine_options;
+        if (chosen == measure) {
+            complete(measure_options);
+            return measure_options;
+        }
+        if (chosen == rules) return rules_options;
+        complete(parse_options);
+        return parse_options;
+    } catch (const cli::UsageError& e) {
+        const std::string of = app.chosen() == &app ? "" : app.chosen()->name() + " ";
+        std::string what = mistyped(app, words);
+        if (what.empty()) what = e.text;
+        return Farewell{kEnvironment, fmt::format("ncsim: {}\nTry: ncsim {}--help\n",
+                                                  report::one_line(what), of)};
+    } catch (const Refusal& e) {
+        return Farewell{kEnvironment, fmt::format("ncsim: {}\n", report::one_line(e.text))};
+    }
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/parse_command.h"
+
+#include "ncsim/gcode/parser.h"
+#include "ncsim/report/listing.h"
+#include "ncsim/setup/job.h"
+
+#include "system/console.h"
+
+namespace ncsim::app {
+
+cli::App* add_parse(cli::App& app, ParseOptions& options) {
+    cli::App* parse =
+        app.add_subcommand("parse", "Show how a program is read: its blocks, or its motions");
+    add_program_options(*parse, options);
+    parse->add_flag("--canonical", options.canonical,
+                    "The motions the program makes, in mm and degrees, not its blocks");
+    parse->add_flag("--json", options.json, "As JSON, a line for each of them");
+    return parse;
+}
+
+int run(const ParseOptions& options) {
+    setup::InputSet inputs;
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    const setup::Job job = setup::read_job(options, inputs);
+    gcode::ParserOptions parser;
+    parser.strict = job.options.strict;
+    const gcode::Diagnostics diagnostics =
+        options.canonical
+            ? report::list_motions(job.program, job.interpreter, options.json, put_out)
+            : report::list_blocks(job.program, parser, options.json, put_out);
+    print_findings(job.program, diagnostics);
+    return gcode::has_errors(diagnostics) ? kFindings : kClean;
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "merge/merge.h"
+
+#include "ncsim/report/shard.h"
+
+#include "check/reports.h"
+#include "merge/merge_tiles.h"
+#include "system/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+namespace ncsim::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTile = ".nctile";
+
+// The results in folders, and files that are named.
+std::vector<std::string> files_of(const std::vector<std::string>& sources) {
+    std::vector<std::string> files;
+    for (const std::string& source : sources) {
+        std::error_code error;
+        if (!fs::is_directory(source, error)) {
+            files.push_back(source);
+            continue;
+        }
+        for (fs::directory_iterator entry(source, error), end; !error && entry != end;
+             entry.increment(error)) {
+            const std::string kind = entry->path().extension().string();
+            if (kind == ".ndjson" || kind == kTile) files.push_back(entry->path().string());
+        }
+        if (error) {
+            throw std::runtime_error(
+                fmt::format("cannot read the folder '{}': {}", source, error.message()));
+        }
+    }
+    return files;
+}
+
+}  // namespace
+
+int run(MergeOptions options) {
+    const std::vector<std::string> files = files_of(options.sources);
+    const auto tiles = std::ranges::count_if(
+        files, [](const std::string& file) { return fs::path(file).extension() == kTile; });
+    if (tiles > 0 && static_cast<std::size_t>(tiles) == files.size())
+        return merge_tiles(options, files);
+    if (tiles > 0) throw std::runtime_error("shards and tiles are not put together");
+    if (!options.of_run.empty()) {
+        throw std::runtime_error(fmt::format("--{} is written of tiles, and there are none",
+                                             options.of_run.front().first));
+    }
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    if (options.github) outputs.claim_standard_output("--github");
+    for (const std::string& file : files)
+        inputs.expect(file);
+    for (const std::string& path : outputs_of(options))
+        outputs.reserve(path);
+    const report::Shards shards(files);
+    const report::Entries all = shards.entries();
+    const Reports reports(options, outputs, shards.programs() > 1);
+    all([&](const report::Entry& entry) { reports.tell(entry); });
+    reports.write(all);
+    outputs.commit();
+    return exit_code_of(all, options.exit_zero);
+}
+
+}  // namespace ncsim::app

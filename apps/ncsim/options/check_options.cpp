@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/check_options.h"
+
+#include "ncsim/cda/tile_number.h"
+#include "ncsim/verify/doubt.h"
+#include "ncsim/verify/rule.h"
+#include "ncsim/verify/setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <system_error>
+
+namespace ncsim::app {
+
+namespace {
+
+std::vector<std::string_view> ids_of(const char* option, const std::string& name) {
+    auto ids = verify::rules_named(name);
+    if (ids.empty()) {
+        throw Refusal{fmt::format("{} '{}': no rule or category of this name; see ncsim rules",
+                                  option, name)};
+    }
+    return ids;
+}
+
+void select(verify::Selection& selection, const std::vector<std::string>& names) {
+    for (const verify::RuleInfo& rule : verify::rules())
+        selection.ignored.emplace(rule.id);
+    for (const std::string& name : names) {
+        for (const std::string_view id : ids_of("--select", name))
+            selection.ignored.erase(std::string(id));
+    }
+}
+
+void ignore(verify::Selection& selection, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        for (const std::string_view id : ids_of("--ignore", name))
+            selection.ignored.emplace(id);
+    }
+}
+
+void weigh(verify::Selection& selection, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+        for (const std::string_view id : ids_of("--severity", text.substr(0, equals))) {
+            bool known = false;
+            for (const auto severity :
+                 {gcode::Severity::Note, gcode::Severity::Warning, gcode::Severity::Error}) {
+                if (value != verify::name_of(severity)) continue;
+                selection.severities.insert_or_assign(std::string(id), severity);
+                known = true;
+            }
+            if (!known) {
+                throw Refusal{fmt::format(
+                    "--severity '{}': expected rule=note, rule=warning or rule=error", text)};
+            }
+        }
+    }
+}
+
+std::string known_reason(const char* option, const std::string& name) {
+    if (name == "all" || verify::find_reason(name)) return name;
+    throw Refusal{
+        fmt::format("{} '{}': no reason for doubt of this name; see ncsim rules", option, name)};
+}
+
+std::string known_requirement(const char* option, const std::string& name) {
+    if (std::ranges::find(verify::kRequirements, name) != std::end(verify::kRequirements))
+        return name;
+    throw Refusal{
+        fmt::format("{} '{}': expected holder, fixtures, travels, offsets or links", option, name)};
+}
+
+// Lists may be given with commas and more than once.
+cli::Option* add_list(cli::App& command, const char* name, const char* type, const char* what,
+                      std::function<void(const std::vector<std::string>&)> take) {
+    return command.add_option_function<std::vector<std::string>>(name, std::move(take), what)
+        ->type_name(type)
+        ->delimiter(',')
+        ->one_value_at_a_time();
+}
+
+// Without dashes.
+std::string long_name(const cli::Option& option) {
+    return option.long_names().empty() ? option.name() : option.long_names().front();
+}
+
+// Others say where results go, how the work is shared, or how much of it there may be.
+bool decides_verdicts(const std::string& name) {
+    static const std::set<std::string, std::less<>> kOthers{
+        "programs",  "list",       "shard",          "shards",  "out",     "redo",
+        "cache",     "jobs",       "json",           "sarif",   "junit",   "csv",
+        "html",      "github",     "write-baseline", "isolate", "threads", "max-time",
+        "exit-zero", "max-memory", "no-project",     "tile",    "tile-out"};
+    return !kOthers.contains(name);
+}
+
+}  // namespace
+
+cli::App* add_check(cli::App& app, CheckOptions& o) {
+    cli::App* check = app.add_subcommand(
+        "check", "Verify programs: is each of them safe to run? Exit code 1 if not");
+    check->add_option("programs", o.programs, "NC programs, and folders of them")
+        ->type_name("FILES");
+    check->add_option("--list", o.list, "More of them, a path a line; - is the standard input")
+        ->type_name("FILE");
+    check->add_flag("--no-project", o.no_project,
+                    "Pass over ncsim.toml, which tells options for the programs below its folder");
+    add_language_options(*check, o);
+    add_setup_options(*check, o);
+    add_simulation_options(*check, o);
+    check
+        ->add_option(
+            "--machine", o.machine,
+            "Travels, limits, fixtures, how it turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+        ->type_name("FILE");
+    check
+        ->add_option("--design", o.design,
+                     "What the part is to be: STL (mm), GLB or STEP, closed, in G54")
+        ->type_name("FILE");
+    check
+        ->add_option("--design-tol", o.design_tolerance,
+                     "How far the part may be off the design, mm [0.1]")
+        ->type_name("MM")
+        ->number_range(1e-4, 1e4);
+    cli::Option* selected = add_list(*check, "--select", "RULES", "Only these rules or categories",
+                                     [&o](const auto& names) { select(o.selection, names); });
+    // After --select, wherever it stands on the command line.
+    add_list(*check, "--ignore", "RULES", "All but these",
+             [&o](const auto& names) { ignore(o.selection, names); });
+    (void)selected;
+    add_list(*check, "--severity", "RULE=S", "note, warning or error",
+             [&o](const auto& texts) { weigh(o.selection, texts); });
+    check
+        ->add_option_function<std::string>(
+            "--rapid",
+            [&o](const std::string& path) {
+                if (path != "linear" && path != "dog-leg") {
+                    throw Refusal{fmt::format("--rapid '{}': expected linear or dog-leg", path)};
+                }
+                o.dog_leg = path == "dog-leg";
+            },
+            "How rapid moves go: linear or dog-leg [linear]")
+        ->type_name("PATH");
+    check->add_option("--jobs,-j", o.jobs, "Programs at a time; the report is the same for any")
+        ->type_name("N")
+        ->range(1, 1024);
+    check->add_flag("--isolate", o.isolate,
+                    "Each program in a process of its own: a crash of one stops no other");
+    check
+        ->add_option("--shard", o.shard,
+                     "Only part I of N of the programs, from 0 on; auto: as SLURM_ARRAY_TASK_ID, "
+                     "JOB_COMPLETION_INDEX or CI_NODE_INDEX say")
+        ->type_name("I/N");
+    check->add_option("--shards", o.shards, "N, where auto cannot know it")
+        ->type_name("N")
+        ->range(1U, 1'000'000U);
+    check->add_option("--out", o.out, "Folder for the result of a shard, for ncsim merge")
+        ->type_name("DIR");
+    check
+        ->add_option("--tile", o.tile,
+                     "Ask only tile I of N of the part, from 0 on; auto: as for --shard")
+        ->type_name("I/N");
+    check->add_option("--tile-out", o.tile_out, "Folder for what a tile met, for ncsim merge")
+        ->type_name("DIR");
+    check->add_flag("--redo", o.redo, "Verify a shard or tile again whose result is there");
+    check
+        ->add_option("--cache", o.cache,
+                     "Folder of verdicts: of what has not changed they are not found again")
+        ->type_name("DIR");
+    add_list(*check, "--accept", "REASONS", "Reasons for doubt that do not count: stock-guess,…",
+             [&o](const auto& names) {
+                 for (const std::string& name : names)
+                     o.accept.push_back(known_reason("--accept", name));
+             });
+    add_list(*check, "--require", "THINGS",
+             "What has to be told: holder,fixtures,travels,offsets,links", [&o](const auto& names) {
+                 for (const std::string& name : names)
+                     o.require.push_back(known_requirement("--require", name));
+             });
+    check
+        ->add_option("--baseline", o.baseline,
+                     "Findings that are known and do not count, as --write-baseline wrote them")
+        ->type_name("FILE");
+    check->add_flag(
+        "--cut-free", o.cut_free,
+        "Ask for pieces cut free, too: makes the surface of the part, at most the price of a run");
+    check->add_flag("--air-cuts", o.air_cuts,
+                    "Ask for feed moves that remove nothing, too; slower");
+    add_report_options(*check, o);
+    check->add_option("--csv", o.csv, "What every block removed and took, CSV; slower")
+        ->type_name("FILE");
+    check->add_option("--html", o.html, "A page about one program, with the part to turn")
+        ->type_name("FILE");
+    check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
+    return check;
+}
+
+std::vector<std::string> inputs_of(const CheckOptions& o) {
+    std::vector<std::string> paths = inputs_of(static_cast<const ProgramOptions&>(o));
+    paths.insert(paths.end(), o.programs.begin(), o.programs.end());
+    for (const std::string* path : {&o.list, &o.machine, &o.design}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    if (!o.baseline.empty() && !rewrites_baseline(o)) paths.push_back(o.baseline);
+    return paths;
+}
+
+bool rewrites_baseline(const CheckOptions& o) {
+    namespace fs = std::filesystem;
+    const auto whole = [](const std::string& path) {
+        std::error_code ignored;
+        return fs::absolute(path, ignored).lexically_normal();
+    };
+    return !o.baseline.empty() && !o.write_baseline.empty() && o.baseline != "-" &&
+           whole(o.baseline) == whole(o.write_baseline);
+}
+
+std::vector<std::string> outputs_of(const CheckOptions& o) {
+    std::vector<std::string> paths = outputs_of(static_cast<const ReportOptions&>(o));
+    for (const std::string* path : {&o.csv, &o.html}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    return paths;
+}
+
+namespace {
+
+void complete_tile_of_check(CheckOptions& o) {
+    if (o.tile.empty() != o.tile_out.empty()) {
+        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
+                                     : "--tile: where to is its result to go? --tile-out DIR"};
+    }
+    if (o.tile.empty()) return;
+    if (!o.shard.empty()) throw Refusal{"--tile: a shard is of programs, a tile of one part"};
+    o.number = shard_number(o.tile, o.shards, "--tile");
+    if (o.number.of > cda::kMostTiles)
+        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
+    if (o.github || !outputs_of(o).empty())
+        throw Refusal{"--tile: reports are written by ncsim merge"};
+    if (o.programs.size() != 1 || !o.list.empty() || o.programs[0] == "-")
+        throw Refusal{"--tile: the part of one program, which has a name"};
+    if (!o.cache.empty()) throw Refusal{"--tile: a tile has no verdict to be kept in a --cache"};
+}
+
+}  // namespace
+
+void complete(CheckOptions& o) {
+    if (!o.save_job.empty()) throw Refusal{"--save-job: ncsim run and ncsim tools write job files"};
+    require_verifying(o);
+    if (o.programs.empty() && o.list.empty())
+        throw Refusal{"no program is named: on the command line, or in a --list"};
+    if (!o.html.empty() && (o.programs.size() != 1 || !o.list.empty()))
+        throw Refusal{"--html: a page is about one program"};
+    if (!o.html.empty() && o.isolate)
+        throw Refusal{"--isolate: what a page shows does not come out of another process"};
+    if (o.shard.empty() != o.out.empty())
+        throw Refusal{o.out.empty() ? "--shard: where to is its result to go? --out DIR"
+                                    : "--out: of which shard? --shard I/N"};
+    if (o.shard.empty() && o.tile.empty() && (o.redo || o.shards > 0))
+        throw Refusal{"--redo and --shards are about a --shard or a --tile"};
+    complete_tile_of_check(o);
+    if (!o.shard.empty() && (o.github || !outputs_of(o).empty()))
+        throw Refusal{"--shard: reports are written by ncsim merge"};
+    if (!o.shard.empty()) o.number = shard_number(o.shard, o.shards);
+}
+
+std::string told_to(const cli::App& command) {
+    std::string told;
+    for (const cli::Option* option : command.options()) {
+        const std::string name = long_name(*option);
+        if (option->count() == 0 || !decides_verdicts(name)) continue;
+        told += "--" + name;
+        for (const std::string& value : option->values())
+            told += '\0' + value;
+        told += '\n';
+    }
+    return told;
+}
+
+std::vector<std::string> words_of_check(const cli::App& command) {
+    return words_of(command, [](const std::string& name) {
+        return name == "no-project" ||
+               (decides_verdicts(name) && name != "quiet" && name != "notes");
+    });
+}
+
+std::set<std::string> given_to(const cli::App& command) {
+    std::set<std::string> given;
+    for (const cli::Option* option : command.options()) {
+        if (option->count() > 0) given.insert(long_name(*option));
+    }
+    return given;
+}
+
+std::optional<OptionKind> kind_of_check_option(const std::string& name) {
+    static const std::map<std::string, OptionKind> kKinds = [] {
+        const std::set<std::string, std::less<>> of_one_run{"help", "notes", "quiet", "save-job"};
+        const std::set<std::string, std::less<>> limits{"max-time", "max-memory"};
+        cli::App app("", "");
+        CheckOptions ignored;
+        std::map<std::string, OptionKind> kinds;
+        for (const cli::Option* option : add_check(app, ignored)->options()) {
+            const std::string known = long_name(*option);
+            if (of_one_run.contains(known)) continue;
+            if (!decides_verdicts(known) && !limits.contains(known)) continue;
+            const std::string type = option->type_name();
+            kinds[known] = {option->is_flag(), type.starts_with("FILE") || type.starts_with("DIR")};
+        }
+        return kinds;
+    }();
+    const auto found = kKinds.find(name);
+    return found == kKinds.end() ? std::nullopt : std::optional(found->second);
+}
+
+cli::App* add_rules(cli::App& app, RulesOptions& options) {
+    cli::App* rules = app.add_subcommand("rules", "List the rules of ncsim check");
+    rules->add_flag("--json", options.json, "As JSON");
+    return rules;
+}
+
+}  // namespace ncsim::app

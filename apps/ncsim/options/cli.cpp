@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+namespace ncsim::app::cli {
+
+Option* Option::type_name(const std::string& name) {
+    option_->type_name(name);
+    return this;
+}
+
+Option* Option::required() {
+    option_->required();
+    return this;
+}
+
+Option* Option::delimiter(char delimiter) {
+    option_->delimiter(delimiter);
+    return this;
+}
+
+Option* Option::one_value_at_a_time() {
+    option_->expected(1)->take_all();
+    return this;
+}
+
+Option* Option::no_extra_values() {
+    option_->allow_extra_args(false);
+    return this;
+}
+
+Option* Option::needs(const Option* other) {
+    option_->needs(other->option_);
+    return this;
+}
+
+Option* Option::needs(const std::string& other) {
+    option_->needs(other);
+    return this;
+}
+
+Option* Option::excludes(const std::string& other) {
+    option_->excludes(other);
+    return this;
+}
+
+template <class Number>
+Option* Option::range(Number least, Number most) {
+    option_->check(CLI::Range(least, most));
+    return this;
+}
+template Option* Option::range(int, int);
+template Option* Option::range(unsigned, unsigned);
+template Option* Option::range(std::uint64_t, std::uint64_t);
+
+Option* Option::number_range(double least, double most) {
+    const auto refused = [least, most](std::string& text) {
+        double number = 0.0;
+        const bool is_number = CLI::detail::lexical_cast(text, number);
+        if (is_number && number >= least && number <= most) return std::string();
+        return fmt::format("expected {:g} to {:g}, not {}", least, most, text);
+    };
+    option_->check(CLI::Validator(refused, ""));
+    return this;
+}
+
+std::string Option::name() const {
+    return option_->get_name();
+}
+std::vector<std::string> Option::long_names() const {
+    return option_->get_lnames();
+}
+std::string Option::type_name() const {
+    return option_->get_type_name();
+}
+bool Option::is_positional() const {
+    return option_->get_positional();
+}
+bool Option::is_flag() const {
+    return option_->get_expected_max() == 0;
+}
+std::size_t Option::count() const {
+    return option_->count();
+}
+std::vector<std::string> Option::values() const {
+    return option_->results();
+}
+
+App::App(const std::string& description, const std::string& name)
+    : owned_(std::make_unique<CLI::App>(description, name)), app_(owned_.get()) {
+    options_.emplace_back(app_->get_help_ptr());
+}
+
+App::App(CLI::App* command) : app_(command) {
+    options_.emplace_back(app_->get_help_ptr());
+}
+
+App::~App() = default;
+
+App* App::add_subcommand(const std::string& name, const std::string& description) {
+    commands_.push_back(std::unique_ptr<App>(new App(app_->add_subcommand(name, description))));
+    return commands_.back().get();
+}
+
+void App::require_subcommand() {
+    app_->require_subcommand(1);
+}
+
+void App::set_version_flag(const std::string& flag, const std::string& text) {
+    add(app_->set_version_flag(flag, text));
+}
+
+void App::footer(const std::string& text) {
+    app_->footer(text);
+}
+
+void App::after_parsing(std::function<void()> done) {
+    app_->parse_complete_callback(std::move(done));
+}
+
+Option* App::add(CLI::Option* option) {
+    return &options_.emplace_back(option);
+}
+
+template <class Value>
+Option* App::add_option(const std::string& name, Value& value, const std::string& description) {
+    return add(app_->add_option(name, value, description));
+}
+template Option* App::add_option(const std::string&, std::string&, const std::string&);
+template Option* App::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option* App::add_option(const std::string&, int&, const std::string&);
+template Option* App::add_option(const std::string&, unsigned&, const std::string&);
+template Option* App::add_option(const std::string&, std::uint64_t&, const std::string&);
+template Option* App::add_option(const std::string&, double&, const std::string&);
+template Option* App::add_option(const std::string&, std::optional<std::uint32_t>&,
+                                 const std::string&);
+
+Option* App::add_flag(const std::string& name, bool& value, const std::string& description) {
+    return add(app_->add_flag(name, value, description));
+}
+
+template <class Value>
+Option* App::add_option_function(const std::string& name,
+                                 const std::function<void(const Value&)>& take,
+                                 const std::string& description) {
+    return add(app_->add_option_function<Value>(name, take, description));
+}
+template Option* App::add_option_function(const std::string&,
+                                          const std::function<void(const std::string&)>&,
+                                          const std::string&);
+template Option* App::add_option_function(
+    const std::string&, const std::function<void(const std::vector<std::string>&)>&,
+    const std::string&);
+template Option* App::add_option_function(const std::string&,
+                                          const std::function<void(const double&)>&,
+                                          const std::string&);
+
+std::string App::name() const {
+    return app_->get_name();
+}
+std::string App::help() const {
+    return app_->help();
+}
+
+std::vector<const Option*> App::options() const {
+    std::vector<const Option*> options;
+    for (const Option& option : options_)
+        options.push_back(&option);
+    return options;
+}
+
+std::vector<const App*> App::subcommands() const {
+    std::vector<const App*> commands;
+    for (const auto& command : commands_)
+        commands.push_back(command.get());
+    return commands;
+}
+
+App* App::chosen() {
+    for (const auto& command : commands_) {
+        if (command->app_->parsed()) return command.get();
+    }
+    return this;
+}
+
+std::size_t App::count(const std::string& name) const {
+    return app_->count(name);
+}
+
+App::Outcome App::parse(const std::vector<std::string>& words) {
+    try {
+        // CLI11 takes them last first.
+        app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        return Outcome::Parsed;
+    } catch (const CLI::CallForHelp&) {
+        return Outcome::Help;
+    } catch (const CLI::CallForVersion&) {
+        return Outcome::Version;
+    } catch (const CLI::ParseError& e) {
+        throw UsageError{e.what()};
+    }
+}
+
+}  // namespace ncsim::app::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/plan_options.h"
+
+namespace ncsim::app {
+
+simulation::Plan plan_for(const ProgramOptions& program, const SimulationOptions& simulation,
+                          setup::InputSet& inputs) {
+    simulation::Plan plan;
+    // Reading counts, too.
+    plan.budget = setup::Budget(simulation.max_memory_gb, simulation.max_seconds);
+    plan.job = setup::read_job(program, inputs);
+    plan.model = simulation.model;
+    plan.tolerance = simulation.tolerance;
+    plan.tool_tolerance = simulation.tool_tolerance;
+    plan.threads = simulation.threads;
+    return plan;
+}
+
+simulation::Plan plan_for(const Options& options, setup::InputSet& inputs) {
+    simulation::Plan plan = plan_for(options, options, inputs);
+    plan.draft = options.draft;
+    plan.is_model_told = options.model_told;
+    plan.needs_exact = needs_exact_part(options);
+    plan.resolution = options.resolution;
+    plan.rays = options.rays;
+    plan.at_line = options.at_line;
+    plan.keep_boundary = needs_surface(options);
+    plan.keep_paths = options.shows_path;
+    plan.keep_carved = !options.save_stock.empty();
+    plan.block_volumes = options.block_volumes;
+    plan.hull_times = !options.stats.empty();
+    return plan;
+}
+
+}  // namespace ncsim::app

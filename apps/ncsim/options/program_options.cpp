@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/program_options.h"
+
+#include "ncsim/setup/stock_file.h"
+#include "ncsim/simulation/models.h"
+#include "ncsim/toolpath/stock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace {
+
+double read_tolerance(const char* name, double mm) {
+    if (!(mm >= 1e-4 && mm <= 10.0)) {
+        throw Refusal{fmt::format("{}: expected 0.0001 to 10 mm, not {}", name, mm)};
+    }
+    return mm;
+}
+
+toolpath::ToolSpec read_tool(const std::string& text) {
+    std::string message;
+    auto spec = toolpath::parse_tool_option(text, message);
+    if (!spec) throw Refusal{"--tool " + message};
+    return std::move(*spec);
+}
+
+std::vector<toolpath::ToolSpec> read_tools(const std::vector<std::string>& texts) {
+    std::vector<toolpath::ToolSpec> tools;
+    for (const std::string& text : texts) {
+        tools.push_back(read_tool(text));
+        const int number = tools.back().number;
+        if (std::count_if(tools.begin(), tools.end(),
+                          [number](const auto& t) { return t.number == number; }) > 1) {
+            throw Refusal{fmt::format("--tool: T{} is described twice", number)};
+        }
+    }
+    return tools;
+}
+
+toolpath::ToolSpec read_assumed_tool(const std::string& text) {
+    // With or without a number, which does not matter here.
+    const std::size_t equals = text.find('=');
+    auto tool = read_tool("T1=" + text.substr(equals == std::string::npos ? 0 : equals + 1));
+    tool.number = 0;
+    return tool;
+}
+
+toolpath::Stock read_stock(const std::string& text) {
+    if (setup::is_stock_file(text)) {
+        toolpath::Stock stock;
+        stock.from = toolpath::StockFile{text};
+        return stock;
+    }
+    std::string message;
+    const auto stock = toolpath::parse_stock_option(text, message);
+    if (!stock) throw Refusal{"--stock " + message};
+    return *stock;
+}
+
+std::string read_turn(const std::string& text) {
+    try {
+        setup::parse_turn(text);
+    } catch (const std::invalid_argument& e) {
+        throw Refusal{fmt::format("--stock-turn {}", e.what())};
+    }
+    return text;
+}
+
+cda::Vec3 read_triple(const char* option, const std::string& text) {
+    const auto triple = toolpath::parse_triple(text);
+    if (!triple) throw Refusal{fmt::format("{} '{}': expected x,y,z in mm", option, text)};
+    return *triple;
+}
+
+gcode::Dialect read_dialect(const std::string& name) {
+    using gcode::Dialect;
+    for (const Dialect dialect : {Dialect::Auto, Dialect::Rs274, Dialect::Fanuc, Dialect::Haas,
+                                  Dialect::Grbl, Dialect::Mach3}) {
+        if (name == gcode::name_of(dialect)) return dialect;
+    }
+    throw Refusal{
+        fmt::format("--dialect '{}': expected auto, rs274, fanuc, haas, grbl or mach3", name)};
+}
+
+bool read_inches(const std::string& unit) {
+    if (unit != "mm" && unit != "inch") {
+        throw Refusal{fmt::format("--units '{}': expected mm or inch", unit)};
+    }
+    return unit == "inch";
+}
+
+void read_model(const std::string& model) {
+    if (!simulation::find_model(model)) {
+        throw Refusal{fmt::format("--model '{}': expected {}", model, simulation::model_names())};
+    }
+}
+
+std::string models_told() {
+    std::string text = "Workpiece model:";
+    for (const simulation::ModelInfo& model : simulation::models()) {
+        const bool is_first = &model == simulation::models().data();
+        text += fmt::format("{} {}, {}", is_first ? "" : ";", model.name, model.what);
+    }
+    return text;
+}
+
+}  // namespace
+
+void require_verifying(const SimulationOptions& options) {
+    if (options.model.empty() || simulation::find_model(options.model)->verifies) return;
+    throw Refusal{fmt::format("--model {}: programs are verified, and parts compared, with {}",
+                              options.model,
+                              simulation::model_names([](const simulation::ModelInfo& model) {
+                                  return model.verifies;
+                              }))};
+}
+
+void require_exact(const SimulationOptions& options, std::string_view what) {
+    if (options.model.empty() || simulation::find_model(options.model)->exact) return;
+    throw Refusal{fmt::format(
+        "{}: what --model {} tells is not exact; take {}", what, options.model,
+        simulation::model_names([](const simulation::ModelInfo& model) { return model.exact; }))};
+}
+
+void add_program_options(cli::App& command, ProgramOptions& options) {
+    command.add_option("program", options.program, "NC program")->type_name("FILE");
+    add_language_options(command, options);
+}
+
+void complete(const ProgramOptions& options) {
+    if (options.program.empty() && options.job.empty()) {
+        throw Refusal{"an NC program is needed, or a job file that names one (--job)"};
+    }
+    if (!options.save_job.empty() && options.stock && options.stock->from &&
+        options.stock->from->path == "-") {
+        throw Refusal{"--save-job: stock from the standard input has no name that could be kept"};
+    }
+}
+
+std::vector<std::string> inputs_of(const ProgramOptions& o) {
+    std::vector<std::string> paths = o.tool_tables;
+    for (const std::string* path : {&o.program, &o.job, &o.holders}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    if (o.stock && o.stock->from) paths.push_back(o.stock->from->path);
+    return paths;
+}
+
+void add_language_options(cli::App& command, ProgramOptions& options) {
+    using Text = const std::string&;
+    ProgramOptions& o = options;
+    command.add_option("--job", o.job, "Set-up from a file that --save-job wrote, TOML")
+        ->type_name("FILE");
+    command
+        .add_option("--tool-table", o.tool_tables,
+                    "Tools from a file: tool.tbl, .camotics, Fusion or Kiri:Moto JSON")
+        ->type_name("FILE")
+        ->one_value_at_a_time();
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--tool", [&o](const auto& texts) { o.tools = read_tools(texts); },
+            "A tool, more than once for more tools")
+        ->type_name("TOOL")
+        ->one_value_at_a_time();
+    command.add_option("--holders", o.holders, "What holds the tools, TOML")->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--start", [&o](Text text) { o.start = read_triple("--start", text); },
+            "Where the tool stands when the program starts, in G54, mm")
+        ->type_name("X,Y,Z");
+    command
+        .add_option_function<std::string>(
+            "--units", [&o](Text unit) { o.inches = read_inches(unit); },
+            "Of programs without G20 and G21: mm or inch")
+        ->type_name("UNIT");
+    command.add_flag("--increments", o.increments,
+                     "Numbers without a point count 0.001 mm, 0.0001 inch, 0.001 degrees");
+    command
+        .add_option("--subprograms", o.subprograms,
+                    "A folder with subprograms, besides that of the program")
+        ->type_name("DIR")
+        ->one_value_at_a_time();
+    command.add_flag("--block-delete", o.block_delete, "Skip blocks that start with '/'");
+    command
+        .add_option_function<std::string>(
+            "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },
+            "Control it was written for: auto, rs274, fanuc, haas, grbl, mach3")
+        ->type_name("NAME");
+    command.add_flag("--strict", o.strict, "Refuse what RS274/NGC as LinuxCNC runs it refuses");
+    command.add_option("--allow", o.allow, "Words to pass over in silence: G187,M198")
+        ->type_name("WORDS")
+        ->delimiter(',');
+}
+
+void add_setup_options(cli::App& command, ProgramOptions& options) {
+    using Text = const std::string&;
+    ProgramOptions& o = options;
+    command.add_option("--save-job", o.save_job, "Write tools, stock and set-up as they were used")
+        ->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--stock", [&o](Text text) { o.stock = read_stock(text); },
+            "What is cut, if the program does not say it: LxWxH, or DdxH for a round bar, or a "
+            "file "
+            "(.stl, .glb, .step, .ncstock)")
+        ->type_name("STOCK");
+    command
+        .add_option_function<std::string>(
+            "--stock-turn", [&o](Text text) { o.stock_turn = read_turn(text); },
+            "Stock from a file: by right angles about axes, as X180 or X90,Z-90")
+        ->type_name("TURNS");
+    command
+        .add_option_function<std::string>(
+            "--stock-move", [&o](Text text) { o.stock_move = read_triple("--stock-move", text); },
+            "Stock from a file: then by so much, mm")
+        ->type_name("X,Y,Z");
+    command
+        .add_option_function<std::string>(
+            "--assume-tool", [&o](Text text) { o.assumed_tool = read_assumed_tool(text); },
+            "For tools nobody describes, as flat:D6")
+        ->type_name("TOOL");
+}
+
+void add_simulation_options(cli::App& command, SimulationOptions& options) {
+    SimulationOptions& o = options;
+    command
+        .add_option_function<std::string>(
+            "--model",
+            [&o](const std::string& model) {
+                read_model(model);
+                o.model = model;
+            },
+            models_told())
+        ->type_name("NAME");
+    command
+        .add_option_function<double>(
+            "--tolerance", [&o](double mm) { o.tolerance = read_tolerance("--tolerance", mm); },
+            "Of arcs and turning tools, mm [0.005]")
+        ->type_name("MM");
+    command
+        .add_option_function<double>(
+            "--tool-tolerance",
+            [&o](double mm) { o.tool_tolerance = read_tolerance("--tool-tolerance", mm); },
+            "Of round tools, mm [0.05]")
+        ->type_name("MM");
+    command.add_option("--threads", o.threads, "Threads; the result is the same for any number")
+        ->type_name("N")
+        ->range(1, 1024);
+    command
+        .add_option("--max-memory", o.max_memory_gb,
+                    "Give up, saying where, before more than this is used, GB")
+        ->type_name("GB")
+        ->number_range(1e-6, 1e9);
+    command
+        .add_option("--max-time", o.max_seconds,
+                    "Give up, saying where, after so many seconds with one program")
+        ->type_name("S")
+        ->number_range(1e-6, 1e9);
+}
+
+std::vector<std::string> words_of(const cli::App& command,
+                                  const std::function<bool(const std::string&)>& matters) {
+    std::vector<std::string> words{command.name()};
+    std::vector<std::string> programs;
+    for (const cli::Option* option : command.options()) {
+        if (option->count() == 0) continue;
+        if (option->is_positional()) {
+            programs = option->values();
+            continue;
+        }
+        const std::string name = option->long_names().front();
+        if (!matters(name)) continue;
+        if (option->is_flag()) {
+            words.push_back("--" + name);
+            continue;
+        }
+        for (const std::string& value : option->values())
+            words.push_back("--" + name + "=" + value);
+    }
+    if (!programs.empty()) words.emplace_back("--");
+    words.insert(words.end(), programs.begin(), programs.end());
+    return words;
+}
+
+}  // namespace ncsim::app

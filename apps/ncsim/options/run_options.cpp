@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/run_options.h"
+
+#include "ncsim/cda/tiles.h"
+#include "ncsim/simulation/models.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <set>
+
+namespace ncsim::app {
+
+namespace {
+
+void read_size(const std::string& text, Options& options) {
+    const char* first = text.data();
+    const char* last = first + text.size();
+    const auto width = std::from_chars(first, last, options.width);
+    const bool cross =
+        width.ec == std::errc{} && width.ptr != last && (*width.ptr == 'x' || *width.ptr == 'X');
+    const auto height = cross ? std::from_chars(width.ptr + 1, last, options.height) : width;
+    const auto good = [](std::uint32_t side) {
+        return side >= 1 && side <= exporter::kMaxImageSide;
+    };
+    if (!cross || height.ec != std::errc{} || height.ptr != last || !good(options.width) ||
+        !good(options.height)) {
+        throw Refusal{fmt::format("--size '{}': expected WxH in pixels, 1x1 to {}x{}", text,
+                                  exporter::kMaxImageSide, exporter::kMaxImageSide)};
+    }
+}
+
+exporter::View read_view(const std::string& name) {
+    const auto view = exporter::parse_view(name);
+    if (!view) {
+        throw Refusal{fmt::format(
+            "--view '{}': expected iso, top, bottom, front, back, left or right", name)};
+    }
+    return *view;
+}
+
+std::vector<exporter::View> read_views(const std::string& names) {
+    std::vector<exporter::View> views;
+    for (std::size_t begin = 0; begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        const auto view = exporter::parse_view(names.substr(begin, end - begin));
+        if (!view) {
+            throw Refusal{fmt::format(
+                "--views '{}': expected names with commas between them, such as iso,top,front",
+                names)};
+        }
+        views.push_back(*view);
+        begin = end + 1;
+    }
+    return views;
+}
+
+exporter::Background read_background(const std::string& name) {
+    if (name == "white") return exporter::Background::White;
+    if (name == "dark") return exporter::Background::Dark;
+    throw Refusal{fmt::format("--background '{}': expected white or dark", name)};
+}
+
+exporter::Colouring read_colouring(const std::string& name) {
+    if (name == "tool") return exporter::Colouring::Tool;
+    if (name == "line") return exporter::Colouring::Line;
+    if (name == "depth") return exporter::Colouring::Depth;
+    throw Refusal{fmt::format("--colour '{}': expected tool, line or depth", name)};
+}
+
+StandsStill read_frame(const std::string& name) {
+    if (name == "machine") return StandsStill::Machine;
+    if (name == "part") return StandsStill::Part;
+    throw Refusal{fmt::format("--frame '{}': expected machine or part", name)};
+}
+
+exporter::StepSchema read_step_schema(const std::string& name) {
+    if (name == "ap242") return exporter::StepSchema::Ap242;
+    if (name == "ap214") return exporter::StepSchema::Ap214;
+    throw Refusal{fmt::format("--step-schema '{}': expected ap242 or ap214", name)};
+}
+
+simulation::RayDirections read_rays(const std::string& name) {
+    if (name == "z") return simulation::RayDirections::AlongZ;
+    if (name == "xyz") return simulation::RayDirections::AlongAll;
+    throw Refusal{fmt::format("--rays '{}': expected z or xyz", name)};
+}
+
+StepSurfaces read_step_surfaces(const std::string& name) {
+    if (name == "analytic") return StepSurfaces::Analytic;
+    if (name == "faceted") return StepSurfaces::Faceted;
+    throw Refusal{fmt::format("--step-surfaces '{}': expected analytic or faceted", name)};
+}
+
+brep::SectionPlane read_section(const std::string& text) {
+    const auto plane = brep::parse_section_plane(text);
+    if (!plane) {
+        throw Refusal{
+            fmt::format("--section '{}': expected x=, y= or z= and a number of mm: z=-4", text)};
+    }
+    return *plane;
+}
+
+double read_simplify(double tolerance) {
+    if (tolerance == 0.0 || (tolerance >= 1e-6 && tolerance <= 1.0)) return tolerance;
+    throw Refusal{fmt::format("--simplify {}: expected 0, or 0.000001 to 1 mm", tolerance)};
+}
+
+// The thesis' model where its own views are asked for, else the one that scales.
+void choose_model(Options& o) {
+    o.model_told = !o.model.empty();
+    const bool needs_cells = !o.stats.empty() || !o.xml.empty();
+    const auto shows = [](const simulation::ModelInfo& model) { return model.shows_cells; };
+    if (o.model.empty()) {
+        o.model = needs_cells ? std::ranges::find_if(simulation::models(), shows)->name
+                              : simulation::models().front().name;
+    }
+    if (needs_cells && !simulation::find_model(o.model)->shows_cells) {
+        throw Refusal{fmt::format("--stats and --xml show the cells of --model {}",
+                                  simulation::model_names(shows))};
+    }
+    const simulation::ModelInfo& model = *simulation::find_model(o.model);
+    const bool tells_rays = o.rays != simulation::RayDirections::Chosen;
+    if ((o.resolution > 0.0 || tells_rays) && !model.has_resolution) {
+        throw Refusal{fmt::format(
+            "{} is that of --model {}", o.resolution > 0.0 ? "--resolution" : "--rays",
+            simulation::model_names([](const auto& known) { return known.has_resolution; }))};
+    }
+    if (!o.step.empty()) require_exact(o, "--step");
+    if (!o.sections.empty()) require_exact(o, "--section");
+    if (o.block_volumes) require_exact(o, "--block-volumes");
+    if (!o.save_stock.empty()) require_exact(o, "--save-stock");
+}
+
+}  // namespace
+
+bool needs_exact_part(const Options& o) {
+    return !o.step.empty() || !o.sections.empty() || o.block_volumes || !o.save_stock.empty() ||
+           !o.stats.empty() || !o.xml.empty() || !o.tile.empty() || o.tiles;
+}
+
+std::vector<std::string> outputs_of(const Options& o) {
+    std::vector<std::string> paths;
+    for (const std::string* path :
+         {&o.png, &o.gltf, &o.vrml, &o.stl, &o.ply, &o.threemf, &o.step, &o.dxf, &o.svg, &o.gif,
+          &o.report, &o.stats, &o.xml, &o.save_job, &o.save_stock}) {
+        if (!path->empty()) paths.push_back(*path);
+    }
+    return paths;
+}
+
+bool needs_surface(const Options& o) {
+    const bool pictures = !o.png.empty() || !o.gif.empty() || !o.frames.empty();
+    const simulation::ModelInfo* model = simulation::find_model(o.model);
+    const bool draws_itself = model && model->shows_cells;
+    return (pictures && !draws_itself) || !o.gltf.empty() || !o.vrml.empty() || !o.stl.empty() ||
+           !o.ply.empty() || !o.threemf.empty() || !o.step.empty() || !o.sections.empty() ||
+           !o.report.empty();
+}
+
+cli::App* add_run(cli::App& app, Options& options) {
+    using Text = const std::string&;
+    Options& o = options;
+    cli::App* run =
+        app.add_subcommand("run", "Simulate a program; write pictures, meshes and reports");
+    add_program_options(*run, o);
+    add_setup_options(*run, o);
+    run->add_flag("--show-machine", o.shows_machine,
+                  "Links of the machine that have meshes, around the part: in pictures; moving, "
+                  "in --gltf and --vrml");
+    run->add_option_function<std::string>(
+           "--frame", [&o](Text name) { o.stands_still = read_frame(name); },
+           "What stands still in pictures of a machine: machine or part [machine]")
+        ->type_name("WHAT")
+        ->needs("--show-machine");
+    run->add_option("--transparent", o.transparent,
+                    "Links whose back is seen in pictures: their names, with commas")
+        ->delimiter(',')
+        ->type_name("LINK,…")
+        ->needs("--show-machine");
+    run->add_option("--machine", o.machine,
+                    "Offsets and how the machine turns, TOML, URDF, LinuxCNC INI, FreeCAD .fcm")
+        ->type_name("FILE");
+    run->add_option("--png", o.png, "Picture of the part")->type_name("FILE");
+    run->add_option("--gif", o.gif, "Moving picture of the cutting")->type_name("FILE");
+    run->add_option("--frames", o.frames, "Pictures of the cutting, numbered, in a folder")
+        ->type_name("DIR");
+    run->add_option("--every", o.every, "Moves from one frame to the next [so that there are 100]")
+        ->range(std::uint64_t{1}, std::uint64_t{1'000'000'000})
+        ->type_name("N");
+    run->add_option("--at-line", o.at_line, "Stop after line N of the program")
+        ->range(1U, 1'000'000'000U)
+        ->type_name("N");
+    run->add_option("--gltf", o.gltf, "Mesh with the NC line of every face, glTF 2.0 binary")
+        ->type_name("FILE");
+    run->add_option("--vrml", o.vrml, "Mesh with the NC line of every face, VRML97")
+        ->type_name("FILE");
+    run->add_option("--stl", o.stl, "Mesh, binary STL")->type_name("FILE");
+    run->add_option("--ply", o.ply, "Mesh with the NC line of every face, PLY")->type_name("FILE");
+    run->add_option("--3mf", o.threemf, "Mesh with a material for each tool, 3MF")
+        ->type_name("FILE");
+    run->add_option("--step", o.step, "Solid for CAD, STEP")->type_name("FILE");
+    run->add_option_function<std::string>(
+           "--step-surfaces", [&o](Text name) { o.step_surfaces = read_step_surfaces(name); },
+           "Of the solid: analytic (planes, cylinders, cones, as the tools left them) or faceted "
+           "[analytic]")
+        ->type_name("WHAT");
+    run->add_option(
+           "--step-refine", o.step_refine,
+           "Where facets are too large for true surfaces, cut again with other tolerances, "
+           "up to N times [6]")
+        ->range(0, 6)
+        ->type_name("N");
+    run->add_flag("--step-strict", o.step_strict,
+                  "Exit with 2 if round surfaces had to be kept as facets");
+    run->add_option_function<std::string>(
+           "--step-schema", [&o](Text name) { o.step_schema = read_step_schema(name); },
+           "ap242, or ap214 for older readers [ap242]")
+        ->type_name("WHAT");
+    run->add_flag("--step-attributes", o.step_attributes,
+                  "Lines, tools and kind of each face, as attributes");
+    run->add_option("--step-max-faces", o.step_max_faces,
+                    fmt::format("Refuse a larger solid [{}]", exporter::kStepMaxFaces))
+        ->range(1, 1'000'000'000)
+        ->type_name("N");
+    run->add_option_function<std::vector<std::string>>(
+           "--section",
+           [&o](const std::vector<std::string>& planes) {
+               for (const std::string& plane : planes)
+                   o.sections.push_back(read_section(plane));
+           },
+           "Cut the part open where x, y or z is so many mm; several times, if need be")
+        ->type_name("z=N")
+        ->no_extra_values();
+    run->add_option("--dxf", o.dxf, "The sections in lines and arcs, DXF R12")->type_name("FILE");
+    run->add_option("--svg", o.svg, "The sections in lines and arcs, SVG")->type_name("FILE");
+    run->add_option_function<double>(
+           "--simplify", [&o](double tolerance) { o.simplify = read_simplify(tolerance); },
+           "Merge faces and edges in meshes and solids within TOL mm; the deviation is "
+           "reported")
+        ->type_name("TOL");
+    cli::Option* const report =
+        run->add_option("--report", o.report, "What happened, JSON")->type_name("FILE");
+    run->add_option("--save-stock", o.save_stock,
+                    "What is left, for --stock of another program: file.ncstock")
+        ->type_name("FILE");
+    run->add_option("--stats", o.stats, "What each hull cost, CSV")->type_name("FILE");
+    run->add_option("--xml", o.xml, "The cells of the workpiece, XML")->type_name("FILE");
+    add_simulation_options(*run, o);
+    run->add_option_function<std::string>(
+           "--view", [&o](Text name) { o.views = {read_view(name)}; },
+           "iso, top, bottom, front, back, left, right")
+        ->type_name("VIEW");
+    run->add_option_function<std::string>(
+           "--views", [&o](Text names) { o.views = read_views(names); },
+           "Several of them on one sheet with a caption: iso,top,front")
+        ->type_name("LIST")
+        ->excludes("--view");
+    run->add_option_function<std::string>(
+           "--background", [&o](Text name) { o.background = read_background(name); },
+           "Of the picture: white, dark")
+        ->type_name("WHAT");
+    run->add_option_function<std::string>(
+           "--colour", [&o](Text name) { o.colouring = read_colouring(name); },
+           "What colours tell: tool, line, depth")
+        ->type_name("WHAT");
+    run->add_flag("--show-path", o.shows_path, "Draw the path of the tip, rapids dashed");
+    run->add_flag("--show-tool", o.shows_tool, "Draw the tool where it stands");
+    run->add_flag("--caption", o.has_caption, "Size, removed volume and time below pictures");
+    run->add_option_function<std::string>(
+           "--size", [&o](Text size) { read_size(size, o); }, "Of each view, pixels [1280x960]")
+        ->type_name("WxH");
+    run->add_flag("--block-volumes", o.block_volumes,
+                  "Report what each block removed, too: more work")
+        ->needs(report);
+    run->add_option("--resolution", o.resolution,
+                    "Between the rays of --model dexel, mm [the stock's longest side / 250]")
+        ->type_name("MM")
+        ->number_range(1e-4, 1e4);
+    run->add_option_function<std::string>(
+           "--rays", [&o](Text name) { o.rays = read_rays(name); },
+           "Of --model dexel: z (quicker; walls are off by up to half the resolution), xyz; else z "
+           "where no tool turns, undercuts or has a flat end")
+        ->type_name("WHAT");
+    run->add_option("--tile", o.tile,
+                    "Only part I of N of the part, from 0 on, for ncsim merge; auto: as "
+                    "SLURM_ARRAY_TASK_ID or CI_NODE_INDEX say")
+        ->type_name("I/N");
+    run->add_option("--tile-out", o.tile_out, "Folder for the result of a tile")->type_name("DIR");
+    run->add_flag("--redo", o.redo, "Cut a tile again whose result is there");
+    run->add_flag("--draft", o.draft,
+                  "A first look: guess tools that nobody describes, say so in the picture, and be "
+                  "quick");
+    run->add_flag("--quiet,-q", o.quiet, "Only errors and warnings");
+    run->after_parsing([run, &o] {
+        o.tolerance_told = run->count("--tolerance") != 0;
+        o.tool_tolerance_told = run->count("--tool-tolerance") != 0;
+    });
+    return run;
+}
+
+std::vector<std::string> words_of_part(const cli::App& command) {
+    static const std::set<std::string, std::less<>> kOthers{
+        "tile", "tile-out", "redo", "threads", "quiet", "max-time", "max-memory"};
+    return words_of(command, [](const std::string& name) { return !kOthers.contains(name); });
+}
+
+namespace {
+
+void complete_tile(Options& o) {
+    if (o.tile.empty() != o.tile_out.empty()) {
+        throw Refusal{o.tile.empty() ? "--tile-out: of which tile? --tile I/N"
+                                     : "--tile: where to is its result to go? --tile-out DIR"};
+    }
+    if (o.tile.empty() && o.redo) throw Refusal{"--redo is about a --tile"};
+    if (o.tile.empty()) return;
+    o.number = shard_number(o.tile, 0, "--tile");
+    if (o.number.of > cda::kMostTiles)
+        throw Refusal{fmt::format("--tile '{}': {} tiles at most", o.tile, cda::kMostTiles)};
+    if (!outputs_of(o).empty() || !o.frames.empty())
+        throw Refusal{"--tile: pictures, meshes and reports are written by ncsim merge"};
+    if (o.program == "-") throw Refusal{"--tile: the program has to have a name"};
+    if (o.model != simulation::models().front().name)
+        throw Refusal{
+            fmt::format("--tile: of --model {} alone", simulation::models().front().name)};
+}
+
+}  // namespace
+
+void complete(Options& options) {
+    complete(static_cast<const ProgramOptions&>(options));
+    choose_model(options);
+    if (options.sections.empty() && !(options.dxf.empty() && options.svg.empty()))
+        throw Refusal{"--dxf and --svg draw sections: where is told by --section z=-4"};
+    if (options.every != 0 && options.frames.empty() && options.gif.empty()) {
+        throw Refusal{"--every says how often pictures are taken: it needs --frames or --gif"};
+    }
+    complete_tile(options);
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/shard_number.h"
+
+#include "options/program_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+namespace ncsim::app {
+
+namespace {
+
+std::optional<std::uint32_t> number_of(std::string_view text) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::optional<std::uint32_t> from_environment(const char* name) {
+    const char* text = std::getenv(name);
+    return text ? number_of(text) : std::nullopt;
+}
+
+}  // namespace
+
+ShardNumber shard_number(const std::string& text, std::uint32_t of, const char* option) {
+    ShardNumber number;
+    if (text == "auto") {
+        struct Service {
+            const char *index, *first, *count;
+        };
+        // Slurm counts from where the array begins, GitLab from 1.
+        for (const Service& s :
+             {Service{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_COUNT"},
+              Service{"JOB_COMPLETION_INDEX", nullptr, nullptr},
+              Service{"CI_NODE_INDEX", "", "CI_NODE_TOTAL"}}) {
+            const auto index = from_environment(s.index);
+            if (!index) continue;
+            std::uint32_t first = 0;
+            if (s.first) first = *s.first ? from_environment(s.first).value_or(0) : 1;
+            if (of == 0 && s.count) of = from_environment(s.count).value_or(0);
+            if (of == 0) {
+                throw Refusal{fmt::format(
+                    "{0} auto: {1} is set, but not how many there are: {0}s N, or {0} I/N", option,
+                    s.index)};
+            }
+            if (*index < first || *index - first >= of) {
+                throw Refusal{fmt::format("{} auto: {} is {}, of {} from {} on", option, s.index,
+                                          *index, of, first)};
+            }
+            return {*index - first, of};
+        }
+        throw Refusal{fmt::format(
+            "{} auto: none of SLURM_ARRAY_TASK_ID, JOB_COMPLETION_INDEX, CI_NODE_INDEX is set",
+            option)};
+    }
+    const std::size_t slash = text.find('/');
+    const auto shard = number_of(std::string_view(text).substr(0, slash));
+    const auto count = slash == std::string::npos
+                           ? std::optional(of)
+                           : number_of(std::string_view(text).substr(slash + 1));
+    constexpr std::uint32_t kMost = 1'000'000;
+    if (!shard || !count || *count == 0 || *count > kMost || *shard >= *count) {
+        throw Refusal{
+            fmt::format("{} '{}': expected i/n with i from 0 to n-1, or auto", option, text)};
+    }
+    return {*shard, *count};
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/picture.h"
+
+#include "ncsim/export/camera.h"
+#include "ncsim/export/render.h"
+#include "ncsim/export/sheet.h"
+#include "ncsim/machine/relative.h"
+#include "ncsim/report/describe.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/report/machining_time.h"
+#include "ncsim/simulation/models.h"
+#include "ncsim/toolpath/joint_path.h"
+
+#include "run/machine_picture.h"
+#include "run/tool_body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::app {
+
+namespace {
+
+// How far beyond the block paths and tools are shown, in diagonals of the block: what is farther
+// would make the part small.
+constexpr double kSurroundings = 0.3;
+
+// The links where they stand with all joints at 0, so that pictures in a row have one camera:
+// machine coordinates.
+cda::Box machine_box(const Outcome& outcome) {
+    cda::Box box;
+    for (const setup::MachineBody& body : outcome.machine->bodies) {
+        for (const cda::Vec3& p : body.mesh.vertices)
+            box.add(p);
+    }
+    return box;
+}
+
+bool stands_on_machine(const Outcome& outcome) {
+    return outcome.options.shows_machine && outcome.options.stands_still == StandsStill::Machine;
+}
+
+// Where the joints stand after the last move, machine coordinates.
+machine::Values joints_of(const Outcome& outcome) {
+    const auto& last = outcome.simulation->last_move;
+    if (!last) return {};
+    return toolpath::JointPath(*outcome.plan.placed, *last).at(1.0).value_or(machine::Values{});
+}
+
+// The links around the part, which stays where it is.
+void add_machine(const Outcome& outcome, exporter::Overlay& overlay) {
+    const setup::MachineFile& machine = *outcome.machine;
+    const machine::Values values = joints_of(outcome);
+    for (const setup::MachineBody& link : machine.bodies) {
+        std::vector<cda::Vec3> corners = corners_at(link, values);
+        for (cda::Vec3& p : corners)
+            p = setup::on_part(machine.part_moved_by, values, p) - outcome.plan.placed->zero;
+        overlay.bodies.push_back(machine_body(link, std::move(corners)));
+    }
+}
+
+// The part in the machine.
+machine::Pose pose_of_part(const Outcome& outcome) {
+    machine::Pose X_MW = machine::pose_of(outcome.machine->part_moved_by, joints_of(outcome));
+    X_MW.translation = X_MW * outcome.plan.placed->zero;
+    return X_MW;
+}
+
+// A camera that stands in the machine, as the part has it.
+exporter::Camera seen_from_part(exporter::Camera camera, const machine::Pose& X_MW) {
+    const machine::Pose X_WM = machine::inverse(X_MW);
+    const machine::Pose R_WM{X_WM.rows, {}};
+    camera.target = X_WM * camera.target;
+    for (cda::Vec3* direction : {&camera.right, &camera.up, &camera.back})
+        *direction = R_WM * *direction;
+    return camera;
+}
+
+// In machine coordinates where the machine stands still, else in those of the part.
+cda::Box seen_box(const Outcome& outcome) {
+    const Options& o = outcome.options;
+    if (stands_on_machine(outcome)) return machine_box(outcome);
+    cda::Box seen = outcome.survey.stock->box;
+    if (o.shows_machine) {
+        const cda::Box machine = machine_box(outcome);
+        seen.add(machine.min - outcome.plan.placed->zero);
+        seen.add(machine.max - outcome.plan.placed->zero);
+    }
+    if (!o.shows_path && !o.shows_tool) return seen;
+    const double reach = kSurroundings * norm(seen.size());
+    const cda::Vec3 margin{reach, reach, reach};
+    const cda::Box around{seen.min - margin, seen.max + margin};
+    const auto show = [&](cda::Vec3 p) {
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] = std::clamp(p[axis], around.min[axis], around.max[axis]);
+        seen.add(p);
+    };
+    const cda::Box& tips = outcome.survey.tip_positions;
+    if (!tips.is_empty()) {
+        show(tips.min);
+        show(tips.max);
+    }
+    if (o.shows_tool) show({seen.centre().x, seen.centre().y, around.max.z});
+    return seen;
+}
+
+exporter::RenderOptions render_options(const Outcome& outcome, exporter::View view) {
+    const Options& o = outcome.options;
+    const cda::Box& stock = outcome.survey.stock->box;
+    const cda::Box& tips = outcome.survey.tip_positions;
+    exporter::RenderOptions options;
+    options.width = o.width;
+    options.height = o.height;
+    options.background = o.background;
+    options.colouring = o.colouring;
+    options.ghost_stock = outcome.survey.stock->told_by == toolpath::ToldBy::Assumption;
+    options.depth_top = stock.max.z;
+    options.depth_bottom = std::max(stock.min.z, tips.min.z);
+    options.camera =
+        exporter::fit_camera(seen_box(outcome), view, static_cast<double>(o.width) / o.height);
+    if (o.shows_machine) options.camera.depth += norm(machine_box(outcome).size());
+    // Paths and tools that reach out of the picture may be far before it, too.
+    if (o.shows_path || o.shows_tool) {
+        cda::Box all = stock;
+        if (!tips.is_empty()) {
+            all.add(tips.min);
+            all.add(tips.max);
+        }
+        options.camera.depth += norm(all.size());
+        for (const auto& [number, used] : outcome.survey.tools)
+            options.camera.depth += toolpath::height_of(used.tool);
+    }
+    if (stands_on_machine(outcome))
+        options.camera = seen_from_part(options.camera, pose_of_part(outcome));
+    return options;
+}
+
+exporter::Overlay overlay(const Outcome& outcome) {
+    const simulation::Simulation& s = *outcome.simulation;
+    exporter::Overlay result{s.paths, {}};
+    const toolpath::StockEntry& stock = *outcome.survey.stock;
+    if (stock.told_by == toolpath::ToldBy::Assumption && !stock.shape && !stock.is_round)
+        result.ghosts.push_back({stock.box});
+    if (outcome.options.shows_machine) add_machine(outcome, result);
+    if (!outcome.options.shows_tool || !s.standing) return result;
+    const auto used = outcome.survey.tools.find(s.standing->tool);
+    if (used != outcome.survey.tools.end())
+        std::ranges::move(tool_bodies(used->second.tool, s.standing->X_WT),
+                          std::back_inserter(result.bodies));
+    return result;
+}
+
+exporter::Image view_of(const Outcome& outcome, exporter::View view) {
+    const simulation::Simulation& s = *outcome.simulation;
+    const exporter::RenderOptions options = render_options(outcome, view);
+    // By its masks, as the thesis does it.
+    if (simulation::find_model(outcome.plan.model)->shows_cells)
+        return exporter::render_model(*s.part, s.provenance, options, overlay(outcome));
+    return exporter::render_boundary(*outcome.boundary, s.provenance, options, overlay(outcome),
+                                     outcome.shading ? *outcome.shading : brep::Shading());
+}
+
+// Its text, if there is only one file that could have such a line.
+std::string line_at(const Outcome& outcome) {
+    if (outcome.survey.interpretation.files.size() > 1) return {};
+    return std::string(gcode::line_text(outcome.plan.job.program, outcome.simulation->line));
+}
+
+std::vector<std::string> caption(const Outcome& outcome) {
+    const simulation::Simulation& s = *outcome.simulation;
+    const cda::Vec3 size = outcome.survey.stock->box.size();
+    const double removed = s.stock_volume - s.part_volume;
+    const verify::Distances& path = s.distances;
+    std::string travelled = fmt::format("{:.1f} mm at feed", path.feed_mm);
+    if (const auto total = report::time_of(path).total())
+        travelled = report::time_text(*total) + ", " + travelled;
+    std::vector<std::string> lines{
+        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm",
+                    report::base_name(outcome.plan.job.program.name), size.x, size.y, size.z),
+        s.stock_volume > 0.0
+            ? fmt::format("{} of {} removed ({:.1f} %)", report::volume_text(removed),
+                          report::volume_text(s.stock_volume), 100.0 * removed / s.stock_volume)
+            : std::string("nothing is cut"),
+        fmt::format("{}, {:.1f} mm rapid", travelled, path.rapid_mm)};
+    const Options& o = outcome.options;
+    if (o.at_line || !o.gif.empty() || !o.frames.empty()) {
+        lines.push_back(s.line == 0 ? std::string("before the first move")
+                                    : fmt::format("after line {}: {}", s.line, line_at(outcome)));
+    }
+    return lines;
+}
+
+// What a first look guessed.
+void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
+    const simulation::Survey& survey = outcome.survey;
+    for (const auto& [number, used] : survey.tools) {
+        if (used.told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
+            lines.push_back(fmt::format("guessed: T{} {}", number, describe(used.tool)));
+    }
+    if (survey.stock->told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
+        lines.push_back("guessed: stock " + report::describe(*survey.stock));
+    if (!survey.interpretation.units_stated) {
+        lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
+                                                             : "guessed: millimetres");
+    }
+    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
+        if (survey.untold[axis]) lines.push_back(fmt::format("guessed: {} 0", "XYZ"[axis]));
+    }
+}
+
+}  // namespace
+
+exporter::Image picture(const Outcome& outcome) {
+    const std::vector<exporter::View>& views = outcome.options.views;
+    const Options& o = outcome.options;
+    std::vector<std::string> lines;
+    if (views.size() > 1 || o.has_caption) lines = caption(outcome);
+    if (o.draft) add_guesses(outcome, lines);
+    if (views.size() == 1 && lines.empty()) return view_of(outcome, views.front());
+    std::vector<exporter::LabelledImage> pictures;
+    for (const exporter::View view : views) {
+        const std::string label(views.size() == 1 ? "" : exporter::name(view));
+        pictures.push_back({label, view_of(outcome, view)});
+    }
+    return exporter::contact_sheet(pictures, lines, o.background);
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/run.h"
+
+#include "ncsim/brep/flat_part.h"
+#include "ncsim/brep/recognise.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/export/drawing.h"
+#include "ncsim/export/gltf.h"
+#include "ncsim/export/ply.h"
+#include "ncsim/export/png.h"
+#include "ncsim/export/simplify.h"
+#include "ncsim/export/step.h"
+#include "ncsim/export/stl.h"
+#include "ncsim/export/threemf.h"
+#include "ncsim/export/vrml.h"
+#include "ncsim/report/run_report.h"
+#include "ncsim/report/sheet.h"
+#include "ncsim/setup/machine_formats.h"
+#include "ncsim/setup/recorded_input.h"
+#include "ncsim/setup/stock_file.h"
+#include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/shading.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/solid.h"
+#include "ncsim/simulation/take_machine.h"
+
+#include "options/plan_options.h"
+#include "run/animation.h"
+#include "run/machine_picture.h"
+#include "run/mesh_folder.h"
+#include "run/moving_machine.h"
+#include "run/outcome.h"
+#include "run/picture.h"
+#include "run/save_job.h"
+#include "run/tile.h"
+#include "system/console.h"
+#include "system/output.h"
+#include "system/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ncsim::app {
+
+namespace {
+
+// Of the lines that left a face: not of all of a program of ten million. Lines of other files have
+// the same numbers: with them, no text is sure to be right.
+std::map<std::uint32_t, std::string> text_of_lines(const simulation::Plan& plan,
+                                                   const simulation::Survey& survey,
+                                                   const exporter::Provenance& provenance,
+                                                   const cda::Boundary& boundary) {
+    std::map<std::uint32_t, std::string> text;
+    if (survey.interpretation.files.size() > 1) return text;
+    const std::vector<std::string_view> lines = gcode::lines_of(plan.job.program);
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        const std::uint32_t line = provenance.of(face.origin).nc_line;
+        if (line == 0 || line > lines.size()) continue;
+        text.try_emplace(line, lines[line - 1]);
+    }
+    return text;
+}
+
+brep::Shading shading_of_mesh(const Outcome& outcome) {
+    if (!outcome.simplified) return outcome.shading ? *outcome.shading : brep::Shading();
+    return simulation::shading_of(outcome.plan, outcome.survey, *outcome.simulation,
+                                  outcome.simplified->boundary, *outcome.options.simplify);
+}
+
+void write_outputs(const Outcome& outcome, OutputSet& outputs) {
+    const Options& o = outcome.options;
+    const simulation::Simulation& s = *outcome.simulation;
+    const cda::Boundary* mesh =
+        outcome.simplified ? &outcome.simplified->boundary : outcome.boundary;
+    // Formats with polygons get the faces that a person counts on the part.
+    std::optional<exporter::Simplified> counted;
+    const auto polygons = [&]() -> const cda::Boundary& {
+        if (outcome.simplified) return *mesh;
+        if (!counted) counted = exporter::simplify(*mesh, exporter::kFlatTolerance, &s.provenance);
+        return counted->boundary;
+    };
+    outputs.write(o.png, [&](std::ostream& out) { exporter::write_png(out, picture(outcome)); });
+    std::optional<exporter::MovingScene> moving;
+    if (o.shows_machine && (!o.gltf.empty() || !o.vrml.empty())) moving = moving_machine(outcome);
+    outputs.write(o.gltf, [&](std::ostream& out) {
+        const brep::Shading shading = shading_of_mesh(outcome);
+        if (moving) {
+            exporter::write_gltf(out, *mesh, s.provenance, *moving, shading);
+        } else {
+            exporter::write_gltf(out, *mesh, s.provenance, outcome.plan.threads, shading);
+        }
+    });
+    outputs.write(o.vrml, [&](std::ostream& out) {
+        if (moving) {
+            exporter::write_vrml(out, polygons(), s.provenance, *moving);
+        } else {
+            exporter::write_vrml(out, polygons(), s.provenance);
+        }
+    });
+    outputs.write(o.stl, [&](std::ostream& out) {
+        exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads),
+                            outcome.plan.threads);
+    });
+    outputs.write(o.ply,
+                  [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
+    outputs.write(o.threemf,
+                  [&](std::ostream& out) { exporter::write_3mf(out, polygons(), s.provenance); });
+    outputs.write(o.step, [&](std::ostream& out) {
+        exporter::StepOptions how;
+        how.max_faces = o.step_max_faces;
+        how.schema = o.step_schema;
+        how.has_attributes = o.step_attributes;
+        how.mass = outcome.solid_mass;
+        if (!outcome.solid->recognised.is_sound) throw std::runtime_error(exporter::kUnsoundSolid);
+        exporter::write_step_solid(out, outcome.solid->recognised.part, outcome.solid->provenance,
+                                   how);
+    });
+    const std::string& program = s.provenance.program;
+    outputs.write(o.dxf, [&](std::ostream& out) {
+        exporter::write_dxf(out, drawn_sections(outcome), program);
+    });
+    outputs.write(o.svg, [&](std::ostream& out) {
+        exporter::write_svg(out, drawn_sections(outcome), program);
+    });
+    outputs.write(o.save_stock, [&](std::ostream& out) {
+        const cda::Shape stock =
+            toolpath::stock_shape(*outcome.survey.stock, outcome.plan.tool_tolerance);
+        setup::write_stock_file(out, stock, s.carved);
+    });
+    outputs.write(o.stats, [&](std::ostream& out) { s.part->write_statistics(out); });
+    outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
+}
+
+// Would a quick look do for what is asked for?
+bool is_long(const simulation::Survey& survey, const Options& o) {
+    return survey.moves >= simulation::kLongProgram && !needs_exact_part(o);
+}
+
+// Does anything that is asked for shade the part?
+bool is_shaded(const Options& o) {
+    return !o.png.empty() || !o.gltf.empty();
+}
+
+double step_tolerance(const Options& o) {
+    return std::max(o.simplify.value_or(0.0), exporter::kStepTolerance);
+}
+
+// What --step writes where facets are asked for.
+simulation::Solid facets_of(const Outcome& outcome) {
+    brep::FlatPart flat = exporter::flat_solid(*outcome.boundary, step_tolerance(outcome.options));
+    brep::Recognised solid{std::move(flat.part)};
+    solid.coarser = flat.coarser;
+    solid.is_sound = flat.is_sound;
+    return {std::move(solid), outcome.simulation->provenance, outcome.plan.tool_tolerance};
+}
+
+// As the tools left it, if anything that is asked for is made of that.
+std::optional<simulation::Solid> true_solid(const Outcome& outcome) {
+    const Options& o = outcome.options;
+    const bool is_written = !o.step.empty() && o.step_surfaces == StepSurfaces::Analytic;
+    if (!is_written && o.sections.empty()) return std::nullopt;
+    return simulation::refined_solid(outcome.plan, outcome.survey, *outcome.simulation,
+                                     step_tolerance(o), o.step_refine);
+}
+
+}  // namespace
+
+int run(Options options) {
+    if (!options.tile.empty()) return run_tile(std::move(options));
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    if (!options.machine.empty()) inputs.expect(options.machine);
+    setup::RecordedInput recorded(inputs);
+    setup::InputSet& read = options.tiles ? recorded : inputs;
+    simulation::Plan plan = plan_for(options, read);
+    plan.tiles = options.tiles;
+    std::vector<std::string> not_used;
+    std::optional<setup::MachineFile> machine;
+    if (!options.machine.empty()) machine = setup::read_machine(options.machine, read);
+    if (machine) not_used = simulation::take_machine(plan, *machine);
+    if (options.shows_machine && (!machine || machine->bodies.empty()))
+        throw std::runtime_error("--show-machine: no link of a machine has a mesh (--machine)");
+    if (machine) make_transparent(*machine, options.transparent);
+    const Options& o = options;
+    for (const std::string& path : outputs_of(o))
+        outputs.reserve(path);
+    if (!o.mesh_folder.empty()) outputs.reserve(list_of_meshes(o.mesh_folder));
+
+    simulation::Survey survey = simulation::survey(plan);
+    if (survey.is_flat() || survey.only_rapid) options.shows_path = plan.keep_paths = true;
+    simulation::choose_model(plan, survey);
+    simulation::choose_rays(plan, survey);
+    simulation::coarsen(plan, survey, o.tolerance_told, o.tool_tolerance_told);
+    simulation::choose_resolution(plan, survey);
+    // Of a program that is not read, there is nothing to assume.
+    if (!o.quiet && !survey.interpretation.refused)
+        say(report::assumption_sheet(plan.job.program.name, survey,
+                                     simulation::cutting_facts(plan)));
+    if (!o.quiet && survey.is_ready() && !o.draft && !o.model_told && is_long(survey, o)) {
+        say(
+            fmt::format("hint      {} moves: --model dexel shows them in a fraction of the time, "
+                        "not exactly\n",
+                        survey.moves));
+    }
+    for (const std::string& what : not_used)
+        say("not used: " + what + "\n");
+    print_findings(plan.job.program, survey.diagnostics);
+
+    if (o.at_line && *o.at_line > survey.interpretation.lines) {
+        throw std::runtime_error(fmt::format("--at-line {}: the program has {} lines", *o.at_line,
+                                             survey.interpretation.lines));
+    }
+
+    Outcome outcome{options, plan, survey};
+    outcome.machine = machine ? &*machine : nullptr;
+    std::optional<simulation::Simulation> simulation;
+    std::optional<exporter::Simplified> simplified;
+    std::optional<simulation::Solid> true_surfaces, facets;
+    std::optional<brep::Shading> shading;
+    if (survey.is_ready()) {
+        Progress progress(survey.moves, !o.quiet && ::isatty(STDERR_FILENO) != 0);
+        Animation animation(options, survey, outputs);
+        const auto take_frame = [&](const simulation::Simulation& so_far) {
+            Outcome now{options, plan, survey, &so_far};
+            now.machine = outcome.machine;
+            brep::Shading shading_now;
+            if (so_far.boundary) {
+                now.boundary = &*so_far.boundary;
+                shading_now = simulation::shading_of(plan, survey, so_far, *so_far.boundary);
+                now.shading = &shading_now;
+            }
+            animation.take(now);
+        };
+        simulation::Verification nothing;
+        nothing.keep_cuts =
+            !o.step.empty() || !o.sections.empty() || is_shaded(o) || animation.every() != 0;
+        simulation = simulation::simulate(plan, survey, nothing,
+                                          [&](std::uint64_t done) { progress.update(done); },
+                                          {animation.every(), take_frame});
+        if (o.tiles) expect_same_files(o.tile_files, recorded.files());
+        if (animation.every() != 0) take_frame(*simulation);
+        print_findings(plan.job.program, simulation->diagnostics);
+        survey.diagnostics.insert(survey.diagnostics.end(), simulation->diagnostics.begin(),
+                                  simulation->diagnostics.end());
+        outputs.write(o.gif, [&](std::ostream& out) { animation.write_gif(out); });
+        if (!o.gltf.empty() && simulation->boundary) {
+            simulation->provenance.text =
+                text_of_lines(plan, survey, simulation->provenance, *simulation->boundary);
+        }
+        outcome.simulation = &*simulation;
+        if (!o.mesh_folder.empty())
+            write_mesh_folder(o.mesh_folder, plan, survey, *simulation, outputs);
+        if (simulation->boundary) outcome.boundary = &*simulation->boundary;
+        if (outcome.boundary && is_shaded(o)) {
+            shading = simulation::shading_of(plan, survey, *simulation, *outcome.boundary);
+            outcome.shading = &*shading;
+        }
+        if (o.simplify && outcome.boundary) {
+            simplified = exporter::simplify(*outcome.boundary, *o.simplify);
+            outcome.simplified = &*simplified;
+        }
+        true_surfaces = true_solid(outcome);
+        if (true_surfaces) outcome.true_solid = &*true_surfaces;
+        if (!o.step.empty()) {
+            outcome.solid = outcome.true_solid;
+            if (o.step_surfaces == StepSurfaces::Faceted)
+                outcome.solid = &facets.emplace(facets_of(outcome));
+            outcome.solid_mass = brep::mass_of(outcome.solid->recognised.part);
+        }
+        for (const brep::SectionPlane& plane : o.sections) {
+            outcome.sections.push_back(
+                simulation::cut_open(plan, *simulation, *true_surfaces, plane));
+        }
+        write_outputs(outcome, outputs);
+    }
+    outputs.write(o.save_job,
+                  [&](std::ostream& out) { save_job(out, plan.job, survey, o.save_job); });
+    outputs.write(o.report,
+                  [&](std::ostream& out) { report::write_report(out, run_facts(outcome)); });
+    outputs.commit();
+
+    const bool faulty = gcode::has_errors(survey.diagnostics);
+    if (!survey.is_ready()) {
+        say("ncsim: the program was not simulated\n");
+    } else {
+        if (!o.quiet)
+            put_text(report::summary(run_facts(outcome)), outputs.takes_standard_output());
+        if (faulty) say("ncsim: the part is not what the blocks with errors would make of it\n");
+    }
+    if (o.step_strict && outcome.solid && outcome.solid->recognised.facets_kept > 0) {
+        say("ncsim: --step-strict: facets were kept, see above\n");
+        return faulty ? kFindings : kEnvironment;
+    }
+    return faulty ? kFindings : kClean;
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/save_job.h"
+
+#include "ncsim/report/told.h"
+#include "ncsim/setup/job_file.h"
+
+#include <filesystem>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace {
+
+cda::Vec3 offset_of(const setup::Job& job, int number) {
+    const toolpath::ToolEntry* entry = toolpath::find_tool(job.tools, number);
+    return entry ? entry->offset : cda::Vec3{};
+}
+
+// How a job file names another file.
+std::string seen_from(const std::string& job_file, const std::string& path) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::absolute(job_file).lexically_normal().parent_path();
+    return fs::absolute(path).lexically_normal().lexically_proximate(folder).generic_string();
+}
+
+void add_tools(setup::JobFile& file, setup::JobRemarks& remarks, const setup::Job& job,
+               const simulation::Survey& survey) {
+    for (const auto& [number, used] : survey.tools) {
+        std::vector<std::string> lines{
+            report::told(used.told_by, used.span, used.text, used.file, "--tool")};
+        if (!used.filled_in.empty()) lines.push_back("assumed: " + used.filled_in);
+        toolpath::ToolEntry entry;
+        entry.spec = used.spec;
+        entry.offset = offset_of(job, number);
+        file.tools.push_back(std::move(entry));
+        remarks.tools.push_back(std::move(lines));
+    }
+    for (const toolpath::ToolEntry& entry : job.tools) {
+        if (survey.tools.contains(entry.spec.number)) continue;
+        file.tools.push_back(entry);
+        remarks.tools.push_back({"not used; " + report::told(entry.told_by, entry.span, entry.text,
+                                                             entry.file, "--tool")});
+    }
+    for (const auto& [number, first] : survey.unknown_tools)
+        remarks.unknown_tools.emplace(number, first.line);
+}
+
+}  // namespace
+
+void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey& survey,
+              const std::string& path) {
+    setup::JobFile file;
+    setup::JobRemarks remarks;
+    if (job.options.program != "-") file.program = seen_from(path, job.options.program);
+    file.inches = job.options.inches.value_or(false);
+    file.dialect = survey.interpretation.dialect.dialect;
+    file.strict = job.options.strict;
+    file.increments = job.options.increments;
+    file.block_delete = job.options.block_delete;
+    file.allow = job.options.allow;
+    file.accept = job.options.accept;
+    file.require = job.options.require;
+    file.start = job.start;
+    file.offsets = job.options.offsets;
+    if (survey.stock) {
+        file.stock = *survey.stock;
+        if (file.stock->from) file.stock->from->path = seen_from(path, file.stock->from->path);
+        remarks.stock = report::told(survey.stock->told_by, survey.stock->span, survey.stock->text,
+                                     survey.stock->file, "--stock");
+    }
+    add_tools(file, remarks, job, survey);
+    setup::write_job_file(out, file, remarks);
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/tile.h"
+
+#include "ncsim/cda/tile_number.h"
+#include "ncsim/report/plain_text.h"
+#include "ncsim/setup/digest.h"
+#include "ncsim/setup/machine_formats.h"
+#include "ncsim/setup/recorded_input.h"
+#include "ncsim/simulation/draft.h"
+#include "ncsim/simulation/models.h"
+#include "ncsim/simulation/simulate.h"
+#include "ncsim/simulation/survey.h"
+#include "ncsim/simulation/take_machine.h"
+
+#include "options/plan_options.h"
+#include "system/console.h"
+#include "system/output.h"
+#include "system/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace fs = std::filesystem;
+
+report::TileFile read_tile(const std::string& path) {
+    // Larger than what others read, and no input that an output of theirs could be.
+    constexpr std::uintmax_t kMost = 1'000'000'000'000;
+    setup::InputSet inputs;
+    return report::tile_file_from(inputs.read(path, kMost), path, setup::digest_of);
+}
+
+TilePlace::TilePlace(report::TileHead head, std::string folder)
+    : head_(std::move(head)),
+      folder_(std::move(folder)),
+      path_((fs::path(folder_) / report::tile_file_name(head_.tile, head_.of)).string()) {}
+
+bool TilePlace::is_done(setup::InputSet& inputs) const {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path_, ignored)) return false;
+    try {
+        const report::TileFile file = read_tile(path_);
+        return file.head.knows_all_files && file.head.words == head_.words &&
+               file.head.tile == head_.tile && file.head.of == head_.of &&
+               std::ranges::all_of(file.head.files, [&](const auto& f) {
+                   return setup::digest_of_file(f.first, inputs) == f.second;
+               });
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+void TilePlace::reserve(OutputSet& outputs) const {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) {
+        throw std::runtime_error(
+            fmt::format("cannot make the folder '{}': {}", folder_, error.message()));
+    }
+    outputs.reserve(path_);
+}
+
+void TilePlace::write(const report::TileFile& file, OutputSet& outputs) const {
+    outputs.write(path_,
+                  [&](std::ostream& out) { out << report::bytes_of(file, setup::digest_of); });
+    outputs.commit();
+}
+
+int TilePlace::say(const char* what) const {
+    put_text(fmt::format("tile {} of {} {}: {}\n", head_.tile, head_.of, what,
+                         report::shown_path(path_)));
+    return kClean;
+}
+
+std::shared_ptr<const simulation::CutTiles> tiles_in_order(
+    const std::vector<report::TileFile>& files, const std::vector<std::size_t>& order,
+    const cda::Tiles::Read& read, unsigned threads) {
+    auto cut = std::make_shared<simulation::CutTiles>();
+    for (const std::size_t file : order) {
+        for (const auto& [motion, hulls] : files[file].met)
+            cut->met.push_back({motion, hulls});
+    }
+    std::ranges::sort(cut->met, {}, &simulation::MetStock::motion);
+    try {
+        cut->tiles = std::make_shared<const cda::Tiles>(order.size(), read, threads);
+    } catch (const std::invalid_argument& e) {
+        throw std::runtime_error(e.what());
+    }
+    return cut;
+}
+
+std::optional<report::TileFile> cut_tile(const Options& options, setup::InputSet& inputs,
+                                         bool may_say) {
+    const ShardNumber& number = options.number;
+    setup::RecordedInput read(inputs);
+    simulation::Plan plan = plan_for(options, read);
+    if (!options.machine.empty())
+        (void)simulation::take_machine(plan, setup::read_machine(options.machine, read));
+    const simulation::Survey survey = simulation::survey(plan);
+    simulation::coarsen(plan, survey, options.tolerance_told, options.tool_tolerance_told);
+    if (!survey.is_ready()) {
+        if (!may_say) return std::nullopt;
+        print_findings(plan.job.program, survey.diagnostics);
+        say("ncsim: the program was not simulated\n");
+        return std::nullopt;
+    }
+    plan.tile = cda::TileNumber{number.shard, number.of};
+    plan.keep_boundary = plan.keep_paths = false;  // that is for who puts tiles together
+    Progress progress(survey.moves, may_say && !options.quiet && ::isatty(STDERR_FILENO) != 0);
+    const simulation::Simulation simulation =
+        simulation::simulate(plan, survey, {}, [&](std::uint64_t done) { progress.update(done); });
+    report::TileFile file;
+    file.head = {options.words, read.files(), number.shard, number.of, read.knows_all()};
+    for (const simulation::MetStock& met : simulation.met)
+        file.met.emplace_back(met.motion, met.hulls);
+    std::ostringstream bytes;
+    simulation.part->write_tile(bytes);
+    file.tile = std::move(bytes).str();
+    progress.hide();
+    return file;
+}
+
+int run_tile(Options options) {
+    setup::InputSet inputs;
+    OutputSet outputs(inputs);
+    for (const std::string& path : inputs_of(options))
+        inputs.expect(path);
+    if (!options.machine.empty()) inputs.expect(options.machine);
+    const ShardNumber& number = options.number;
+    const TilePlace place({options.words, {}, number.shard, number.of}, options.tile_out);
+    if (!options.redo && place.is_done(inputs)) return place.say("was cut before");
+    place.reserve(outputs);
+    const std::optional<report::TileFile> file = cut_tile(options, inputs, true);
+    if (!file) return kFindings;
+    place.write(*file, outputs);
+    return place.say("was cut");
+}
+
+void expect_same_files(const report::FileDigests& then, const report::FileDigests& now) {
+    for (const auto& [file, digest] : then) {
+        const auto found = now.find(file);
+        if (found == now.end() || found->second != digest)
+            throw std::runtime_error(
+                fmt::format("'{}' is not what it was when the tiles were cut", file));
+    }
+    if (then.size() != now.size())
+        throw std::runtime_error("other files are read than when the tiles were cut");
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/console.h"
+
+#include "ncsim/report/plain_text.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <stdexcept>
+#include <system_error>
+
+namespace ncsim::app {
+
+void say(std::string_view text) {
+    const std::string shown = report::printable(text);
+    std::fwrite(shown.data(), 1, shown.size(), stderr);
+}
+
+void put_out(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() ||
+        std::fflush(stdout) != 0) {
+        throw std::runtime_error(fmt::format("cannot write to the standard output: {}",
+                                             std::generic_category().message(errno)));
+    }
+}
+
+void put_text(std::string_view text, bool aside) {
+    if (aside) {
+        say(text);
+    } else {
+        put_out(report::printable(text));
+    }
+}
+
+void print_findings(const gcode::SourceFile& program, const gcode::Diagnostics& diagnostics) {
+    for (const gcode::Diagnostic& d : diagnostics) {
+        say(gcode::render(d, program));
+    }
+}
+
+}  // namespace ncsim::app

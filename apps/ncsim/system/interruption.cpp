@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/interruption.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace ncsim::app {
+
+namespace {
+
+constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+
+// The handler may neither allocate nor lock.
+volatile sig_atomic_t came = 0;
+int ends[2] = {-1, -1};
+struct sigaction before[kSignals.size()];
+
+void open_pipe(int (&pipe)[2]) {
+    if (::pipe2(pipe, O_CLOEXEC | O_NONBLOCK) != 0) {
+        throw std::runtime_error(
+            fmt::format("there can be no pipe: {}", std::generic_category().message(errno)));
+    }
+}
+
+void close_pipe(int (&pipe)[2]) {
+    for (int& end : pipe)
+        ::close(std::exchange(end, -1));
+}
+
+void put_back() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        ::sigaction(kSignals[i], &before[i], nullptr);
+}
+
+extern "C" void note_signal(int number) {
+    const int error = errno;
+    came = number;
+    put_back();
+    const char byte = 0;
+    (void)!::write(ends[1], &byte, 1);
+    errno = error;
+}
+
+}  // namespace
+
+Interruption::Interruption() {
+    open_pipe(ends);
+    came = 0;
+    for (std::size_t i = 0; i < kSignals.size(); ++i)
+        ::sigaction(kSignals[i], nullptr, &before[i]);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+        if (before[i].sa_handler == SIG_IGN) continue;
+        struct sigaction noting {};
+        noting.sa_handler = note_signal;
+        ::sigemptyset(&noting.sa_mask);
+        for (const int other : kSignals)
+            ::sigaddset(&noting.sa_mask, other);
+        ::sigaction(kSignals[i], &noting, nullptr);
+    }
+}
+
+Interruption::~Interruption() {
+    put_back();
+    close_pipe(ends);
+}
+
+int Interruption::signal() {
+    return came;
+}
+
+std::string Interruption::name() {
+    const int number = came;
+    return number == SIGINT ? "SIGINT" : number == SIGTERM ? "SIGTERM" : "SIGHUP";
+}
+
+int Interruption::descriptor() {
+    return ends[0];
+}
+
+void Interruption::pass_on() {
+    const int number = came;
+    if (number == 0) return;
+    ::signal(number, SIG_DFL);
+    ::raise(number);
+}
+
+OnInterruption::OnInterruption(std::function<void()> act) {
+    open_pipe(stop_);
+    thread_ = std::thread([this, act = std::move(act)] {
+        pollfd waiting[2] = {{Interruption::descriptor(), POLLIN, 0}, {stop_[0], POLLIN, 0}};
+        while (::poll(waiting, 2, -1) < 0 && errno == EINTR) {
+        }
+        if (waiting[0].revents != 0) act();
+    });
+}
+
+OnInterruption::~OnInterruption() {
+    const char byte = 0;
+    (void)!::write(stop_[1], &byte, 1);
+    thread_.join();
+    close_pipe(stop_);
+}
+
+}  // namespace ncsim::app

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/contact.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "geometry/bends.h"
+#include "geometry/envelope_contact.h"
+#include "geometry/nearly.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+std::optional<Form> plane_at(Vec3 origin, Vec3 normal) {
+    return Plane{origin, normalized(normal)};
+}
+
+// The place of the wall whose direction outwards is `out`.
+SpiralPlace looking(const Spiral& spiral, Vec3 out) {
+    const Vec3 side = cross(spiral.axis, spiral.ahead);
+    SpiralPlace place = place_at(spiral, 0.0);
+    constexpr int kSteps = 8;
+    double turn = trig::angle_of(dot(out, spiral.ahead), dot(out, side)) * trig::kRadiansPerDegree;
+    for (int step = 0; step < kSteps; ++step) {
+        place = place_at(spiral, turn);
+        turn += dot(out, place.along);
+    }
+    return place;
+}
+
+struct Touch {
+    using Answer = std::optional<Form>;
+
+    Answer operator()(const Plane& a, const Cylinder& b) const {
+        if (!is_across(a.normal, b.axis) || !near(std::abs(distance(a, b.origin)), b.radius))
+            return {};
+        return plane_at(b.origin, cross(a.normal, b.axis));
+    }
+    Answer operator()(const Plane& a, const Cone& b) const {
+        const double sine = b.slope / std::sqrt(1.0 + b.slope * b.slope);
+        const bool is_along = std::abs(std::abs(dot(a.normal, b.axis)) - sine) <= kNearlyParallel;
+        if (!is_along || !near(distance(a, b.apex), 0.0)) return {};
+        return plane_at(b.apex, cross(a.normal, b.axis));
+    }
+    Answer operator()(const Plane& a, const Torus& b) const {
+        if (!is_parallel(a.normal, b.axis) || !near(std::abs(distance(a, b.centre)), b.minor))
+            return {};
+        return Cylinder{b.centre, b.axis, b.major};
+    }
+    // A wall along the line, at the end of its way across.
+    Answer operator()(const Plane& a, const Extrusion& b) const {
+        if (!is_across(a.normal, b.along)) return {};
+        const Vec3 level = a.normal - dot(a.normal, b.axis) * b.axis;
+        const double support = b.radius * norm(level), off = distance(a, b.centre);
+        if (!near(std::abs(off), support)) return {};
+        const double side = off > 0.0 ? -b.radius : b.radius;
+        return plane_at(b.centre + side * normalized(level), cross(a.normal, b.along));
+    }
+    Answer operator()(const Plane& a, const Dome& b) const {
+        const double off = distance(a, b.centre);
+        // Where the arc is level.
+        if (is_parallel(a.normal, b.axis) && near(std::abs(off), b.reach))
+            return Cylinder{b.centre, b.axis, b.radius};
+        // A wall beside the arc.
+        if (is_across(a.normal, b.axis) && is_across(a.normal, b.ahead) &&
+            near(std::abs(off), b.radius))
+            return Cylinder{b.centre, a.normal, b.reach};
+        return {};
+    }
+    // The arc ends upright.
+    Answer operator()(const Cylinder& a, const Dome& b) const {
+        const Vec3 end = b.centre + b.reach * b.ahead;
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius) ||
+            !near(norm(away(a.origin, a.axis, end)), 0.0))
+            return {};
+        return plane_at(end, b.axis);
+    }
+    // Where the tool stood, on the way.
+    Answer operator()(const Cylinder& a, const Spiral& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, std::abs(b.offset))) return {};
+        const SpiralPlace place = place_on(b, a.origin);
+        if (!near(norm(away(place.way, b.axis, a.origin)), 0.0)) return {};
+        return plane_at(place.way, place.along);
+    }
+    // A wall goes on from its end.
+    Answer operator()(const Plane& a, const Spiral& b) const {
+        if (!is_across(a.normal, b.axis)) return {};
+        for (const double sign : {-1.0, 1.0}) {
+            const SpiralPlace place = looking(b, sign * a.normal);
+            const Vec3 at = place.way + b.offset * place.out;
+            if (is_parallel(place.out, a.normal) && near(distance(a, at), 0.0))
+                return plane_at(at, place.along);
+        }
+        return {};
+    }
+    // The walls on both sides of the way.
+    Answer operator()(const Cylinder& a, const Coil& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(norm(away(b.centre, b.axis, a.origin)), 0.0) ||
+            !(near(a.radius, b.reach + b.radius) || near(a.radius, std::abs(b.reach - b.radius))))
+            return {};
+        return Helicoid{b.centre, b.axis, b.ahead, b.lead};
+    }
+    // The arc goes on as a line.
+    Answer operator()(const Extrusion& a, const Dome& b) const {
+        if (!is_parallel(a.axis, b.axis) || !near(a.radius, b.radius)) return {};
+        const double cosine = std::abs(dot(a.along, b.axis));
+        const double sine =
+            dot(a.along, b.axis) > 0.0 ? -dot(a.along, b.ahead) : dot(a.along, b.ahead);
+        const Vec3 end = b.centre + b.reach * (cosine * b.ahead + sine * b.axis);
+        if (std::abs(cosine * cosine + sine * sine - 1.0) > kNearlyParallel ||
+            !near(norm(away(a.centre, a.along, end)), 0.0))
+            return {};
+        return plane_at(end, b.axis);
+    }
+    Answer operator()(const Cylinder& a, const Cylinder& b) const {
+        if (!is_parallel(a.axis, b.axis)) return {};
+        const Vec3 apart = away(a.origin, a.axis, b.origin);
+        const double d = norm(apart);
+        if (d < kApart || !(near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius))))
+            return {};
+        return plane_at(a.origin, cross(a.axis, apart));
+    }
+    // Ways beside each other, as far apart as their circles are wide.
+    Answer operator()(const Extrusion& a, const Extrusion& b) const {
+        if (!is_parallel(a.axis, b.axis) || !is_parallel(a.along, b.along)) return {};
+        const Vec3 apart = away(a.centre, a.along, b.centre);
+        const double d = norm(apart);
+        if (d < kApart || !near(dot(apart, a.axis), 0.0) ||
+            !(near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius))))
+            return {};
+        return plane_at(a.centre, cross(a.along, apart));
+    }
+    Answer operator()(const Cylinder& a, const Sphere& b) const {
+        if (!near(norm(away(a.origin, a.axis, b.centre)), 0.0) || !near(a.radius, b.radius))
+            return {};
+        return plane_at(b.centre, a.axis);
+    }
+    Answer operator()(const Cylinder& a, const Torus& b) const {
+        if (is_parallel(a.axis, b.axis)) {
+            const bool same = near(norm(away(a.origin, a.axis, b.centre)), 0.0);
+            if (same && (near(a.radius, b.major + b.minor) || near(a.radius, b.major - b.minor)))
+                return plane_at(b.centre, b.axis);
+            return {};
+        }
+        // The ring goes on as a pipe.
+        if (!is_across(a.axis, b.axis) || !near(a.radius, b.minor)) return {};
+        const Vec3 apart = away(a.origin, a.axis, b.centre);
+        if (!near(norm(apart), b.major) || !near(dot(apart, b.axis), 0.0)) return {};
+        return plane_at(b.centre, a.axis);
+    }
+    Answer operator()(const Cone& a, const Cone& b) const {
+        if (!is_parallel(a.axis, b.axis) || std::abs(a.slope - b.slope) > kNearlyParallel)
+            return {};
+        const Vec3 apart = away(a.apex, a.axis, b.apex);
+        const double height = std::abs(dot(b.apex - a.apex, a.axis));
+        if (norm(apart) < kApart || !near(norm(apart), a.slope * height)) return {};
+        return plane_at(a.apex, cross(a.axis, apart));
+    }
+    Answer operator()(const Cone& a, const Sphere& b) const {
+        return round_end(a, b.centre, 0.0, b.radius);
+    }
+    Answer operator()(const Cone& a, const Torus& b) const {
+        if (!is_parallel(a.axis, b.axis)) return {};
+        return round_end(a, b.centre, b.major, b.minor);
+    }
+    Answer operator()(const Sphere& a, const Torus& b) const {
+        const Vec3 apart = a.centre - b.centre;
+        if (!near(a.radius, b.minor) || !near(dot(apart, b.axis), 0.0) ||
+            !near(norm(apart), b.major))
+            return {};
+        return plane_at(b.centre, cross(b.axis, apart));
+    }
+    Answer operator()(const Torus& a, const Torus& b) const {
+        const Vec3 apart = b.centre - a.centre;
+        const double d = norm(apart);
+        if (!is_parallel(a.axis, b.axis) || !near(a.minor, b.minor) || d < kApart ||
+            !near(dot(apart, a.axis), 0.0))
+            return {};
+        if (!near(d, a.major + b.major) && !near(d, std::abs(a.major - b.major))) return {};
+        return plane_at(a.centre, cross(a.axis, apart));
+    }
+    template <typename A>
+    Answer operator()(const A& a, const Envelope& b) const {
+        return touch_envelope(a, b);
+    }
+    template <typename A, typename B>
+    Answer operator()(const A&, const B&) const {
+        return {};
+    }
+
+private:
+    // A tube about the axis of a cone, and the cone.
+    static Answer round_end(const Cone& a, Vec3 centre, double major, double minor) {
+        if (!near(norm(away(a.apex, a.axis, centre)), 0.0)) return {};
+        const double cosine = 1.0 / std::sqrt(1.0 + a.slope * a.slope);
+        const double sine = a.slope * cosine;
+        const double height = dot(centre - a.apex, a.axis);
+        const double d = major * cosine - height * sine;
+        if (!near(std::abs(d), minor)) return {};
+        return plane_at(a.apex + (height + d * sine) * a.axis, a.axis);
+    }
+};
+
+}  // namespace
+
+std::optional<Form> touch(const Form& a, const Form& b) {
+    return a.index() <= b.index() ? std::visit(Touch{}, a, b) : std::visit(Touch{}, b, a);
+}
+
+std::optional<Form> corner_of_dome(std::span<const Form* const> forms) {
+    for (const Form* form : forms) {
+        const auto* dome = std::get_if<Dome>(form);
+        if (!dome) continue;
+        bool has_floor = false, has_wall = false;
+        for (const Form* other : forms) {
+            const auto* plane = std::get_if<Plane>(other);
+            if (!plane || !touch(*plane, *dome)) continue;
+            (is_parallel(plane->normal, dome->axis) ? has_floor : has_wall) = true;
+        }
+        if (has_floor && has_wall) return Plane{dome->centre, dome->ahead};
+    }
+    return std::nullopt;
+}
+
+std::vector<Form> touches_in_level(std::span<const Form* const> forms) {
+    struct LevelCircle {
+        Vec3 centre;
+        double radius;
+        bool moves;
+    };
+    std::vector<Form> planes;
+    for (const Form* form : forms) {
+        const auto* level = std::get_if<Plane>(form);
+        if (!level) continue;
+        std::vector<LevelCircle> circles;
+        std::vector<const Plane*> walls;
+        for (const Form* other : forms) {
+            if (const auto* wall = std::get_if<Plane>(other)) {
+                if (is_across(wall->normal, level->normal)) walls.push_back(wall);
+            } else if (const auto* f = std::get_if<Dome>(other)) {
+                if (is_parallel(f->axis, level->normal))
+                    circles.push_back({centre_at_height(*f, level->origin), f->radius, true});
+            } else if (const auto* coil = std::get_if<Coil>(other)) {
+                if (is_parallel(coil->axis, level->normal))
+                    circles.push_back(
+                        {place_at_height(*coil, level->origin).centre, coil->radius, true});
+            } else if (const auto moved = moved_circle(*other, level->normal)) {
+                if (!is_parallel(moved->axis, level->normal)) continue;
+                const double lean = dot(moved->along, level->normal);
+                circles.push_back(
+                    {moved->centre - (distance(*level, moved->centre) / lean) * moved->along,
+                     moved->radius, std::holds_alternative<Extrusion>(*other)});
+            }
+        }
+        for (std::size_t i = 0; i < circles.size(); ++i) {
+            for (std::size_t j = i + 1; j < circles.size(); ++j) {
+                const LevelCircle &a = circles[i], &b = circles[j];
+                const Vec3 apart = away(a.centre, level->normal, b.centre);
+                const double d = norm(apart);
+                if ((!a.moves && !b.moves) || d < kApart) continue;
+                if (near(d, a.radius + b.radius) || near(d, std::abs(a.radius - b.radius)))
+                    planes.push_back(Plane{a.centre, normalized(cross(level->normal, apart))});
+            }
+            for (const Plane* wall : walls) {
+                if (circles[i].moves &&
+                    near(std::abs(distance(*wall, circles[i].centre)), circles[i].radius))
+                    planes.push_back(
+                        Plane{circles[i].centre, normalized(cross(level->normal, wall->normal))});
+            }
+        }
+    }
+    return planes;
+}
+
+}  // namespace ncsim::brep

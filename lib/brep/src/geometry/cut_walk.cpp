@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Steps turn so little that the curve is near their chords.
+#include "geometry/cut_walk.h"
+
+#include "geometry/newton.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+}  // namespace
+
+std::optional<CutWalk> walk_along_cut(const Surface& surface, const CutPlane& plane, Vec3 begin,
+                                      std::span<const Vec3> ends, double chords_mm) {
+    constexpr double kLongest = 1.0, kShortest = 1e-5, kOn = 1e-6;  // mm
+    constexpr double kAhead = 0.8;                                  // cosine
+    constexpr int kMostSteps = 20'000;
+    const Form level = Plane{plane.offset * plane.normal, plane.normal};
+    const std::array<const Form*, 2> both{&surface.form, &level};
+    const auto ahead = [&](Vec3 p) {
+        return normalized(cda::cross(plane.normal, outward(surface, p)));
+    };
+    CutWalk walk;
+    Vec3 p = begin, way = ahead(begin);
+    double step = 0.1 * kLongest;
+    for (int i = 0; i < kMostSteps && step > kShortest; ++i) {
+        const auto end = std::ranges::find_if(ends, [&](Vec3 at) {
+            const double far = norm(at - p);
+            return far <= step && dot(at - p, way) >= kAhead * far;
+        });
+        if (end != ends.end()) {
+            walk.end = static_cast<std::size_t>(end - ends.begin());
+            return walk;
+        }
+        Vec3 next = p + step * way;
+        const bool is_on = solve(both, next) < kOn;
+        const Vec3 on = ahead(next);
+        // An arc of so much turn over its chord bulges by an eighth of their product.
+        constexpr double kEighths = 4.0;
+        if (!is_on || norm(next - p) * norm(on - way) > kEighths * chords_mm ||
+            dot(on, way) <= 0.0) {
+            step *= 0.5;
+            continue;
+        }
+        p = next;
+        way = on;
+        walk.between.push_back(p);
+        step = std::min(1.5 * step, kLongest);
+    }
+    return std::nullopt;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/envelope_contact.h"
+
+#include "geometry/nearly.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+// What crosses an envelope along the characteristic of one time: of a ball a plane.
+Form across_way(const Envelope& envelope, double t) {
+    const Sweep& sweep = *envelope.sweep;
+    if (!sweep.is_ball()) return Characteristic{envelope, t};
+    const Around at = around(sweep, sweep.at(t));
+    return Plane{at.centre, at.ahead};
+}
+
+// Does it go on at the time s of the other one as at t? A fillet by its centre, a flank at both of
+// its ends.
+bool goes_on(const Sweep& a, double t, const Sweep& b, double s) {
+    const Flank* flank = a.flank();
+    const bool is_upright = flank && flank->sine == 0.0;
+    const auto way_of = [&](const Passage& passage, double height) {
+        const Vec3 velocity = velocity_at(passage, height);
+        return normalized(is_upright ? away({}, passage.axis, velocity) : velocity);
+    };
+    const Passage at = a.at(t), there = b.at(s);
+    const auto is_same_way = [&](double height) {
+        return is_parallel(way_of(at, height), way_of(there, height));
+    };
+    const double height = flank ? flank->height : a.fillet()->height;
+    return is_parallel(at.axis, there.axis) && is_same_way(height) &&
+           (!flank || is_same_way(height + flank->length));
+}
+
+// One tool on one way, there or back.
+bool is_one_way(const Sweep& a, const Sweep& b) {
+    if (a.way().index() != b.way().index()) return false;
+    const auto is_same = [&](double t, double s) {
+        const Passage at = a.at(t), there = b.at(s);
+        return near(norm(at.tip - there.tip), 0.0) && is_parallel(at.axis, there.axis);
+    };
+    const auto all = [&](auto other) {
+        return is_same(0.0, other(0.0)) && is_same(0.5, other(0.5)) && is_same(1.0, other(1.0));
+    };
+    return all([](double t) { return t; }) || all([](double t) { return 1.0 - t; });
+}
+
+// Walls beside the way of a tool that turns in their plane, or not at all.
+std::optional<double> rise_along(const Plane& wall, const Sweep& sweep) {
+    const Vec3 start = around(sweep, sweep.at(0.0)).centre;
+    const double rise = dot(wall.normal, sweep.at(0.0).axis);
+    for (const double t : {0.25, 0.5, 0.75, 1.0}) {
+        const Passage at = sweep.at(t);
+        if (!near(dot(around(sweep, at).centre - start, wall.normal), 0.0) ||
+            std::abs(dot(wall.normal, at.axis) - rise) > kNearlyParallel)
+            return std::nullopt;
+    }
+    return rise;
+}
+
+struct TouchEnvelope {
+    using Answer = std::optional<Form>;
+    const Envelope& b;
+
+    // Walls beside the way of a tool that does not rise out of their direction.
+    Answer operator()(const Plane& a) const {
+        const Sweep& sweep = *b.sweep;
+        const Fillet* fillet = sweep.fillet();
+        if (!fillet) return {};
+        const Passage start = sweep.at(0.0);
+        const double off = distance(a, around(sweep, start).centre);
+        const Vec3 level = a.normal - dot(a.normal, start.axis) * start.axis;
+        if (!near(std::abs(off), fillet->ring * norm(level) + fillet->radius)) return {};
+        const Vec3 n = off > 0.0 ? -a.normal : a.normal;
+        if (const auto* way = std::get_if<StraightWay>(&sweep.way())) {
+            if (std::abs(dot(a.normal, way->along)) > kNearlyParallel * norm(way->along)) return {};
+            const Vec3 at = around(sweep, start).centre +
+                            fillet->ring * normalized(n - dot(n, start.axis) * start.axis);
+            return Plane{at, normalized(cross(a.normal, way->along))};
+        }
+        const auto rise = rise_along(a, sweep);
+        if (!rise) return {};
+        return Trail{b, off > 0.0 ? -*rise : *rise};
+    }
+    // The walls on both sides of a helix; a ball that goes straight on; a side where it stood.
+    Answer operator()(const Cylinder& a) const {
+        const Sweep& sweep = *b.sweep;
+        if (const Flank* flank = sweep.flank()) {
+            if (std::abs(flank->sine) > kNearlyParallel || !near(a.radius, flank->radius))
+                return {};
+            const auto end = end_on_axis(b, a.origin, a.axis);
+            if (!end) return {};
+            return across_way(b, *end);
+        }
+        const Fillet& fillet = *sweep.fillet();
+        const auto* way = std::get_if<RoundWay>(&sweep.way());
+        const bool is_about = way && is_parallel(way->about, way->axis) && way->growth == 0.0;
+        if (is_about && is_parallel(a.axis, way->about) &&
+            near(norm(away(way->centre, way->about, a.origin)), 0.0)) {
+            const double out = fillet.ring + fillet.radius;
+            if (near(a.radius, way->reach + out) || near(a.radius, std::abs(way->reach - out)))
+                return Trail{b, 0.0};
+            return {};
+        }
+        if (fillet.ring > 0.0 || !near(a.radius, fillet.radius)) return {};
+        for (const double t : {0.0, 1.0}) {
+            const Around at = around(sweep, sweep.at(t));
+            if (is_parallel(at.ahead, a.axis) && near(norm(away(a.origin, a.axis, at.centre)), 0.0))
+                return across_way(b, t);
+        }
+        return {};
+    }
+    // Where the tool stood.
+    Answer operator()(const Cone& a) const {
+        const Flank* flank = b.sweep->flank();
+        if (!flank) return {};
+        const auto end = end_on_axis(b, a.apex, a.axis);
+        if (!end) return {};
+        const Passage at = b.sweep->at(*end);
+        const double sign = dot(at.axis, a.axis) > 0.0 ? 1.0 : -1.0;
+        const double slope = -sign * flank->sine / flank->cosine;
+        const Vec3 origin = at.tip + flank->height * at.axis;
+        const double height = dot(origin - a.apex, a.axis);
+        if (std::abs(slope - a.slope) > kNearlyParallel || !near(a.slope * height, flank->radius))
+            return {};
+        return across_way(b, *end);
+    }
+    Answer operator()(const Sphere& a) const {
+        if (!b.sweep->is_ball() || !near(a.radius, b.sweep->fillet()->radius)) return {};
+        const auto t = end_at(b, a.centre);
+        if (!t) return {};
+        return across_way(b, *t);
+    }
+    Answer operator()(const Torus& a) const {
+        const Fillet* fillet = b.sweep->fillet();
+        if (!fillet || !near(a.minor, fillet->radius) || !near(a.major, fillet->ring)) return {};
+        const auto t = end_at(b, a.centre);
+        if (!t || !is_parallel(a.axis, b.sweep->at(*t).axis)) return {};
+        return across_way(b, *t);
+    }
+    // The way goes smoothly on; or the profile does, of one tool on one way.
+    Answer operator()(const Envelope& a) const {
+        const Sweep &one = *a.sweep, &other = *b.sweep;
+        if (one.flank() && other.fillet()) return side_of(b, *one.flank(), one);
+        if (one.fillet() && other.flank()) return side_of(a, *other.flank(), other);
+        if (!is_same(one.meridian(), other.meridian(), kTouchMm)) return {};
+        for (const double t : {0.0, 1.0}) {
+            const auto s = end_at(b, around(one, one.at(t)).centre);
+            if (s && goes_on(one, t, other, *s)) return across_way(b, *s);
+        }
+        return {};
+    }
+    template <typename A>
+    Answer operator()(const A&) const {
+        return {};
+    }
+
+private:
+    static Answer side_of(const Envelope& round, const Flank& flank, const Sweep& side) {
+        const Fillet& fillet = *round.sweep->fillet();
+        const double off = flank.cosine * (fillet.ring - flank.radius) +
+                           flank.sine * (fillet.height - flank.height);
+        if (!near(off, -fillet.radius) || !is_one_way(*round.sweep, side)) return {};
+        return Trail{round, flank.sine};
+    }
+};
+
+}  // namespace
+
+std::optional<double> end_at(const Envelope& envelope, Vec3 centre) {
+    const Sweep& sweep = *envelope.sweep;
+    std::vector<double> times{0.0, 1.0};
+    if (const auto* way = std::get_if<StraightWay>(&sweep.way())) {
+        const Vec3 start = around(sweep, sweep.at(0.0)).centre;
+        times = {dot(centre - start, way->along) / dot(way->along, way->along)};
+    }
+    for (const double t : times) {
+        if (near(norm(around(sweep, sweep.at(t)).centre - centre), 0.0)) return t;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> end_on_axis(const Envelope& envelope, Vec3 origin, Vec3 axis) {
+    for (const double t : {0.0, 1.0}) {
+        const Passage at = envelope.sweep->at(t);
+        if (is_parallel(at.axis, axis) && near(norm(away(origin, axis, at.tip)), 0.0)) return t;
+    }
+    return std::nullopt;
+}
+
+std::optional<Vec3> hinge_of(const Form& a, const Form& b, Vec3 from, Vec3 past, Vec3 to) {
+    const auto *one = std::get_if<Envelope>(&a), *other = std::get_if<Envelope>(&b);
+    if (!one || !other || !is_of_turning_tool(a) || !one->sweep->is_ball() ||
+        !other->sweep->is_ball())
+        return std::nullopt;
+    for (const double t : {0.0, 1.0}) {
+        const Around at = around(*one->sweep, one->sweep->at(t));
+        const auto s = end_at(*other, at.centre);
+        if (!s) continue;
+        const Vec3 ahead = around(*other->sweep, other->sweep->at(*s)).ahead;
+        if (is_parallel(at.ahead, ahead)) return std::nullopt;
+        Vec3 out = normalized(cross(at.ahead, ahead));
+        if (dot(past - at.centre, out) < 0.0) out = -out;
+        const Vec3 hinge = at.centre + one->sweep->fillet()->radius * out;
+        const Vec3 between = dot(at.ahead, ahead) < 0.0 ? at.ahead - ahead : at.ahead + ahead;
+        const Vec3 along = normalized(cross(between, out));
+        const double behind = dot(from - hinge, along), before = dot(to - hinge, along);
+        if (behind * before >= 0.0 || std::min(std::abs(behind), std::abs(before)) < kApart)
+            return std::nullopt;
+        return hinge;
+    }
+    return std::nullopt;
+}
+
+bool is_of_turning_tool(const Form& form) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    return envelope && std::holds_alternative<TurningWay>(envelope->sweep->way());
+}
+
+std::optional<Form> touch_envelope(const Form& a, const Envelope& b) {
+    return std::visit(TouchEnvelope{b}, a);
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curves in which surfaces meet, where these have a name.
+#include "geometry/bends.h"
+#include "geometry/contact.h"
+#include "geometry/nearly.h"
+#include "geometry/plane_cut.h"
+#include "geometry/rim.h"
+
+#include <cmath>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+struct Axis {
+    Vec3 origin, direction;
+};
+
+std::optional<Axis> axis_of(const Form& form) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return Axis{f->origin, f->axis};
+    if (const auto* f = std::get_if<Cone>(&form)) return Axis{f->apex, f->axis};
+    if (const auto* f = std::get_if<Torus>(&form)) return Axis{f->centre, f->axis};
+    return std::nullopt;
+}
+
+// About which both turn into themselves.
+std::optional<Axis> common_axis(const Form& a, const Form& b) {
+    const auto first = axis_of(a), second = axis_of(b);
+    const auto* plane = std::get_if<Plane>(&b);
+    const auto* sphere = std::get_if<Sphere>(&b);
+    if (first && second) {
+        if (is_parallel(first->direction, second->direction) &&
+            near(norm(away(first->origin, first->direction, second->origin)), 0.0))
+            return first;
+        return std::nullopt;
+    }
+    if (second) return common_axis(b, a);
+    if (first && plane) return is_parallel(first->direction, plane->normal) ? first : std::nullopt;
+    if (first && sphere) {
+        const Vec3 apart = away(first->origin, first->direction, sphere->centre);
+        return near(norm(apart), 0.0) ? first : std::nullopt;
+    }
+    if (const auto* other = std::get_if<Sphere>(&a)) {
+        if (plane) return Axis{other->centre, plane->normal};
+        if (sphere && norm(sphere->centre - other->centre) > kApart)
+            return Axis{other->centre, normalized(sphere->centre - other->centre)};
+        return std::nullopt;
+    }
+    return sphere ? common_axis(b, a) : std::nullopt;
+}
+
+// As wide as the wall, which `p` may miss by less than readers tell: where the circle ends at an
+// angle, it is to end in the corner.
+Curve circle_about(const Axis& axis, Vec3 p, const Form& a, const Form& b) {
+    constexpr double kOfReaders = 2e-7;
+    const Vec3 centre = axis.origin + dot(p - axis.origin, axis.direction) * axis.direction;
+    double radius = norm(p - centre);
+    for (const Form* form : {&a, &b}) {
+        const auto* wall = std::get_if<Cylinder>(form);
+        if (wall && std::abs(wall->radius - radius) <= kOfReaders) radius = wall->radius;
+    }
+    return Circle{centre, axis.direction, radius};
+}
+
+// The circle of a ring in a plane through its axis.
+Curve meridian(const Torus& torus, Vec3 normal, Vec3 p) {
+    const Vec3 out = away(torus.centre, torus.axis, p);
+    const Vec3 in_plane = normalized(out - dot(out, normal) * normal);
+    return Circle{torus.centre + torus.major * in_plane, normal, torus.minor};
+}
+
+Curve ellipse(const Plane& plane, const Extrusion& extrusion) {
+    const PlaneCut cut(extrusion, {plane.normal, dot(plane.normal, plane.origin)});
+    const auto [centre, x, y] = *cut.exact(0);
+    return Ellipse{centre, plane.normal, normalized(x), norm(x), norm(y)};
+}
+
+Curve ellipse(const Plane& plane, const Cylinder& cylinder) {
+    const double lean = dot(plane.normal, cylinder.axis);
+    const double height = dot(plane.normal, cylinder.origin - plane.origin) / lean;
+    const Vec3 minor = normalized(cross(plane.normal, cylinder.axis));
+    return Ellipse{cylinder.origin - height * cylinder.axis, plane.normal,
+                   cross(minor, plane.normal), cylinder.radius / std::abs(lean), cylinder.radius};
+}
+
+// Of a dome and another form, through `p` and `q`. Where the tool goes through what it left before,
+// their curve may end on a common circle, but pass beside it.
+std::optional<Curve> meet(const Dome& dome, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        const bool is_level = is_parallel(plane->normal, dome.axis);
+        if (touch(other, dome)) {
+            const Vec3 centre = dome.centre - distance(other, dome.centre) * plane->normal;
+            return Circle{centre, plane->normal, is_level ? dome.radius : dome.reach};
+        }
+        if (!is_level) return std::nullopt;
+        return Circle{centre_at_height(dome, plane->origin), dome.axis, dome.radius};
+    }
+    const auto centre = common_circle(dome, other, p);
+    const auto is_level = [&](Vec3 at) { return near(dot(at - *centre, dome.axis), 0.0); };
+    if (!centre || !is_level(p) || !is_level(q)) return std::nullopt;
+    if (!is_of_circle(dome, *centre, near_to)) return std::nullopt;
+    return Circle{*centre, dome.axis, dome.radius};
+}
+
+// The same of a coil.
+std::optional<Curve> meet(const Coil& coil, const Form& other, Vec3 p, Vec3 q, Vec3 near_to) {
+    const auto is_level = [&](Vec3 a, Vec3 b) { return near(dot(a - b, coil.axis), 0.0); };
+    if (const auto* plane = std::get_if<Plane>(&other)) {
+        if (!is_parallel(plane->normal, coil.axis)) return std::nullopt;
+        return Circle{place_at_height(coil, plane->origin).centre, coil.axis, coil.radius};
+    }
+    const auto centre = common_circle(coil, other, p);
+    if (!centre || !is_level(p, *centre) || !is_level(q, *centre)) return std::nullopt;
+    if (!is_of_circle(coil, *centre, near_to)) return std::nullopt;
+    return Circle{*centre, coil.axis, coil.radius};
+}
+
+// Along `axis`?
+bool is_upright(const Form& form, Vec3 axis) {
+    if (const auto* plane = std::get_if<Plane>(&form)) return is_across(plane->normal, axis);
+    if (const auto* cylinder = std::get_if<Cylinder>(&form))
+        return is_parallel(cylinder->axis, axis);
+    const auto* spiral = std::get_if<Spiral>(&form);
+    return spiral && is_parallel(spiral->axis, axis);
+}
+
+// Of a spiral and another form: upright lines, or none that has a name.
+std::optional<Curve> meet(const Spiral& spiral, const Form& other) {
+    if (is_upright(other, spiral.axis)) return Line{};
+    return std::nullopt;
+}
+
+// All lines in one direction.
+std::optional<Vec3> ruling_of(const Form& form) {
+    if (const auto* f = std::get_if<Cylinder>(&form)) return f->axis;
+    if (const auto* f = std::get_if<Extrusion>(&form)) return f->along;
+    if (const auto* f = std::get_if<Envelope>(&form)) {
+        const auto* way = std::get_if<StraightWay>(&f->sweep->way());
+        if (way) return normalized(way->along);
+    }
+    return std::nullopt;
+}
+
+// Of an envelope and another form: where a ball stood, and where a straight one is met along its
+// lines.
+std::optional<Curve> meet(const Envelope& envelope, const Form& other) {
+    if (const auto along = ruling_of(envelope)) {
+        const auto* plane = std::get_if<Plane>(&other);
+        const auto beside = ruling_of(other);
+        if ((plane && is_across(plane->normal, *along)) || (beside && is_parallel(*beside, *along)))
+            return Line{};
+    }
+    if (!envelope.sweep->is_ball()) return std::nullopt;
+    const auto touching = touch(envelope, other);
+    const auto* across = touching ? std::get_if<Plane>(&*touching) : nullptr;
+    if (!across) return std::nullopt;
+    return Circle{across->origin, across->normal, envelope.sweep->fillet()->radius};
+}
+
+// Of what a rim passes and another form: where it stood, if both have all of that circle and these
+// two points are on it.
+std::optional<Curve> circle_of_rim(const Envelope& envelope, const Form& other, Vec3 p, Vec3 q) {
+    const Sweep& sweep = *envelope.sweep;
+    if (!sweep.is_rim()) return std::nullopt;
+    for (const double t : {0.0, 1.0}) {
+        const Passage at = sweep.at(t);
+        const Around middle = around(sweep, at);
+        const double radius = sweep.fillet()->ring;
+        const auto is_on = [&](Vec3 v) {
+            return std::abs(dot(v - middle.centre, at.axis)) <= kTouchMm &&
+                   std::abs(norm(v - middle.centre) - radius) <= kTouchMm;
+        };
+        const Vec3 out = cross(middle.side, at.axis);
+        const auto is_of_other = [&](Vec3 direction) {
+            return std::abs(distance(other, middle.centre + radius * direction)) <= kTouchMm;
+        };
+        if (is_on(p) && is_on(q) && is_of_other(middle.side) && is_of_other(-middle.side) &&
+            is_of_other(out) && is_of_other(-out))
+            return Circle{middle.centre, at.axis, radius};
+    }
+    return std::nullopt;
+}
+
+bool is_ruled(const Form& form) {
+    return std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
+           std::holds_alternative<Cone>(form) || std::holds_alternative<Extrusion>(form);
+}
+
+}  // namespace
+
+std::optional<Curve> meet(const Form& a, const Form& b, Vec3 p, Vec3 q, Vec3 near_to) {
+    if (const auto axis = common_axis(a, b)) return circle_about(*axis, p, a, b);
+    if (const auto* coil = std::get_if<Coil>(&a)) return meet(*coil, b, p, q, near_to);
+    if (const auto* coil = std::get_if<Coil>(&b)) return meet(*coil, a, p, q, near_to);
+    for (const auto& [form, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        const auto* envelope = std::get_if<Envelope>(form);
+        const auto circle = envelope ? circle_of_rim(*envelope, *other, p, q) : std::nullopt;
+        if (circle) return circle;
+    }
+    if (const auto* envelope = std::get_if<Envelope>(&a)) return meet(*envelope, b);
+    if (const auto* envelope = std::get_if<Envelope>(&b)) return meet(*envelope, a);
+    if (const auto* spiral = std::get_if<Spiral>(&a)) return meet(*spiral, b);
+    if (const auto* spiral = std::get_if<Spiral>(&b)) return meet(*spiral, a);
+    if (const auto* dome = std::get_if<Dome>(&a)) return meet(*dome, b, p, q, near_to);
+    if (const auto* dome = std::get_if<Dome>(&b)) return meet(*dome, a, p, q, near_to);
+    const bool is_first_plane = std::holds_alternative<Plane>(a);
+    const bool is_second_plane = std::holds_alternative<Plane>(b);
+    if (is_first_plane && is_second_plane) return Line{};
+    if (const auto touching = touch(a, b)) {
+        if (is_ruled(a) && is_ruled(b)) return Line{};
+        for (const Form* form : {&a, &b}) {
+            if (const auto* pipe = std::get_if<Cylinder>(form))
+                return circle_about({pipe->origin, pipe->axis}, p, a, b);
+        }
+        for (const Form* form : {&a, &b}) {
+            const auto* plane = std::get_if<Plane>(&*touching);
+            if (const auto* ring = std::get_if<Torus>(form); ring && plane)
+                return meridian(*ring, plane->normal, p);
+        }
+        return std::nullopt;
+    }
+    const auto* first = std::get_if<Cylinder>(&a);
+    const auto* second = std::get_if<Cylinder>(&b);
+    if (first && second) {
+        if (is_parallel(first->axis, second->axis)) return Line{};
+        const auto planes = mitres(*first, *second);
+        if (!planes) return std::nullopt;
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [one, other] = *planes;
+        if (!is_on(one) && !is_on(other)) return std::nullopt;
+        // Both ellipses pass through the points where the pipes touch.
+        const bool is_first = is_on(one) && (!is_on(other) || is_nearer(one, other, near_to));
+        return ellipse(is_first ? one : other, *first);
+    }
+    if (const auto planes = bends(a, b)) {
+        const auto is_on = [&](const Plane& plane) {
+            return std::abs(distance(plane, p)) < kTouchMm &&
+                   std::abs(distance(plane, q)) < kTouchMm;
+        };
+        const auto& [level, other] = *planes;
+        if (!is_on(level) && !is_on(other)) return std::nullopt;
+        const bool is_level = is_on(level) && (!is_on(other) || is_nearer(level, other, near_to));
+        const auto* moved = std::get_if<Extrusion>(&a);
+        if (!moved) moved = std::get_if<Extrusion>(&b);
+        if (is_level) return Circle{level.origin, level.normal, moved->radius};
+        return ellipse(other, *moved);
+    }
+    if (!is_first_plane && !is_second_plane) return std::nullopt;
+    const auto& plane = std::get<Plane>(is_first_plane ? a : b);
+    const Form& other = is_first_plane ? b : a;
+    if (const auto* f = std::get_if<Cylinder>(&other)) {
+        const double lean = std::abs(dot(plane.normal, f->axis));
+        if (lean <= kNearlyParallel) return Line{};
+        // Of one of some metres readers draw nothing.
+        constexpr double kLongest = 1e-2;
+        if (lean < kLongest) return std::nullopt;
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Extrusion>(&other)) {
+        if (is_across(plane.normal, f->along)) return Line{};
+        if (is_parallel(plane.normal, f->axis)) {
+            const double height = dot(plane.normal, plane.origin - f->centre);
+            const Vec3 centre = f->centre + (height / dot(plane.normal, f->along)) * f->along;
+            return Circle{centre, f->axis, f->radius};
+        }
+        return ellipse(plane, *f);
+    }
+    if (const auto* f = std::get_if<Torus>(&other)) {
+        if (is_across(plane.normal, f->axis) && std::abs(distance(plane, f->centre)) < 1e-7)
+            return meridian(*f, plane.normal, p);
+    }
+    if (std::holds_alternative<Cone>(other)) {
+        // Rulings pass through the apex.
+        constexpr double kOn = 1e-9;
+        const Vec3 middle = 0.5 * (p + q);
+        if (norm(q - p) > kTouchMm && std::abs(distance(plane, std::get<Cone>(other).apex)) < kOn &&
+            std::abs(distance(other, middle)) < kOn)
+            return Line{};
+    }
+    return std::nullopt;
+}
+
+}  // namespace ncsim::brep

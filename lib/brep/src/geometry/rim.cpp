@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// With e what points from the axis a to the point of the circle, R its radius and V the velocity of
+// its centre, that point goes with w = V - R (a' e) a. What the circle passes holds w and the
+// tangent of the circle, and the nearest time is when w is at right angles to what is off.
+#include "geometry/rim.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+namespace {
+
+// The point of the circle that is nearest to another one, and how it changes.
+struct OnRim {
+    OnRim(const Fillet& rim, const Passage& at, Vec3 p) : radius(rim.ring), axis(at.axis) {
+        const Vec3 v = p - at.tip;
+        const double height = dot(v, axis);
+        const Vec3 away = v - height * axis;
+        far = norm(away);
+        out = far > 0.0 ? (1.0 / far) * away : Vec3{};
+        round = cross(axis, out);
+        foot = at.tip + rim.height * axis + radius * out;
+        centre_speed = velocity_at(at, rim.height);
+        speed = centre_speed - (radius * dot(at.turn, out)) * axis;
+        // Of what is nearest, as the tool goes on and the point stays.
+        const double slip = far > 0.0 ? dot(at.speed + height * at.turn, round) / far : 0.0;
+        out_change = -slip * round - dot(out, at.turn) * axis;
+        centre_change = at.change + rim.height * at.bend;
+        rise_change = dot(at.change, axis) + dot(at.speed, at.turn) -
+                      radius * (dot(at.bend, out) + dot(at.turn, out_change));
+        ahead_change = dot(centre_change, out) + dot(centre_speed, out_change);
+    }
+    double ahead() const { return dot(speed, out); }
+    double rise() const { return dot(speed, axis); }
+    // Outwards: of what the circle passes.
+    Vec3 normal() const {
+        const Vec3 n = normalized(rise() * out - ahead() * axis);
+        return rise() < 0.0 ? -n : n;
+    }
+    double radius, far = 0.0;
+    Vec3 axis, out, round, foot;
+    Vec3 centre_speed, speed, out_change, centre_change;
+    double rise_change = 0.0, ahead_change = 0.0;  // of the speed along the axis and outwards
+};
+
+// Level, to the middle of what it leaves.
+Vec3 middle_way(const Sweep& sweep, const Passage& passage, const Around& at) {
+    const Vec3 ahead = cross(at.side, passage.axis);
+    const double rise = dot(velocity_at(passage, sweep.fillet()->height), passage.axis);
+    return (rise < 0.0) == (dot(ahead, at.ahead) < 0.0) ? ahead : -ahead;
+}
+
+}  // namespace
+
+Aspect aspect_of_rim(const Fillet& rim, const Passage& at, Vec3 p) {
+    const OnRim on(rim, at, p);
+    const Vec3 d = p - on.foot, n = on.normal();
+    Aspect aspect;
+    aspect.passage = at;
+    aspect.normal = n;
+    aspect.off = dot(d, n) < 0.0 ? -norm(d) : norm(d);
+    aspect.foot = p - aspect.off * n;
+    aspect.rate = -dot(d, on.speed);
+    const double share = on.far > 0.0 ? on.radius / on.far : 0.0;
+    aspect.drift =
+        share * (dot(on.speed, on.round) + dot(at.turn, on.round) * dot(d, on.axis)) * on.round -
+        on.speed;
+    const Vec3 d_change = -on.centre_speed - on.radius * on.out_change;
+    const Vec3 speed_change =
+        on.centre_change -
+        on.radius * (dot(at.bend, on.out) + dot(at.turn, on.out_change)) * on.axis -
+        (on.radius * dot(at.turn, on.out)) * at.turn;
+    aspect.bend = -dot(d_change, on.speed) - dot(d, speed_change);
+    return aspect;
+}
+
+std::vector<double> starts_on_rim(const Sweep& sweep, Vec3 p) {
+    const std::vector<Passage>& samples = sweep.samples();
+    const Fillet& rim = *sweep.fillet();
+    // How far from the axis, squared: on straight ways a parabola.
+    const auto away = [&](std::size_t i) {
+        const Vec3 v = p - samples[i].tip;
+        const double height = dot(v, samples[i].axis);
+        return dot(v, v) - height * height;
+    };
+    const bool rises = dot(velocity_at(samples[0], rim.height), samples[0].axis) > 0.0;
+    const std::size_t last = samples.size() - 1;
+    std::vector<double> starts;
+    double before = away(0), here = away(1);
+    for (std::size_t i = 1; i < last; ++i) {
+        const double after = away(i + 1);
+        const bool is_lowest = (i == 1 || here <= before) && (i + 1 == last || here < after) &&
+                               after + before > 2.0 * here;
+        if (is_lowest) {
+            const double slope = 0.5 * (after - before), bend = after - 2.0 * here + before;
+            const double square = slope * slope - 2.0 * bend * (here - rim.ring * rim.ring);
+            const double out = square > 0.0 ? std::sqrt(square) : 0.0;
+            const double ahead = (-slope + (rises ? -out : out)) / bend;
+            const double most = static_cast<double>(last);
+            starts.push_back(std::clamp((static_cast<double>(i) + ahead) / most, -kBeyondEnds,
+                                        1.0 + kBeyondEnds));
+        }
+        before = here;
+        here = after;
+    }
+    if (starts.empty()) starts.push_back(0.5);
+    return starts;
+}
+
+Vec3 gradient_of_rise_of_rim(const Fillet& rim, const Aspect& aspect) {
+    const Passage& at = aspect.passage;
+    const OnRim on(rim, at, aspect.foot + aspect.off * aspect.normal);
+    if (!(on.far > 0.0)) return {};
+    const double ahead = on.ahead(), rise = on.rise();
+    const double square = ahead * ahead + rise * rise;
+    const Vec3 time = gradient_of_time(aspect);
+    const Vec3 ahead_slope =
+        (dot(on.centre_speed, on.round) / on.far) * on.round + on.ahead_change * time;
+    const Vec3 rise_slope =
+        -(on.radius * dot(at.turn, on.round) / on.far) * on.round + on.rise_change * time;
+    const double cosine = std::abs(rise) / std::sqrt(square);
+    return (-cosine / square) * (rise * ahead_slope - ahead * rise_slope);
+}
+
+double place_on_rim(const Sweep& sweep, const Passage& passage, Vec3 p) {
+    const Around at = around(sweep, passage);
+    const Vec3 v = p - at.centre;
+    const double degrees = trig::angle_of(dot(v, middle_way(sweep, passage, at)), dot(v, at.side));
+    constexpr double kHalf = 180.0;
+    return kHalf - degrees;
+}
+
+Vec3 point_on_rim(const Sweep& sweep, const Passage& passage, double place) {
+    const Around at = around(sweep, passage);
+    constexpr double kHalf = 180.0;
+    const auto angle = trig::sin_cos(kHalf - place);
+    const Vec3 out = angle.cos * middle_way(sweep, passage, at) + angle.sin * at.side;
+    return at.centre + sweep.fillet()->ring * out;
+}
+
+}  // namespace ncsim::brep

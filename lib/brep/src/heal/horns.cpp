@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "heal/horns.h"
+
+#include "ncsim/brep/frames.h"
+
+#include "heal/pinches.h"
+#include "topology/around.h"
+#include "topology/halves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+std::uint32_t departs_from(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    return use.is_forward ? edge.from : edge.to;
+}
+
+EdgeUse reversed_use(const EdgeUse& use) {
+    return {use.edge, !use.is_forward};
+}
+
+// An edge as it leaves a corner: its direction, unit, and by how much that turns in 15 degrees.
+struct Departure {
+    Vec3 direction, bend;
+    bool is_round = false;
+};
+
+Departure departure_of(const Part& part, const EdgeUse& use) {
+    const Edge& edge = part.edges[use.edge];
+    const Track track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+    const auto direction = [&](double t) {
+        const Vec3 along = normalized(track.derivative(t));
+        return use.is_forward ? along : -along;
+    };
+    const std::size_t pieces = track.pieces();
+    const double start = use.is_forward ? 0.0 : 1.0;
+    const double after = use.is_forward ? track.start_of(1) : track.start_of(pieces - 1);
+    return {direction(start), direction(after) - direction(start),
+            !std::holds_alternative<Line>(edge.curve)};
+}
+
+// The edges of a loop that meet where use `i` begins, as they leave that corner.
+std::array<EdgeUse, 2> edges_at(const Loop& loop, std::size_t i) {
+    return {loop[i], reversed_use(loop[(i + loop.size() - 1) % loop.size()])};
+}
+
+// Do both loops, where these uses of them begin, have arcs along each other that bend to one side?
+bool runs_out(const Part& part, const Loop& one, std::size_t i, const Loop& other, std::size_t j) {
+    constexpr double kAlong = 1e-3;  // rad
+    for (const EdgeUse& first : edges_at(one, i)) {
+        const Departure a = departure_of(part, first);
+        for (const EdgeUse& second : edges_at(other, j)) {
+            const Departure b = departure_of(part, second);
+            if (a.is_round && b.is_round && norm(a.direction - b.direction) < kAlong &&
+                dot(a.bend, b.bend) > 0.0)
+                return true;
+        }
+    }
+    return false;
+}
+
+struct Horn {
+    std::size_t hole;                 // of the loops of the face
+    std::size_t of_outline, of_hole;  // the uses that begin there
+};
+
+// Where the outline and a hole have one corner in common, and run out there.
+std::optional<Horn> horn_of(const Part& part, const Face& face) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> corners;
+    for (std::size_t i = 0; i < face.loops.front().size(); ++i)
+        corners.emplace_back(departs_from(part, face.loops.front()[i]), i);
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t hole = 1; hole < face.loops.size(); ++hole) {
+        const Loop& loop = face.loops[hole];
+        std::vector<Horn> common;
+        for (std::size_t j = 0; j < loop.size(); ++j) {
+            const std::uint32_t v = departs_from(part, loop[j]);
+            const auto at = std::ranges::lower_bound(corners, std::pair(v, std::size_t{0}));
+            if (at != corners.end() && at->first == v) common.push_back({hole, at->second, j});
+        }
+        if (common.size() == 1 &&
+            runs_out(part, face.loops.front(), common[0].of_outline, loop, common[0].of_hole))
+            return common[0];
+    }
+    return std::nullopt;
+}
+
+struct Drawn {
+    double x, y;
+};
+
+// A plane as readers see it, from above: its loops as points, the corners of edges among them.
+class Drawing {
+public:
+    Drawing(const Part& part, const Face& face) : face_(face) {
+        for (const auto& points : points_along(part, face)) {
+            auto& loop = loops_.emplace_back();
+            for (const Vec3 p : points)
+                loop.push_back(drawn(p));
+        }
+    }
+
+    // Does the straight line lie in the plane, with nothing near it but its ends?
+    bool is_clear(Vec3 from, Vec3 to) const {
+        constexpr double kNear = 1e-2;  // mm
+        constexpr int kSamples = 16;
+        const Drawn a = drawn(from), b = drawn(to);
+        const double length = norm(to - from);
+        for (int i = 1; i < kSamples; ++i) {
+            const double t = static_cast<double>(i) / kSamples;
+            if (!has_inside({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)})) return false;
+        }
+        for (const auto& loop : loops_) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Drawn p = seen(a, b, length, loop[i]);
+                const Drawn q = seen(a, b, length, loop[(i + 1) % loop.size()]);
+                if (!is_end(p, length) && p.x > -kNear && p.x < length + kNear &&
+                    std::abs(p.y) < kNear)
+                    return false;
+                if ((p.y > 0.0) == (q.y > 0.0) || is_end(p, length) || is_end(q, length)) continue;
+                const double x = p.x + (q.x - p.x) * p.y / (p.y - q.y);
+                if (x > 0.0 && x < length) return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    Drawn drawn(Vec3 p) const {
+        const Vec3 v = p - face_.frame.origin;
+        return {dot(v, face_.frame.x), dot(v, cross(face_.frame.axis, face_.frame.x))};
+    }
+
+    // Along the line from its start, and to the left of it.
+    static Drawn seen(Drawn a, Drawn b, double length, Drawn p) {
+        const double x = (b.x - a.x) / length, y = (b.y - a.y) / length;
+        return {(p.x - a.x) * x + (p.y - a.y) * y, (p.y - a.y) * x - (p.x - a.x) * y};
+    }
+
+    static bool is_end(Drawn p, double length) {
+        constexpr double kOne = 1e-6;
+        return std::abs(p.y) < kOne && (std::abs(p.x) < kOne || std::abs(p.x - length) < kOne);
+    }
+
+    bool has_inside(Drawn at) const {
+        bool is_inside = false;
+        for (const auto& loop : loops_) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Drawn p = loop[i], q = loop[(i + 1) % loop.size()];
+                if ((p.y > at.y) == (q.y > at.y)) continue;
+                if (at.x < p.x + (q.x - p.x) * (at.y - p.y) / (q.y - p.y)) is_inside = !is_inside;
+            }
+        }
+        return is_inside;
+    }
+
+    const Face& face_;
+    std::vector<std::vector<Drawn>> loops_;
+};
+
+// Where a line may end on a loop.
+struct CutEnd {
+    Vec3 at;
+    std::size_t use = 0;     // which begins there, or
+    bool is_middle = false;  // has it in its middle
+};
+
+// The corners of a loop but the first one, and the middles of its round edges if these count, too.
+std::vector<CutEnd> places_on(const Part& part, const Loop& loop, bool has_middles) {
+    std::vector<CutEnd> places;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (i > 0) places.push_back({part.vertices[departs_from(part, loop[i])], i});
+        if (!has_middles) continue;
+        if (const auto halves = edge_in_two(part, part.edges[loop[i].edge]))
+            places.push_back({halves->middle, i, true});
+    }
+    return places;
+}
+
+// The line along which a plane becomes two: from the outline to the hole.
+struct Cut {
+    CutEnd from, to;
+};
+
+std::optional<Cut> shortest_cut(const Part& part, const Face& face, const Loop& outline,
+                                const Loop& hole, bool has_middles) {
+    const Drawing drawing(part, face);
+    std::optional<Cut> best;
+    double shortest = std::numeric_limits<double>::infinity();
+    const std::vector<CutEnd> ends = places_on(part, hole, has_middles);
+    for (const CutEnd& from : places_on(part, outline, has_middles)) {
+        for (const CutEnd& to : ends) {
+            const double length = norm(to.at - from.at);
+            if (length >= shortest || !drawing.is_clear(from.at, to.at)) continue;
+            shortest = length;
+            best = {from, to};
+        }
+    }
+    return best;
+}
+
+Loop from_use(Loop loop, std::size_t i) {
+    std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(i));
+    return loop;
+}
+
+// What is before use `i` of the one, the edge, and what is from use `j` of the other on.
+Loop joined_along(const Loop& one, std::size_t i, const EdgeUse& edge, const Loop& other,
+                  std::size_t j) {
+    Loop loop(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(i));
+    loop.push_back(edge);
+    loop.insert(loop.end(), other.begin() + static_cast<std::ptrdiff_t>(j), other.end());
+    return loop;
+}
+
+enum class Parted : std::uint8_t { Not, ByHalves, ByALine };
+
+// By halves: its edges have become more, and it has corners now between which there is a line.
+Parted part_at_horn(Part& part, std::uint32_t f) {
+    const Face face = part.faces[f];
+    const auto horn = horn_of(part, face);
+    if (!horn) return Parted::Not;
+    const Loop outline = from_use(face.loops.front(), horn->of_outline);
+    const Loop hole = from_use(face.loops[horn->hole], horn->of_hole);
+    const auto cut = shortest_cut(part, face, outline, hole, false);
+    if (!cut) {
+        const auto other = shortest_cut(part, face, outline, hole, true);
+        if (!other) return Parted::Not;
+        Halving halving(part);
+        if (other->from.is_middle) halving.halve(outline[other->from.use].edge);
+        if (other->to.is_middle) halving.halve(hole[other->to.use].edge);
+        halving.finish();
+        return Parted::ByHalves;
+    }
+    const std::size_t i = cut->from.use, j = cut->to.use;
+    const auto edge = static_cast<std::uint32_t>(part.edges.size());
+    part.edges.push_back({departs_from(part, outline[i]), departs_from(part, hole[j]), Line{}});
+    Face one = face, other = face;
+    one.loops = {joined_along(outline, i, {edge, true}, hole, j)};
+    other.loops = {joined_along(hole, j, {edge, false}, outline, i)};
+    for (std::size_t l = 1; l < face.loops.size(); ++l) {
+        if (l == horn->hole) continue;
+        Face& around = goes_round(part, one, one.loops.front(), face.loops[l]) ? one : other;
+        around.loops.push_back(face.loops[l]);
+    }
+    one.frame = frame_for(part, one);
+    other.frame = frame_for(part, other);
+    part.faces[f] = std::move(one);
+    add_beside(part, f, std::move(other));
+    return Parted::ByALine;
+}
+
+}  // namespace
+
+void part_at_horns(Part& part) {
+    // What is added is looked at, too: it may have other holes.
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        const bool may_have = std::holds_alternative<Plane>(part.faces[f].surface.form) &&
+                              part.faces[f].loops.size() > 1;
+        if (!may_have) continue;
+        // Where the halves do not help, they do not help again.
+        bool has_halves = false;
+        for (Parted parted = part_at_horn(part, f); parted != Parted::Not;
+             parted = part_at_horn(part, f)) {
+            if (parted == Parted::ByHalves && has_halves) break;
+            has_halves = parted == Parted::ByHalves;
+        }
+    }
+}
+
+}  // namespace ncsim::brep

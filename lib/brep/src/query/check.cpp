@@ -1,0 +1,544 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Faces are looked at on a map: each surface can be laid out flat, so that what is one face there
+// is one face here, without seams. Cones are seen along their axis, strips of cylinders from in
+// front, those of extrusions along their lines; other cylinders and rings become rings of paper; of
+// spheres the point opposite the face is where the map has none; of coils both angles are lengths,
+// as are of envelopes the angle around the way and the time.
+#include "query/check.h"
+
+#include "ncsim/brep/measure.h"
+#include "ncsim/trig/angles.h"
+
+#include "geometry/nearly.h"
+#include "topology/around.h"
+#include "topology/axes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::brep {
+
+using trig::kRadiansPerDegree;
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+// --- The map ------------------------------------------------------------------------------
+
+struct Point {
+    double x, y;
+};
+
+class Map {
+public:
+    Map(const Part& part, const Face& face)
+        : form_(&face.surface.form), axes_(axes_of(face, face.frame.origin)) {
+        if (is_straight_up()) {
+            low_ = std::numeric_limits<double>::infinity();
+            for_edges(part, face, [&](const Track& track, double) {
+                for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                    const Local p = local(track.at(t));
+                    low_ = std::min(low_, p.z);
+                    // The x axis points away from the face.
+                    constexpr double kSteep = 0.2;
+                    faces_one_way_ = faces_one_way_ && p.x < -kSteep * p.away;
+                }
+            });
+            low_ -= 2.0 * radius_of(*form_);
+        } else if (const auto* c = std::get_if<Cone>(form_)) {
+            axes_.origin = c->apex;
+        } else if (const auto* s = std::get_if<Sphere>(form_)) {
+            Vec3 sum;
+            for_edges(part, face, [&](const Track& track, double) {
+                for (const double t : {0.0, 0.25, 0.5, 0.75})
+                    sum = sum + (track.at(t) - s->centre);
+            });
+            // Loops about in one plane: the face is on their left of two sides.
+            Vec3 middle = normalized(sum);
+            if (norm(sum) < 0.1 * s->radius) middle = face.frame.axis;
+            axes_ = Axes(s->centre, {s->centre, middle, across(middle)});
+        } else if (const auto* t = std::get_if<Torus>(form_)) {
+            cut_ = cut_of(part, face, axes_, *t);
+        } else if (const auto* coil = std::get_if<Coil>(form_)) {
+            double sum = 0.0;
+            for_edges(part, face, [&](const Track& track, double) {
+                for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                    const CoilPlace place = place_on(*coil, track.at(at));
+                    sum += dot(place.out, place.way);
+                }
+            });
+            ahead_ = sum < 0.0 ? -1.0 : 1.0;
+        }
+    }
+
+    // Where it is, and how far off the form.
+    struct Place {
+        Point at;
+        double off;
+    };
+    Place place(Vec3 p, Beside& beside) const {
+        const auto* envelope = std::get_if<Envelope>(form_);
+        if (!envelope) return {(*this)(p), distance(*form_, p)};
+        const Aspect aspect = place_on(*envelope, p, beside);
+        return {point_of(*envelope->sweep, aspect), aspect.off};
+    }
+
+    Point operator()(Vec3 at) const {
+        // From the middle of the half of the circle, which turns with the way.
+        if (const auto* c = std::get_if<Coil>(form_)) {
+            const CoilPlace place = place_on(*c, at);
+            const double x = ahead_ * dot(place.out, place.way);
+            const double y = ahead_ * dot(place.out, cross(c->axis, place.way));
+            return {c->radius * trig::angle_of(x, y) * kRadiansPerDegree, c->reach * place.turn};
+        }
+        if (const auto* s = std::get_if<Spiral>(form_)) {
+            const SpiralPlace place = place_on(*s, at);
+            return {(s->reach + s->offset) * place.turn, place.height};
+        }
+        if (const auto* e = std::get_if<Envelope>(form_))
+            return point_of(*e->sweep, place_on(*e, at));
+        const Local p = local(at);
+        if (std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_))
+            return {p.x, p.y};
+        if (is_straight_up()) return faces_one_way_ ? Point{p.y, p.z} : out(p, p.z - low_);
+        if (const auto* s = std::get_if<Sphere>(form_)) {
+            const double scale = 2.0 * s->radius / std::max(1e-9 * s->radius, s->radius + p.z);
+            return {scale * p.x, scale * p.y};
+        }
+        const auto& t = std::get<Torus>(*form_);
+        const double around = degrees_from(cut_, t, p) * kRadiansPerDegree;
+        if (!is_spindle(t)) return out(p, t.minor * (1.0 + around));
+        return p.away > 0.0 ? out(p, t.minor * around) : Point{0.0, 0.0};
+    }
+
+    bool is_cone() const { return std::holds_alternative<Cone>(*form_); }
+
+    // Is it on the half that the circle of a coil does not leave there? Nothing of the face is.
+    bool is_of_other_half(Point at, double tolerance_mm) const {
+        constexpr double kQuarter = 90.0 * kRadiansPerDegree;
+        const auto* coil = std::get_if<Coil>(form_);
+        return coil && std::abs(at.x) > kQuarter * coil->radius + tolerance_mm;
+    }
+
+    // Is what is straight straight on the map?
+    bool keeps_lines() const {
+        return std::holds_alternative<Plane>(*form_) || std::holds_alternative<Cone>(*form_) ||
+               std::holds_alternative<Spiral>(*form_) ||
+               (is_straight_up() && faces_one_way_ && !std::holds_alternative<Dome>(*form_));
+    }
+
+private:
+    static Point point_of(const Sweep& sweep, const Aspect& place) {
+        const double across = place_across(sweep, place.passage, place.foot);
+        const Fillet* fillet = sweep.fillet();
+        const double scale = fillet ? (fillet->ring + fillet->radius) * kRadiansPerDegree : 1.0;
+        return {scale * across, sweep.length_mm() * place.t};
+    }
+
+    // In the coordinates of its axes.
+    bool is_straight_up() const {
+        return std::holds_alternative<Cylinder>(*form_) ||
+               std::holds_alternative<Extrusion>(*form_) || std::holds_alternative<Dome>(*form_);
+    }
+    Local local(Vec3 p) const {
+        const auto* dome = std::get_if<Dome>(form_);
+        return dome ? local_on(*dome, axes_, p) : axes_(p);
+    }
+    static Point out(const Local& p, double radius) {
+        return {radius * p.x / p.away, radius * p.y / p.away};
+    }
+
+    const Form* form_;
+    Axes axes_;
+    double low_ = 0.0, cut_ = 0.0;
+    double ahead_ = 1.0;         // of a coil: which half of the circle
+    bool faces_one_way_ = true;  // seen from there, nothing of it hides anything
+};
+
+struct Segment {
+    Point a, b;
+    std::uint64_t from, to;  // what they are called: neighbours have one in common
+    const Track* track;      // of which it is the chord, between two parameters
+    double begin, end;
+    bool is_straight;  // on the map, too
+    std::uint32_t edge;
+    double off = 0.0;  // how far it may be from what it stands for
+    double low() const { return std::min(a.y, b.y) - off; }
+    double high() const { return std::max(a.y, b.y) + off; }
+    double left() const { return std::min(a.x, b.x) - off; }
+    double right() const { return std::max(a.x, b.x) + off; }
+};
+
+double turn(Point a, Point b, Point c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+double squared_distance(Point p, const Segment& s) {
+    const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
+    const double length = dx * dx + dy * dy;
+    double t = length > 0.0 ? ((p.x - s.a.x) * dx + (p.y - s.a.y) * dy) / length : 0.0;
+    t = std::clamp(t, 0.0, 1.0);
+    const double x = s.a.x + t * dx - p.x, y = s.a.y + t * dy - p.y;
+    return x * x + y * y;
+}
+
+bool cross_each_other(const Segment& s, const Segment& t) {
+    return (turn(s.a, s.b, t.a) > 0.0) != (turn(s.a, s.b, t.b) > 0.0) &&
+           (turn(t.a, t.b, s.a) > 0.0) != (turn(t.a, t.b, s.b) > 0.0);
+}
+
+bool interfere(const Segment& s, const Segment& t, double clear) {
+    const double near = clear * clear;
+    // Neighbours have a point in common; what is beyond it must not lie on the other one.
+    const bool joined = s.to == t.from;
+    const bool joined_back = t.to == s.from;
+    const bool heads = s.from == t.from;
+    const bool tails = s.to == t.to;
+    if (joined || joined_back || heads || tails) {
+        if (joined && joined_back) return false;
+        const Point& s_far = joined || tails ? s.a : s.b;
+        const Point& t_far = joined || heads ? t.b : t.a;
+        return squared_distance(s_far, t) < near || squared_distance(t_far, s) < near;
+    }
+    return cross_each_other(s, t) || squared_distance(s.a, t) < near ||
+           squared_distance(s.b, t) < near || squared_distance(t.a, s) < near ||
+           squared_distance(t.b, s) < near;
+}
+
+double apart(const Segment& s, const Segment& t) {
+    if (cross_each_other(s, t)) return 0.0;
+    return std::sqrt(std::min({squared_distance(s.a, t), squared_distance(s.b, t),
+                               squared_distance(t.a, s), squared_distance(t.b, s)}));
+}
+
+// Of both halves of what is nearly a circle, a quarter of how far it is off.
+std::array<Segment, 2> halves_of(const Map& map, const Segment& s) {
+    const double middle = 0.5 * (s.begin + s.end);
+    const Point p = map(s.track->at(middle));
+    Segment first = s, second = s;
+    first.b = second.a = p;
+    first.end = second.begin = middle;
+    first.off = second.off = s.is_straight ? 0.0 : 0.5 * std::sqrt(squared_distance(p, s));
+    return {first, second};
+}
+
+// Sine of the angle between two chords.
+double sine_between(const Segment& s, const Segment& t) {
+    const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
+    const double lengths = std::sqrt((sx * sx + sy * sy) * (tx * tx + ty * ty));
+    return lengths > 0.0 ? std::abs(sx * ty - sy * tx) / lengths : 0.0;
+}
+
+// Pieces of curves without a common end: chords that come near are halved until it is clear, or one
+// is nowhere on the map. What runs beside each other, but for a least angle, may be near.
+bool curves_interfere(const Map& map, Segment s, Segment t, double clear, int depth,
+                      double least_sine = 0.0) {
+    if (!std::isfinite(s.off + t.off)) return true;
+    if (apart(s, t) >= s.off + t.off + clear) return false;
+    if (depth == 0 || s.off + t.off <= 0.25 * clear)
+        return apart(s, t) < clear && sine_between(s, t) >= least_sine;
+    if (s.off < t.off) std::swap(s, t);
+    const auto [first, second] = halves_of(map, s);
+    return curves_interfere(map, first, t, clear, depth - 1, least_sine) ||
+           curves_interfere(map, second, t, clear, depth - 1, least_sine);
+}
+
+// When pieces of curves that go out from a common point are told to meet again.
+struct Again {
+    double nearer;      // mm: than this to each other,
+    double least_sine;  // of the angle there, and
+    double nowhere;     // mm: farther than this from the common point.
+};
+// By an angle of which readers take notice. Others touch in their corner but for rounding.
+constexpr Again kCrossing{1e-9, 0.06, 1e-3};
+// By any angle, where one corner stands for two between which facets told nothing: what programs
+// round alone crosses nearer to it.
+constexpr Again kCrossingElsewhere{1e-9, 0.0, 0.1};
+
+// Beside facets curves miss their ends by more than that: what is left after so many halvings is
+// that.
+bool meet_beyond(const Map& map, const Segment& s, const Segment& t, const Again& again,
+                 int halvings = 40) {
+    constexpr int kDepth = 30;
+    if (halvings == 0) return false;
+    const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
+    const double near = again.nowhere * again.nowhere;
+    const bool is_acute = sx * tx + sy * ty > 0.0;
+    if (!is_acute || sx * sx + sy * sy < near || tx * tx + ty * ty < near) return false;
+    const auto [s_near, s_far] = halves_of(map, s);
+    const auto [t_near, t_far] = halves_of(map, t);
+    const auto meet = [&](const Segment& one, const Segment& other) {
+        return curves_interfere(map, one, other, again.nearer, kDepth, again.least_sine);
+    };
+    return meet(s_far, t_far) || meet(s_near, t_far) || meet(s_far, t_near) ||
+           meet_beyond(map, s_near, t_near, again, halvings - 1);
+}
+
+// Turned round, so that they start in the point that they have in common.
+bool neighbours_meet_again(const Map& map, Segment s, Segment t, const Again& again) {
+    if (s.to == t.from && t.to == s.from) return false;
+    const auto turn_round = [](Segment& piece) {
+        std::swap(piece.a, piece.b);
+        std::swap(piece.begin, piece.end);
+    };
+    if (s.to == t.from || s.to == t.to) turn_round(s);
+    if (t.to == s.from || t.to == s.to) turn_round(t);
+    return meet_beyond(map, s, t, again);
+}
+
+bool have_common_end(const Segment& s, const Segment& t) {
+    return s.to == t.from || t.to == s.from || s.from == t.from || s.to == t.to;
+}
+
+// The edges of two pieces that do.
+std::optional<std::array<std::uint32_t, 2>> any_interfere(const Map& map,
+                                                          std::vector<Segment> segments,
+                                                          double clear) {
+    // Of a piece of 4 degrees it is a hundredth; of what the map bends more.
+    constexpr double kMostOff = 0.1, kBeside = 0.05;
+    constexpr int kDepth = 40;
+    const auto length = [](const Segment& s) {
+        const double x = s.b.x - s.a.x, y = s.b.y - s.a.y;
+        return std::sqrt(x * x + y * y);
+    };
+    for (Segment& s : segments) {
+        if (!s.is_straight) s.off = kMostOff * length(s);
+    }
+    std::sort(segments.begin(), segments.end(),
+              [](const Segment& s, const Segment& t) { return s.low() < t.low(); });
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Segment& s = segments[i];
+        for (std::size_t j = i + 1; j < segments.size(); ++j) {
+            const Segment& t = segments[j];
+            if (t.low() > s.high() + clear) break;
+            if (t.right() < s.left() - clear || t.left() > s.right() + clear) continue;
+            const bool both_straight = s.is_straight && t.is_straight;
+            const bool are_neighbours = have_common_end(s, t);
+            if (both_straight && interfere(s, t, clear)) return {{s.edge, t.edge}};
+            if (both_straight) continue;
+            // Chords of curves that touch in their common end may lie on each other. Of cones
+            // readers find them crossed.
+            const Again beside{clear, 0.0, kBeside};
+            const auto is_near = [&] {
+                return interfere(s, t, clear) &&
+                       (map.is_cone() || std::min(length(s), length(t)) < kBeside ||
+                        neighbours_meet_again(map, s, t, beside));
+            };
+            const bool do_meet = are_neighbours
+                                     ? is_near() || neighbours_meet_again(map, s, t, kCrossing) ||
+                                           neighbours_meet_again(map, s, t, kCrossingElsewhere)
+                                     : curves_interfere(map, s, t, clear, kDepth);
+            if (do_meet) return {{s.edge, t.edge}};
+        }
+    }
+    return std::nullopt;
+}
+
+// Does the chord come so near to the apex of a cone, off the cone by more than programs round, that
+// nobody can tell on which side of it the edge goes? Or does it go past the axis?
+bool passes_beside_apex(const Form& form, Vec3 from, Vec3 to) {
+    const auto* cone = std::get_if<Cone>(&form);
+    if (!cone) return false;
+    constexpr double kBeside = 4.0;
+    const auto nearest_to = [&](Vec3 v, Vec3 chord) {
+        const double length = dot(chord, chord);
+        const double t = length > 0.0 ? -dot(v, chord) / length : 0.0;
+        return from + std::clamp(t, 0.0, 1.0) * (to - from);
+    };
+    const auto off = [&](Vec3 p) { return std::abs(distance(form, p)); };
+    const auto level = [&](Vec3 v) { return v - dot(v, cone->axis) * cone->axis; };
+    const Vec3 begin = from - cone->apex, end = to - cone->apex;
+    const Vec3 nearest = nearest_to(begin, to - from);
+    if (off(nearest) > kTouchMm && norm(nearest - cone->apex) < kBeside * off(nearest)) return true;
+    const bool goes_past = dot(level(begin), level(end)) < 0.0;
+    return goes_past && off(nearest_to(level(begin), level(to - from))) > kTouchMm;
+}
+
+// How often the loops of a face go round, all of them together, about an axis through `origin` that
+// they do not meet.
+double rounds(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
+    constexpr double kTurn = 360.0;
+    double degrees = 0.0;
+    for (std::vector<Vec3> points : loops) {
+        points.push_back(points.front());
+        degrees += turned(points, origin, axis);
+    }
+    return degrees / kTurn;
+}
+
+// On what closes in itself loops that go round come in pairs: what is between is the face. A tube
+// is seen as if its circles were all in one plane.
+bool is_without_end(const Part& part, const Face& face) {
+    constexpr double kHalf = 0.5;
+    if (const auto* cylinder = std::get_if<Cylinder>(&face.surface.form))
+        return std::abs(rounds(points_along(part, face), cylinder->origin, cylinder->axis)) > kHalf;
+    const auto* ring = std::get_if<Torus>(&face.surface.form);
+    if (!ring) return false;
+    auto loops = points_along(part, face);
+    if (std::abs(rounds(loops, ring->centre, ring->axis)) > kHalf) return true;
+    const Axes axes(ring->centre, face.frame);
+    for (auto& points : loops) {
+        for (Vec3& p : points) {
+            const Local at = axes(p);
+            p = {at.away - ring->major, at.z, 0.0};
+        }
+    }
+    return std::abs(rounds(loops, {}, {0.0, 0.0, 1.0})) > kHalf;
+}
+
+double twice_area(const std::vector<Segment>& loop) {
+    double sum = 0.0;
+    for (const Segment& s : loop)
+        sum += (s.a.x - loop[0].a.x) * (s.b.y - loop[0].a.y) -
+               (s.a.y - loop[0].a.y) * (s.b.x - loop[0].a.x);
+    return sum;
+}
+
+}  // namespace
+
+std::vector<Fault> faults_of(const Part& part, std::uint32_t face_number, double tolerance_mm,
+                             double& miss_mm, double clear_mm, std::optional<double> area_mm2) {
+    const Face& face = part.faces[face_number];
+    std::vector<Fault> faults;
+    const auto tell = [&](std::string what) { faults.push_back({face_number, std::move(what)}); };
+    const Map map(part, face);
+    std::vector<Segment> all;
+    int outlines = 0;
+    double miss = 0.0;
+    std::uint64_t inside = std::uint64_t{1} << 32;  // names of points between vertices
+    std::deque<Track> tracks;
+    for (const Loop& loop : face.loops) {
+        std::vector<Segment> segments;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const EdgeUse& use = loop[i];
+            const Edge& edge = part.edges[use.edge];
+            const std::uint32_t begin = use.is_forward ? edge.from : edge.to;
+            const std::uint32_t end = use.is_forward ? edge.to : edge.from;
+            const EdgeUse& next = loop[(i + 1) % loop.size()];
+            const Edge& after = part.edges[next.edge];
+            if (end != (next.is_forward ? after.from : after.to)) tell("a loop is open");
+            const Track& track =
+                tracks.emplace_back(edge.curve, part.vertices[edge.from], part.vertices[edge.to]);
+            const bool is_straight = std::holds_alternative<Line>(edge.curve);
+            const std::size_t steps = 4 * track.pieces();
+            if (!(norm(track.at(1.0) - part.vertices[edge.to]) <= tolerance_mm) ||
+                !(norm(track.at(0.0) - part.vertices[edge.from]) <= tolerance_mm))
+                tell("a curve misses its end");
+            Vec3 last = part.vertices[begin];
+            Point last_place = map(last);
+            Beside beside;
+            std::uint64_t last_name = begin;
+            double last_at = 0.0;
+            for (std::size_t k = 0; k <= steps; ++k) {
+                const std::size_t step = use.is_forward ? k : steps - k, piece = step / 4;
+                double at = track.start_of(piece);
+                if (const std::size_t quarter = step % 4; quarter != 0)
+                    at += 0.25 * static_cast<double>(quarter) * (track.start_of(piece + 1) - at);
+                Vec3 p = track.at(at);
+                if (k == steps) p = part.vertices[end];
+                const Map::Place place = map.place(p, beside);
+                if (!std::isfinite(place.at.x + place.at.y + place.off)) {
+                    tell("an edge is nowhere on the surface");
+                    return faults;
+                }
+                miss = std::max(miss, std::abs(place.off));
+                if (map.is_of_other_half(place.at, tolerance_mm))
+                    tell("an edge is on the other half of the circle");
+                if (const auto* cone = std::get_if<Cone>(&face.surface.form);
+                    cone && dot(p - cone->apex, cone->axis) < -tolerance_mm) {
+                    tell("an edge is beyond the apex");
+                }
+                if (passes_beside_apex(face.surface.form, last, p))
+                    tell("an edge passes beside the apex");
+                if (k > 0) {
+                    const std::uint64_t name = k == steps ? end : ++inside;
+                    segments.push_back({last_place, place.at, last_name, name, &track, last_at, at,
+                                        is_straight && map.keeps_lines(), use.edge});
+                    last_name = name;
+                    last_place = place.at;
+                }
+                last = p;
+                last_at = at;
+            }
+        }
+        if (twice_area(segments) > 0.0) ++outlines;
+        all.insert(all.end(), segments.begin(), segments.end());
+    }
+    miss_mm = std::max(miss_mm, miss);
+    if (miss > tolerance_mm) tell("an edge is off the surface");
+    if (std::holds_alternative<Plane>(face.surface.form) && outlines != 1)
+        tell("it has not one outline");
+    const double area = area_mm2 ? *area_mm2 : measure(part, face, face.frame.origin).area;
+    if (area <= 0.0) tell("it has no area");
+    if (is_without_end(part, face)) tell("it goes round and has no other end");
+    if (const auto edges = any_interfere(map, std::move(all), clear_mm))
+        faults.push_back({face_number, kCrossOrTouch, {edges->begin(), edges->end()}});
+    return faults;
+}
+
+bool only_touches_itself(const Part& part, const Face& face, double clear_mm) {
+    const auto* plane = std::get_if<Plane>(&face.surface.form);
+    if (!plane) return false;
+    struct Straight {
+        std::uint32_t from, to;
+        Vec3 a, b;
+    };
+    std::vector<Straight> edges;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            if (!std::holds_alternative<Line>(edge.curve)) return false;
+            edges.push_back({edge.from, edge.to, part.vertices[edge.from], part.vertices[edge.to]});
+        }
+    }
+    // How far a point is on the left of an edge.
+    const auto beside = [&](const Straight& s, Vec3 p) {
+        return dot(plane->normal, cross(normalized(s.b - s.a), p - s.a));
+    };
+    const auto parts = [&](const Straight& s, const Straight& t) {
+        const double a = beside(s, t.a), b = beside(s, t.b);
+        return (a > clear_mm && b < -clear_mm) || (a < -clear_mm && b > clear_mm);
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t j = i + 1; j < edges.size(); ++j) {
+            const Straight &s = edges[i], &t = edges[j];
+            const bool have_an_end =
+                s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
+            if (!have_an_end && parts(s, t) && parts(t, s)) return false;
+        }
+    }
+    return true;
+}
+
+std::vector<Fault> check(Part& part, double tolerance_mm) {
+    std::vector<Fault> faults;
+    std::vector<int> uses(part.edges.size(), 0), sum(part.edges.size(), 0);
+    for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+        for (const Loop& loop : part.faces[f].loops) {
+            for (const EdgeUse& use : loop) {
+                ++uses[use.edge];
+                sum[use.edge] += use.is_forward ? 1 : -1;
+            }
+        }
+        const auto more = faults_of(part, f, tolerance_mm, part.miss_mm);
+        faults.insert(faults.end(), more.begin(), more.end());
+    }
+    for (std::size_t e = 0; e < uses.size(); ++e) {
+        if (uses[e] != 0 && (uses[e] != 2 || sum[e] != 0)) faults.push_back({0, "it is open"});
+    }
+    return faults;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/features.h"
+
+#include "ncsim/brep/frames.h"
+#include "ncsim/brep/measure.h"
+#include "ncsim/trig/angles.h"
+
+#include "geometry/none.h"
+#include "topology/around.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+// Directions that are equal but for rounding, and lengths, mm.
+constexpr double kAligned = 1e-9, kSame = 1e-6;
+
+struct Span {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    void add(double x) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+    }
+    double length() const { return high - low; }
+    bool overlaps(const Span& other) const { return low < other.high && other.low < high; }
+    Span common(const Span& other) const {
+        return {std::max(low, other.low), std::min(high, other.high)};
+    }
+};
+
+// Does the segment pass through the triangle?
+bool pierces(Vec3 a, Vec3 b, const cda::Corners& t) {
+    const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+    const double before = dot(n, a - t[0]), behind = dot(n, b - t[0]);
+    if ((before > 0.0) == (behind > 0.0)) return false;
+    const Vec3 p = a + (before / (before - behind)) * (b - a);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 side = t[(i + 1) % 3] - t[i];
+        if (dot(cross(n, side), p - t[i]) < 0.0) return false;
+    }
+    return true;
+}
+
+class Measurer {
+public:
+    Measurer(const Part& part, const cda::TriangleTree& between)
+        : part_(part), between_(between), beside_(part.edges.size(), {kNone, kNone}) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            for (const Loop& loop : part.faces[f].loops) {
+                for (const EdgeUse& use : loop)
+                    beside_[use.edge][use.is_forward ? 0 : 1] = f;
+            }
+        }
+    }
+
+    Features operator()() {
+        for (const Solid& solid : part_.solids) {
+            take(solid.outside);
+            for (const Shell& shell : solid.voids)
+                take(shell);
+        }
+        measure_walls();
+        sort(features_.bores);
+        sort(features_.bosses);
+        sort(features_.corners);
+        sort(features_.floors);
+        std::ranges::stable_sort(features_.distances, {}, [](const Distance& d) {
+            return std::tuple(!d.is_void, d.mm, d.from.x, d.from.y, d.from.z, d.to.x, d.to.y);
+        });
+        return std::move(features_);
+    }
+
+private:
+    // By who cut it first; then from left to right.
+    template <typename Feature>
+    static void sort(std::vector<Feature>& features) {
+        std::ranges::stable_sort(features, [](const Feature& a, const Feature& b) {
+            const Vec3 p = place(a), q = place(b);
+            return std::tuple(first(a), p.x, p.y, p.z) < std::tuple(first(b), q.x, q.y, q.z);
+        });
+    }
+    template <typename Feature>
+    static std::uint32_t first(const Feature& f) {
+        return f.origins.empty() ? 0 : static_cast<std::uint32_t>(f.origins.front());
+    }
+    static Vec3 place(const Bore& b) { return b.mouth; }
+    static Vec3 place(const Boss& b) { return b.foot; }
+    static Vec3 place(const Corner& c) { return c.on_axis; }
+    static Vec3 place(const Floor& f) { return f.box.min; }
+
+    void take(const Shell& shell) {
+        for (const std::uint32_t f : shell) {
+            const Face& face = part_.faces[f];
+            if (face.is_facet) {
+                ++features_.facets;
+                features_.facet_area += std::abs(measure(part_, face, face.frame.origin).area);
+            } else if (const auto* cylinder = std::get_if<Cylinder>(&face.surface.form)) {
+                take_cylinder(f, *cylinder);
+            } else if (const auto* plane = std::get_if<Plane>(&face.surface.form)) {
+                planes_.push_back(f);
+                if (plane->normal.z > 1.0 - kAligned) take_floor(f, *plane);
+            }
+        }
+    }
+
+    // --- Cylinders --------------------------------------------------------------------------
+
+    // A loop that goes round a cylinder: where along the axis, and what is behind it.
+    struct Rim {
+        Span along;
+        bool is_opening = false, is_closing = false;
+        std::uint32_t beyond = kNone;  // a face there
+    };
+
+    void take_cylinder(std::uint32_t f, const Cylinder& form) {
+        const Face& face = part_.faces[f];
+        Vec3 up = form.axis;
+        if (up.z < -kAligned || (std::abs(up.z) <= kAligned && up.x + up.y < 0.0)) up = -up;
+        const auto loops = points_along(part_, face);
+        Span along;
+        for (const auto& points : loops) {
+            for (const Vec3& p : points)
+                along.add(dot(p - form.origin, up));
+        }
+        const Round round = round_of(loops, form.origin, up, across(up));
+        const double covers = round.goes_round ? 360.0 : 360.0 - round.gap;
+        if (covers <= 180.0 + kSame) {
+            features_.corners.push_back({form.radius, face.surface.is_hollow, covers,
+                                         form.origin + 0.5 * (along.low + along.high) * up, up,
+                                         face.origins});
+            return;
+        }
+        if (!face.surface.is_hollow) {
+            features_.bosses.push_back({form.origin + along.low * up, up, 2.0 * form.radius,
+                                        along.length(), covers, face.origins});
+            return;
+        }
+        features_.bores.push_back(bore(f, form, up, along, covers));
+    }
+
+    // Where it ends in direction `out`: what the faces beyond its edges at that end are.
+    Rim rim(std::uint32_t f, const Cylinder& form, Vec3 out) const {
+        Rim rim;
+        const Face& face = part_.faces[f];
+        for (std::size_t i = 0; i < face.loops.size(); ++i) {
+            for (const EdgeUse& use : face.loops[i]) {
+                const Edge& edge = part_.edges[use.edge];
+                const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+                const Vec3 p = track.at(0.5);
+                const Vec3 along = (use.is_forward ? 1.0 : -1.0) * track.derivative(0.5);
+                // The face is on the left of its edges.
+                const Vec3 inwards = cross(outward(face.surface, p), normalized(along));
+                constexpr double kAtAnEnd = 0.2;
+                if (dot(inwards, out) > -kAtAnEnd) continue;
+                for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+                    rim.along.add(dot(track.at(t) - form.origin, out));
+                const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
+                if (beyond == kNone) continue;
+                rim.beyond = std::min(rim.beyond, beyond);
+                (opens(beyond, p, out) ? rim.is_opening : rim.is_closing) = true;
+            }
+        }
+        return rim;
+    }
+
+    // Does a face that begins where a bore ends lead out of the bore, or close it?
+    bool opens(std::uint32_t beyond, Vec3 p, Vec3 out) const {
+        const Surface& surface = part_.faces[beyond].surface;
+        const double looks = dot(outward(surface, p), out);
+        if (std::abs(looks) > kSame) return looks > 0.0;
+        // It goes on smoothly: what is hollow comes together.
+        return !surface.is_hollow;
+    }
+
+    Bore bore(std::uint32_t f, const Cylinder& form, Vec3 up, const Span& along,
+              double covers) const {
+        Bore bore;
+        bore.diameter = 2.0 * form.radius;
+        bore.covers_degrees = covers;
+        bore.origins = part_.faces[f].origins;
+        Rim top = rim(f, form, up), bottom = rim(f, form, -up);
+        // Closed above and open below: it was cut from below.
+        const bool is_upside_down = top.is_closing && bottom.is_opening && !bottom.is_closing;
+        if (is_upside_down) std::swap(top, bottom);
+        bore.axis = is_upside_down ? -up : up;
+        const double highest = is_upside_down ? -along.low : along.high;
+        const double lowest = is_upside_down ? -along.high : along.low;
+        bore.mouth = form.origin + highest * bore.axis;
+        bore.depth = highest - lowest;
+        if (top.along.length() > kSame) bore.mouth_slants_by = top.along.length();
+        bore.end = end_of(bore, bottom);
+        return bore;
+    }
+
+    BoreEnd end_of(Bore& bore, const Rim& bottom) const {
+        if (bottom.is_opening) return bottom.is_closing ? BoreEnd::Other : BoreEnd::Through;
+        if (bottom.beyond == kNone) return BoreEnd::Other;
+        const Face& beyond = part_.faces[bottom.beyond];
+        const Form& form = beyond.surface.form;
+        if (const auto* plane = std::get_if<Plane>(&form)) {
+            if (dot(plane->normal, bore.axis) < 1.0 - kAligned) return BoreEnd::Other;
+            return beyond.loops.size() > 1 ? BoreEnd::Shoulder : BoreEnd::Flat;
+        }
+        const auto depth_of = [&](Vec3 p) { return dot(bore.mouth - p, bore.axis); };
+        if (const auto* cone = std::get_if<Cone>(&form)) {
+            if (norm(cross(cone->axis, bore.axis)) > kSame) return BoreEnd::Other;
+            bore.tip_angle_degrees = 2.0 * half_angle_rad(*cone) * 180.0 / std::numbers::pi;
+            if (!has_tip(part_, beyond)) return BoreEnd::Shoulder;
+            bore.tip_depth = depth_of(cone->apex);
+            return BoreEnd::Cone;
+        }
+        if (const auto* sphere = std::get_if<Sphere>(&form)) {
+            if (beyond.loops.size() > 1) return BoreEnd::Other;
+            bore.tip_depth = depth_of(sphere->centre) + sphere->radius;
+            return BoreEnd::Ball;
+        }
+        return std::holds_alternative<Torus>(form) ? BoreEnd::Rounded : BoreEnd::Other;
+    }
+
+    // --- Floors -----------------------------------------------------------------------------
+
+    void take_floor(std::uint32_t f, const Plane& plane) {
+        const Face& face = part_.faces[f];
+        Floor floor;
+        floor.z = plane.origin.z;
+        floor.area = measure(part_, face, plane.origin).area;
+        floor.origins = face.origins;
+        for (const auto& points : points_along(part_, face)) {
+            for (const Vec3& p : points)
+                floor.box.add(p);
+        }
+        floor.is_closed = std::ranges::all_of(face.loops.front(), [&](const EdgeUse& use) {
+            return rises_beside(use, {0, 0, 1});
+        });
+        features_.floors.push_back(std::move(floor));
+    }
+
+    // Does what is beyond the edge go up from it?
+    bool rises_beside(const EdgeUse& use, Vec3 up) const {
+        const std::uint32_t beyond = beside_[use.edge][use.is_forward ? 1 : 0];
+        if (beyond == kNone) return false;
+        const Edge& edge = part_.edges[use.edge];
+        const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+        const Vec3 p = track.at(0.5);
+        const Vec3 along = (use.is_forward ? -1.0 : 1.0) * track.derivative(0.5);
+        const Surface& surface = part_.faces[beyond].surface;
+        const double rise = dot(cross(outward(surface, p), normalized(along)), up);
+        return std::abs(rise) > kSame ? rise > 0.0 : surface.is_hollow;
+    }
+
+    // --- Distances --------------------------------------------------------------------------
+
+    // A plane's face laid out flat.
+    struct Wall {
+        std::uint32_t face = 0;
+        double at = 0.0;  // along the direction that it has in common with others
+        Span u, v;
+        std::vector<std::vector<Vec3>> loops;
+    };
+    struct Direction {
+        Vec3 n, u, v;
+        std::vector<Wall> ahead, back;  // that look along n, and against it
+    };
+
+    void measure_walls() {
+        std::vector<Direction> directions;
+        for (const std::uint32_t f : planes_) {
+            Vec3 n = std::get<Plane>(part_.faces[f].surface.form).normal;
+            const bool is_back = std::tuple(n.z, n.y, n.x) < std::tuple(-n.z, -n.y, -n.x);
+            if (is_back) n = -n;
+            auto found = std::ranges::find_if(
+                directions, [&](const Direction& d) { return norm(d.n - n) < kAligned; });
+            if (found == directions.end()) {
+                const Vec3 u = across(n);
+                directions.push_back({n, u, cross(n, u), {}, {}});
+                found = directions.end() - 1;
+                // Of every wall its own: this is no part of walls.
+                constexpr std::size_t kMostDirections = 2000;
+                if (directions.size() > kMostDirections) return give_up();
+            }
+            Wall wall;
+            wall.face = f;
+            wall.at = dot(std::get<Plane>(part_.faces[f].surface.form).origin, n);
+            wall.loops = points_along(part_, part_.faces[f]);
+            for (const auto& points : wall.loops) {
+                for (const Vec3& p : points) {
+                    wall.u.add(dot(p, found->u));
+                    wall.v.add(dot(p, found->v));
+                }
+            }
+            (is_back ? found->back : found->ahead).push_back(std::move(wall));
+        }
+        std::size_t pairs = 0;
+        for (const Direction& d : directions)
+            pairs += d.ahead.size() * d.back.size();
+        constexpr std::size_t kMostPairs = 1'000'000;
+        if (pairs > kMostPairs) return give_up();
+        for (const Direction& d : directions) {
+            for (const bool is_void : {true, false})
+                measure_between(d, is_void);
+        }
+    }
+
+    void give_up() {
+        features_.has_too_many_walls = true;
+        features_.distances.clear();
+    }
+
+    // Between what looks along the direction and what looks against it: void if the first is
+    // behind the other one.
+    void measure_between(const Direction& d, bool is_void) {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, Distance> found;
+        const auto nearest = [&](const Wall& wall, const std::vector<Wall>& others, bool is_ahead) {
+            std::vector<std::pair<double, const Wall*>> order;
+            for (const Wall& other : others) {
+                const double gap = (other.at - wall.at) * (is_ahead == is_void ? 1.0 : -1.0);
+                if (gap > kSame && wall.u.overlaps(other.u) && wall.v.overlaps(other.v))
+                    order.emplace_back(gap, &other);
+            }
+            std::ranges::stable_sort(order, {}, [](const auto& o) { return o.first; });
+            for (const auto& [gap, other] : order) {
+                const auto key = std::minmax(wall.face, other->face);
+                if (found.contains(key)) return;
+                const auto place = opposite(d, wall, *other);
+                if (!place) continue;
+                Distance distance{gap, is_void, place->first, place->second, {}};
+                std::set<cda::Origin> origins;
+                for (const std::uint32_t f : {wall.face, other->face})
+                    origins.insert(part_.faces[f].origins.begin(), part_.faces[f].origins.end());
+                distance.origins.assign(origins.begin(), origins.end());
+                found.emplace(key, std::move(distance));
+                return;
+            }
+        };
+        for (const Wall& wall : d.ahead)
+            nearest(wall, d.back, true);
+        for (const Wall& wall : d.back)
+            nearest(wall, d.ahead, false);
+        // Material between the same two planes is told once: a plate has one thickness, whatever
+        // parts its faces.
+        std::vector<Distance*> told;
+        for (auto& [key, distance] : found) {
+            const auto same = std::ranges::find_if(told, [&](const Distance* other) {
+                return !is_void && std::abs(other->mm - distance.mm) < kSame &&
+                       std::abs(dot(other->from + other->to - distance.from - distance.to, d.n)) <
+                           kSame;
+            });
+            if (same == told.end()) {
+                told.push_back(&distance);
+                continue;
+            }
+            auto& origins = (*same)->origins;
+            origins.insert(origins.end(), distance.origins.begin(), distance.origins.end());
+            std::sort(origins.begin(), origins.end());
+            origins.erase(std::unique(origins.begin(), origins.end()), origins.end());
+        }
+        for (Distance* distance : told)
+            features_.distances.push_back(std::move(*distance));
+    }
+
+    // A point of both, right opposite each other, with nothing between.
+    std::optional<std::pair<Vec3, Vec3>> opposite(const Direction& d, const Wall& a,
+                                                  const Wall& b) const {
+        const Span u = a.u.common(b.u), v = a.v.common(b.v);
+        // The middle first.
+        for (const double s : {0.5, 0.3, 0.7, 0.1, 0.9}) {
+            for (const double t : {0.5, 0.3, 0.7, 0.1, 0.9}) {
+                const double x = u.low + s * u.length(), y = v.low + t * v.length();
+                if (!holds(d, a, x, y) || !holds(d, b, x, y)) continue;
+                const Vec3 foot = x * d.u + y * d.v;
+                const Vec3 from = foot + a.at * d.n, to = foot + b.at * d.n;
+                if (is_clear(from, to)) return std::pair(from, to);
+            }
+        }
+        return std::nullopt;
+    }
+
+    // Is the point in the face? By the turns of its loops.
+    static bool holds(const Direction& d, const Wall& wall, double x, double y) {
+        double turn = 0.0;
+        for (const auto& points : wall.loops) {
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const Vec3 p = points[i], q = points[(i + 1) % points.size()];
+                const double a = dot(p, d.u) - x, b = dot(p, d.v) - y;
+                const double c = dot(q, d.u) - x, e = dot(q, d.v) - y;
+                turn += trig::angle_of(a * c + b * e, a * e - b * c);
+            }
+        }
+        return std::abs(turn) > 180.0;
+    }
+
+    bool is_clear(Vec3 from, Vec3 to) const {
+        // Not the walls themselves, which the polyhedron has where they are but for rounding.
+        constexpr double kOff = 1e-3;
+        const double length = norm(to - from);
+        if (length <= 4.0 * kOff) return true;
+        const Vec3 step = (kOff / length) * (to - from);
+        const Vec3 a = from + step, b = to - step;
+        bool clear = true;
+        between_.visit([&](const cda::Box& box) { return clear && cda::meets_segment(box, a, b); },
+                       [&](std::uint32_t t) {
+                           if (clear && pierces(a, b, cda::corners_of(between_.mesh(), t)))
+                               clear = false;
+                       });
+        return clear;
+    }
+
+    const Part& part_;
+    const cda::TriangleTree& between_;
+    std::vector<std::array<std::uint32_t, 2>> beside_;  // of each edge: forward, backward
+    std::vector<std::uint32_t> planes_;
+    Features features_;
+};
+
+}  // namespace
+
+std::string_view name_of(BoreEnd end) {
+    switch (end) {
+        case BoreEnd::Through: return "through";
+        case BoreEnd::Flat: return "flat";
+        case BoreEnd::Shoulder: return "shoulder";
+        case BoreEnd::Cone: return "cone";
+        case BoreEnd::Ball: return "ball";
+        case BoreEnd::Rounded: return "rounded";
+        case BoreEnd::Other: break;
+    }
+    return "other";
+}
+
+Features features_of(const Part& part, const cda::TriangleTree& between) {
+    return Measurer(part, between)();
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,640 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/measure.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "geometry/below_moved.h"
+#include "topology/axes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <type_traits>
+
+namespace ncsim::brep {
+
+using trig::kRadiansPerDegree;
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+template <std::size_t N, typename F>
+void integrate_piece(const Track& track, double begin, double width,
+                     const std::array<double, N>& abscissae, const std::array<double, N>& weights,
+                     const F& f) {
+    const double middle = begin + 0.5 * width;
+    for (std::size_t k = 0; k < N; ++k) {
+        for (const double sign : {-1.0, 1.0}) {
+            const double t = middle + sign * 0.5 * width * abscissae[k];
+            const Track::Step step = track.step(t);
+            f(0.5 * width * weights[k], step.at, step.derivative);
+        }
+    }
+}
+
+// Splines have so many knots that what is between two of them is of degree 3 within some 1e-9.
+template <typename Piece>
+void for_pieces(const Track& track, Exactness exactness, const Piece& piece) {
+    const std::size_t pieces = track.pieces();
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const double begin = track.start_of(i), width = track.start_of(i + 1) - begin;
+        if (track.is_spline() && exactness == Exactness::Rough) {
+            piece(begin, width, kTwoAbscissae, kTwoWeights);
+        } else if (track.is_spline()) {
+            piece(begin, width, kFewAbscissae, kFewWeights);
+        } else {
+            piece(begin, width, kAbscissae, kWeights);
+        }
+    }
+}
+
+template <typename F>
+void integrate(const Track& track, const F& f, Exactness exactness = Exactness::Full) {
+    for_pieces(track, exactness,
+               [&](double begin, double width, const auto& abscissae, const auto& weights) {
+                   integrate_piece(track, begin, width, abscissae, weights, f);
+               });
+}
+
+// Along a circle that lies level, what is integrated is of degree 3 in cosine and sine, at most,
+// which pieces of 45 degrees tell to the last bit.
+template <typename F>
+void integrate_round(const Track& track, const F& f) {
+    constexpr double kPiece = 45.0 + 1e-9;
+    const auto pieces = static_cast<std::size_t>(track.sweep_degrees() / kPiece) + 1;
+    const double width = 1.0 / static_cast<double>(pieces);
+    for (std::size_t i = 0; i < pieces; ++i)
+        integrate_piece(track, static_cast<double>(i) * width, width, kAbscissae, kWeights, f);
+}
+
+// On planes what is integrated along a line is of degree 2, at most.
+template <typename F>
+void integrate_level(const Track& track, const F& f) {
+    if (track.circle()) return integrate_round(track, f);
+    if (!track.is_straight()) return integrate(track, f);
+    integrate_piece(track, 0.0, 1.0, kTwoAbscissae, kTwoWeights, f);
+}
+
+// On what is round about an axis.
+template <typename F>
+void integrate_around(const Track& track, const Axes& axes, const F& f) {
+    const Circle* circle = track.circle();
+    constexpr double kNoLean = 1e-12, kOnAxis = 1e-9;  // mm
+    const auto is_level = [&] {
+        return norm(cross(circle->axis, axes.z)) <= kNoLean &&
+               norm(cross(circle->centre - axes.origin, axes.z)) <= kOnAxis;
+    };
+    if (circle && is_level()) return integrate_round(track, f);
+    integrate(track, f);
+}
+
+struct BelowCylinder {
+    double radius;
+    Vec3 w;
+    Below operator()(const Local& p) const {
+        const double side = radius + (w.x * p.x + w.y * p.y) / p.away;
+        return {radius * p.z, radius * side * p.z};
+    }
+};
+
+struct BelowCone {
+    double slope;
+    Vec3 w;
+    Below operator()(const Local& p) const {
+        const double half = 0.5 * p.z * p.z * slope;
+        if (p.away <= 0.0) return {};
+        return {half * std::sqrt(1.0 + slope * slope),
+                half * ((w.x * p.x + w.y * p.y) / p.away - w.z * slope)};
+    }
+};
+
+struct BelowSphere {
+    double radius;
+    Vec3 w;
+    double pole;  // 1 or -1: from where on
+    Below operator()(const Local& p) const {
+        if (p.away <= 0.0) return {};
+        const double s = p.z / radius, c = p.away / radius;
+        const double angle = trig::angle_of(c, s) * kRadiansPerDegree;
+        const double side = (w.x * p.x + w.y * p.y) / p.away;
+        const double half_pi = pole * 0.5 * std::numbers::pi;
+        const double r2 = radius * radius;
+        return {r2 * (s - pole),
+                r2 * (radius * (s - pole) + side * 0.5 * (angle - half_pi + s * c) +
+                      0.5 * w.z * (s * s - 1.0))};
+    }
+};
+
+struct BelowTorus {
+    BelowTorus(const Torus& torus, Vec3 apex, double from)
+        : ring(torus), major(torus.major), minor(torus.minor), w(apex), cut(from) {}
+    Torus ring;
+    double major, minor;
+    Vec3 w;
+    double cut;  // degrees, where the angle around the tube jumps
+    // Of a spindle from its tip on, which may be a corner.
+    Below operator()(const Local& p) const {
+        const double out = p.away - major;
+        const double length = std::sqrt(out * out + p.z * p.z);
+        const double a = (w.x * p.x + w.y * p.y) / p.away;
+        const double degrees = cut + degrees_from(cut, ring, p);
+        const Below all = below(degrees * kRadiansPerDegree, p.z / length, out / length, a);
+        if (!is_spindle(ring)) return all;
+        const auto tip = trig::sin_cos(cut);
+        const Below before = below(cut * kRadiansPerDegree, tip.sin, tip.cos, a);
+        return {all.area - before.area, all.volume - before.volume};
+    }
+    Below below(double f, double s, double c, double a) const {
+        return {minor * (major * f + minor * s),
+                minor * (major * minor * f + major * (major + a) * s - major * w.z * c +
+                         minor * minor * s + minor * (major + a) * 0.5 * (f + s * c) +
+                         0.5 * minor * w.z * s * s)};
+    }
+};
+
+// For each angle: how much area there is along a mm of the line, and how much volume.
+struct BelowExtrusion {
+    double radius;
+    Vec3 w, lean;
+    Below per_mm(const Local& p) const {
+        const Vec3 out{p.x / p.away, p.y / p.away, 0.0};
+        const Vec3 normal = cross(Vec3{-radius * out.y, radius * out.x, 0.0}, lean);
+        return {norm(normal), dot(w + radius * out, normal)};
+    }
+    Below operator()(const Local& p) const {
+        const Below b = per_mm(p);
+        return {b.area * p.z, b.volume * p.z};
+    }
+};
+
+// The angle around the axis that a step makes, per its parameter.
+double turn(const Local& p, Vec3 step) {
+    return (p.x * step.y - p.y * step.x) / (p.away * p.away);
+}
+
+template <typename B>
+Measure around(const Part& part, const Face& face, const Axes& axes, const B& below) {
+    Measure sum;
+    constexpr double kAtTip = 1e-12;
+    double turns = 0.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto for_angles = [&](const auto& take) {
+        for_edges(part, face, [&](const Track& track, double sign) {
+            integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
+                const Local p = axes(at);
+                const bool is_tip = p.away <= kAtTip;
+                take(p, is_tip ? 0.0 : sign * weight * turn(p, axes.turned(derivative)),
+                     weight * norm(derivative));
+            });
+        });
+    };
+    for_angles([&](const Local& p, double turned, double length) {
+        sum.length += length;
+        nearest = std::min(nearest, p.away);
+        if (turned == 0.0) return;
+        const Below b = below(p);
+        turns += turned;
+        sum.area -= turned * b.area;
+        sum.volume -= turned * b.volume / 3.0;
+    });
+    // Where edges miss their ends, what is below all of a face that does not go round counts for
+    // the angles of these gaps: it is left out, from where the first edge starts. Not where edges
+    // come near the axis, and may pass half a turn there. Cones have no radius, and begin at their
+    // apex.
+    constexpr double kClearOfAxis = 0.1, kMostGaps = 0.1;  // of the radius; rad
+    constexpr double kNoGap = 1e-14;                       // rad
+    const double radius = radius_of(face.surface.form);
+    if (radius > 0.0 && nearest > kClearOfAxis * radius && std::abs(turns) < kMostGaps &&
+        std::abs(turns) > kNoGap) {
+        const EdgeUse& first = face.loops.front().front();
+        const Edge& edge = part.edges[first.edge];
+        const Local start =
+            axes(Track(edge.curve, part.vertices[edge.from], part.vertices[edge.to]).at(0.0));
+        for_angles([&](const Local& p, double turned, double) {
+            if (turned == 0.0) return;
+            const double scale = start.away / p.away;
+            const Below level = below({scale * p.x, scale * p.y, start.z, start.away});
+            sum.area += turned * level.area;
+            sum.volume += turned * level.volume / 3.0;
+        });
+    }
+    if (face.surface.is_hollow) sum.area = -sum.area;
+    return sum;
+}
+
+double turns_about(const Part& part, const Face& face, const Axes& axes) {
+    double sum = 0.0;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
+            const Local p = axes(at);
+            if (p.away > 0.0) sum += sign * weight * turn(p, axes.turned(derivative));
+        });
+    });
+    return sum / (2.0 * std::numbers::pi);
+}
+
+// --- What circles and tools pass ------------------------------------------------------------
+
+// Along an edge of an envelope. Where that folds, times change along edges as roots do, and points
+// that miss it by rounding tell them but roughly: pieces are halved there, and what is left of the
+// time that one takes counts for all of it evenly.
+class OverTimes {
+public:
+    OverTimes(const Track& track, const Envelope& envelope) : track_(track), envelope_(envelope) {}
+
+    // `take`: how much length, how much time, backwards, and the place.
+    template <typename Take>
+    void operator()(Exactness exactness, const Take& take) {
+        for_pieces(track_, exactness,
+                   [&](double begin, double width, const auto& abscissae, const auto& weights) {
+                       const auto all = steps(begin, width, abscissae, weights);
+                       const double left = exactness == Exactness::Full || is_at_fold(all)
+                                               ? left_of(all, begin, width)
+                                               : 0.0;
+                       take_all(all, left, begin, width, kMostHalves, take);
+                   });
+    }
+
+private:
+    struct Step {
+        double length, time;
+        Aspect place;
+    };
+
+    template <std::size_t N>
+    std::array<Step, 2 * N> steps(double begin, double width,
+                                  const std::array<double, N>& abscissae,
+                                  const std::array<double, N>& weights) {
+        std::array<Step, 2 * N> all;
+        std::size_t i = 0;
+        integrate_piece(track_, begin, width, abscissae, weights,
+                        [&](double weight, Vec3 at, Vec3 derivative) {
+                            const Aspect place = place_on(envelope_, at, beside_);
+                            all[i++] = {weight * norm(derivative),
+                                        weight * OnEnvelope::turn(place, derivative), place};
+                        });
+        return all;
+    }
+
+    // The nearer to it, the less the distance from the tool bends with time.
+    template <std::size_t N>
+    static bool is_at_fold(const std::array<Step, N>& all) {
+        constexpr double kEven = 0.25;
+        const auto [least, most] =
+            std::ranges::minmax(all, {}, [](const Step& step) { return step.place.bend; });
+        return least.place.bend < kEven * most.place.bend;
+    }
+
+    template <std::size_t N>
+    double left_of(const std::array<Step, N>& all, double begin, double width) {
+        double left = time_at(begin) - time_at(begin + width);
+        for (const Step& step : all)
+            left -= step.time;
+        return left;
+    }
+
+    template <std::size_t N, typename Take>
+    void take_all(const std::array<Step, N>& all, double left, double begin, double width,
+                  int halves, const Take& take) {
+        constexpr double kNearly = 1e-7;
+        if (halves > 0 && !(std::abs(left) <= kNearly)) {
+            const double half = 0.5 * width;
+            for (const double start : {begin, begin + half}) {
+                const auto finer = steps(start, half, kAbscissae, kWeights);
+                take_all(finer, left_of(finer, start, half), start, half, halves - 1, take);
+            }
+            return;
+        }
+        for (const Step& step : all)
+            take(step.length, step.time + left / static_cast<double>(N), step.place);
+    }
+
+    double time_at(double t) { return place_on(envelope_, track_.at(t), beside_).t; }
+
+    static constexpr int kMostHalves = 12;
+    const Track& track_;
+    const Envelope& envelope_;
+    Beside beside_;
+};
+
+template <typename Form, typename On, typename Take>
+void for_moved(const Part& part, const Face& face, const Form& form, const On& on,
+               Exactness exactness, const Take& take) {
+    for_edges(part, face, [&](const Track& track, double sign) {
+        if constexpr (std::is_same_v<Form, Envelope>) {
+            OverTimes over_times(track, form);
+            over_times(exactness, [&](double length, double time, const Aspect& place) {
+                take(length, sign * time, place);
+            });
+        } else {
+            integrate(track, [&](double weight, Vec3 at, Vec3 derivative) {
+                const auto place = place_on(form, at);
+                take(weight * norm(derivative), sign * weight * on.turn(place, derivative), place);
+            });
+        }
+    });
+}
+
+template <typename Form, typename On>
+Measure measure_moved(const Part& part, const Face& face, const Form& form, const On& on,
+                      Exactness exactness = Exactness::Full) {
+    Measure sum;
+    for_moved(part, face, form, on, exactness,
+              [&](double length, double turned, const auto& place) {
+                  const auto b = on.below(place);
+                  sum.length += length;
+                  sum.area -= turned * b.area;
+                  sum.volume -= turned * b.volume / 3.0;
+              });
+    if (face.surface.is_hollow) sum.area = -sum.area;
+    return sum;
+}
+
+template <typename Form, typename On>
+Vec3 moment_of_moved(const Part& part, const Face& face, const Form& form, const On& on) {
+    Vec3 sum;
+    for_moved(part, face, form, on, Exactness::Full, [&](double, double turned, const auto& place) {
+        sum = sum - turned * on.moment(place);
+    });
+    return sum;
+}
+
+Measure measure_plane(const Part& part, const Face& face, const Plane& plane, Vec3 apex) {
+    Measure sum;
+    Vec3 twice;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
+            sum.length += weight * norm(derivative);
+            twice = twice + (sign * weight) * cross(at - plane.origin, derivative);
+        });
+    });
+    sum.area = 0.5 * dot(twice, plane.normal);
+    sum.volume = sum.area * dot(plane.origin - apex, plane.normal) / 3.0;
+    return sum;
+}
+
+// --- Middles --------------------------------------------------------------------------------
+
+// The integral of w (w n) over a face, w from `apex`, n the form's normal: four times what the cone
+// over it has of volume times middle. Over the second parameter by Gauss.
+struct Profile {
+    double radius, height;  // of the point
+    double out, up;         // of the normal
+    double per;             // area for each radian and unit of the parameter
+};
+
+Vec3 across_face(const Axes& axes, Vec3 apex, const Local& p, const Profile& f) {
+    const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
+    const Vec3 w = axes.origin - apex + f.radius * away + f.height * axes.z;
+    const Vec3 n = f.out * away + f.up * axes.z;
+    return (f.per * dot(w, n)) * w;
+}
+
+// Upright, w (w n) grows evenly with the height, on cones with its cube: two points tell it.
+template <typename At>
+Vec3 up_face(const Axes& axes, Vec3 apex, const Local& p, const At& at) {
+    Vec3 sum;
+    for (const double sign : {-1.0, 1.0}) {
+        const double height = 0.5 * (1.0 + sign * kTwoAbscissae[0]) * p.z;
+        sum = sum + 0.5 * p.z * across_face(axes, apex, p, at(height));
+    }
+    return sum;
+}
+
+template <typename At>
+Vec3 around_face(const Axes& axes, Vec3 apex, const Local& p, double from, double to, int pieces,
+                 const At& at) {
+    Vec3 sum;
+    const double width = (to - from) / pieces;
+    for (int i = 0; i < pieces; ++i) {
+        const double middle = from + (i + 0.5) * width;
+        for (std::size_t k = 0; k < kAbscissae.size(); ++k) {
+            for (const double sign : {-1.0, 1.0})
+                sum = sum + 0.5 * width * kWeights[k] *
+                                across_face(axes, apex, p,
+                                            at(middle + sign * 0.5 * width * kAbscissae[k]));
+        }
+    }
+    return sum;
+}
+
+template <typename Inner>
+Vec3 around_axis(const Part& part, const Face& face, const Axes& axes, const Inner& inner) {
+    Vec3 sum;
+    constexpr double kAtTip = 1e-12;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        integrate_around(track, axes, [&](double weight, Vec3 at, Vec3 derivative) {
+            const Local p = axes(at);
+            if (p.away <= kAtTip) return;
+            sum = sum - (sign * weight * turn(p, axes.turned(derivative))) * inner(p);
+        });
+    });
+    return sum;
+}
+
+// Not of envelopes: sums_of().
+Vec3 moment(const Part& part, const Face& face, Vec3 apex) {
+    constexpr double kHalfTurn = 180.0;
+    if (const auto* f = std::get_if<Plane>(&face.surface.form)) {
+        Vec3 sum;  // of w, over the face
+        for_edges(part, face, [&](const Track& track, double sign) {
+            integrate_level(track, [&](double weight, Vec3 at, Vec3 derivative) {
+                const Vec3 v = at - f->origin;
+                const double twice = sign * weight * dot(cross(v, derivative), f->normal);
+                sum = sum + twice * (0.5 * (f->origin - apex) + (1.0 / 3.0) * v);
+            });
+        });
+        return (0.25 * dot(f->origin - apex, f->normal)) * sum;
+    }
+    const auto quarter = [](Vec3 v) { return 0.25 * v; };
+    if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
+        const Axes axes(f->origin, face.frame);
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            return up_face(axes, apex, p, [&](double h) {
+                return Profile{f->radius, h, 1.0, 0.0, f->radius};
+            });
+        }));
+    }
+    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
+        const Axes axes(f->apex, face.frame);
+        const double slant = std::sqrt(1.0 + f->slope * f->slope);
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            return up_face(axes, apex, p, [&](double h) {
+                return Profile{f->slope * h, h, 1.0 / slant, -f->slope / slant,
+                               f->slope * h * slant};
+            });
+        }));
+    }
+    const auto round = [](double major, double minor, double degrees) {
+        const auto t = trig::sin_cos(degrees);
+        const double radius = major + minor * t.cos;
+        return Profile{radius, minor * t.sin, t.cos, t.sin, minor * radius * kRadiansPerDegree};
+    };
+    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
+        const Axes axes(f->centre, face.frame);
+        const double turns = turns_about(part, face, axes);
+        const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            const double to = trig::angle_of(p.away, p.z);
+            return around_face(axes, apex, p, 0.5 * pole * kHalfTurn, to, 2,
+                               [&](double angle) { return round(0.0, f->radius, angle); });
+        }));
+    }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        const Axes axes(*f, face.frame);
+        const BelowExtrusion below{f->radius, axes.upright(f->centre - apex), axes.lean};
+        return quarter(around_axis(part, face, axes, [&](const Local& p) {
+            const Vec3 start =
+                f->centre - apex + (f->radius / p.away) * (p.x * axes.x + p.y * axes.y);
+            return (below.per_mm(p).volume * p.z) * (start + (0.5 * p.z) * f->along);
+        }));
+    }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnDome(*f, apex)));
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnCoil(*f, apex)));
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return quarter(moment_of_moved(part, face, *f, OnSpiral(*f, apex)));
+    const auto& f = std::get<Torus>(face.surface.form);
+    const Axes axes(f.centre, face.frame);
+    const double cut = cut_of(part, face, axes, f);
+    return quarter(around_axis(part, face, axes, [&](const Local& p) {
+        return around_face(axes, apex, p, cut, cut + degrees_from(cut, f, p), 4,
+                           [&](double angle) { return round(f.major, f.minor, angle); });
+    }));
+}
+
+// What a body adds up to about a point of it.
+struct Sums {
+    double volume = 0.0, area = 0.0;
+    Vec3 moment;
+};
+
+Sums sums_of(const Part& part, const Face& face, Vec3 apex) {
+    const auto* envelope = std::get_if<Envelope>(&face.surface.form);
+    if (!envelope) {
+        const Measure measured = measure(part, face, apex);
+        return {measured.volume, measured.area, moment(part, face, apex)};
+    }
+    // What is around a point of an edge takes long, and is the same for all three.
+    Sums sums;
+    const OnEnvelope on(*envelope, apex, false);
+    for_moved(part, face, *envelope, on, Exactness::Full,
+              [&](double, double turned, const Aspect& place) {
+                  const OnEnvelope::Sum below = on.below(place);
+                  sums.volume -= turned * below.volume / 3.0;
+                  sums.area -= turned * below.area;
+                  sums.moment = sums.moment - 0.25 * turned * below.moment;
+              });
+    if (face.surface.is_hollow) sums.area = -sums.area;
+    return sums;
+}
+
+Sums sums_of(const Part& part, const Solid& solid, Vec3 apex) {
+    Sums all;
+    const auto add = [&](const Shell& shell) {
+        for (const std::uint32_t f : shell) {
+            const Sums sums = sums_of(part, part.faces[f], apex);
+            all.volume += sums.volume;
+            all.area += sums.area;
+            all.moment = all.moment + sums.moment;
+        }
+    };
+    add(solid.outside);
+    for (const Shell& shell : solid.voids)
+        add(shell);
+    return all;
+}
+
+Vec3 corner_of(const Part& part, const Solid& solid) {
+    const Loop& loop = part.faces[solid.outside.front()].loops.front();
+    return part.vertices[part.edges[loop.front().edge].from];
+}
+
+Mass mass(const Sums& sums, Vec3 apex) {
+    if (sums.volume <= 0.0) return {sums.volume, sums.area, {}};
+    return {sums.volume, sums.area, apex + (1.0 / sums.volume) * sums.moment};
+}
+
+}  // namespace
+
+Measure measure(const Part& part, const Face& face, Vec3 apex, Exactness exactness) {
+    if (const auto* f = std::get_if<Plane>(&face.surface.form))
+        return measure_plane(part, face, *f, apex);
+    if (const auto* f = std::get_if<Cylinder>(&face.surface.form)) {
+        const Axes axes(f->origin, face.frame);
+        return around(part, face, axes, BelowCylinder{f->radius, axes.turned(f->origin - apex)});
+    }
+    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
+        const Axes axes(f->apex, face.frame);
+        return around(part, face, axes, BelowCone{f->slope, axes.turned(f->apex - apex)});
+    }
+    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
+        const Axes axes(f->centre, face.frame);
+        const double turns = turns_about(part, face, axes);
+        const double pole = (turns < -0.5) != face.surface.is_hollow ? -1.0 : 1.0;
+        return around(part, face, axes,
+                      BelowSphere{f->radius, axes.turned(f->centre - apex), pole});
+    }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        const Axes axes(*f, face.frame);
+        return around(part, face, axes,
+                      BelowExtrusion{f->radius, axes.upright(f->centre - apex), axes.lean});
+    }
+    if (const auto* f = std::get_if<Dome>(&face.surface.form))
+        return measure_moved(part, face, *f, OnDome(*f, apex));
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return measure_moved(part, face, *f, OnCoil(*f, apex));
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return measure_moved(part, face, *f, OnSpiral(*f, apex));
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form))
+        return measure_moved(part, face, *f, OnEnvelope(*f, apex, exactness == Exactness::Rough),
+                             exactness);
+    const auto& f = std::get<Torus>(face.surface.form);
+    const Axes axes(f.centre, face.frame);
+    return around(part, face, axes,
+                  BelowTorus(f, axes.turned(f.centre - apex), cut_of(part, face, axes, f)));
+}
+
+double volume(const Part& part) {
+    double sum = 0.0;
+    const auto add = [&](const Shell& shell) {
+        if (shell.empty()) return;
+        const Loop& loop = part.faces[shell.front()].loops.front();
+        const Vec3 apex = part.vertices[part.edges[loop.front().edge].from];
+        for (const std::uint32_t f : shell)
+            sum += measure(part, part.faces[f], apex).volume;
+    };
+    for (const Solid& solid : part.solids) {
+        add(solid.outside);
+        for (const Shell& shell : solid.voids)
+            add(shell);
+    }
+    return sum;
+}
+
+Mass mass_of(const Part& part, const Solid& solid) {
+    const Vec3 apex = corner_of(part, solid);
+    return mass(sums_of(part, solid, apex), apex);
+}
+
+Mass mass_of(const Part& part) {
+    if (part.solids.empty()) return {};
+    const Vec3 apex = corner_of(part, part.solids.front());
+    Sums all;
+    for (const Solid& solid : part.solids) {
+        const Sums sums = sums_of(part, solid, apex);
+        all.volume += sums.volume;
+        all.area += sums.area;
+        all.moment = all.moment + sums.moment;
+    }
+    return mass(all, apex);
+}
+
+}  // namespace ncsim::brep

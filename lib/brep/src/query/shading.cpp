@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. Faces are labelled one by one (label.h).
+//  2. Around each vertex the surfaces are gathered, each once for all faces that are of it.
+//  3. A round surface has the normal of the vertex there, or, where others go on in about its
+//  direction, of the point near it that is on all of these.
+#include "ncsim/brep/shading.h"
+
+#include "geometry/none.h"
+#include "sources/label.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+// The same 60° as a chord.
+constexpr double kMostTurn = 1.0;
+// Where coarse hulls meet, corners lie farther out than those of solids may. Which surface it is
+// tells the turn.
+constexpr double kErrors = 2.0;
+// Surfaces that meet at less than 1° look like one, and where they cross is anywhere.
+constexpr double kAsOne = 0.99985;
+
+bool is_flat(const Surface& surface) {
+    return std::holds_alternative<Plane>(surface.form);
+}
+
+// Of a surface where it bends least, or of a cone there; planes have none.
+double bend_of(const Form& form, Vec3 p) {
+    if (std::holds_alternative<Plane>(form)) return std::numeric_limits<double>::infinity();
+    const auto* cone = std::get_if<Cone>(&form);
+    return cone ? norm(cross(p - cone->apex, cone->axis)) : radius_of(form);
+}
+
+// Of a cone, as far as the lattice tells.
+bool is_tip(const Form& form, Vec3 p) {
+    constexpr double kTip = 1e-3;  // mm
+    return std::holds_alternative<Cone>(form) && bend_of(form, p) < kTip;
+}
+
+// x with A x = b; A is symmetric and positive.
+Vec3 solution(const std::array<Vec3, 3>& rows, Vec3 b) {
+    const Vec3 c01 = cross(rows[0], rows[1]), c12 = cross(rows[1], rows[2]),
+               c20 = cross(rows[2], rows[0]);
+    const double det = dot(rows[0], c12);
+    return (1.0 / det) * (b.x * c12 + b.y * c20 + b.z * c01);
+}
+
+// The point near `p` that is on all of the surfaces; `p` if none is found within `reach`. By
+// Newton's method with a little damping, since what touches has no normals to tell a step by.
+Vec3 point_on_all(std::span<const Surface* const> surfaces, Vec3 p, double reach) {
+    constexpr int kMostSteps = 12;
+    constexpr double kDamping = 1e-7, kOn = 1e-6, kNearlyOn = 1e-3;  // the latter in mm
+    Vec3 at = p;
+    double off = 0.0;
+    for (int step = 0;; ++step) {
+        std::array<Vec3, 3> rows{Vec3{kDamping, 0, 0}, Vec3{0, kDamping, 0}, Vec3{0, 0, kDamping}};
+        Vec3 right;
+        off = 0.0;
+        for (const Surface* surface : surfaces) {
+            const double d = distance(surface->form, at);
+            const Vec3 g = gradient(surface->form, at);
+            off = std::max(off, std::abs(d));
+            right = right - d * g;
+            for (int i = 0; i < 3; ++i)
+                rows[static_cast<std::size_t>(i)] = rows[static_cast<std::size_t>(i)] + g[i] * g;
+        }
+        if (off <= kOn || step == kMostSteps) break;
+        at = at + solution(rows, right);
+        if (!(norm(at - p) <= reach)) return p;
+    }
+    return off <= kNearlyOn ? at : p;
+}
+
+}  // namespace
+
+ShadingMaker::ShadingMaker(const cda::Boundary& boundary)
+    : boundary_(boundary), by_origin_(boundary.faces.size()) {
+    shading_.of_face_.assign(boundary.faces.size(), kNone);
+    std::iota(by_origin_.begin(), by_origin_.end(), 0U);
+    std::ranges::stable_sort(by_origin_, {},
+                             [&](std::uint32_t f) { return boundary.faces[f].origin; });
+}
+
+void ShadingMaker::take(cda::Origin origin, const Source& source) {
+    const auto faces = std::ranges::equal_range(
+        by_origin_, origin, {}, [&](std::uint32_t f) { return boundary_.faces[f].origin; });
+    const std::span<const Vec3> points(boundary_.vertices);
+    std::vector<std::uint32_t> numbers(source.candidates.size(), kNone);
+    for (const std::uint32_t f : faces) {
+        const cda::BoundaryFace& face = boundary_.faces[f];
+        FlatFace flat{face.normal, {}, face.loops, points};
+        area_of(face.loops, points, face.normal, flat.centroid);
+        double best = std::numeric_limits<double>::infinity();
+        const Candidate* candidate =
+            best_of(flat, source.candidates, kErrors * source.error_mm, kMostTurn, best);
+        if (!candidate) continue;
+        std::uint32_t& number =
+            numbers[static_cast<std::size_t>(candidate - source.candidates.data())];
+        if (number == kNone) {
+            number = static_cast<std::uint32_t>(shading_.surfaces_.size());
+            shading_.surfaces_.push_back(candidate->surface);
+            errors_.push_back(source.error_mm);
+        }
+        shading_.of_face_[f] = number;
+    }
+}
+
+Shading ShadingMaker::finish() {
+    const auto& of_face = shading_.of_face_;
+    const auto& surfaces = shading_.surfaces_;
+    // The surfaces around each vertex, with repetitions.
+    std::vector<std::uint32_t> first(boundary_.vertices.size() + 1, 0);
+    const auto for_each = [&](const auto& visit) {
+        for (std::uint32_t f = 0; f < boundary_.faces.size(); ++f) {
+            if (of_face[f] == kNone) continue;
+            for (const auto& loop : boundary_.faces[f].loops) {
+                for (const std::uint32_t v : loop)
+                    visit(v, of_face[f]);
+            }
+        }
+    };
+    for_each([&](std::uint32_t v, std::uint32_t) { ++first[v + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> around(first.back());
+    std::vector<std::uint32_t> next(first);
+    for_each([&](std::uint32_t v, std::uint32_t s) { around[next[v]++] = s; });
+
+    shading_.first_.reserve(first.size());
+    std::vector<std::uint32_t> here;
+    std::vector<const Surface*> joined;
+    for (std::uint32_t v = 0; v < boundary_.vertices.size(); ++v) {
+        shading_.first_.push_back(static_cast<std::uint32_t>(shading_.corners_.size()));
+        here.assign(around.begin() + first[v], around.begin() + first[v + 1]);
+        std::sort(here.begin(), here.end());
+        here.erase(std::unique(here.begin(), here.end()), here.end());
+        const Vec3 p = boundary_.vertices[v];
+        for (const std::uint32_t s : here) {
+            if (is_flat(surfaces[s])) continue;
+            if (is_tip(surfaces[s].form, p)) {
+                shading_.corners_.push_back({s, Vec3{}});
+                continue;
+            }
+            const Vec3 own = outward(surfaces[s], p);
+            joined.assign(1, &surfaces[s]);
+            double bend = bend_of(surfaces[s].form, p), error = errors_[s];
+            for (const std::uint32_t t : here) {
+                if (t == s) continue;
+                const double cosine = dot(own, outward(surfaces[t], p));
+                if (cosine < kLeastShadingCosine || cosine > kAsOne) continue;
+                joined.push_back(&surfaces[t]);
+                bend = std::min(bend, bend_of(surfaces[t].form, p));
+                error = std::max(error, errors_[t]);
+            }
+            if (joined.size() == 1) {
+                shading_.corners_.push_back({s, own});
+                continue;
+            }
+            // As wide as facets are that are off by so much.
+            const double reach = std::sqrt(8.0 * bend * error);
+            shading_.corners_.push_back({s, outward(surfaces[s], point_on_all(joined, p, reach))});
+        }
+    }
+    shading_.first_.push_back(static_cast<std::uint32_t>(shading_.corners_.size()));
+    return std::move(shading_);
+}
+
+Shading::Known Shading::known(std::uint32_t face) const {
+    if (face >= of_face_.size() || of_face_[face] == kNone) return Known::Nothing;
+    return is_flat(surfaces_[of_face_[face]]) ? Known::Flat : Known::Round;
+}
+
+Vec3 Shading::normal(std::uint32_t face, Vec3 own, std::uint32_t vertex, Vec3 point) const {
+    const Vec3 n = normal_or_none(face, own, vertex, point);
+    return n == Vec3{} ? own : n;
+}
+
+Vec3 Shading::normal_or_none(std::uint32_t face, Vec3 own, std::uint32_t vertex, Vec3 point) const {
+    if (known(face) != Known::Round) return own;
+    const std::uint32_t s = of_face_[face];
+    Vec3 n;
+    if (vertex + 1 < first_.size()) {
+        for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
+            if (corners_[i].surface == s) n = corners_[i].normal;
+        }
+    } else {
+        n = outward(surfaces_[s], point);
+    }
+    return n != Vec3{} && dot(n, own) < kLeastShadingCosine ? own : n;
+}
+
+}  // namespace ncsim::brep

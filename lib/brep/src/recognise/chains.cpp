@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recognise/chains.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "geometry/bends.h"
+#include "geometry/contact.h"
+#include "geometry/envelope_contact.h"
+#include "geometry/nearly.h"
+#include "geometry/spline.h"
+#include "topology/around.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+constexpr double kRounded = 2e-7;
+// Where ways bend, sides and corner radii of both meet in two corners, as near to each other as
+// what programs round. They are off both by more, mm.
+constexpr double kExact = 1e-6;
+// Loops of less are none, mm.
+constexpr double kNothing = 1e-4;
+// By so much corners that are one may be off what is around them, mm.
+constexpr double kMostRounded = 1e-3;
+constexpr int kTip = -1;  // no number of edges
+
+// Where two forms touch in a circle, corners may be on both within what programs round, but off the
+// circle by far more: as near as that are the forms to each other there. The curve goes from the
+// one corner to the other beside the circle.
+std::optional<Spline> beside_circle(const Form& a, const Form& b, Vec3 from, Vec3 to,
+                                    std::vector<Vec3> points) {
+    const auto touching = touch(a, b);
+    if (!touching) return std::nullopt;
+    points.front() = from;
+    points.back() = to;
+    auto spline = spline_between(a, *touching, points);
+    if (!spline) spline = spline_between(a, *touching, {from, to});
+    return spline;
+}
+
+// Is it in since the last trace?
+template <typename Key>
+bool is_new(const Key& key, std::set<Key>& all, std::set<Key>& now) {
+    if (all.insert(key).second) now.insert(key);
+    return now.contains(key);
+}
+
+}  // namespace
+
+void Chains::trace() {
+    chains_.clear();
+    joined_now_.clear();
+    crossed_now_.clear();
+    vertices_.clear();
+    mitred_mm_ = 0.0;
+    vertex_of_.assign(mesh_.corners(), kNone);
+    std::vector<int> degree(mesh_.corners(), 0);
+    std::vector<std::uint32_t> boundary;
+    for (std::uint32_t h = 0; h < mesh_.edges().size(); ++h) {
+        if (!groups_.is_boundary(h)) continue;
+        boundary.push_back(h);
+        ++degree[mesh_.edges()[h].from];
+    }
+    for (const std::uint32_t h : boundary) {
+        const std::uint32_t v = mesh_.edges()[h].from;
+        if (degree[v] == 2 && (is_tip(h) || is_bend(h, degree) || is_beside_facet(h)))
+            degree[v] = kTip;
+        if (degree[v] == 2) continue;
+        // What is beyond one is at the next one.
+        Vertex& vertex = vertices_[vertex_at(v)];
+        vertex.edge = h;
+        if (vertex.groups.empty())
+            vertex.groups.reserve(static_cast<std::size_t>(std::max(degree[v], 2)));
+        vertex.groups.push_back(groups_.group_at(h));
+    }
+    chain_of_.assign(mesh_.edges().size(), kNone);
+    const auto follow = [&](std::uint32_t first, bool is_closed) {
+        Chain chain;
+        chain.left = groups_.group_at(first);
+        chain.right = groups_.group_beyond(first);
+        chain.is_closed = is_closed;
+        const auto number = static_cast<std::uint32_t>(chains_.size());
+        std::uint32_t h = first;
+        for (;;) {
+            chain.edges.push_back(h);
+            chain_of_[h] = number;
+            chain_of_[mesh_.edges()[h].twin] = number;
+            if (degree[mesh_.to(h)] != 2) break;
+            h = groups_.next_boundary(h);
+            if (h == first) break;
+        }
+        chain.from = vertex_at(mesh_.edges()[first].from);
+        chain.to = vertex_at(mesh_.to(chain.edges.back()));
+        for (const std::uint32_t v : {chain.from, chain.to}) {
+            if (!is_closed) continue;
+            vertices_[v].groups = {chain.left, chain.right};
+        }
+        chains_.push_back(std::move(chain));
+    };
+    for (const std::uint32_t h : boundary) {
+        if (chain_of_[h] == kNone && degree[mesh_.edges()[h].from] != 2) follow(h, false);
+    }
+    for (const std::uint32_t h : boundary) {
+        if (chain_of_[h] == kNone) follow(h, true);
+    }
+    for (Vertex& v : vertices_) {
+        std::sort(v.groups.begin(), v.groups.end());
+        v.groups.erase(std::unique(v.groups.begin(), v.groups.end()), v.groups.end());
+    }
+}
+
+bool Chains::is_beside_facet(std::uint32_t h) const {
+    return groups_.is_facet(groups_.group_at(h)) || groups_.is_facet(groups_.group_beyond(h));
+}
+
+// Where a surface passes through the apex of a cone, their edge has a corner.
+bool Chains::is_tip(std::uint32_t h) const {
+    const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
+    for (const auto& [g, n] : {std::pair(one, other), std::pair(other, one)}) {
+        const auto* cone = std::get_if<Cone>(&groups_.form_of(g));
+        if (!cone) continue;
+        const double error = groups_.error_of(g);
+        if (norm(mesh_.point(mesh_.edges()[h].from) - cone->apex) < 4.0 * error &&
+            std::abs(distance(groups_.form_of(n), cone->apex)) < kFlat)
+            return true;
+    }
+    return false;
+}
+
+// Where the edge of two ramps that meet has a corner: the one of its points that is nearest to it,
+// its ends left out.
+bool Chains::is_bend(std::uint32_t h, const std::vector<int>& degree) const {
+    const std::uint32_t one = groups_.group_at(h), other = groups_.group_beyond(h);
+    const Vec3 p = mesh_.point(mesh_.edges()[h].from);
+    const auto corner = corner_of_bend(groups_.form_of(one), groups_.form_of(other), p);
+    if (!corner || norm(p - *corner) >= reach({one, other})) return false;
+    const auto is_farther = [&](std::uint32_t beside) {
+        const Vec3 q = mesh_.point(beside);
+        if (degree[beside] != 2) return dot(*corner - q, p - q) > 0.0;
+        return norm(p - *corner) <= norm(q - *corner);
+    };
+    return is_farther(mesh_.to(h)) &&
+           is_farther(mesh_.to(groups_.next_boundary(mesh_.edges()[h].twin)));
+}
+
+std::uint32_t Chains::vertex_at(std::uint32_t v) {
+    std::uint32_t& number = vertex_of_[v];
+    if (number == kNone) {
+        number = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back({mesh_.point(v), {}, 0.0});
+        vertices_.back().start = mesh_.point(v);
+    }
+    return number;
+}
+
+std::vector<Vec3> Chains::points_of(const Chain& chain) const {
+    if (chain.is_flipped || chain.is_told)
+        return {vertices_[chain.from].at, vertices_[chain.to].at};
+    std::vector<Vec3> points;
+    for (const std::uint32_t h : chain.edges)
+        points.push_back(mesh_.point(mesh_.edges()[h].from));
+    points.push_back(mesh_.point(mesh_.to(chain.edges.back())));
+    return points;
+}
+
+// Of its points the one in the middle.
+Vec3 Chains::middle_of(const Chain& chain) const {
+    if (chain.is_flipped || chain.is_told) return vertices_[chain.to].at;
+    const std::size_t i = (chain.edges.size() + 1) / 2;
+    return mesh_.point(i < chain.edges.size() ? mesh_.edges()[chain.edges[i]].from
+                                              : mesh_.to(chain.edges.back()));
+}
+
+void Chains::solve() {
+    std::vector<std::uint32_t> narrow;  // corners that only widen() finds
+    for (std::uint32_t i = 0, corners = static_cast<std::uint32_t>(vertices_.size()); i < corners;
+         ++i) {
+        bool has_failed = !solve_corner(vertices_[i]);
+        if (has_failed || vertices_[i].is_bend_elsewhere ||
+            (vertices_[i].miss > kExact && is_of_turning_tools(vertices_[i]))) {
+            const std::vector<Spoke> spokes = spokes_at(vertices_[i]);
+            const bool is_ahead = !has_failed && is_bend_ahead(vertices_[i], spokes);
+            if (!is_ahead && split(i, spokes)) has_failed = false;
+        }
+        Vertex& v = vertices_[i];
+        v.has_failed = has_failed;
+        if (!v.has_failed) continue;
+        if (between_touching(v)) {
+            narrow.push_back(i);
+        } else {
+            failures_.push_back({v.groups, true, false, v.edge});
+        }
+    }
+    if (!failures_.empty()) return;
+    widen(narrow);
+    if (!failures_.empty()) return;
+    join_same_corners();
+    // One may turn another one round.
+    constexpr int kMostPasses = 4;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        if (!flip_reversed()) break;
+    }
+    for (std::uint32_t c = 0, before = static_cast<std::uint32_t>(chains_.size()); c < before; ++c)
+        bend(c);
+    for (std::uint32_t c = 0; c < chains_.size(); ++c)
+        pass_to_wall(c);
+    for (const Chain& chain : chains_) {
+        if (!chain.edges.empty() && chain.from != chain.to && joined_.contains(corners_of(chain)) &&
+            is_rounded_off(chain))
+            join_ends(chain);
+    }
+    put_on_generators();
+    for (Vertex& v : vertices_)
+        v.at = laid(v, v.at);
+    for (Chain& chain : chains_)
+        solve_chain(chain);
+    if (failures_.empty()) join_vanished();
+}
+
+// Where walls touch but for rounding, corners above each other are beside each other by as much:
+// readers find wires open there. All that hang together by such edges are on the line through the
+// one that misses what is around it least, if they miss that no more than others may.
+void Chains::put_on_generators() {
+    std::vector<std::uint32_t> above(vertices_.size());
+    std::iota(above.begin(), above.end(), 0U);
+    const auto root = [&](std::uint32_t v) {
+        while (above[v] != v)
+            v = above[v] = above[above[v]];
+        return v;
+    };
+    std::map<std::uint32_t, Vec3> axes;  // of roots
+    for (const Chain& chain : chains_) {
+        if (chain.has_vanished || chain.is_closed || chain.from == chain.to) continue;
+        const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+        const auto* wall = std::get_if<Cylinder>(&a);
+        if (!wall) wall = std::get_if<Cylinder>(&b);
+        if (!wall || groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) continue;
+        const Vec3 along = vertices_[chain.to].at - vertices_[chain.from].at;
+        const double beside = norm(cross(along, wall->axis));
+        if (beside <= kPoint || beside > kMostRounded ||
+            std::abs(dot(along, wall->axis)) <= beside || !touch(a, b))
+            continue;
+        const std::uint32_t one = root(chain.from), other = root(chain.to);
+        above[std::max(one, other)] = std::min(one, other);
+        axes[std::min(one, other)] = wall->axis;
+    }
+    if (axes.empty()) return;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> all;
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+        all[root(v)].push_back(v);
+    for (const auto& [first, axis] : axes) {
+        if (root(first) != first) continue;
+        const auto& lined = all[first];
+        const Vec3 base = vertices_[*std::ranges::min_element(lined, {}, [&](std::uint32_t v) {
+                              return vertices_[v].miss;
+                          })].at;
+        for (const std::uint32_t i : lined) {
+            Vertex& v = vertices_[i];
+            const Vec3 p = base + dot(v.at - base, axis) * axis;
+            std::vector<std::uint32_t> surfaces;
+            for (const std::uint32_t g : v.groups)
+                surfaces.push_back(groups_[g].surface);
+            if (farthest(surfaces, p) <= kTouchMm) v.at = p;
+        }
+    }
+}
+
+// Where an edge between corners that are apart by rounding has vanished, all others end in one of
+// them.
+void Chains::join_vanished() {
+    std::set<std::uint32_t> moved;
+    for (const Chain& chain : chains_) {
+        if (!chain.has_vanished || chain.edges.empty() || chain.from == chain.to ||
+            norm(vertices_[chain.to].at - vertices_[chain.from].at) <= kPoint ||
+            !is_rounded_off(chain))
+            continue;
+        join_ends(chain);
+        moved.insert({chain.from, chain.to});
+    }
+    for (Chain& chain : chains_) {
+        if (!chain.has_vanished && (moved.contains(chain.from) || moved.contains(chain.to)))
+            solve_chain(chain);
+    }
+}
+
+// In the one that is nearer to all that meets in either, but for coils: what ends on these are
+// splines, which go to where they have to, and circles and lines do not. Not off the planes.
+void Chains::join_ends(const Chain& chain) {
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    std::vector<const Form*> forms;
+    for (const Vertex* v : {&from, &to}) {
+        for (const std::uint32_t g : v->groups)
+            forms.push_back(&groups_.form_of(g));
+    }
+    const auto miss = [&](Vec3 p) {
+        double most = 0.0;
+        for (const Form* form : forms) {
+            if (!std::holds_alternative<Coil>(*form))
+                most = std::max(most, std::abs(distance(*form, p)));
+        }
+        return most;
+    };
+    Vec3 at = miss(to.at) < miss(from.at) ? to.at : from.at;
+    for (const Form* form : forms) {
+        if (const auto* plane = std::get_if<Plane>(form))
+            at = at - distance(*plane, at) * plane->normal;
+    }
+    from.at = to.at = laid(to, laid(from, at));
+}
+
+// On the planes that a corner is to lie in.
+Vec3 Chains::laid(const Vertex& v, Vec3 p) const {
+    if (v.edge == kNone) return p;
+    const std::uint32_t corner = mesh_.edges()[v.edge].from;
+    for (auto one = laid_.lower_bound({corner, 0}); one != laid_.end(); ++one) {
+        if (one->first != corner) break;
+        if (const auto* plane = std::get_if<Plane>(&mesh_.surface(one->second).form))
+            p = p - distance(*plane, p) * plane->normal;
+    }
+    return p;
+}
+
+bool Chains::is_of_turning_tools(const Vertex& v) const {
+    return std::ranges::any_of(
+        v.groups, [&](std::uint32_t g) { return is_of_turning_tool(groups_.form_of(g)); });
+}
+
+std::pair<std::uint32_t, std::uint32_t> Chains::corners_of(const Chain& chain) const {
+    return std::minmax(mesh_.edges()[chain.edges.front()].from, mesh_.to(chain.edges.back()));
+}
+
+bool Chains::is_rounded_off(const Chain& chain) const {
+    const Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    const auto is_on = [&](const Vertex& v, Vec3 p) {
+        return std::ranges::all_of(v.groups, [&](std::uint32_t g) {
+            const Form& form = groups_.form_of(g);
+            const bool is_pointed =
+                std::holds_alternative<Plane>(form) || std::holds_alternative<Cylinder>(form) ||
+                std::holds_alternative<Cone>(form) || std::holds_alternative<Coil>(form);
+            return is_pointed && !groups_.is_facet(g) &&
+                   std::abs(distance(form, p)) <= kMostRounded;
+        });
+    };
+    return norm(to.at - from.at) <= kTouchMm && is_on(from, to.at) && is_on(to, from.at);
+}
+
+bool Chains::cross_at(std::uint32_t one, std::uint32_t other) {
+    bool any = false;
+    for (const std::uint32_t i : {chains_[one].from, chains_[one].to}) {
+        if (i != chains_[other].from && i != chains_[other].to) continue;
+        if (!vertices_[i].is_touch || vertices_[i].edge == kNone) continue;
+        const std::uint32_t corner = mesh_.edges()[vertices_[i].edge].from;
+        if (!is_new(corner, crossed_, crossed_now_)) continue;
+        known_corners_[corner].clear();
+        any = true;
+    }
+    return any;
+}
+
+bool Chains::lay_on_circle(std::uint32_t of_circle, std::uint32_t vertex) {
+    const auto circle = std::ranges::find_if(
+        chains_, [&](const Chain& chain) { return chain.is_closed && chain.from == of_circle; });
+    const Vertex& v = vertices_[vertex];
+    if (circle == chains_.end() || v.edge == kNone) return false;
+    bool any = false;
+    for (const std::uint32_t g : {circle->left, circle->right}) {
+        const auto* plane = std::get_if<Plane>(&groups_.form_of(g));
+        if (!plane || std::abs(distance(*plane, v.at)) <= kPoint) continue;
+        any = laid_.insert({mesh_.edges()[v.edge].from, groups_[g].surface}).second || any;
+    }
+    return any;
+}
+
+bool Chains::join_corners(std::uint32_t group) {
+    bool any = false;
+    for (const Chain& chain : chains_) {
+        if ((chain.left != group && chain.right != group) || chain.edges.empty() ||
+            chain.is_flipped || chain.has_failed || chain.has_vanished || chain.from == chain.to ||
+            !is_rounded_off(chain))
+            continue;
+        any = is_new(corners_of(chain), joined_, joined_now_) || any;
+    }
+    return any;
+}
+
+std::optional<Spline> Chains::spline_of(const Chain& chain, const Form& first, const Form& second,
+                                        const std::vector<Vec3>& points) {
+    if (chain.edges.empty()) return spline_between(first, second, points);
+    const std::uint32_t left = groups_[chain.left].surface, right = groups_[chain.right].surface;
+    // Between the two faces themselves, or one of them and what they touch in.
+    const bool is_itself = &second == &groups_.form_of(chain.right);
+    KnownSpline& known = known_splines_[2 * chain.edges.front() + (is_itself ? 0 : 1)];
+    if (known.left != left || known.right != right || known.points != points)
+        known = {left, right, points, spline_between(first, second, points)};
+    return known.spline;
+}
+
+// Is it no longer than what programs round, and was not in the polyhedron? Then there is no telling
+// which way it goes.
+bool Chains::is_of_rounding(const Chain& chain) const {
+    const Vec3 from = vertices_[chain.from].at;
+    return norm(vertices_[chain.to].at - from) <= kTouchMm &&
+           norm(middle_of(chain) - from) < reach({chain.left, chain.right});
+}
+
+void Chains::solve_chain(Chain& chain) {
+    const Form &a = groups_.form_of(chain.left), &b = groups_.form_of(chain.right);
+    if (chain.has_vanished) return;
+    Vertex &from = vertices_[chain.from], &to = vertices_[chain.to];
+    chain.has_failed = from.has_failed || to.has_failed;
+    if (chain.has_failed) return;
+    const bool is_loop = chain.from == chain.to;
+    if (is_loop) {
+        // Around facets that are needles.
+        const std::vector<Vec3> points = points_of(chain);
+        const auto is_there = [&](Vec3 p) { return norm(p - points.front()) < kNothing; };
+        if (std::ranges::all_of(points, is_there)) {
+            chain.has_vanished = true;
+            return;
+        }
+    }
+    if (!is_loop && norm(to.at - from.at) <= kPoint) {
+        // A circle that ends where it begins, or nothing?
+        if (norm(middle_of(chain) - from.at) < reach({chain.left, chain.right})) {
+            chain.has_vanished = true;
+            return;
+        }
+    }
+    if (groups_.is_facet(chain.left) || groups_.is_facet(chain.right)) {
+        if (is_loop) return fail(chain);
+        chain.curve = Line{};
+        return;
+    }
+    std::vector<Vec3> points = points_of(chain);
+    const Vec3 middle = points.size() > 2 ? points[points.size() / 2] : 0.5 * (from.at + to.at);
+    std::optional<Curve> curve = meet(a, b, from.at, to.at, middle);
+    const bool is_straight = curve && std::holds_alternative<Line>(*curve);
+    if (is_straight) {
+        // A line that comes back is none; nor is one the other way.
+        const bool is_back =
+            !chain.is_flipped && dot(to.at - from.at, points.back() - points.front()) < 0.0;
+        if (is_loop || (is_back && norm(to.at - from.at) > kPoint))
+            return !is_loop && is_of_rounding(chain) ? vanish(chain) : fail(chain);
+        chain.curve = Line{};
+        return;
+    }
+    if (!curve) {
+        points.front() = from.at;
+        points.back() = to.at;
+        // Where they touch, what crosses both tells where.
+        const std::optional<Form> touching = touch(a, b);
+        const Form& second = touching ? *touching : b;
+        const bool is_moved =
+            std::holds_alternative<Coil>(a) || std::holds_alternative<Envelope>(a);
+        const Form& first = is_moved && touching ? b : a;
+        auto spline = spline_of(chain, first, second, points);
+        // Where facets are large, corners of the polygon may lie beyond its true ends.
+        if (!spline && !is_loop && (chain.is_flipped || dot(to.at - from.at, way_of(chain)) > 0.0))
+            spline = spline_between(first, second, {from.at, to.at});
+        if (!spline) return is_of_rounding(chain) ? vanish(chain) : fail(chain);
+        chain.curve = std::move(*spline);
+        return;
+    }
+    auto* circle = std::get_if<Circle>(&*curve);
+    auto* ellipse = std::get_if<Ellipse>(&*curve);
+    const Vec3 centre = circle ? circle->centre : ellipse->centre;
+    Vec3& axis = circle ? circle->axis : ellipse->axis;
+    const double rough = turned(points, centre, axis);
+    if (is_loop && std::abs(rough) < 180.0) return fail(chain);
+    if (rough < 0.0) axis = -axis;
+    if (chain.is_closed) {
+        // Anywhere: where CAD begins to unroll.
+        const Vec3 x = across(axis);
+        from.at =
+            circle ? centre + circle->radius * x : centre + ellipse->major_radius * ellipse->major;
+        from.miss = std::max(std::abs(distance(a, from.at)), std::abs(distance(b, from.at)));
+    }
+    // Near the corner of a bend facets do not tell which way: the shorter one.
+    const bool is_at_bend = from.groups.size() == 2 || to.groups.size() == 2;
+    if (!is_loop && is_at_bend && std::abs(rough) < 90.0 &&
+        Track(*curve, from.at, to.at).sweep_degrees() > 270.0) {
+        axis = -axis;
+        chain.curve = std::move(*curve);
+        return;
+    }
+    if (!is_loop) {
+        const Track track(*curve, from.at, to.at);
+        // Of the two circles in which a plane meets a ring, each end may be on one.
+        if (norm(track.at(1.0) - to.at) > kTouchMm) {
+            auto spline = beside_circle(a, b, from.at, to.at, points);
+            if (!spline) return fail(chain);
+            chain.curve = std::move(*spline);
+            return;
+        }
+        const double sweep = track.sweep_degrees();
+        // All but a whole turn: it goes back by the rest.
+        if (std::abs(sweep - std::abs(rough)) > std::abs(sweep - 360.0 + std::abs(rough)) &&
+            std::abs(sweep - std::abs(rough)) > 180.0) {
+            return is_of_rounding(chain) ? vanish(chain) : fail(chain);
+        }
+    }
+    // Circles that ought to touch in a corner but are rounded cross on both sides of it. Splines
+    // have their ends there, and one direction.
+    // Three faces that miss their corner touch there, whatever is known of their forms.
+    const auto is_rounded = [](const Vertex& v) {
+        return (v.is_touch || v.groups.size() == 3) && v.miss > kRounded;
+    };
+    if (!is_loop && circle && (is_rounded(from) || is_rounded(to))) {
+        points.front() = from.at;
+        points.back() = to.at;
+        if (auto spline = spline_between(a, b, points)) *curve = std::move(*spline);
+    }
+    chain.curve = std::move(*curve);
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Where the vertices of chains are: on all surfaces around them.
+#include "geometry/bends.h"
+#include "geometry/contact.h"
+#include "geometry/envelope_contact.h"
+#include "geometry/nearly.h"
+#include "geometry/newton.h"
+#include "recognise/chains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+using cda::norm;
+
+constexpr double kApexReach = 0.3;  // mm
+
+// Newton's method does not find an apex, where a cone has no normal.
+bool at_apex(const std::vector<const Form*>& forms, Vec3& p) {
+    for (const Form* form : forms) {
+        const auto* cone = std::get_if<Cone>(form);
+        if (!cone || norm(p - cone->apex) > kApexReach) continue;
+        const bool all = std::ranges::all_of(
+            forms, [&](const Form* f) { return std::abs(distance(*f, cone->apex)) < kFlat; });
+        if (!all) continue;
+        p = cone->apex;
+        return true;
+    }
+    return false;
+}
+
+// Programs round by how much the others pass beside it: readers take corners as near as that for
+// it.
+void snap_to_apex(const std::vector<const Form*>& forms, Vec3& p) {
+    for (const Form* form : forms) {
+        const auto* cone = std::get_if<Cone>(form);
+        if (cone && norm(p - cone->apex) <= kTouchMm) p = cone->apex;
+    }
+}
+
+// By how far the place of a point is beyond an end of the way, of whichever envelope that is most;
+// along that way, mm.
+Vec3 beyond_ends(const std::vector<const Form*>& forms, Vec3 p) {
+    Vec3 most;
+    for (const Form* form : forms) {
+        if (!is_of_turning_tool(*form)) continue;
+        const auto* envelope = std::get_if<Envelope>(form);
+        const Aspect place = place_on(*envelope, p);
+        const Vec3 beyond = (place.t - std::clamp(place.t, 0.0, 1.0)) *
+                            velocity_at(place.passage, height_of_centre(*envelope->sweep, place));
+        if (norm(beyond) > norm(most)) most = beyond;
+    }
+    return most;
+}
+
+// Where what crosses an envelope nearly goes along it, it does twice, and one of both places may be
+// beyond the end of the way: the other one is the corner.
+void move_onto_way(const std::vector<const Form*>& forms, Vec3& p) {
+    const Vec3 beyond = beyond_ends(forms, p);
+    if (norm(beyond) <= kTouchMm) return;
+    for (const double times : {2.0, 4.0}) {
+        Vec3 other = p - times * beyond;
+        if (brep::solve(forms, other) > kTouchMm || norm(beyond_ends(forms, other)) > kTouchMm)
+            continue;
+        p = other;
+        return;
+    }
+}
+
+// Planes, no two of them parallel but for what programs round.
+bool are_askew(std::span<const Form* const> planes) {
+    constexpr double kLeastSine = 3e-3;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        for (std::size_t j = i + 1; j < planes.size(); ++j) {
+            const Vec3 one = std::get<Plane>(*planes[i]).normal;
+            if (norm(cda::cross(one, std::get<Plane>(*planes[j]).normal)) < kLeastSine)
+                return false;
+        }
+    }
+    return true;
+}
+
+// Of a point from the lines between these, mm.
+double distance_from(const std::vector<Vec3>& points, Vec3 p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec3 from = points[i - 1], along = points[i] - from;
+        const double square = dot(along, along);
+        const double t = square > 0.0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0.0;
+        least = std::min(least, norm(p - from - t * along));
+    }
+    return least;
+}
+
+}  // namespace
+
+// How far a corner of the polygon may be from the true one.
+double Chains::reach(const std::vector<std::uint32_t>& around) const {
+    double radius = kLargeRadius, error = 0.0;
+    for (const std::uint32_t g : around) {
+        radius = std::max(radius, radius_of(groups_.form_of(g)));
+        error = std::max(error, groups_.error_of(g));
+    }
+    return 5.0 * std::sqrt(2.0 * radius * error) + 4.0 * error + kFlat;
+}
+
+// Does the circle of a bend lie in a level face, or in the wall that the tool left where it stood?
+// `near` is a corner of the polyhedron.
+bool Chains::has_bend(std::uint32_t g, Vec3 corner, Vec3 near) const {
+    const Form& form = groups_.form_of(g);
+    const auto is_on = [&](Vec3 p, double most) { return std::abs(distance(form, p)) < most; };
+    if (groups_.is_facet(g)) return false;
+    if (std::holds_alternative<Plane>(form)) return is_on(corner, kFlat) && is_on(near, kFlat);
+    return std::holds_alternative<Cylinder>(form) && is_on(corner, kFlat) &&
+           is_on(near, groups_.error_of(g));
+}
+
+// The corner of the edge of two ramps among the faces around it: with no other face, or with one in
+// which the circle of the bend lies, so that all three meet in all of it.
+std::optional<Vec3> Chains::bend_at(const Vertex& v) const {
+    for (std::size_t i = 0; i < v.groups.size(); ++i) {
+        for (std::size_t j = i + 1; j < v.groups.size(); ++j) {
+            const auto corner =
+                corner_of_bend(groups_.form_of(v.groups[i]), groups_.form_of(v.groups[j]), v.at);
+            if (!corner || norm(*corner - v.at) >= reach(v.groups)) continue;
+            if (v.groups.size() == 2) return corner;
+            const bool has_circle = std::ranges::any_of(v.groups, [&](std::uint32_t g) {
+                return g != v.groups[i] && g != v.groups[j] && has_bend(g, *corner, v.at);
+            });
+            if (has_circle && farthest({groups_[v.groups[i]].surface, groups_[v.groups[j]].surface},
+                                       *corner) <= kTouchMm)
+                return corner;
+        }
+    }
+    return std::nullopt;
+}
+
+bool Chains::solve_vertex(Vertex& v, const std::vector<std::vector<Vec3>>& beside) const {
+    const Vec3 start = v.at;
+    if (std::ranges::any_of(v.groups, [&](std::uint32_t g) { return groups_.is_facet(g); }))
+        return solve_beside_facets(v);
+    std::vector<std::uint32_t> numbers;
+    bool all_flat = true;
+    for (const std::uint32_t g : v.groups) {
+        numbers.push_back(groups_[g].surface);
+        all_flat = all_flat && std::holds_alternative<Plane>(groups_.form_of(g));
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    std::vector<const Form*> forms;
+    for (const std::uint32_t n : numbers)
+        forms.push_back(&mesh_.surface(n).form);
+    if (const auto corner = bend_at(v); corner && forms.size() <= 3) {
+        v.at = *corner;
+        v.miss = farthest(numbers, v.at);
+        return true;
+    }
+    const std::size_t count = forms.size();
+    std::vector<Form> touching;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            if (auto t = touch(*forms[i], *forms[j])) {
+                touching.push_back(*t);
+                v.is_touch = true;
+            }
+            if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+        }
+    }
+    if (auto across = corner_of_dome(forms)) touching.push_back(*across);
+    for (Form& across : touches_in_level(forms))
+        touching.push_back(std::move(across));
+    for (const Form& t : touching)
+        forms.push_back(&t);
+    if (!at_apex(forms, v.at)) {
+        brep::solve(forms, v.at);
+        move_onto_way(forms, v.at);
+        snap_to_apex(forms, v.at);
+        // Where curved ones touch, rounding is left over: not off the planes.
+        for (const std::uint32_t n : numbers) {
+            if (const auto* plane = std::get_if<Plane>(&mesh_.surface(n).form))
+                v.at = v.at - distance(*plane, v.at) * plane->normal;
+        }
+    }
+    move_to_ellipse(v, start);
+    move_to_crossing(v, start, numbers);
+    v.miss = farthest(numbers, v.at);
+    double off = norm(v.at - start);
+    for (const std::vector<Vec3>& way : beside)
+        off = std::min(off, distance_from(way, v.at));
+    // Planes at small angles meet far away for little; not those that are parallel but for
+    // rounding.
+    constexpr double kFlatReach = 2.0;
+    const bool is_far = all_flat && are_askew(std::span(forms).first(count));
+    const bool is_lost =
+        !(v.miss <= kTouchMm) || off > (is_far ? kFlatReach : 1.0) * reach(v.groups);
+    if (!is_lost) return true;
+    // Planes that were made to meet within less than anybody sees.
+    v.at = start;
+    v.miss = farthest(numbers, v.at);
+    return all_flat && v.miss <= kFlat;
+}
+
+// As it was found last, if nothing around it has changed.
+bool Chains::solve_corner(Vertex& v) {
+    const auto is_analytic = [&](std::uint32_t g) { return groups_[g].is_analytic; };
+    if (v.edge == kNone || std::ranges::none_of(v.groups, is_analytic)) {
+        const bool is_solved = solve_vertex(v);
+        v.is_bend_elsewhere = is_bend_elsewhere(v);
+        return is_solved;
+    }
+    known_corners_.resize(mesh_.corners());
+    std::vector<KnownCorner>& all = known_corners_[mesh_.edges()[v.edge].from];
+    const auto key = [&](std::uint32_t g) {
+        return std::pair(groups_[g].surface, groups_[g].facets.front());
+    };
+    auto known = std::ranges::find_if(all, [&](const KnownCorner& corner) {
+        return std::ranges::equal(v.groups, corner.around, {}, key);
+    });
+    const bool was_touch = std::exchange(v.is_touch, false);
+    if (known == all.end()) {
+        constexpr std::size_t kMostKnown = 32;
+        if (all.size() == kMostKnown) all.clear();
+        KnownCorner found;
+        found.is_solved = solve_vertex(v);
+        std::ranges::transform(v.groups, std::back_inserter(found.around), key);
+        found.at = v.at;
+        found.miss = v.miss;
+        found.is_touch = v.is_touch;
+        found.is_bend_elsewhere = is_bend_elsewhere(v);
+        known = all.insert(all.end(), std::move(found));
+    }
+    v.at = known->at;
+    v.miss = known->miss;
+    v.is_touch = was_touch || known->is_touch;
+    v.is_bend_elsewhere = known->is_bend_elsewhere;
+    return known->is_solved;
+}
+
+// Of a ramp, beside `p`.
+bool Chains::is_above(std::uint32_t ramp, Vec3 p) const {
+    const auto& form = std::get<Extrusion>(groups_.form_of(ramp));
+    return dot(mesh_[groups_[ramp].facets.front()].centroid - p, form.axis) > 0.0;
+}
+
+// Where two ramps meet in a valley, or on a ridge, the wall beside one of them touches its floor
+// from the circle of the bend on. The floor of the other one crosses both there and once more, in
+// the ellipse of the bend: that is the corner of all three.
+void Chains::move_to_ellipse(Vertex& v, Vec3 start) const {
+    if (v.groups.size() != 3) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Form& wall = groups_.form_of(v.groups[i]);
+        const Form& one = groups_.form_of(v.groups[(i + 1) % 3]);
+        const Form& other = groups_.form_of(v.groups[(i + 2) % 3]);
+        if (!std::holds_alternative<Plane>(wall) || !std::holds_alternative<Extrusion>(one) ||
+            !std::holds_alternative<Extrusion>(other))
+            continue;
+        const auto first = touch(wall, one), second = touch(wall, other);
+        if (first.has_value() == second.has_value()) continue;
+        const auto ellipse = ellipse_of_bend(one, other, v.at);
+        if (!ellipse ||
+            is_above(v.groups[(i + 1) % 3], v.at) != is_above(v.groups[(i + 2) % 3], v.at))
+            continue;
+        const std::array<const Form*, 3> planes{&wall, first ? &*first : &*second, &*ellipse};
+        Vec3 p = v.at;
+        if (brep::solve(planes, p) > kTouchMm || norm(p - start) > reach(v.groups) ||
+            std::abs(distance(one, p)) > kTouchMm || std::abs(distance(other, p)) > kTouchMm)
+            continue;
+        v.at = p;
+        return;
+    }
+}
+
+// Surfaces that touch but for rounding may cross on both sides of that, well beside it.
+void Chains::move_to_crossing(Vertex& v, Vec3 start,
+                              const std::vector<std::uint32_t>& numbers) const {
+    if (v.edge == kNone || !crossed_.contains(mesh_.edges()[v.edge].from)) return;
+    std::vector<const Form*> forms;
+    for (const std::uint32_t n : numbers)
+        forms.push_back(&mesh_.surface(n).form);
+    Vec3 p = start;
+    brep::solve(forms, p);
+    if (farthest(numbers, p) <= kFlat && norm(p - v.at) > kApart) v.at = p;
+}
+
+// A corner of facets stays where it is, or goes to where the faces beside them meet: within
+// their error it is a corner of all.
+bool Chains::solve_beside_facets(Vertex& v) const {
+    std::vector<const Form*> forms;
+    double error = 0.0;
+    bool is_flat = true;
+    for (const std::uint32_t g : v.groups) {
+        error = std::max(error, groups_.error_of(g));
+        is_flat = is_flat && !groups_[g].is_analytic;
+        if (!groups_.is_facet(g)) forms.push_back(&groups_.form_of(g));
+    }
+    if (is_flat) return true;
+    const auto off = [&](Vec3 p) {
+        double most = 0.0;
+        for (const std::uint32_t g : v.groups)
+            most = std::max(most, std::abs(distance(groups_.form_of(g), p)));
+        return most;
+    };
+    if (forms.size() > 1 || (forms.size() == 1 && off(v.at) > kBesideFacets * error)) {
+        std::vector<Form> touching;
+        for (std::size_t i = 0; i < forms.size(); ++i) {
+            for (std::size_t j = i + 1; j < forms.size(); ++j) {
+                if (auto t = touch(*forms[i], *forms[j])) touching.push_back(*t);
+                if (auto t = mitre_of(*forms[i], *forms[j], v.at)) touching.push_back(*t);
+            }
+        }
+        for (const Form& t : touching)
+            forms.push_back(&t);
+        Vec3 p = v.at;
+        if (brep::solve(forms, p) <= kTouchMm && norm(p - v.at) <= reach(v.groups) &&
+            off(p) <= kBesideFacets * error) {
+            v.at = p;
+            return true;
+        }
+    }
+    return off(v.at) <= kBesideFacets * error;
+}
+
+double Chains::farthest(const std::vector<std::uint32_t>& surfaces, Vec3 p) const {
+    double most = 0.0;
+    for (const std::uint32_t n : surfaces)
+        most = std::max(most, std::abs(distance(mesh_.surface(n).form, p)));
+    return most;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recognise/facet_mesh.h"
+
+#include "geometry/envelope_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::norm;
+
+// A facet and the surface it approximates turn away from each other by less, as a chord (0.45 rad).
+constexpr double kMostTurn = 0.45;
+
+}  // namespace
+
+FacetMesh::FacetMesh(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+                     std::span<const std::uint32_t> faces)
+    : source_(facets) {
+    for (const std::uint32_t f : faces)
+        facets_.push_back(labelled(f, sources));
+    link();
+    if (broken_) return;
+    label_needles();
+    part_fans();
+}
+
+// Where facets meet that do not hang together around their common corner, each fan of them has one
+// of its own, if there are some of tools that turn: hulls of poses come near themselves.
+void FacetMesh::part_fans() {
+    std::vector<bool> is_seen(edges_.size(), false), has_fan(points_.size(), false);
+    for (std::uint32_t first = 0; first < edges_.size(); ++first) {
+        if (is_seen[first]) continue;
+        std::vector<std::uint32_t> fan;
+        bool turns = false;
+        for (std::uint32_t h = first; !is_seen[h]; h = edges_[edges_[h].twin].next) {
+            is_seen[h] = true;
+            fan.push_back(h);
+            const Form& form = surfaces_[facets_[edges_[h].facet].label].form;
+            turns = turns || is_of_turning_tool(form);
+        }
+        const std::uint32_t corner = edges_[first].from;
+        const bool is_first = !has_fan[corner];
+        has_fan[corner] = true;
+        if (is_first || !turns) continue;
+        for (const std::uint32_t h : fan)
+            edges_[h].from = static_cast<std::uint32_t>(points_.size());
+        points_.push_back(points_[corner]);
+    }
+}
+
+// What has no width may look anywhere, and folds what it is a piece of: it is of what it is beside.
+void FacetMesh::label_needles() {
+    constexpr double kNeedle = 1e-4;  // mm
+    std::vector<double> around(facets_.size(), 0.0);
+    for (std::uint32_t h = 0; h < edges_.size(); ++h)
+        around[edges_[h].facet] += lengths_[h];
+    const auto is_needle = [&](std::uint32_t i) {
+        return 2.0 * facets_[i].area < kNeedle * around[i];
+    };
+    std::vector<double> longest(facets_.size(), 0.0);
+    for (std::uint32_t h = 0; h < edges_.size(); ++h) {
+        const std::uint32_t i = edges_[h].facet, beside = edges_[edges_[h].twin].facet;
+        const bool is_its = is_of_turning_tool(surfaces_[facets_[beside].label].form) &&
+                            facets_[i].was_labelled && is_needle(i) && !is_needle(beside);
+        if (!is_its || lengths_[h] <= longest[i]) continue;
+        longest[i] = lengths_[h];
+        facets_[i].label = facets_[beside].label;
+        facets_[i].plain = facets_[beside].plain;
+    }
+}
+
+bool FacetMesh::fits(const Facet& facet, const Surface& surface, double most,
+                     double most_turn) const {
+    return brep::fits(shape_of(facet), surface, most, most_turn);
+}
+
+std::vector<Vec3> FacetMesh::corners_of(std::uint32_t facet) const {
+    std::vector<Vec3> corners;
+    for (const auto& loop : source_.boundary.faces[facets_[facet].face].loops) {
+        for (const std::uint32_t v : loop)
+            corners.push_back(source_.boundary.vertices[v]);
+    }
+    return corners;
+}
+
+FlatFace FacetMesh::shape_of(const Facet& facet) const {
+    return {facet.normal, facet.centroid, source_.boundary.faces[facet.face].loops,
+            source_.boundary.vertices};
+}
+
+Facet FacetMesh::labelled(std::uint32_t f, const std::map<cda::Origin, Source>& sources) {
+    const cda::BoundaryFace& face = source_.boundary.faces[f];
+    Facet facet;
+    facet.face = f;
+    facet.normal = face.normal;
+    facet.area = area_of(face.loops, source_.boundary.vertices, face.normal, facet.centroid);
+    facet.own = surfaces_.add_alone({Plane{facet.centroid, face.normal}, false});
+    facet.label = facet.own;
+    facet.may_be_true = true;
+    double best = std::numeric_limits<double>::infinity();
+    const Candidate* chosen = nullptr;
+    for (const cda::Origin origin : source_.origins[f]) {
+        const auto source = sources.find(origin);
+        if (source == sources.end()) continue;
+        if (!source->second.candidates.empty()) facet.may_be_true = false;
+        if (source->second.leaves_unknown) facet.is_unknown = true;
+        facet.error_mm = std::max(facet.error_mm, source->second.error_mm);
+        const Candidate* better = best_of(shape_of(facet), source->second.candidates,
+                                          source->second.error_mm, kMostTurn, best);
+        if (better) chosen = better;
+    }
+    if (chosen) facet.label = surfaces_.add(chosen->surface);
+    facet.plain = facet.label;
+    if (chosen && std::holds_alternative<Envelope>(chosen->surface.form))
+        facet.plain = plain_label(f, facet, sources);
+    facet.was_labelled = chosen != nullptr;
+    if (chosen) facet.is_unknown = false;
+    return facet;
+}
+
+std::uint32_t FacetMesh::plain_label(std::uint32_t f, const Facet& facet,
+                                     const std::map<cda::Origin, Source>& sources) {
+    double best = std::numeric_limits<double>::infinity();
+    std::uint32_t label = facet.own;
+    for (const cda::Origin origin : source_.origins[f]) {
+        const auto source = sources.find(origin);
+        if (source == sources.end()) continue;
+        const Candidate* better = best_of(shape_of(facet), source->second.candidates,
+                                          source->second.error_mm, kMostTurn, best, false);
+        if (better) label = surfaces_.add(better->surface);
+    }
+    return label;
+}
+
+cda::DisjointSets FacetMesh::patches_of_kept() const {
+    cda::DisjointSets patches(facets_.size());
+    for (const HalfEdge& h : edges_) {
+        if (h.twin == kNone) continue;
+        const std::uint32_t other = edges_[h.twin].facet;
+        if (is_kept(facets_[h.facet]) && is_kept(facets_[other])) patches.unite(h.facet, other);
+    }
+    return patches;
+}
+
+std::size_t FacetMesh::given_up() const {
+    cda::DisjointSets patches = patches_of_kept();
+    struct Counts {
+        std::size_t given_up = 0, unknown = 0;
+    };
+    std::vector<Counts> all(facets_.size());
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) {
+        const Facet& facet = facets_[i];
+        if (!is_kept(facet)) continue;
+        Counts& patch = all[patches.find(i)];
+        if (facet.is_unknown) ++patch.unknown;
+        if (facet.was_labelled) ++patch.given_up;
+    }
+    std::size_t count = 0;
+    for (const Counts& patch : all) {
+        if (patch.given_up > patch.unknown) count += patch.given_up;
+    }
+    return count;
+}
+
+bool FacetMesh::is_boundary(std::uint32_t h) const {
+    return facets_[edges_[h].facet].label != facets_[edges_[edges_[h].twin].facet].label;
+}
+
+std::uint32_t FacetMesh::next_boundary(std::uint32_t h) const {
+    std::uint32_t n = edges_[h].next;
+    while (!is_boundary(n))
+        n = edges_[edges_[n].twin].next;
+    return n;
+}
+
+std::uint32_t FacetMesh::boundary_before(std::uint32_t h) const {
+    std::uint32_t before = h;
+    while (next_boundary(before) != h)
+        before = next_boundary(before);
+    return before;
+}
+
+std::uint32_t FacetMesh::add_edge(const HalfEdge& edge) {
+    edges_.push_back(edge);
+    lengths_.push_back(0.0);
+    return static_cast<std::uint32_t>(edges_.size() - 1);
+}
+
+void FacetMesh::pair(std::uint32_t h, std::uint32_t twin) {
+    edges_[h].twin = twin;
+    edges_[twin].twin = h;
+    lengths_[twin] = lengths_[h];
+}
+
+// The corner where `h` ends becomes another one, in the same place, for all that is between it and
+// `last`, of the same label.
+std::uint32_t FacetMesh::part_from(std::uint32_t h, std::uint32_t last) {
+    const std::uint32_t corner = edges_[last].from,
+                        own = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(points_[corner]);
+    std::uint32_t n = edges_[h].next;
+    edges_[n].from = own;
+    while (n != last) {
+        n = edges_[edges_[n].twin].next;
+        edges_[n].from = own;
+    }
+    return own;
+}
+
+// Along the chain the strip has one half-edge beside each of it, and one back beside each of its
+// twins. At both ends, where these have a common corner, there is one more, beside the facet that
+// is beyond the label there.
+void FacetMesh::lay_strip(std::span<const std::uint32_t> chain, std::uint32_t surface) {
+    const std::uint32_t first = chain.front(), before = boundary_before(first);
+    const std::uint32_t after = next_boundary(chain.back());
+    const auto number = static_cast<std::uint32_t>(facets_.size());
+    Facet strip = facets_[edges_[first].facet];
+    strip.own = strip.label;
+    strip.label = strip.plain = surface;
+    strip.area = 0.0;
+    strip.may_be_true = false;
+    strip.was_labelled = false;
+    strip.is_strip = true;
+
+    std::vector<std::uint32_t> corners, parted;
+    corners.push_back(edges_[first].from);
+    for (const std::uint32_t h : chain)
+        corners.push_back(to(h));
+    std::uint32_t from = before;
+    for (std::size_t i = 0; i <= chain.size(); ++i) {
+        const std::uint32_t last = i < chain.size() ? chain[i] : after;
+        parted.push_back(part_from(from, last));
+        from = last;
+    }
+    // Between corner and corner at both ends, in the facets beyond.
+    const std::uint32_t begin = edges_[before].twin, end = edges_[after].twin;
+    std::uint32_t previous = begin;
+    while (edges_[previous].next != begin)
+        previous = edges_[previous].next;
+    edges_[begin].from = parted.front();
+    const std::uint32_t at_begin = add_edge({corners.front(), edges_[begin].facet, begin, kNone});
+    edges_[previous].next = at_begin;
+    const std::uint32_t at_end =
+        add_edge({parted.back(), edges_[end].facet, edges_[end].next, kNone});
+    edges_[end].next = at_end;
+
+    std::vector<std::uint32_t> loop;
+    const auto add = [&](std::uint32_t corner, std::uint32_t twin) {
+        loop.push_back(add_edge({corner, number, kNone, kNone}));
+        pair(twin, loop.back());
+    };
+    for (std::size_t i = 0; i < chain.size(); ++i)
+        add(corners[i], edges_[chain[i]].twin);
+    add(corners.back(), at_end);
+    for (std::size_t i = chain.size(); i-- > 0;)
+        add(parted[i + 1], chain[i]);
+    add(parted.front(), at_begin);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        edges_[loop[i]].next = loop[(i + 1) % loop.size()];
+    facets_.push_back(strip);
+}
+
+void FacetMesh::link() {
+    std::vector<std::uint32_t> number(source_.boundary.vertices.size(), kNone);
+    for (std::uint32_t i = 0; i < facets_.size(); ++i) {
+        for (const auto& loop : source_.boundary.faces[facets_[i].face].loops) {
+            const auto first = static_cast<std::uint32_t>(edges_.size());
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                std::uint32_t& v = number[loop[k]];
+                if (v == kNone) {
+                    v = static_cast<std::uint32_t>(points_.size());
+                    points_.push_back(source_.boundary.vertices[loop[k]]);
+                }
+                const auto at = static_cast<std::uint32_t>(edges_.size());
+                edges_.push_back({v, i, k + 1 < loop.size() ? at + 1 : first, kNone});
+            }
+        }
+    }
+    // Both of a pair have the same two corners.
+    struct Ends {
+        std::uint32_t low, high, edge;
+        bool operator<(const Ends& o) const {
+            return low != o.low ? low < o.low : high != o.high ? high < o.high : edge < o.edge;
+        }
+    };
+    std::vector<Ends> ends;
+    for (std::uint32_t h = 0; h < edges_.size(); ++h) {
+        const auto [low, high] = std::minmax({edges_[h].from, to(h)});
+        ends.push_back({low, high, h});
+        lengths_.push_back(norm(points_[high] - points_[low]));
+    }
+    std::sort(ends.begin(), ends.end());
+    broken_ = ends.size() % 2 != 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        const Ends &a = ends[i], &b = ends[i + 1];
+        const bool is_next =
+            i + 2 < ends.size() && ends[i + 2].low == a.low && ends[i + 2].high == a.high;
+        if (a.low != b.low || a.high != b.high || is_next ||
+            edges_[a.edge].from == edges_[b.edge].from) {
+            broken_ = true;
+            return;
+        }
+        edges_[a.edge].twin = b.edge;
+        edges_[b.edge].twin = a.edge;
+    }
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recognise/known_faces.h"
+
+#include "ncsim/brep/frames.h"
+
+#include "geometry/nearly.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+// The loop around all others is the one with the largest area.
+std::size_t outline_of(const Part& part, const Face& face) {
+    if (face.loops.size() < 2 || !std::holds_alternative<Plane>(face.surface.form)) return 0;
+    std::size_t best = 0;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < face.loops.size(); ++i) {
+        Face alone = face;
+        alone.loops = {face.loops[i]};
+        const double area = measure(part, alone, face.frame.origin).area;
+        if (area <= largest) continue;
+        largest = area;
+        best = i;
+    }
+    return best;
+}
+
+// Does a loop come back to a corner, or another one come to it?
+bool is_pinched(const Part& part, const Face& face) {
+    std::vector<std::uint32_t> corners;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            corners.push_back(use.is_forward ? edge.from : edge.to);
+        }
+    }
+    std::sort(corners.begin(), corners.end());
+    return std::ranges::adjacent_find(corners) != corners.end();
+}
+
+// Does the loop of a cone touch the circle in which it ends, in one corner? Readers find it crossed
+// there, as a rule.
+bool is_cone_on_a_point(const Part& part, const Face& face) {
+    if (!std::holds_alternative<Cone>(face.surface.form)) return false;
+    return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+        return loop.size() > 1 && std::ranges::any_of(loop, [&](const EdgeUse& use) {
+                   const Edge& edge = part.edges[use.edge];
+                   return edge.from == edge.to;
+               });
+    });
+}
+
+}  // namespace
+
+KnownFaces::Known& KnownFaces::look_at(const Part& part, Face& face, std::uint32_t name) {
+    std::vector<std::vector<Known::Piece>> loops;
+    for (const Loop& loop : face.loops) {
+        auto& pieces = loops.emplace_back();
+        for (const EdgeUse& use : loop) {
+            const Edge& edge = part.edges[use.edge];
+            pieces.push_back(
+                {part.vertices[edge.from], part.vertices[edge.to], edge.curve, use.is_forward});
+        }
+    }
+    Known& known = known_[name];
+    if (known.surface != face.surface || known.loops != loops) {
+        known = {};
+        known.surface = face.surface;
+        known.loops = std::move(loops);
+        face.frame = frame_for(part, face);
+        known.outline = outline_of(part, face);
+        std::swap(face.loops.front(), face.loops[known.outline]);
+        if (known.outline != 0) face.frame = frame_for(part, face);
+        known.frame = face.frame;
+        known.measure = measure(part, face, apex_, Exactness::Rough);
+        return known;
+    }
+    std::swap(face.loops.front(), face.loops[known.outline]);
+    face.frame = known.frame;
+    return known;
+}
+
+bool KnownFaces::is_faulty(Known& known, const Part& part, std::uint32_t face, double tolerance_mm,
+                           double clear_mm, double& miss_mm) {
+    if (known.tolerance_mm != tolerance_mm) {
+        known.tolerance_mm = tolerance_mm;
+        known.miss_mm = 0.0;
+        const auto faults_within = [&](double clear) {
+            return faults_of(part, face, tolerance_mm, known.miss_mm, clear, known.measure.area);
+        };
+        auto faults = faults_within(kClear);
+        // Nothing is laid down farther away than it is off.
+        if (const double clear = std::min(clear_mm, known.miss_mm);
+            faults.empty() && clear > kClear)
+            faults = faults_within(clear);
+        const bool may_be_touch = std::ranges::all_of(
+            faults, [](const Fault& fault) { return fault.what == kCrossOrTouch; });
+        // Beside facets readers make edges as wide as they are off, and touching is folding.
+        const bool touches = may_be_touch && tolerance_mm <= kTouchMm &&
+                             only_touches_itself(part, part.faces[face], clear_mm);
+        const bool folds = tolerance_mm > kTouchMm && !part.faces[face].is_facet &&
+                           is_pinched(part, part.faces[face]);
+        known.is_faulty =
+            (!faults.empty() && !touches) || folds || is_cone_on_a_point(part, part.faces[face]);
+        known.fault_at.clear();
+        const bool is_local =
+            std::ranges::none_of(faults, [](const Fault& fault) { return fault.edges.empty(); });
+        const auto& loops = part.faces[face].loops;
+        for (std::size_t l = 0; l < loops.size() && is_local; ++l) {
+            for (std::size_t i = 0; i < loops[l].size(); ++i) {
+                const bool is_there = std::ranges::any_of(faults, [&](const Fault& fault) {
+                    return std::ranges::find(fault.edges, loops[l][i].edge) != fault.edges.end();
+                });
+                if (is_there) known.fault_at.emplace_back(l, i);
+            }
+        }
+    }
+    miss_mm = std::max(miss_mm, known.miss_mm);
+    return known.is_faulty;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,517 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outline, for each shell:
+//  1. Label (facet_mesh.h): each facet with the surface of its own motion that it turns away from
+//  least.
+//  2. Group (groups.h): neighbours with the same surface are a face; where the boundaries of faces
+//  meet is a vertex, what runs between two vertices a chain of edges.
+//  3. Solve (chains.h): vertices on all surfaces around them, then the curves between them.
+//  4. Absorb: what has no width on the true surfaces joins a neighbour; where nothing fits, labels
+//  come off the smallest group. From 2 again.
+//  5. Check, as a stranger would. What fails goes the way of 4; what fails too often stays facets.
+#include "ncsim/brep/recognise.h"
+
+#include "ncsim/brep/flat_part.h"
+#include "ncsim/brep/measure.h"
+
+#include "geometry/nearly.h"
+#include "heal/apart.h"
+#include "heal/horns.h"
+#include "heal/pinches.h"
+#include "heal/readable.h"
+#include "heal/warped.h"
+#include "query/check.h"
+#include "recognise/chains.h"
+#include "recognise/facet_mesh.h"
+#include "recognise/groups.h"
+#include "recognise/known_faces.h"
+#include "recognise/outlines.h"
+#include "topology/chords.h"
+#include "topology/nesting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+
+// So often with corners, with edges and with faces.
+constexpr int kPatientRounds = 8, kLastPatience = 16, kMostRounds = 100;
+// Of so many facets a round takes long: there are fewer, and where corners alone have kept failing
+// in the first ones, strips are narrower than facets, and there would be no end to it.
+constexpr std::size_t kManyFacets = 20'000, kTooManyFacets = 200'000;
+constexpr int kMostRoundsOfMany = 40, kMostRoundsWithCorners = 8;
+constexpr double kNoWidth = 1e-3;  // mm
+
+class ShellRecogniser {
+public:
+    ShellRecogniser(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+                    std::span<const std::uint32_t> faces)
+        : mesh_(facets, sources, faces),
+          apex_(mesh_.point(mesh_.edges().front().from)),
+          known_(apex_) {}
+
+    // The shell as a part without solids; nothing if it cannot be had.
+    std::optional<Part> operator()() {
+        if (mesh_.is_broken() || mesh_.size() > kTooManyFacets) return std::nullopt;
+        const bool are_many = mesh_.size() > kManyFacets;
+        for (int round = 0; round < (are_many ? kMostRoundsOfMany : kMostRounds); ++round) {
+            if (are_many && round == kMostRoundsWithCorners && spent_[kCorners] == round)
+                return std::nullopt;
+            failures_.clear();
+            has_joined_ = false;
+            if (!settle_groups()) return std::nullopt;
+            chains_.trace();
+            // What is wrong with edges is often due to corners that are, and so with faces.
+            chains_.solve();
+            const Stage stage = failures_.empty()                ? kFaces
+                                : failures_.front().is_of_corner ? kCorners
+                                                                 : kEdges;
+            const int spent = spent_[stage]++;
+            Part part;
+            if (stage == kFaces) part = build();
+            const Patience patience = spent < kPatientRounds  ? Patience::Much
+                                      : spent < kLastPatience ? Patience::Little
+                                                              : Patience::None;
+            if (groups_.relabel(failures_, patience) || has_joined_) continue;
+            if (!failures_.empty() || !has_the_volume()) return std::nullopt;
+            std::vector<bool> is_as_it_was = unmoved(part);
+            for (const std::uint32_t f : flatten_warped_facets(part)) {
+                is_as_it_was.push_back(false);
+                group_of_face_.push_back(group_of_face_[f]);
+            }
+            const std::vector<std::uint32_t> was = keep_apart(part);
+            find_unsound_facets(part, was, is_as_it_was);
+            find_crossed_planes(part, was);
+            if (failures_.empty()) return part;
+            if (!groups_.relabel(failures_, Patience::None)) return std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    // As the last attempt left it.
+    std::size_t given_up() const { return mesh_.given_up(); }
+    double mitred_mm() const { return std::max(groups_.mitred_mm(), chains_.mitred_mm()); }
+
+private:
+    // Until nothing joins any more. False: there was no end to it.
+    bool settle_groups() {
+        constexpr int kMostPasses = 1000;
+        for (int pass = 0; pass < kMostPasses; ++pass) {
+            groups_.gather();
+            if (!groups_.unify() && !groups_.give_up_rings() && !groups_.lay_strips()) return true;
+        }
+        return false;
+    }
+
+    Part build() {
+        Part part;
+        Outlines outlines(groups_, chains_);
+        for (const Vertex& v : chains_.vertices())
+            part.vertices.push_back(v.at);
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            if (groups_.is_facet(g)) continue;
+            for (const Corners& corners : outlines.touching_corners(g, outlines[g], near_on(g))) {
+                part.vertices[corners.first] = part.vertices[corners.second];
+                outlines.unite(corners);
+                if (chains_.lay_on_circle(corners.first, corners.second)) has_joined_ = true;
+            }
+        }
+        outlines.join_touching_loops();
+        for (std::uint32_t c = 0; c < chains_.all().size(); ++c) {
+            const auto [from, to] = outlines.ends_of(c);
+            part.edges.push_back({from, to, chains_.all()[c].curve});
+        }
+        const auto is_sound = [&](std::uint32_t g) {
+            return std::ranges::none_of(outlines[g], [&](const Loop& loop) {
+                return std::ranges::any_of(
+                    loop, [&](const EdgeUse& use) { return chains_.all()[use.edge].has_failed; });
+            });
+        };
+        group_of_face_.clear();
+        volume_ = 0.0;
+        std::vector<KnownFaces::Known*> known;  // of each face
+        std::vector<bool> has_gone(groups_.size(), false);
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            if (outlines[g].empty()) {
+                has_gone[g] = true;
+                vanish(g, true);
+                continue;
+            }
+            if (!is_sound(g)) continue;
+            Face face;
+            face.surface = groups_.surface_of(g);
+            face.loops = std::move(outlines[g]);
+            name(face, g);
+            face.is_facet = groups_.is_facet(g);
+            auto& found = known_.look_at(part, face, groups_[g].facets.front());
+            // Facets may be as thin as they are. Beside them readers make edges as wide as they are
+            // off.
+            const double width = std::max(is_sickle(face) ? kTouchMm : kNoWidth, error_beside(g));
+            has_gone[g] = groups_[g].is_analytic &&
+                          2.0 * std::abs(found.measure.area) <= width * found.measure.length;
+            if (has_gone[g]) vanish(g, true);
+            volume_ += found.measure.volume;
+            part.faces.push_back(std::move(face));
+            group_of_face_.push_back(g);
+            known.push_back(&found);
+        }
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            const std::uint32_t g = group_of_face_[f];
+            // Before they have gone, they are folds of their neighbours.
+            const bool is_beside_gone =
+                has_gone[g] || std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
+                    return has_gone[beside.first];
+                });
+            if (is_beside_gone) continue;
+            if (auto gaps = beside_gaps(part, part.faces[f]); !gaps.empty()) {
+                failures_.push_back({std::move(gaps)});
+                continue;
+            }
+            if (!is_wanted(g)) continue;
+            const double error = error_beside(g);
+            const double tolerance = error > 0.0 ? 1.5 * kBesideFacets * error : kTouchMm;
+            // Readers lay edges that are off a curved surface down on it, each in its own way.
+            const bool is_flat = std::holds_alternative<Plane>(groups_.form_of(g));
+            const double clear = error > 0.0 && !is_flat ? 0.05 * tolerance : kClear;
+            double& miss = error > 0.0 ? part.facet_miss_mm : part.miss_mm;
+            if (!is_too_large(g, known[f]->measure.area) && !has_tiny_corner(part, part.faces[f]) &&
+                !KnownFaces::is_faulty(*known[f], part, f, tolerance, clear, miss))
+                continue;
+            if (chains_.join_corners(g)) {
+                has_joined_ = true;
+                continue;
+            }
+            if (cross_at(part.faces[f], known[f]->fault_at)) {
+                has_joined_ = true;
+                continue;
+            }
+            if (!groups_.is_facet(g) && touching_.insert(groups_[g].surface).second &&
+                !outlines.touching_corners(g, part.faces[f].loops, near_on(g)).empty()) {
+                has_joined_ = true;
+                continue;
+            }
+            std::vector<std::uint32_t> around{g};
+            if (!known[f]->fault_at.empty()) {
+                for (const auto& [loop, place] : known[f]->fault_at) {
+                    const Chain& chain = chains_.all()[part.faces[f].loops[loop][place].edge];
+                    around.push_back(chain.left);
+                    around.push_back(chain.right);
+                }
+                failures_.push_back({std::move(around)});
+                continue;
+            }
+            // A plane is right as a rule; what meets it is not.
+            if (!groups_[g].is_analytic || std::holds_alternative<Plane>(groups_.form_of(g))) {
+                for (const auto& [n, shared] : groups_.neighbours(g))
+                    around.push_back(n);
+            }
+            failures_.push_back({std::move(around)});
+        }
+        return part;
+    }
+
+    // How near corners in one place are, mm.
+    double near_on(std::uint32_t g) const {
+        return touching_.contains(groups_[g].surface) ? kTouchMm : kPoint;
+    }
+
+    // Edges of one corner that meet once more: the surfaces beside them do not touch there.
+    bool cross_at(const Face& face,
+                  const std::vector<std::pair<std::size_t, std::size_t>>& faults) {
+        const auto edge = [&](const auto& at) { return face.loops[at.first][at.second].edge; };
+        bool any = false;
+        for (std::size_t i = 0; i < faults.size(); ++i) {
+            for (std::size_t j = i + 1; j < faults.size(); ++j)
+                any = chains_.cross_at(edge(faults[i]), edge(faults[j])) || any;
+        }
+        return any;
+    }
+
+    // Of it and the facets beside it; zero if there are none.
+    double error_beside(std::uint32_t g) const {
+        double error = groups_.is_facet(g) ? groups_.error_of(g) : 0.0;
+        for (const auto& [n, shared] : groups_.neighbours(g)) {
+            if (groups_.is_facet(n)) error = std::max(error, groups_.error_of(n));
+        }
+        return error;
+    }
+
+    // What the polyhedron had, with its corners where they were, is as good as it was.
+    bool is_wanted(std::uint32_t g) const {
+        return groups_[g].is_analytic ||
+               std::ranges::any_of(groups_.neighbours(g), [&](const auto& beside) {
+                   return groups_[beside.first].is_analytic;
+               });
+    }
+
+    // Faces all of whose corners are where the polyhedron has them.
+    std::vector<bool> unmoved(const Part& part) const {
+        std::vector<bool> result;
+        for (const Face& face : part.faces) {
+            result.push_back(
+                face.is_facet && std::ranges::all_of(face.loops, [&](const Loop& loop) {
+                    return std::ranges::all_of(loop, [&](const EdgeUse& use) {
+                        const Chain& chain = chains_.all()[use.edge];
+                        const auto is_at = [&](std::uint32_t vertex, std::uint32_t corner) {
+                            return part.vertices[vertex] == mesh_.point(corner);
+                        };
+                        return is_at(part.edges[use.edge].from,
+                                     mesh_.edges()[chain.edges.front()].from) &&
+                               is_at(part.edges[use.edge].to, mesh_.to(chain.edges.back()));
+                    });
+                }));
+        }
+        return result;
+    }
+
+    // Facets among facets, at last. `was` has the number that each had.
+    void find_unsound_facets(const Part& part, const std::vector<std::uint32_t>& was,
+                             const std::vector<bool>& is_as_it_was) {
+        for (std::uint32_t f = 0; f < part.faces.size(); ++f) {
+            if (is_as_it_was[was[f]]) continue;
+            constexpr double kAnywhere = 1.0;  // mm; where they are is known
+            double miss = 0.0;
+            if (part.faces[f].is_facet &&
+                (is_warped(part, part.faces[f]) || !faults_of(part, f, kAnywhere, miss).empty()))
+                failures_.push_back({{group_of_face_[was[f]]}});
+        }
+    }
+
+    // What readers find crossed, of what may still become facets.
+    void find_crossed_planes(const Part& part, const std::vector<std::uint32_t>& was) {
+        for (const std::uint32_t f : crossed_planes(part)) {
+            const std::uint32_t g = group_of_face_[was[f]];
+            std::vector<std::uint32_t> around{g};
+            for (const auto& [n, shared] : groups_.neighbours(g))
+                around.push_back(n);
+            const bool may_go = std::ranges::any_of(
+                around, [&](std::uint32_t n) { return groups_[n].is_analytic; });
+            if (may_go) failures_.push_back({std::move(around)});
+        }
+    }
+
+    // Where a dome ends between floor and wall, readers find edges of micrometres crossed on its
+    // splines, and draw nothing.
+    static bool has_tiny_corner(const Part& part, const Face& face) {
+        constexpr double kTiny = 2e-3;  // mm
+        if (!std::holds_alternative<Dome>(face.surface.form)) return false;
+        return std::ranges::any_of(face.loops, [&](const Loop& loop) {
+            return std::ranges::any_of(loop, [&](const EdgeUse& use) {
+                const Edge& edge = part.edges[use.edge];
+                return edge.from != edge.to &&
+                       cda::norm(part.vertices[edge.to] - part.vertices[edge.from]) < kTiny;
+            });
+        });
+    }
+
+    // The wrong curve, and a face ends somewhere else. A facet may be wider than what is left of
+    // it, by as much at each edge.
+    bool is_too_large(std::uint32_t g, double area) const {
+        const double facet = std::sqrt(8.0 * kLargeRadius * groups_.error_of(g));
+        return area > 2.0 * (groups_[g].area + groups_.perimeter(g) * facet);
+    }
+
+    // Where its loops are open: the groups on both sides of the edges there.
+    std::vector<std::uint32_t> beside_gaps(const Part& part, const Face& face) const {
+        const auto begin_of = [&](const EdgeUse& use) {
+            return use.is_forward ? part.edges[use.edge].from : part.edges[use.edge].to;
+        };
+        const auto end_of = [&](const EdgeUse& use) {
+            return use.is_forward ? part.edges[use.edge].to : part.edges[use.edge].from;
+        };
+        std::vector<std::uint32_t> groups;
+        for (const Loop& loop : face.loops) {
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const EdgeUse &use = loop[i], &next = loop[(i + 1) % loop.size()];
+                if (end_of(use) == begin_of(next)) continue;
+                for (const std::uint32_t edge : {use.edge, next.edge}) {
+                    groups.push_back(chains_.all()[edge].left);
+                    groups.push_back(chains_.all()[edge].right);
+                }
+            }
+        }
+        return groups;
+    }
+
+    // Between two edges with the same ends. As narrow as what programs round, they are lost where
+    // readers draw both as lines.
+    static bool is_sickle(const Face& face) {
+        return face.loops.size() == 1 && face.loops.front().size() == 2;
+    }
+
+    // A group without a width on the true surfaces.
+    void vanish(std::uint32_t g, bool is_thin = false) {
+        std::vector<std::uint32_t> around{g};
+        if (!groups_[g].is_analytic) {
+            for (const auto& [n, shared] : groups_.neighbours(g))
+                around.push_back(n);
+        }
+        failures_.push_back({std::move(around), false, is_thin});
+    }
+
+    void name(Face& face, std::uint32_t g) const {
+        for (const std::uint32_t i : groups_[g].facets) {
+            const auto& of = mesh_.origins(i);
+            face.origins.insert(face.origins.end(), of.begin(), of.end());
+        }
+        std::sort(face.origins.begin(), face.origins.end());
+        face.origins.erase(std::unique(face.origins.begin(), face.origins.end()),
+                           face.origins.end());
+        face.origin = face.origins.empty() ? cda::kStockOrigin : face.origins.front();
+    }
+
+    // Of the part that was built last.
+    bool has_the_volume() const {
+        double polyhedral = 0.0, slack = 0.0;
+        for (std::uint32_t i = 0; i < mesh_.size(); ++i) {
+            const Facet& facet = mesh_[i];
+            polyhedral += dot(facet.centroid - apex_, facet.normal) * facet.area / 3.0;
+            slack += facet.area * (1.5 * facet.error_mm + kFlat);
+        }
+        return std::abs(volume_ - polyhedral) <= slack;
+    }
+
+    enum Stage { kCorners, kEdges, kFaces };
+    std::array<int, 3> spent_{};                // rounds with each
+    std::vector<std::uint32_t> group_of_face_;  // of the part that was built last
+    double volume_ = 0.0;                       // of it, by cones from the apex
+    FacetMesh mesh_;
+    Vec3 apex_;
+    Groups groups_{mesh_};
+    Failures failures_;  // of this round
+    Chains chains_{mesh_, groups_, failures_};
+    KnownFaces known_;  // from the apex
+    // Surfaces on which corners that are no farther apart than programs round are one.
+    std::set<std::uint32_t> touching_;
+    bool has_joined_ = false;  // corners, in this round: no face was given up for them
+};
+
+// Adds what `from` has to `to`; the numbers of its faces there. Vertices and edges that are not
+// used stay behind.
+Shell append(Part& to, const Part& from) {
+    std::vector<std::uint32_t> vertices(from.vertices.size(), kNone);
+    std::vector<std::uint32_t> edges(from.edges.size(), kNone);
+    const auto vertex = [&](std::uint32_t v) {
+        if (vertices[v] == kNone) {
+            vertices[v] = static_cast<std::uint32_t>(to.vertices.size());
+            to.vertices.push_back(from.vertices[v]);
+        }
+        return vertices[v];
+    };
+    Shell shell;
+    for (Face face : from.faces) {
+        for (Loop& loop : face.loops) {
+            for (EdgeUse& use : loop) {
+                std::uint32_t& edge = edges[use.edge];
+                if (edge == kNone) {
+                    const Edge& e = from.edges[use.edge];
+                    edge = static_cast<std::uint32_t>(to.edges.size());
+                    const std::uint32_t begin = vertex(e.from), end = vertex(e.to);
+                    to.edges.push_back({begin, end, e.curve});
+                }
+                use.edge = edge;
+            }
+        }
+        shell.push_back(static_cast<std::uint32_t>(to.faces.size()));
+        to.faces.push_back(std::move(face));
+    }
+    to.miss_mm = std::max(to.miss_mm, from.miss_mm);
+    to.facet_miss_mm = std::max(to.facet_miss_mm, from.facet_miss_mm);
+    return shell;
+}
+
+// The facets of one shell alone.
+Facets only_shell(const Facets& facets, const std::vector<std::uint32_t>& faces) {
+    Facets only;
+    only.boundary.vertices = facets.boundary.vertices;
+    only.boundary.shells = 1;
+    for (const std::uint32_t f : faces) {
+        only.boundary.faces.push_back(facets.boundary.faces[f]);
+        only.boundary.faces.back().shell = 0;
+        only.origins.push_back(facets.origins[f]);
+    }
+    return only;
+}
+
+// Of round tools.
+void tell_facets(Part& part, const std::map<cda::Origin, Source>& sources) {
+    for (Face& face : part.faces) {
+        face.is_facet = std::ranges::any_of(face.origins, [&](cda::Origin origin) {
+            const auto source = sources.find(origin);
+            return source != sources.end() && !source->second.candidates.empty();
+        });
+    }
+}
+
+bool is_mostly_facets(const Part& part) {
+    const auto facets = std::ranges::count_if(part.faces, &Face::is_facet);
+    return 2 * static_cast<std::size_t>(facets) > part.faces.size();
+}
+
+}  // namespace
+
+Recognised recognise(const Facets& facets, const std::map<cda::Origin, Source>& sources,
+                     const std::function<Facets(double times)>& kept) {
+    Recognised result;
+    const auto shells = shells_of(facets.boundary);
+    std::optional<Facets> flat;
+    std::vector<std::vector<std::uint32_t>> flat_shells;
+    const auto add = [&](std::uint32_t s) {
+        ShellRecogniser recogniser(facets, sources, shells[s]);
+        const auto part = recogniser();
+        result.facets_given_up += recogniser.given_up();
+        if (part) result.mitred_mm = std::max(result.mitred_mm, recogniser.mitred_mm());
+        if (part && !is_mostly_facets(*part)) return append(result.part, *part);
+        if (!flat) {
+            flat = kept(1.0);
+            flat_shells = shells_of(flat->boundary);
+        }
+        const bool is_there = s < flat_shells.size() && !flat_shells[s].empty();
+        // Facets of different motions stay apart for recognition: joined, they may be fewer than
+        // what came out.
+        if (part && (!is_there || part->faces.size() <= flat_shells[s].size()))
+            return append(result.part, *part);
+        ++result.shells_kept;
+        FlatPart alone = flat_part([&](double times) {
+            if (times == 1.0)
+                return is_there ? only_shell(*flat, flat_shells[s]) : only_shell(facets, shells[s]);
+            const Facets coarse = kept(times);
+            const auto coarse_shells = shells_of(coarse.boundary);
+            return s < coarse_shells.size() ? only_shell(coarse, coarse_shells[s]) : Facets{};
+        });
+        result.coarser = std::max(result.coarser, alone.coarser);
+        result.is_sound = result.is_sound && alone.is_sound;
+        tell_facets(alone.part, sources);
+        return append(result.part, alone.part);
+    };
+    for (const Nesting& nesting : nesting_of(facets.boundary)) {
+        Solid solid{add(nesting.outside), {}};
+        for (const std::uint32_t s : nesting.voids)
+            solid.voids.push_back(add(s));
+        result.part.solids.push_back(std::move(solid));
+    }
+    halve_wide_edges(result.part);
+    part_at_horns(result.part);
+    divide_arcs_beside_corners(result.part);
+    draw_in_ellipses(result.part);
+    std::set<cda::Origin> of_facets;
+    for (const Face& face : result.part.faces) {
+        if (!face.is_facet) continue;
+        ++result.facets_kept;
+        of_facets.insert(face.origins.begin(), face.origins.end());
+    }
+    result.of_facets.assign(of_facets.begin(), of_facets.end());
+    return result;
+}
+
+}  // namespace ncsim::brep

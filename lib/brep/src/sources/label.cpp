@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sources/label.h"
+
+#include "geometry/envelope_contact.h"
+#include "geometry/nearly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+
+// Of planes that are one but for rounding, as a chord.
+constexpr double kLevel = 1e-6;
+// Corners of hulls that meet may lie farther out than those of the tool.
+constexpr double kSlack = 1.5;
+// Of coils, beside walls, both beyond the wall and below the floor.
+constexpr double kSlackOfCoils = 2.0;
+// Of flanks, where hulls of two poses of a tool that turns gain about as much as tools are off.
+constexpr double kSlackOfFlanks = 3.0;
+// Of peaks, beyond whose tip facets go on as wide as polygons in their place have sides.
+constexpr double kSlackOfPeaks = 3.0;
+
+// How far a facet turns away from the surface on average over its corners.
+double turn_at_corners(const FlatFace& face, const Surface& surface) {
+    double sum = 0.0, corners = 0.0;
+    for (const auto& loop : face.loops) {
+        for (const std::uint32_t v : loop) {
+            sum += norm(face.normal - outward(surface, face.points[v]));
+            corners += 1.0;
+        }
+    }
+    return sum / corners;
+}
+
+// Are its edges on the surface in their middles, too? Their ends may happen to be, of a wall beside
+// a floor that comes down to its foot.
+bool has_edges_on(const FlatFace& face, const Surface& surface, double most) {
+    return std::ranges::all_of(face.loops, [&](const std::vector<std::uint32_t>& loop) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec3 a = face.points[loop[i]], b = face.points[loop[(i + 1) % loop.size()]];
+            if (std::abs(distance(surface.form, 0.5 * (a + b))) > most) return false;
+        }
+        return true;
+    });
+}
+
+bool is_flank(const Form& form) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    return envelope && envelope->sweep->flank();
+}
+
+// No face of a spindle is above its centre: what lollipops leave there.
+bool is_above_spindle(const FlatFace& face, const Surface& surface) {
+    const auto* ring = std::get_if<Torus>(&surface.form);
+    return ring && is_spindle(*ring) && dot(face.centroid - ring->centre, ring->axis) >= 0.0;
+}
+
+// Does it come to a tip, in material?
+bool is_peak(const Surface& surface) {
+    const auto* ring = std::get_if<Torus>(&surface.form);
+    return (ring && is_spindle(*ring)) ||
+           (!surface.is_hollow && std::holds_alternative<Cone>(surface.form));
+}
+
+// A hill within an arc of a cutter that widens comes to a tip, and polygons in the place of the
+// cutter leave one that is as wide as half of their sides.
+double blunt_of(const FlatFace& face, const Cone& cone, double most) {
+    double widest = 0.0;
+    for (const auto& loop : face.loops) {
+        for (const std::uint32_t v : loop)
+            widest = std::max(widest, norm(away(cone.apex, cone.axis, face.points[v])));
+    }
+    return 0.5 * std::sqrt(8.0 * widest * most / kSlackOfPeaks);
+}
+
+// Beyond the end of its way an envelope goes on, as what follows it does there, or as nothing does:
+// by how much, mm. Where the tool pivots there is none.
+double beyond_end(const Form& form, Vec3 p) {
+    const auto* envelope = std::get_if<Envelope>(&form);
+    if (!envelope || std::holds_alternative<StraightWay>(envelope->sweep->way())) return 0.0;
+    const Aspect aspect = place_on(*envelope, p);
+    if (is_at_pivot(*envelope->sweep, aspect)) return std::numeric_limits<double>::infinity();
+    const Vec3 velocity = velocity_at(aspect.passage, height_of_centre(*envelope->sweep, aspect));
+    return std::abs(aspect.t - std::clamp(aspect.t, 0.0, 1.0)) * norm(velocity);
+}
+
+// Facets between two poses of a tool that turns are as wide as polygons in its place have sides,
+// and may begin as much before the one.
+double farthest_beyond(const Form& form, double error) {
+    if (!is_of_turning_tool(form)) return error;
+    const Sweep& sweep = *std::get<Envelope>(form).sweep;
+    const Fillet* fillet = sweep.fillet();
+    const double radius = fillet ? fillet->ring + fillet->radius : sweep.flank()->radius;
+    return std::sqrt(8.0 * radius * error);
+}
+
+}  // namespace
+
+double area_of(const std::vector<std::vector<std::uint32_t>>& loops, std::span<const Vec3> points,
+               Vec3 normal, Vec3& centroid) {
+    const Vec3 apex = points[loops[0][0]];
+    double sum = 0.0;
+    Vec3 moment;
+    for (const auto& loop : loops) {
+        const Vec3 a = points[loop[0]] - apex;
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            const Vec3 b = points[loop[i]] - apex;
+            const Vec3 c = points[loop[i + 1]] - apex;
+            const double part = 0.5 * dot(cross(b - a, c - a), normal);
+            sum += part;
+            moment = moment + (part / 3.0) * (a + b + c);
+        }
+    }
+    centroid = sum > 0.0 ? apex + (1.0 / sum) * moment : apex;
+    return sum;
+}
+
+bool fits(const FlatFace& face, const Surface& surface, double most, double most_turn,
+          double* score) {
+    if (is_above_spindle(face, surface)) return false;
+    // In its middle, or, where that is off the surface (of a ring: the bottom of a round groove),
+    // at its corners: if these are on it, since of a floor between walls there may be thousands.
+    const auto [off_by, gradient] = off(surface.form, face.centroid);
+    const bool is_on = std::abs(off_by) <= most;
+    double turn =
+        is_on ? norm(face.normal - (surface.is_hollow ? -gradient : gradient)) : most_turn;
+    if (turn > most_turn) return false;
+    double farthest = 0.0;
+    const auto* cone = std::get_if<Cone>(&surface.form);
+    const double blunt = cone && !surface.is_hollow ? blunt_of(face, *cone, most) : 0.0;
+    for (const auto& loop : face.loops) {
+        for (const std::uint32_t v : loop) {
+            const Vec3 p = face.points[v];
+            const bool is_at_tip = blunt > 0.0 && norm(away(cone->apex, cone->axis, p)) < blunt;
+            const double here = is_at_tip ? std::max(most, blunt) : most;
+            const double off_here = std::abs(distance(surface.form, p));
+            farthest = std::max(farthest, std::min(off_here, most));
+            if (off_here > here) return false;
+            if (cone && dot(p - cone->apex, cone->axis) < -here) return false;
+        }
+    }
+    if (!is_on) turn = turn_at_corners(face, surface);
+    if (turn > most_turn || (!is_on && !has_edges_on(face, surface, most))) return false;
+    if (score) *score = turn + 0.1 * farthest / most;
+    return true;
+}
+
+const Candidate* best_of(const FlatFace& face, std::span<const Candidate> candidates, double error,
+                         double most_turn, double& best, bool with_envelopes) {
+    // What is flat and lies on a plane of the tool is that: ramps may be flatter than errors. A
+    // surface that the tool went along is preferred to one where it only stood, but beyond its end.
+    constexpr double kExact = -1.0, kAtRest = 0.05, kBeyond = 0.1, kNoLess = 1e-9;
+    const Candidate* chosen = nullptr;
+    const auto take = [&](const Candidate& candidate, double score) {
+        if (candidate.is_at_rest) score += kAtRest;
+        if (score >= best - kNoLess) return;
+        best = score;
+        chosen = &candidate;
+    };
+    for (const Candidate& candidate : candidates) {
+        if (std::holds_alternative<Plane>(candidate.surface.form) &&
+            fits(face, candidate.surface, kFlat, kLevel))
+            take(candidate, kExact);
+    }
+    if (chosen) return chosen;
+    // The score is no less than the turn: what turns away farther is not looked at any more. Those
+    // last on which points are looked for.
+    for (const bool are_moved : {false, true}) {
+        for (const Candidate& candidate : candidates) {
+            const Form& form = candidate.surface.form;
+            const bool is_coil = std::holds_alternative<Coil>(form);
+            const bool is_envelope = std::holds_alternative<Envelope>(form);
+            const bool is_moved = is_coil || is_envelope || std::holds_alternative<Dome>(form);
+            if (is_moved != are_moved || (is_envelope && !with_envelopes)) continue;
+            if (candidate.place && !candidate.place->overlaps({face.centroid, face.centroid}))
+                continue;
+            if (candidate.ends && (distance((*candidate.ends)[0], face.centroid) < 0.0 ||
+                                   distance((*candidate.ends)[1], face.centroid) >= 0.0))
+                continue;
+            double score = 0.0;
+            const double slack = is_coil                      ? kSlackOfCoils
+                                 : is_flank(form)             ? kSlackOfFlanks
+                                 : is_peak(candidate.surface) ? kSlackOfPeaks
+                                                              : kSlack;
+            if (!fits(face, candidate.surface, slack * error, std::min(most_turn, best), &score))
+                continue;
+            const double beyond = is_moved ? beyond_end(form, face.centroid) : 0.0;
+            if (beyond > farthest_beyond(form, error)) continue;
+            const bool is_before = beyond > 0.0 && is_of_turning_tool(form);
+            take(candidate, is_before ? score + kBeyond : score);
+        }
+    }
+    return chosen;
+}
+
+}  // namespace ncsim::brep

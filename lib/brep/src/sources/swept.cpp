@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/swept.h"
+
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/toolpath/pose.h"
+#include "ncsim/trig/angles.h"
+
+#include "sources/ways.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using gcode::Position;
+using toolpath::Pose;
+using toolpath::ProfilePoint;
+
+// Lengths that are equal but for rounding, mm.
+constexpr double kEqual = 1e-9;
+// Of lines that rise by less for 1 mm, readers do not find points on the extruded circle.
+constexpr double kFlattest = 1e-3;
+// Facets of what a rim passes are no farther from it, mm.
+constexpr double kBesideRim = 0.5;
+
+// --- Profiles -----------------------------------------------------------------------------
+
+// A straight piece of a profile, from below: radius and height at both ends. Or a round one:
+// `fillet` about (radius, height).
+struct Element {
+    double radius = 0.0, height = 0.0, end_radius = 0.0, end_height = 0.0;
+    double fillet = 0.0;
+    double rise() const { return end_height - height; }
+    double widening() const { return end_radius - radius; }
+};
+
+struct Flat {
+    double r, h;
+};
+
+Flat direction(Flat a, Flat b) {
+    const double r = b.r - a.r, h = b.h - a.h;
+    const double length = std::sqrt(r * r + h * h);
+    return length > kEqual ? Flat{r / length, h / length} : Flat{0.0, 0.0};
+}
+
+std::vector<Element> elements_of(const toolpath::ToolPiece& piece) {
+    const auto& profile = piece.profile;
+    if (profile.empty()) return {};
+    std::vector<Flat> corners{{0.0, profile.front().height}};
+    for (const ProfilePoint& p : profile)
+        corners.push_back({p.radius, p.height});
+    corners.push_back({0.0, profile.back().height});
+    std::vector<Element> elements;
+    Flat at = corners.front();  // where the last element ends
+    const auto straight_to = [&](Flat end) {
+        if (std::abs(end.r - at.r) > kEqual || std::abs(end.h - at.h) > kEqual)
+            elements.push_back({at.r, at.h, end.r, end.h});
+        at = end;
+    };
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Flat corner = corners[i + 1];
+        const double rho = profile[i].fillet;
+        if (rho <= 0.0) {
+            straight_to(corner);
+            continue;
+        }
+        const Flat in = direction(corners[i], corner), out = direction(corner, corners[i + 2]);
+        const double turn = in.r * out.h - in.h * out.r;
+        const double tangent = rho * turn / (1.0 + in.r * out.r + in.h * out.h);
+        const Flat begin{corner.r - tangent * in.r, corner.h - tangent * in.h};
+        straight_to(begin);
+        elements.push_back({begin.r - rho * in.h, begin.h + rho * in.r, 0.0, 0.0, rho});
+        at = {corner.r + tangent * out.r, corner.h + tangent * out.h};
+    }
+    straight_to(corners.back());
+    return elements;
+}
+
+// --- Sweeps -------------------------------------------------------------------------------
+
+// Of so many as long as each other.
+RoundWay piece_of(const RoundWay& way, int i, int pieces) {
+    if (pieces == 1) return way;
+    const double width = way.swept / pieces, begin = i * width;
+    const auto angle = trig::sin_cos(begin / trig::kRadiansPerDegree);
+    RoundWay piece = way;
+    piece.centre = way.centre + (way.lead * begin) * way.about;
+    piece.ahead = angle.cos * way.ahead + angle.sin * cross(way.about, way.ahead);
+    piece.reach = way.reach + way.growth * begin;
+    piece.swept = width;
+    return piece;
+}
+
+class Sweeps {
+public:
+    explicit Sweeps(std::vector<Candidate>& into) : into_(&into) {}
+
+    void set_at_rest(bool at_rest) { at_rest_ = at_rest; }
+
+    /// Where all that is added is, but for planes; and what is not at rest, along the way.
+    void set_place(const std::optional<cda::Box>& place,
+                   const std::optional<std::array<Plane, 2>>& ends) {
+        place_ = place;
+        ends_ = ends;
+    }
+
+    /// Something of the motion has no surface here.
+    bool leaves_unknown() const { return leaves_unknown_; }
+    void leave_unknown() { leaves_unknown_ = true; }
+
+    /// By how many times what chords are off facets may be.
+    double chords() const { return chords_; }
+
+    // The piece where it stands, as far as it looks that way.
+    void rest(const Element& e, Vec3 tip, Vec3 axis) {
+        const Vec3 at = tip + e.height * axis;
+        if (e.fillet > 0.0) {
+            tube(at, axis, e.radius, e.fillet);
+        } else if (std::abs(e.rise()) <= kEqual) {
+            disc(e, at, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            add(Cylinder{at, axis, e.radius});
+        } else {
+            cone(at, axis, e.radius, e.widening() / e.rise());
+        }
+    }
+
+    void line(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        const bool is_level = std::abs(along) <= kEqual;
+        const Vec3 at = tip + e.height * axis;
+        const Vec3 side = normalized(cross(axis, d));
+        if (norm(cross(axis, d)) <= kEqual) {
+            // Along the axis: what the tool itself leaves, but for the end that it leaves last.
+            rest(e, tip, axis);
+        } else if (e.fillet > 0.0) {
+            if (e.radius <= kEqual) {
+                add(Cylinder{at, d, e.fillet});
+            } else if (is_level) {
+                for (const double sign : {-1.0, 1.0})
+                    add(Cylinder{at + (sign * e.radius) * side, d, e.fillet});
+            } else {
+                envelope(e, StraightWay{tip, d, axis});
+            }
+        } else if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, at, axis);
+        } else {
+            slopes(e, at, axis, side, d);
+        }
+    }
+
+    // The corner in which a piece starts, on a line askew.
+    void rim(const Element& e, Vec3 tip, Vec3 axis, Vec3 d) {
+        const double along = dot(d, axis);
+        if (e.radius <= kEqual || std::abs(along) <= kFlattest || norm(cross(axis, d)) <= kEqual)
+            return;
+        add(Extrusion{tip + e.height * axis, axis, along > 0.0 ? d : -d, e.radius});
+    }
+
+    // About `centre`, at the height of the tip, at `reach` from it.
+    void arc(const Element& e, const RoundWay& way, bool is_level) {
+        const Vec3 axis = way.axis, at = way.centre + e.height * axis;
+        const double reach = way.reach;
+        if (e.fillet > 0.0) {
+            if (!is_level) return envelope(e, way);
+            // Farther around, the tip may be within a face.
+            const bool is_at_most_half = std::abs(way.swept) <= std::numbers::pi + kEqual;
+            tube(at, axis, reach + e.radius, e.fillet, is_at_most_half);
+            if (e.radius > kEqual && reach > e.radius)
+                tube(at, axis, reach - e.radius, e.fillet, is_at_most_half);
+        } else if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, at, axis);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            add(Cylinder{at, axis, reach + e.radius});
+            if (reach > e.radius + kEqual) {
+                add(Cylinder{at, axis, reach - e.radius}, false);
+                if (!is_level) go_down_beside(reach, e.radius);
+            }
+        } else if (is_level) {
+            const double slope = e.widening() / e.rise();
+            cone(at, axis, reach + e.radius, slope);
+            if (reach > e.radius) cone(at, axis, reach - e.radius, -slope, false);
+        } else {
+            leave_unknown();
+        }
+    }
+
+    // What is straight, on any way on which the tool turns.
+    void flank(const Element& e, const TurningWay& way) {
+        const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
+        if (e.rise() <= kEqual) {
+            // Nothing is cut by what closes the profile above.
+            const Fillet edge{e.end_radius, e.end_height, 0.0};
+            const bool is_unknown =
+                e.widening() > 0.0 ? !has_across(Sweep(edge, way)) : e.rise() < -kEqual;
+            if (is_unknown) leave_unknown();
+            return;
+        }
+        // On both sides of the way of a tip it would be one surface with an edge in it.
+        if (e.radius <= kEqual) return leave_unknown();
+        auto sweep = std::make_shared<Sweep>(
+            Flank{e.radius, e.height, e.rise() / length, -e.widening() / length, length}, way);
+        if (!has_across(*sweep)) return leave_unknown();
+        if (walls(*sweep)) return;
+        add(Envelope{std::move(sweep)});
+    }
+
+    // What is round about a circle, on any way. Where that comes back to itself, what it leaves
+    // last touches the tool where it ends, and what it left first crosses it there: these are
+    // apart, as halves of turns.
+    void envelope(const Element& e, const ToolWay& way) {
+        const auto* turning = std::get_if<TurningWay>(&way);
+        if (turning && e.fillet <= 0.0) return flank(e, *turning);
+        if (e.fillet <= 0.0) return leave_unknown();
+        constexpr double kTurn = 2.0 * std::numbers::pi, kNearlyBack = 0.7;
+        const auto* round = std::get_if<RoundWay>(&way);
+        const double turns = round ? std::abs(round->swept) / kTurn : 0.0;
+        const int pieces = turns > kNearlyBack ? static_cast<int>(std::ceil(2.0 * turns)) : 1;
+        // Of many turns the side leaves what is between the ends, as a rule, and each of them
+        // costs.
+        constexpr int kEnds = 4;
+        if (pieces > 2 * kEnds) leave_unknown();
+        for (int i = 0; i < pieces; ++i) {
+            if (i >= kEnds && i < pieces - kEnds) continue;
+            const ToolWay piece = round ? ToolWay(piece_of(*round, i, pieces)) : way;
+            auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, e.fillet}, piece);
+            if (!has_across(*sweep)) return leave_unknown();
+            add(Envelope{std::move(sweep)});
+        }
+    }
+
+    // The corner in which a side starts, on any way on which the tool turns.
+    void rim(const Element& e, const TurningWay& way) {
+        if (e.radius <= kEqual || e.rise() <= kEqual) return;
+        auto sweep = std::make_shared<Sweep>(Fillet{e.radius, e.height, 0.0}, way);
+        if (!has_across(*sweep)) return leave_unknown();
+        add(Envelope{std::move(sweep)});
+    }
+
+    // The same where both ends of the arc are not as far from the centre. `left` is half of what it
+    // leaves of a turn, radians.
+    void spiral(const Element& e, const Spiral& way, double left, Vec3 axis, bool is_level) {
+        if (std::abs(e.rise()) <= kEqual) {
+            if (is_level) disc(e, way.centre + e.height * axis, axis);
+        } else if (std::abs(e.widening()) > kEqual) {
+            leave_unknown();
+        } else {
+            const double least = way.reach - std::numbers::pi * std::abs(way.lead);
+            // Where its ends are near each other, what lies beside the one lies beside the other.
+            constexpr double kFew = 5.0 * trig::kRadiansPerDegree;
+            if (left < kFew && left * least < 2.0 * e.radius) return leave_unknown();
+            Spiral wall = way;
+            wall.offset = e.radius;
+            add(wall);
+            wall.offset = -e.radius;
+            // Nearer to the centre it has a cusp.
+            constexpr double kLeastBend = 0.05;
+            if (least > (1.0 + kLeastBend) * e.radius) add(wall, false);
+        }
+    }
+
+    // The same on a helix.
+    void rim_around(const Element& e, const RoundWay& way, double lead) {
+        if (e.radius <= kEqual || way.reach <= kEqual || std::abs(lead) <= kEqual) return;
+        const Vec3 start = way.centre + e.height * way.axis;
+        add(Coil{start, way.axis, way.ahead, way.reach, e.radius, lead});
+        // Its other turns pass near whatever is level.
+        Vec3 beyond;
+        for (int i = 0; i < 3; ++i) {
+            const double level = std::sqrt(std::max(0.0, 1.0 - way.axis[i] * way.axis[i]));
+            beyond[i] = (way.reach + e.radius) * level + kBesideRim;
+        }
+        cda::Box box;
+        for (const Vec3 end : {start, start + (way.lead * way.swept) * way.about}) {
+            box.add(end + beyond);
+            box.add(end - beyond);
+        }
+        into_->back().place = box;
+    }
+
+    // The same on an arc about an axis across the tool's.
+    void rim_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+        if (e.radius <= kEqual || reach <= kEqual || std::abs(dot(about, axis)) > kEqual) return;
+        for (const double sign : {-1.0, 1.0})
+            add(Dome{centre + e.height * axis, axis, sign * cross(about, axis), reach, e.radius});
+    }
+
+    // A flat end where such an arc is level: at the bottom of a dip.
+    void level_across(const Element& e, Vec3 centre, Vec3 axis, double reach) {
+        if (e.fillet > 0.0 || std::abs(e.rise()) > kEqual) return;
+        disc(e, centre + (e.height + (e.widening() > 0.0 ? -reach : reach)) * axis, axis);
+    }
+
+    // About an axis across the tool's: of its sides, which it passes upright.
+    void arc_across(const Element& e, Vec3 centre, Vec3 axis, Vec3 about, double reach) {
+        if (e.fillet > 0.0) {
+            tube(centre + e.height * axis, about, reach, e.fillet);
+        } else if (std::abs(e.widening()) <= kEqual) {
+            for (const double sign : {-1.0, 1.0})
+                add(Plane{centre + (sign * e.radius) * about, -sign * about}, false);
+        } else if (std::abs(e.rise()) > kEqual) {
+            leave_unknown();
+        }
+    }
+
+private:
+    // One pose of a helix and the next one, which is lower, leave a ledge between them on the wall
+    // that they turn around: as wide as two circles are apart beside where they touch.
+    void go_down_beside(double reach, double radius) {
+        constexpr double kMost = 16.0;
+        chords_ = std::min(4.0 * reach * (1.0 / (reach - radius) + 1.0 / radius), kMost);
+    }
+
+    // Where the tool turns in the plane of its way, what is upright leaves planes.
+    bool walls(const Sweep& sweep) {
+        const Flank& side = *sweep.flank();
+        const Passage& start = sweep.samples().front();
+        const Vec3 low = cross(start.speed, start.axis), turned = cross(start.turn, start.axis);
+        const Vec3 n = normalized(norm(turned) > kEqual ? turned : low);
+        const auto is_across = [&](const Passage& at) {
+            return std::abs(dot(at.axis, n)) <= kEqual &&
+                   std::abs(dot(at.tip - start.tip, n)) <= kEqual;
+        };
+        if (std::abs(side.sine) > kEqual || !std::ranges::all_of(sweep.samples(), is_across))
+            return false;
+        for (const double sign : {-1.0, 1.0})
+            add(Plane{start.tip + (sign * side.radius) * n, -sign * n});
+        return true;
+    }
+
+    void add(const Form& form, bool is_hollow = true) {
+        const bool is_plane = std::holds_alternative<Plane>(form);
+        into_->push_back({{form, is_hollow && !is_plane}, at_rest_});
+        if (is_plane) return;
+        into_->back().place = place_;
+        if (!at_rest_) into_->back().ends = ends_;
+    }
+
+    // What closes the profile below looks down, above up; the material is on the other side.
+    void disc(const Element& e, Vec3 at, Vec3 axis) {
+        add(Plane{at, e.widening() > 0.0 ? axis : -axis});
+    }
+
+    void tube(Vec3 centre, Vec3 axis, double major, double minor, bool may_be_spindle = false) {
+        // About as thick as wide, it comes to tips that nobody can tell from each other.
+        constexpr double kLeastApart = 0.01;
+        const Torus torus{centre, axis, major, minor};
+        if (major <= kEqual) {
+            add(Sphere{centre, minor});
+        } else if (!is_spindle(torus) || (may_be_spindle && major < minor * (1.0 - kLeastApart))) {
+            add(torus);
+        } else if (!at_rest_) {
+            leave_unknown();
+        }
+    }
+
+    // Through the circle of `radius` about `at`.
+    void cone(Vec3 at, Vec3 axis, double radius, double slope, bool is_hollow = true) {
+        const Vec3 apex = at - (radius / slope) * axis;
+        add(Cone{apex, slope > 0.0 ? axis : -axis, std::abs(slope)}, is_hollow);
+    }
+
+    // The planes that touch the side along two of its rulings, and hold the direction of the way.
+    void slopes(const Element& e, Vec3 at, Vec3 axis, Vec3 side, Vec3 d) {
+        const double length = std::sqrt(e.rise() * e.rise() + e.widening() * e.widening());
+        const double up = e.rise() / length, out = e.widening() / length;
+        const Vec3 ahead = cross(side, axis);
+        const double cosine = out * dot(d, axis) / (up * dot(d, ahead));
+        if (std::abs(cosine) >= 1.0) return;
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 towards = cosine * ahead + (sign * sine) * side;
+            add(Plane{at + e.radius * towards, -(up * towards - out * axis)});
+        }
+    }
+
+    std::vector<Candidate>* into_;
+    bool at_rest_ = false;
+    std::optional<cda::Box> place_;
+    std::optional<std::array<Plane, 2>> ends_;
+    bool leaves_unknown_ = false;
+    double chords_ = 1.0;
+};
+
+// A piece of the profile on an arc.
+void sweep_arc(Sweeps& sweeps, const Element& e, bool is_corner, const ArcWay& way, Vec3 axis) {
+    const double along = std::abs(dot(way.about, axis));
+    const bool is_about = along > 1.0 - kEqual, is_across = along <= kEqual;
+    const bool is_ball = e.fillet > 0.0 && e.radius <= kEqual;
+    const RoundWay round{way.centre, way.about, way.ahead, way.start,
+                         way.growth, way.rise,  way.swept, axis};
+    if (way.spiral && is_about && e.fillet <= 0.0) {
+        sweeps.spiral(e, *way.spiral, way.left, axis, way.is_level);
+    } else if (way.spiral) {
+        sweeps.envelope(e, round);
+    } else if (is_about) {
+        sweeps.arc(e, round, way.is_level);
+        if (is_corner && !way.is_level) sweeps.rim_around(e, round, way.rise);
+    } else if (way.is_level && (is_ball || e.fillet <= 0.0)) {
+        sweeps.arc_across(e, way.centre, axis, way.about, way.radius);
+        if (is_across) sweeps.level_across(e, way.fitted, axis, way.fitted_radius);
+        if (is_corner) sweeps.rim_across(e, way.fitted, axis, way.about, way.fitted_radius);
+    } else {
+        sweeps.envelope(e, round);
+    }
+}
+
+// A piece of the profile along a spline. What each arc leaves is near it.
+void sweep_spline(Sweeps& sweeps, const Element& e, bool is_corner,
+                  const std::vector<SplineWay>& ways, Vec3 axis) {
+    const double wide = std::max(e.radius, e.end_radius) + e.fillet + kBesideRim;
+    for (const SplineWay& way : ways) {
+        cda::Box box;
+        for (const double height : {e.height, e.end_height}) {
+            for (const Vec3 corner : {way.box.min, way.box.max}) {
+                box.add(corner + height * axis + Vec3{wide, wide, wide});
+                box.add(corner + height * axis - Vec3{wide, wide, wide});
+            }
+        }
+        sweeps.set_place(box, way.ends);
+        sweeps.set_at_rest(false);
+        if (way.arc) {
+            sweep_arc(sweeps, e, is_corner, *way.arc, axis);
+        } else {
+            sweeps.line(e, way.from, axis, normalized(way.to - way.from));
+        }
+        sweeps.set_at_rest(true);
+        if (way.begins_in_corner) sweeps.rest(e, way.from, axis);
+    }
+    sweeps.set_place({}, {});
+}
+
+// Of a line, unit. Programs round where a tool ends that goes along its axis.
+Vec3 direction_of(Vec3 way, Vec3 axis) {
+    constexpr double kMostBeside = 2e-3, kSteep = 1e-3;  // mm; of the length
+    const double beside = norm(cross(axis, way));
+    if (beside <= kMostBeside && beside <= kSteep * norm(way))
+        return dot(axis, way) < 0.0 ? -axis : axis;
+    return normalized(way);
+}
+
+}  // namespace
+
+Source surfaces_of(const gcode::Motion& motion, const toolpath::Tool& tool,
+                   const toolpath::Kinematics* told) {
+    Source source;
+    const Position* from = gcode::start_of(motion);
+    const Position* to = gcode::end_of(motion);
+    if (!from || !to) return source;
+    const toolpath::Poses poses(told, motion);
+    const Pose start = poses.at(*from), end = poses.at(*to);
+    // Turns of a tool about itself let it go straight where its tip is told.
+    const bool turns = poses.of_tip() ? start.rows != end.rows : !is_still(*from, *to);
+    const Vec3 axis = axis_of(start);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    std::optional<ArcWay> way;
+    if (arc) way = way_of(*arc, poses);
+    std::optional<TurningWay> turning;
+    if (turns) turning = turning_way_of(motion, poses);
+    std::vector<SplineWay> spline;
+    if (const auto* curve = std::get_if<gcode::Spline>(&motion.what); curve && !turns)
+        spline = ways_of(*curve, poses);
+    if (!spline.empty()) source.beside_mm = kBesideSpline;
+    Sweeps sweeps(source.candidates);
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        const std::vector<Element> elements = elements_of(piece);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const Element& e = elements[i];
+            const bool is_corner = i > 0 && e.fillet <= 0.0 && elements[i - 1].fillet <= 0.0;
+            sweeps.set_at_rest(false);
+            if (way) {
+                sweep_arc(sweeps, e, is_corner, *way, axis);
+            } else if (!spline.empty()) {
+                sweep_spline(sweeps, e, is_corner, spline, axis);
+            } else if (turning) {
+                sweeps.envelope(e, *turning);
+                if (is_corner) sweeps.rim(e, *turning);
+            } else if (turns || !std::holds_alternative<gcode::Linear>(motion.what)) {
+                sweeps.leave_unknown();
+            } else if (start.translation != end.translation) {
+                const Vec3 d = direction_of(end.translation - start.translation, axis);
+                sweeps.line(e, start.translation, axis, d);
+                if (is_corner) sweeps.rim(e, start.translation, axis, d);
+            }
+            sweeps.set_at_rest(true);
+            sweeps.rest(e, start.translation, axis);
+            sweeps.rest(e, end.translation, axis_of(end));
+        }
+    }
+    source.leaves_unknown = sweeps.leaves_unknown();
+    const bool is_straight = !turns && std::holds_alternative<gcode::Linear>(motion.what);
+    source.chords = is_straight ? 0.0 : sweeps.chords();
+    return source;
+}
+
+std::vector<Candidate> surfaces_of(const toolpath::Stock& stock) {
+    std::vector<Candidate> candidates;
+    if (stock.shape) return candidates;
+    for (int i = 0; i < 3; ++i) {
+        if (stock.is_round && i != stock.axis) continue;
+        Vec3 n;
+        n[i] = 1.0;
+        candidates.push_back({{Plane{stock.box.max, n}, false}, false});
+        candidates.push_back({{Plane{stock.box.min, -n}, false}, false});
+    }
+    if (stock.is_round) {
+        Vec3 axis;
+        axis[stock.axis] = 1.0;
+        const double radius = 0.5 * stock.box.size()[(stock.axis + 1) % 3];
+        candidates.push_back({{Cylinder{stock.box.centre(), axis, radius}, false}, false});
+    }
+    return candidates;
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sources/ways.h"
+
+#include "ncsim/toolpath/pose.h"
+#include "ncsim/toolpath/spline_arcs.h"
+#include "ncsim/trig/angles.h"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+using gcode::Position;
+using toolpath::Pose;
+
+// What is 1, or 0, but for rounding.
+constexpr double kUnit = 1e-9;
+// Programs round: an arc may end so much nearer to its centre than it starts.
+constexpr double kMostSpiral = 4e-3;
+
+// Nor do U, V and W, which stand at 0.
+bool is_plain(const Position& from, const Position& to) {
+    const auto is_at_0 = [](const Position& p) {
+        return p.u == gcode::Length() && p.v == gcode::Length() && p.w == gcode::Length();
+    };
+    return is_still(from, to) && is_at_0(from) && is_at_0(to);
+}
+
+// As X, Y and Z are told, seen from W, with the rotary axes as they stand at `p`. Nothing where the
+// linear axes are not at right angles then.
+std::optional<Pose> frame_of(const toolpath::Poses& poses, Position p) {
+    Pose X_WP;
+    p.x = p.y = p.z = gcode::Length();
+    X_WP.translation = poses.at(p).translation;
+    std::array<Vec3, 3> columns;
+    for (std::size_t i = 0; i < 3; ++i) {
+        Position unit = p;
+        unit.*(std::array{&Position::x, &Position::y, &Position::z}[i]) =
+            gcode::Length::from_mm(1.0);
+        columns[i] = poses.at(unit).translation - X_WP.translation;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        X_WP.rows[i] = {columns[0][axis], columns[1][axis], columns[2][axis]};
+        if (std::abs(norm(columns[i]) - 1.0) > kUnit ||
+            std::abs(dot(columns[i], columns[(i + 1) % 3])) > kUnit)
+            return std::nullopt;
+    }
+    return X_WP;
+}
+
+Pose pose_of(const gcode::FeatureFrame& frame) {
+    Pose X_WF;
+    const auto at = [&](double x, double y, double z) {
+        const gcode::Triple p = frame.outward({x, y, z});
+        return Vec3{p[0], p[1], p[2]};
+    };
+    X_WF.translation = at(0, 0, 0);
+    const Vec3 x = at(1, 0, 0) - X_WF.translation, y = at(0, 1, 0) - X_WF.translation,
+               z = at(0, 0, 1) - X_WF.translation;
+    X_WF.rows = {{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}};
+    return X_WF;
+}
+
+// How far apart, but for one coordinate.
+double norm_across(Vec3 p, Vec3 q, int left_out) {
+    Vec3 v = p - q;
+    v[left_out] = 0.0;
+    return norm(v);
+}
+
+// In the coordinates in which it is told.
+std::optional<ArcWay> way_of(const gcode::Arc& arc) {
+    constexpr std::array<std::array<int, 3>, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
+    const auto plane = static_cast<std::size_t>(arc.plane);
+    if (plane >= kAxes.size()) return std::nullopt;
+    const auto [first, second, third] = kAxes[plane];
+    const Vec3 from = toolpath::linear_axes(arc.from), to = toolpath::linear_axes(arc.to);
+    ArcWay way;
+    way.centre = from;
+    way.centre[first] = arc.centre_1.mm();
+    way.centre[second] = arc.centre_2.mm();
+    way.about[third] = 1.0;
+    const auto radius = [&](Vec3 p) {
+        const double x = p[first] - way.centre[first], y = p[second] - way.centre[second];
+        return std::sqrt(x * x + y * y);
+    };
+    way.radius = 0.5 * (radius(from) + radius(to));
+    way.fitted = way.centre;
+    Vec3 chord = to - from;
+    chord[third] = 0.0;
+    // Along the chord: programs round both, and what is a micrometre higher where the way is level
+    // is far to the side.
+    if (const double square = dot(chord, chord); square > kUnit) {
+        const Vec3 middle = 0.5 * (from + to);
+        way.fitted = way.centre - (dot(way.centre - middle, chord) / square) * chord;
+    }
+    way.fitted_radius =
+        0.5 * (norm_across(from, way.fitted, third) + norm_across(to, way.fitted, third));
+    way.is_level = std::abs(from[third] - to[third]) <= kUnit;
+    const auto level = [&](Vec3 p) {
+        Vec3 v = p - way.centre;
+        v[third] = 0.0;
+        return normalized(v);
+    };
+    way.ahead = level(from);
+    const Vec3 end = level(to);
+    double swept = trig::angle_of(dot(end, way.ahead), dot(end, cross(way.about, way.ahead)));
+    constexpr double kNoAngle = 1e-7, kTurn = 360.0;
+    const bool is_left = arc.turns > 0;
+    if (is_left && swept <= kNoAngle) swept += kTurn;
+    if (!is_left && swept >= -kNoAngle) swept -= kTurn;
+    swept += kTurn * static_cast<double>(is_left ? arc.turns - 1 : arc.turns + 1);
+    way.swept = swept * trig::kRadiansPerDegree;
+    way.rise = (to[third] - from[third]) / way.swept;
+    way.start = way.radius;
+    const double growth = radius(to) - radius(from);
+    if (std::abs(growth) <= kMostSpiral) return way;
+    constexpr double kMostGrowth = 0.2;
+    const double lead = growth / (swept * trig::kRadiansPerDegree);
+    if (std::abs(swept) > kTurn || std::abs(lead) > kMostGrowth * way.radius) return std::nullopt;
+    way.start = radius(from);
+    way.growth = lead;
+    way.left = 0.5 * (kTurn - std::abs(swept)) * trig::kRadiansPerDegree;
+    const auto middle = trig::sin_cos(0.5 * swept);
+    const Vec3 ahead = middle.cos * way.ahead + middle.sin * cross(way.about, way.ahead);
+    way.spiral = Spiral{way.centre, way.about, normalized(ahead), way.radius, lead, 0.0};
+    return way;
+}
+
+// All axes; before the start and beyond the end, too.
+Position in_step(const Position& from, const Position& to, double t) {
+    const auto length = [t](gcode::Length p, gcode::Length q) {
+        return gcode::Length::from_mm(p.mm() + t * (q.mm() - p.mm()));
+    };
+    const auto angle = [t](gcode::Angle p, gcode::Angle q) {
+        return gcode::Angle::from_degrees(p.degrees() + t * (q.degrees() - p.degrees()));
+    };
+    return {length(from.x, to.x), length(from.y, to.y), length(from.z, to.z),
+            angle(from.a, to.a),  angle(from.b, to.b),  angle(from.c, to.c),
+            length(from.u, to.u), length(from.v, to.v), length(from.w, to.w)};
+}
+
+}  // namespace
+
+bool is_still(const Position& from, const Position& to) {
+    return from.a == to.a && from.b == to.b && from.c == to.c;
+}
+
+std::optional<ArcWay> way_of(const gcode::Arc& arc, const toolpath::Poses& poses) {
+    if (!is_plain(arc.from, arc.to)) return std::nullopt;
+    auto X_WP = frame_of(poses, arc.from);
+    std::optional<ArcWay> way = X_WP ? way_of(gcode::in_own_frame(arc)) : std::nullopt;
+    if (!way) return std::nullopt;
+    if (arc.tilted) X_WP = *X_WP * pose_of(*arc.tilted);
+    if (X_WP->rows == Pose().rows && X_WP->translation == Vec3{}) return way;
+    const Pose turn{X_WP->rows, {}};
+    way->centre = *X_WP * way->centre;
+    way->fitted = *X_WP * way->fitted;
+    way->about = turn * way->about;
+    way->ahead = turn * way->ahead;
+    if (way->spiral) {
+        way->spiral->centre = *X_WP * way->spiral->centre;
+        way->spiral->axis = turn * way->spiral->axis;
+        way->spiral->ahead = turn * way->spiral->ahead;
+    }
+    return way;
+}
+
+std::vector<SplineWay> ways_of(const gcode::Spline& spline, const toolpath::Poses& poses) {
+    if (!is_plain(spline.from, spline.to)) return {};
+    const auto X_WP = frame_of(poses, spline.from);
+    if (!X_WP) return {};
+    const Pose turn{X_WP->rows, {}};
+    std::vector<SplineWay> ways;
+    for (const toolpath::SplinePiece& piece : toolpath::arcs_of(spline, kBesideSpline)) {
+        SplineWay way{*X_WP * piece.from, *X_WP * piece.to, {}, {}, {}, piece.begins_in_corner};
+        way.ends = {Plane{way.from, normalized(way.to - way.from)},
+                    Plane{way.to, normalized(way.to - way.from)}};
+        way.box.add(way.from);
+        way.box.add(way.to);
+        if (piece.radius > 0.0) {
+            ArcWay arc;
+            arc.centre = arc.fitted = *X_WP * piece.centre;
+            arc.about = turn * Vec3{0.0, 0.0, 1.0};
+            arc.radius = arc.fitted_radius = arc.start = piece.radius;
+            arc.ahead = normalized(way.from - arc.centre);
+            arc.swept = piece.swept_degrees * trig::kRadiansPerDegree;
+            const Vec3 side = cross(arc.about, arc.ahead);
+            for (const double share : {0.25, 0.5, 0.75}) {
+                const auto angle = trig::sin_cos(share * piece.swept_degrees);
+                way.box.add(arc.centre + piece.radius * (angle.cos * arc.ahead + angle.sin * side));
+            }
+            const auto direction = [&](Vec3 p) {
+                const Vec3 left = normalized(cross(arc.about, p - arc.centre));
+                return arc.swept > 0.0 ? left : -left;
+            };
+            way.ends = {Plane{way.from, direction(way.from)}, Plane{way.to, direction(way.to)}};
+            way.arc = arc;
+        }
+        ways.push_back(std::move(way));
+    }
+    return ways;
+}
+
+std::optional<TurningWay> turning_way_of(const gcode::Motion& motion,
+                                         const toolpath::Poses& poses) {
+    const auto* line = std::get_if<gcode::Linear>(&motion.what);
+    if (!line) return std::nullopt;
+    return turning_way([&](double t) {
+        const Pose pose = poses.at(in_step(line->from, line->to, t));
+        return TipAndAxis{pose.translation, axis_of(pose)};
+    });
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/axes.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ncsim::brep {
+
+using cda::cross;
+using cda::dot;
+using cda::normalized;
+
+Local local_on(const Dome& dome, const Axes& axes, Vec3 p) {
+    const DomePlace place = place_on(dome, p);
+    Local local = axes(axes.origin + (p - dome.centre - dome.reach * place.up));
+    local.z = dome.reach * place.degrees() * trig::kRadiansPerDegree;
+    return local;
+}
+
+double cut_of(const Part& part, const Face& face, const Axes& axes, const Torus& torus) {
+    const double major = torus.major, minor = torus.minor;
+    if (is_spindle(torus))
+        return trig::angle_of(-major, -std::sqrt(std::max(0.0, minor * minor - major * major)));
+    constexpr int kSteps = 32;
+    struct Angle {
+        double degrees;
+        int inwards;  // which way the face goes on: 1 to greater angles, -1 to smaller ones
+        bool operator<(const Angle& o) const { return degrees < o.degrees; }
+    };
+    std::vector<Angle> angles;
+    for_edges(part, face, [&](const Track& track, double sign) {
+        for (int i = 0; i <= kSteps; ++i) {
+            const double t = static_cast<double>(i) / kSteps;
+            const Vec3 at = track.at(t);
+            const Local p = axes(at);
+            const Vec3 n = outward(face.surface, at);
+            const Vec3 away = (1.0 / p.away) * (p.x * axes.x + p.y * axes.y);
+            const Vec3 around = p.z * away - (p.away - major) * axes.z;
+            const double inwards =
+                -dot(normalized(around), normalized(sign * cross(n, track.derivative(t))));
+            constexpr double kAcross = 0.9;
+            angles.push_back({trig::angle_of(p.away - major, p.z), inwards > kAcross    ? 1
+                                                                   : inwards < -kAcross ? -1
+                                                                                        : 0});
+        }
+    });
+    std::sort(angles.begin(), angles.end());
+    double widest = 0.0, cut = 0.0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const bool is_last = i + 1 == angles.size();
+        const Angle& next = angles[is_last ? 0 : i + 1];
+        const double gap = next.degrees + (is_last ? 360.0 : 0.0) - angles[i].degrees;
+        if (gap <= widest || angles[i].inwards > 0 || next.inwards < 0) continue;
+        widest = gap;
+        cut = angles[i].degrees + 0.5 * gap;
+    }
+    return cut > 180.0 ? cut - 360.0 : cut;
+}
+
+double degrees_from(double cut, const Torus& torus, const Local& p) {
+    constexpr double kTurn = 360.0, kQuarter = 90.0;
+    const double degrees = trig::angle_of(p.away - torus.major, p.z) - cut;
+    if (!is_spindle(torus)) return degrees < 0.0 ? degrees + kTurn : degrees;
+    return std::max(0.0, degrees < -kQuarter ? degrees + kTurn : degrees);
+}
+
+}  // namespace ncsim::brep

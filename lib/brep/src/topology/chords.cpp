@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "topology/chords.h"
+
+#include "topology/halves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+using cda::norm;
+
+// How deep a chord is that a reader may draw, mm.
+constexpr double kChordDepth = 0.02;
+
+// An edge as a circle or an ellipse: its middle, and how far it comes from there.
+struct Arc {
+    Vec3 centre;
+    double reach;
+};
+
+std::optional<Arc> arc_of(const Curve& curve) {
+    if (const auto* circle = std::get_if<Circle>(&curve))
+        return Arc{circle->centre, circle->radius};
+    if (const auto* ellipse = std::get_if<Ellipse>(&curve))
+        return Arc{ellipse->centre, ellipse->major_radius};
+    return std::nullopt;
+}
+
+// Where a track is nearest to a point, if that is inside of it.
+std::optional<double> nearest_inside(const Track& track, Vec3 p) {
+    const auto ahead = [&](double t) {
+        const Track::Step step = track.step(t);
+        return dot(p - step.at, step.derivative);
+    };
+    std::optional<double> best;
+    double least = 0.0;
+    for (std::size_t i = 0; i < track.pieces(); ++i) {
+        double low = track.start_of(i), high = track.start_of(i + 1);
+        if (ahead(low) <= 0.0 || ahead(high) >= 0.0) continue;
+        constexpr int kTimes = 50;
+        for (int k = 0; k < kTimes; ++k) {
+            const double middle = 0.5 * (low + high);
+            (ahead(middle) > 0.0 ? low : high) = middle;
+        }
+        const double off = norm(track.at(low) - p);
+        if (best && off >= least) continue;
+        best = low;
+        least = off;
+    }
+    return best;
+}
+
+// Of the corners of a plane, by their places along an axis.
+class CornersOfPlane {
+public:
+    CornersOfPlane(const Part& part, const Face& face) : part_(part) {
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const Edge& edge = part.edges[use.edge];
+                corners_.push_back(use.is_forward ? edge.from : edge.to);
+            }
+        }
+        std::ranges::sort(corners_, {}, [&](std::uint32_t v) { return part.vertices[v].x; });
+    }
+
+    // Where the arc is to end beside one of them.
+    std::optional<double> place_on(const Edge& edge, const Arc& arc) const {
+        const Track track(edge.curve, part_.vertices[edge.from], part_.vertices[edge.to]);
+        const double reach = arc.reach + kChordDepth;
+        const auto first =
+            std::ranges::lower_bound(corners_, arc.centre.x - reach, {},
+                                     [&](std::uint32_t v) { return part_.vertices[v].x; });
+        for (auto v = first; v != corners_.end(); ++v) {
+            const Vec3 p = part_.vertices[*v];
+            if (p.x > arc.centre.x + reach) break;
+            if (*v == edge.from || *v == edge.to) continue;
+            if (const auto at = place_beside(track, arc, p)) return at;
+        }
+        return std::nullopt;
+    }
+
+private:
+    // Is a chord of it as deep as the corner, or deeper?
+    static std::optional<double> place_beside(const Track& track, const Arc& arc, Vec3 corner) {
+        if (norm(corner - arc.centre) > arc.reach) return std::nullopt;
+        const auto at = nearest_inside(track, corner);
+        if (!at) return std::nullopt;
+        const Vec3 foot = track.at(*at), in = corner - foot;
+        const Vec3 before = track.at(0.0) - foot, after = track.at(1.0) - foot;
+        // Nearer to an end than that, they are one with it.
+        constexpr double kEnd = 1e-3, kAsDeep = 0.5;
+        const double nearer = std::min(norm(before), norm(after));
+        const double off = norm(in);
+        if (off > kChordDepth || nearer < kEnd || dot(in, arc.centre - foot) <= 0.0)
+            return std::nullopt;
+        // The chord of the arc as a whole lies so deep below the foot.
+        const Vec3 along = cda::normalized(after - before);
+        const double depth = norm(before - dot(before, along) * along);
+        const bool is_long = track.sweep_degrees() > 90.0;
+        if (!is_long && depth < kAsDeep * off) return std::nullopt;
+        return at;
+    }
+
+    const Part& part_;
+    std::vector<std::uint32_t> corners_;
+};
+
+// True: it has divided one.
+bool divide_once(Part& part) {
+    bool any = false;
+    Halving halving(part);
+    for (const Face& face : part.faces) {
+        if (!std::holds_alternative<Plane>(face.surface.form)) continue;
+        std::optional<CornersOfPlane> corners;
+        for (const Loop& loop : face.loops) {
+            for (const EdgeUse& use : loop) {
+                const auto arc = arc_of(part.edges[use.edge].curve);
+                if (!arc) continue;
+                if (!corners) corners.emplace(part, face);
+                const auto at = corners->place_on(part.edges[use.edge], *arc);
+                any = (at && halving.halve(use.edge, *at)) || any;
+            }
+        }
+    }
+    halving.finish();
+    return any;
+}
+
+}  // namespace
+
+void divide_arcs_beside_corners(Part& part) {
+    // Of each corner there may be one such place on an arc.
+    constexpr int kMostTimes = 100;
+    for (int i = 0; i < kMostTimes && divide_once(part); ++i) {
+    }
+}
+
+}  // namespace ncsim::brep

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. How far does the face go, around the way and along it?
+//  2. In each knot the point, its derivatives both ways and the mixed one, by differences: a cubic
+//  patch of these between neighbours (Ferguson), all of them together a smooth spline.
+//  3. Pieces become longer or shorter by a share, as arcs do in cubics that meet them in the
+//  middle.
+//  4. Where it is too far off between knots, another one is put there, around or along, whichever
+//  way is worse. From 2 again.
+#include "topology/envelope_patch.h"
+
+#include "topology/around.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::dot;
+
+constexpr double kNearEnough = 1e-6;  // mm
+constexpr std::size_t kMostKnots = 400;
+
+// A point of the spline, and its derivatives.
+struct Bent {
+    Vec3 at, around, along, both;
+};
+
+// By differences that are right for polynomials of degree 4: of what is so many steps away.
+constexpr int kStepsAway = 2;
+template <typename At>
+Vec3 slope_of(const At& steps_away, double step) {
+    return (1.0 / (12.0 * step)) *
+           (8.0 * (steps_away(1) - steps_away(-1)) - (steps_away(2) - steps_away(-2)));
+}
+
+class PatchMaker {
+public:
+    PatchMaker(const Envelope& envelope, std::vector<double> around, std::vector<double> along)
+        : sweep_(*envelope.sweep),
+          envelope_(envelope),
+          around_(std::move(around)),
+          along_(std::move(along)),
+          step_around_(1e-4 * (around_.back() - around_.front())),
+          step_along_(1e-4 * (along_.back() - along_.front())) {}
+
+    Patch make() {
+        constexpr int kMostPasses = 12;
+        bend();
+        for (int pass = 0; pass < kMostPasses && refine(); ++pass)
+            bend();
+        return patch();
+    }
+
+private:
+    // At a time, and by steps before and after.
+    using Passages = std::array<Passage, 2 * kStepsAway + 1>;
+    Passages passages_at(double t) const {
+        Passages passages;
+        for (int i = -kStepsAway; i <= kStepsAway; ++i)
+            passages[static_cast<std::size_t>(i + kStepsAway)] = sweep_.at(t + i * step_along_);
+        return passages;
+    }
+
+    Bent bent(double across, const Passages& passages) const {
+        const auto point = [&](int ahead, int beside) {
+            return point_across(sweep_, passages[static_cast<std::size_t>(ahead + kStepsAway)],
+                                across + beside * step_around_);
+        };
+        const auto on_way = [&](int ahead) { return point(ahead, 0); };
+        const auto slope_around = [&](int ahead) {
+            return slope_of([&](int beside) { return point(ahead, beside); }, step_around_);
+        };
+        return {point(0, 0), slope_around(0), slope_of(on_way, step_along_),
+                slope_of(slope_around, step_along_)};
+    }
+
+    void bend() {
+        std::vector<Passages> passages;
+        for (const double t : along_)
+            passages.push_back(passages_at(t));
+        knots_.clear();
+        for (const double across : around_) {
+            for (const Passages& here : passages)
+                knots_.push_back(bent(across, here));
+        }
+        share_around_.assign(around_.size() - 1, 1.0);
+        share_along_.assign(along_.size() - 1, 1.0);
+        for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
+            Middle middle;
+            for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
+                const Vec3 bow = knot(i, j).around - knot(i + 1, j).around;
+                middle.take(aspect(i, j, 0.5, 0.0), (0.125 * (around_[i + 1] - around_[i])) * bow);
+            }
+            share_around_[i] = middle.share();
+        }
+        for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
+            Middle middle;
+            for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
+                const Vec3 bow = knot(i, j).along - knot(i, j + 1).along;
+                middle.take(aspect(i, j, 0.0, 0.5), (0.125 * (along_[j + 1] - along_[j])) * bow);
+            }
+            share_along_[j] = middle.share();
+        }
+    }
+
+    // By how much longer or shorter pieces meet the surface in their middles, by least squares.
+    struct Middle {
+        void take(const Aspect& aspect, Vec3 bow) {
+            const double out = dot(aspect.normal, bow);
+            off += aspect.off * out;
+            square += out * out;
+        }
+        double share() const {
+            constexpr double kStraight = 1e-12, kMost = 0.2;
+            return square > kStraight ? 1.0 - std::clamp(off / square, -kMost, kMost) : 1.0;
+        }
+        double off = 0.0, square = 0.0;
+    };
+    double width(std::size_t i) const { return share_around_[i] * (around_[i + 1] - around_[i]); }
+    double length(std::size_t j) const { return share_along_[j] * (along_[j + 1] - along_[j]); }
+
+    const Bent& knot(std::size_t i, std::size_t j) const { return knots_[i * along_.size() + j]; }
+
+    // Between knots i and i + 1, j and j + 1; u and v from 0 to 1.
+    Vec3 at(std::size_t i, std::size_t j, double u, double v) const {
+        const auto weights = [](double x, double size) {
+            const double y = 1.0 - x;
+            return std::array{y * y * (1.0 + 2.0 * x), x * x * (3.0 - 2.0 * x), size * x * y * y,
+                              -size * x * x * y};
+        };
+        const auto a = weights(u, width(i)), b = weights(v, length(j));
+        Vec3 sum;
+        for (std::size_t k = 0; k < 2; ++k) {
+            for (std::size_t l = 0; l < 2; ++l) {
+                const Bent& c = knot(i + k, j + l);
+                sum = sum + (a[k] * b[l]) * c.at + (a[k + 2] * b[l]) * c.around +
+                      (a[k] * b[l + 2]) * c.along + (a[k + 2] * b[l + 2]) * c.both;
+            }
+        }
+        return sum;
+    }
+
+    // At about the time of the knots beside it.
+    Aspect aspect(std::size_t i, std::size_t j, double u, double v) const {
+        const double time = along_[j] + v * (along_[j + 1] - along_[j]);
+        return place_on(envelope_, at(i, j, u, v), time);
+    }
+    double off(std::size_t i, std::size_t j, double u, double v) const {
+        return std::abs(aspect(i, j, u, v).off);
+    }
+
+    // Another knot in the middle of pieces that are too far off, both ways; true: there are.
+    bool refine() {
+        std::vector<bool> wide(around_.size(), false), long_(along_.size(), false);
+        for (std::size_t i = 0; i + 1 < around_.size(); ++i) {
+            for (std::size_t j = 0; j + 1 < along_.size(); ++j) {
+                double across = 0.0, ahead = 0.0, inside = 0.0;
+                for (const double x : {0.25, 0.5, 0.75}) {
+                    across = std::max({across, off(i, j, x, 0.0), off(i, j, x, 1.0)});
+                    ahead = std::max({ahead, off(i, j, 0.0, x), off(i, j, 1.0, x)});
+                    inside = std::max({inside, off(i, j, x, 0.5), off(i, j, 0.5, x)});
+                }
+                if (std::max({across, ahead, inside}) <= kNearEnough) continue;
+                wide[i] = wide[i] || across > kNearEnough || across >= ahead;
+                long_[j] = long_[j] || ahead > kNearEnough || ahead > across;
+            }
+        }
+        const bool more_around = halve(around_, wide);
+        return halve(along_, long_) || more_around;
+    }
+
+    static bool halve(std::vector<double>& knots, const std::vector<bool>& which) {
+        std::vector<double> finer;
+        for (std::size_t i = 0; i < knots.size(); ++i) {
+            finer.push_back(knots[i]);
+            if (which[i]) finer.push_back(0.5 * (knots[i] + knots[i + 1]));
+        }
+        if (finer.size() == knots.size() || finer.size() > kMostKnots) return false;
+        knots = std::move(finer);
+        return true;
+    }
+
+    // Of a cubic with its derivatives at both ends the control points are a third of these away.
+    Patch patch() const {
+        std::vector<double> widths, lengths;
+        for (std::size_t i = 0; i + 1 < around_.size(); ++i)
+            widths.push_back(width(i));
+        for (std::size_t j = 0; j + 1 < along_.size(); ++j)
+            lengths.push_back(length(j));
+        // To the control points before and after a knot; one of both at the ends.
+        const auto thirds = [](const std::vector<double>& pieces, std::size_t i) {
+            return std::array{i > 0 ? -pieces[i - 1] / 3.0 : 0.0,
+                              i < pieces.size() ? pieces[i] / 3.0 : 0.0};
+        };
+        Patch patch{{}, sums_of(widths), sums_of(lengths)};
+        for (std::size_t i = 0; i < around_.size(); ++i) {
+            for (const double u : thirds(widths, i)) {
+                auto& row = patch.net.emplace_back();
+                for (std::size_t j = 0; j < along_.size(); ++j) {
+                    const Bent& k = knot(i, j);
+                    for (const double v : thirds(lengths, j))
+                        row.push_back(k.at + u * k.around + v * k.along + (u * v) * k.both);
+                }
+            }
+        }
+        return patch;
+    }
+
+    static std::vector<double> sums_of(const std::vector<double>& pieces) {
+        std::vector<double> knots{0.0};
+        for (const double piece : pieces)
+            knots.push_back(knots.back() + piece);
+        return knots;
+    }
+
+    const Sweep& sweep_;
+    Envelope envelope_;
+    std::vector<double> around_, along_;  // as places across; t
+    double step_around_, step_along_;
+    std::vector<Bent> knots_;
+    std::vector<double> share_around_, share_along_;  // of pieces
+};
+
+std::vector<double> evenly(double from, double to, double piece) {
+    const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / piece)));
+    std::vector<double> knots;
+    for (int i = 0; i < pieces; ++i)
+        knots.push_back(from + i * ((to - from) / pieces));
+    knots.push_back(to);
+    return knots;
+}
+
+}  // namespace
+
+Patch patch_of_envelope(const Part& part, const Face& face, const Envelope& envelope) {
+    constexpr double kShare = 0.02;  // of the way, and of the height of flanks
+    constexpr double kBeyondAround = 4.0, kPieceAround = 15.0, kTurn = 360.0;  // degrees
+    const Sweep& sweep = *envelope.sweep;
+    double first = 1e9, last = -1e9, begin = 1e9, end = -1e9;
+    for (const auto& points : points_along(part, face)) {
+        Beside beside;
+        for (const Vec3& p : points) {
+            const Aspect aspect = place_on(envelope, p, beside);
+            const double across = place_across(sweep, aspect.passage, p);
+            first = std::min(first, across);
+            last = std::max(last, across);
+            begin = std::min(begin, aspect.t);
+            end = std::max(end, aspect.t);
+        }
+    }
+    const double beyond = kShare * std::max(end - begin, kShare);
+    const double from = begin - beyond, to = end + beyond;
+    const bool is_straight = std::holds_alternative<StraightWay>(sweep.way());
+    const double piece = 4.0 / static_cast<double>(sweep.samples().size() - 1);
+    const auto along = evenly(from, to, is_straight ? to - from : piece);
+    if (sweep.flank()) {
+        const double beside = kShare * (last - first) + kShare;
+        const double low = first - beside, high = last + beside;
+        return PatchMaker(envelope, evenly(low, high, high - low), along).make();
+    }
+    const double low = std::max(0.0, first - kBeyondAround);
+    const double high = std::min(kTurn, last + kBeyondAround);
+    return PatchMaker(envelope, evenly(low, high, kPieceAround), along).make();
+}
+
+}  // namespace ncsim::brep

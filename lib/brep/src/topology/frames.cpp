@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/brep/frames.h"
+
+#include "ncsim/trig/angles.h"
+
+#include "topology/around.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace ncsim::brep {
+
+namespace {
+
+using cda::cross;
+using cda::dot;
+using cda::norm;
+using cda::normalized;
+
+// The x axis that a face with these loops gets.
+Vec3 x_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
+    const Vec3 x = across(axis);
+    const Round round = round_of(loops, origin, axis, x);
+    constexpr double kLeastGap = 0.01;
+    if (round.goes_round || round.gap < kLeastGap) {
+        const Vec3 v = loops.front().front() - origin;
+        const Vec3 out = v - dot(v, axis) * axis;
+        return norm(out) > 1e-6 ? normalized(out) : x;
+    }
+    const auto angle = trig::sin_cos(round.gap_begin + 0.5 * round.gap);
+    return normalized(angle.cos * x + angle.sin * cross(axis, x));
+}
+
+// Is the face a cap or a zone, between circles about one axis?
+std::optional<Vec3> axis_of_zone(const Part& part, const Face& face) {
+    std::optional<Vec3> axis;
+    for (const Loop& loop : face.loops) {
+        for (const EdgeUse& use : loop) {
+            const auto* circle = std::get_if<Circle>(&part.edges[use.edge].curve);
+            constexpr double kOne = 1e-9;
+            if (!circle || (axis && norm(cross(*axis, circle->axis)) > kOne)) return std::nullopt;
+            if (!axis) axis = circle->axis;
+        }
+    }
+    return axis;
+}
+
+// How near the loops come to an axis, as Round tells it.
+double nearest_to(const std::vector<std::vector<Vec3>>& loops, Vec3 origin, Vec3 axis) {
+    double least = 1.0;  // squared
+    for (const auto& points : loops) {
+        for (const Vec3& p : points) {
+            const Vec3 v = p - origin;
+            const double height = dot(v, axis), square = dot(v, v);
+            if (square > 0.0) least = std::min(least, 1.0 - height * height / square);
+        }
+    }
+    return std::sqrt(std::max(0.0, least));
+}
+
+// The axis of a sphere: as far from the loops as may be, and not through the face.
+Vec3 sphere_axis(const std::vector<std::vector<Vec3>>& loops, Vec3 centre) {
+    const Vec3 up{0, 0, 1};
+    std::vector<Vec3> axes{up};
+    for (int i = -2; i <= 2; ++i) {
+        for (int j = -2; j <= 2; ++j) {
+            for (int k = 0; k <= 2; ++k) {
+                const Vec3 v{double(i), double(j), double(k)};
+                if (dot(v, v) > 0.0) axes.push_back(normalized(v));
+            }
+        }
+    }
+    Vec3 best = up;
+    double farthest = 0.0;
+    for (const Vec3& axis : axes) {
+        const double nearest = nearest_to(loops, centre, axis);
+        if (nearest <= farthest + 1e-3 || round_of(loops, centre, axis, across(axis)).goes_round)
+            continue;
+        farthest = nearest;
+        best = axis;
+    }
+    return best;
+}
+
+// From the start of its first edge, along that if it is straight.
+Frame frame_of_plane(const Part& part, const Face& face, const Plane& plane) {
+    const EdgeUse& use = face.loops.front().front();
+    const Edge& edge = part.edges[use.edge];
+    const Vec3 start = part.vertices[use.is_forward ? edge.from : edge.to];
+    Vec3 along = across(plane.normal);
+    if (std::holds_alternative<Line>(edge.curve) && edge.from != edge.to) {
+        const Vec3 v = part.vertices[edge.to] - part.vertices[edge.from];
+        along = normalized(v - dot(v, plane.normal) * plane.normal);
+    }
+    return {start, plane.normal, along};
+}
+
+}  // namespace
+
+bool has_tip(const Part& part, const Face& face) {
+    const auto* cone = std::get_if<Cone>(&face.surface.form);
+    if (!cone) return false;
+    const Round round =
+        round_of(points_along(part, face), cone->apex, cone->axis, across(cone->axis));
+    return std::abs(round.sum) > 180.0;
+}
+
+Frame frame_for(const Part& part, const Face& face) {
+    if (const auto* plane = std::get_if<Plane>(&face.surface.form))
+        return frame_of_plane(part, face, *plane);
+    if (const auto* f = std::get_if<Coil>(&face.surface.form))
+        return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Spiral>(&face.surface.form))
+        return {f->centre, f->axis, f->ahead};
+    if (const auto* f = std::get_if<Envelope>(&face.surface.form)) {
+        const Passage start = f->sweep->at(0.0);
+        return {start.tip, start.axis, across(start.axis)};
+    }
+    const auto loops = points_along(part, face);
+    if (const auto* f = std::get_if<Cylinder>(&face.surface.form))
+        return {f->origin, f->axis, x_axis(loops, f->origin, f->axis)};
+    if (const auto* f = std::get_if<Torus>(&face.surface.form)) {
+        if (!is_spindle(*f)) return {f->centre, f->axis, x_axis(loops, f->centre, f->axis)};
+        // Of the tip there is no angle.
+        constexpr double kInTip = 1e-6;
+        std::vector<std::vector<Vec3>> clear = loops;
+        for (auto& points : clear) {
+            std::erase_if(points,
+                          [&](Vec3 p) { return norm(cross(p - f->centre, f->axis)) < kInTip; });
+        }
+        return {f->centre, f->axis, x_axis(clear, f->centre, f->axis)};
+    }
+    if (const auto* f = std::get_if<Sphere>(&face.surface.form)) {
+        const auto zone = axis_of_zone(part, face);
+        const Vec3 axis = zone ? *zone : sphere_axis(loops, f->centre);
+        return {f->centre, axis, x_axis(loops, f->centre, axis)};
+    }
+    if (const auto* f = std::get_if<Cone>(&face.surface.form)) {
+        // Not in the apex, where CAD would have to take a radius of 0.
+        double height = 0.0;
+        for (const auto& points : loops) {
+            for (const Vec3& p : points)
+                height = std::max(height, dot(p - f->apex, f->axis));
+        }
+        return {f->apex + height * f->axis, f->axis, x_axis(loops, f->apex, f->axis)};
+    }
+    if (const auto* f = std::get_if<Extrusion>(&face.surface.form)) {
+        // Seen along the line.
+        auto seen = loops;
+        for (auto& points : seen) {
+            for (Vec3& p : points)
+                p = p - place_along(*f, p) * f->along;
+        }
+        return {f->centre, f->axis, x_axis(seen, f->centre, f->axis)};
+    }
+    const auto& f = std::get<Dome>(face.surface.form);
+    // About the centre of the circle wherever it is.
+    auto seen = loops;
+    for (auto& points : seen) {
+        for (Vec3& p : points)
+            p = p - f.reach * place_on(f, p).up;
+    }
+    return {f.centre, f.axis, x_axis(seen, f.centre, f.axis)};
+}
+
+std::optional<Vec3> half_of_ramp(const Part& part, const Face& face) {
+    constexpr double kShallow = 0.1, kBeyond = 1e-3;
+    // Of the radius: nearer to the side are corners of walls, which are there but for rounding.
+    constexpr double kAtSide = 1e-4, kBesideSide = 0.05;
+    const auto* ramp = std::get_if<Extrusion>(&face.surface.form);
+    if (!ramp || std::abs(dot(ramp->along, ramp->axis)) >= kShallow) return std::nullopt;
+    const Vec3 ahead = normalized(ramp->along - dot(ramp->along, ramp->axis) * ramp->axis);
+    const auto place = [&](Vec3 p) {
+        return dot(p - place_along(*ramp, p) * ramp->along - ramp->centre, ahead) / ramp->radius;
+    };
+    const bool ends_beside_side = std::ranges::any_of(face.loops, [&](const Loop& loop) {
+        return std::ranges::any_of(loop, [&](const EdgeUse& use) {
+            const Edge& edge = part.edges[use.edge];
+            const double at = std::abs(place(part.vertices[use.is_forward ? edge.from : edge.to]));
+            return at > kAtSide && at < kBesideSide;
+        });
+    });
+    if (!ends_beside_side) return std::nullopt;
+    double rearmost = 1.0, foremost = -1.0;
+    for (const auto& points : points_along(part, face)) {
+        for (const Vec3 p : points) {
+            rearmost = std::min(rearmost, place(p));
+            foremost = std::max(foremost, place(p));
+        }
+    }
+    if (rearmost > -kBeyond) return ahead;
+    if (foremost < kBeyond) return -ahead;
+    return std::nullopt;
+}
+
+}  // namespace ncsim::brep

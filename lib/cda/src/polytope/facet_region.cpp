@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polytope/facet_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::cda {
+
+bool FacetRegion::assign(const Plane& plane, const HalfBox& box) {
+    const BoxFrame frame(box);
+    n_ = {static_cast<double>(plane.nx), static_cast<double>(plane.ny),
+          static_cast<double>(plane.nz)};
+    std::size_t w = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::abs(n_[i]) > std::abs(n_[w])) w = i;
+    }
+    axes_ = {(w + 1) % 3, (w + 2) % 3, w};
+    e_ = static_cast<double>(plane.d);
+    for (std::size_t i = 0; i < 3; ++i) {
+        middle_[i] = 0.5 * frame.centre[i];
+        e_ -= n_[i] * middle_[i];
+    }
+    stretch_ = std::sqrt(n_[0] * n_[0] + n_[1] * n_[1] + n_[2] * n_[2]) / std::abs(n_[w]);
+    const double u = 0.5 * frame.half[axes_[0]];
+    const double v = 0.5 * frame.half[axes_[1]];
+    points_.assign({{-u, -v}, {u, -v}, {u, v}, {-u, v}});
+    polygons_.assign({{0, 4}});
+    // -h <= x_w = (e - n_u u - n_v v) / n_w <= h
+    const double h = 0.5 * frame.half[w] * std::abs(n_[w]);
+    for (const double sign : {1.0, -1.0}) {
+        const Line wall{sign * n_[axes_[0]], sign * n_[axes_[1]], h + sign * e_};
+        switch (where(corners(polygons_[0]), wall)) {
+            case Where::Below: break;
+            case Where::Above: polygons_.clear(); return false;
+            case Where::Cut: polygons_[0] = part(polygons_[0], wall, false); break;
+        }
+    }
+    return true;
+}
+
+FacetRegion::Line FacetRegion::line_of(const Plane& cut) const {
+    const std::array<double, 3> m{static_cast<double>(cut.nx), static_cast<double>(cut.ny),
+                                  static_cast<double>(cut.nz)};
+    const double along = m[axes_[2]] / n_[axes_[2]];
+    double g = static_cast<double>(cut.d);
+    for (std::size_t i = 0; i < 3; ++i)
+        g -= m[i] * middle_[i];
+    return {m[axes_[0]] - along * n_[axes_[0]], m[axes_[1]] - along * n_[axes_[1]], g - along * e_};
+}
+
+FacetRegion::Where FacetRegion::where(std::span<const Point> corners, const Line& line) {
+    bool any_below = false;
+    bool any_above = false;
+    for (const Point& p : corners) {
+        const double above = line.above(p);
+        any_below |= above < 0.0;
+        any_above |= above > 0.0;
+    }
+    return !any_above ? Where::Below : any_below ? Where::Cut : Where::Above;
+}
+
+// Of a polygon that the line cuts, at the end of the points.
+FacetRegion::Polygon FacetRegion::part(const Polygon& polygon, const Line& line, bool above) {
+    const double sign = above ? -1.0 : 1.0;
+    Polygon result{points_.size(), 0};
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Point p = points_[polygon.first + i];
+        const Point q = points_[polygon.first + (i + 1 == polygon.count ? 0 : i + 1)];
+        const double at_p = sign * line.above(p);
+        const double at_q = sign * line.above(q);
+        if (at_p <= 0.0) points_.push_back(p);
+        if ((at_p < 0.0 && at_q > 0.0) || (at_p > 0.0 && at_q < 0.0)) {
+            const double t = at_p / (at_p - at_q);
+            points_.push_back({p.u + t * (q.u - p.u), p.v + t * (q.v - p.v)});
+        }
+    }
+    result.count = points_.size() - result.first;
+    return result;
+}
+
+bool FacetRegion::clip(const Plane& cut) {
+    const Line line = line_of(cut);
+    std::size_t kept = 0;
+    for (const Polygon& polygon : polygons_) {
+        switch (where(corners(polygon), line)) {
+            case Where::Below: polygons_[kept++] = polygon; break;
+            case Where::Above: break;
+            case Where::Cut: polygons_[kept++] = part(polygon, line, false); break;
+        }
+    }
+    polygons_.resize(kept);
+    return kept > 0;
+}
+
+bool FacetRegion::meets(std::span<const Plane* const> cuts) const {
+    return std::ranges::all_of(cuts, [this](const Plane* cut) {
+        const Line line = line_of(*cut);
+        return std::ranges::any_of(polygons_, [&](const Polygon& polygon) {
+            return where(corners(polygon), line) != Where::Above;
+        });
+    });
+}
+
+double FacetRegion::take(std::span<const Plane* const> cuts) {
+    lines_.clear();
+    for (const Plane* cut : cuts)
+        lines_.push_back(line_of(*cut));
+    rest_.clear();
+    taken_.clear();
+    double sum = 0.0;
+    for (const Polygon& polygon : polygons_)
+        sum += take(polygon);
+    polygons_.swap(rest_);
+    return stretch_ * sum;
+}
+
+// Of one polygon; what is left goes to the rest.
+double FacetRegion::take(Polygon polygon) {
+    const std::size_t before = rest_.size();
+    const Polygon whole = polygon;
+    for (const Line& line : lines_) {
+        if (where(corners(whole), line) == Where::Above) {
+            rest_.push_back(whole);
+            return 0.0;
+        }
+    }
+    for (const Line& line : lines_) {
+        switch (where(corners(polygon), line)) {
+            case Where::Below: break;
+            case Where::Above:
+                // Nothing is taken: as one piece again.
+                rest_.resize(before);
+                rest_.push_back(whole);
+                return 0.0;
+            case Where::Cut:
+                rest_.push_back(part(polygon, line, true));
+                polygon = part(polygon, line, false);
+                break;
+        }
+    }
+    taken_.push_back(polygon);
+    return flat_area(polygon);
+}
+
+double FacetRegion::flat_area(const Polygon& polygon) const {
+    const std::span<const Point> p = corners(polygon);
+    double doubled = 0.0;
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+        doubled +=
+            (p[i].u - p[0].u) * (p[i + 1].v - p[0].v) - (p[i + 1].u - p[0].u) * (p[i].v - p[0].v);
+    }
+    return 0.5 * std::abs(doubled);
+}
+
+double FacetRegion::area() const {
+    double sum = 0.0;
+    for (const Polygon& polygon : polygons_)
+        sum += flat_area(polygon);
+    return stretch_ * sum;
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,597 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Quickhull says which points make which facet; everything that is kept is then computed from
+// the integer points, so that qhull's rounding never reaches a plane where qhull is asked.
+#include "ncsim/cda/hull.h"
+
+#include "ncsim/cda/predicates.h"
+
+#include "polytope/lattice_quickhull.h"
+#include "polytope/qhull.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace ncsim::cda {
+
+namespace {
+
+struct Normal {
+    std::int64_t x = 0, y = 0, z = 0;
+    bool operator==(const Normal&) const = default;
+};
+
+struct Wide {
+    Int128 x = 0, y = 0, z = 0;
+};
+
+Int128 absolute(Int128 v) {
+    return v < 0 ? -v : v;
+}
+
+Wide cross(LatticePoint a, LatticePoint b) {
+    const auto product = [](std::int64_t p, std::int64_t q) { return static_cast<Int128>(p) * q; };
+    return {product(a.y, b.z) - product(a.z, b.y), product(a.z, b.x) - product(a.x, b.z),
+            product(a.x, b.y) - product(a.y, b.x)};
+}
+
+// Twice the area vector of a loop (Newell): the same for every starting corner, since it is exact.
+Wide area_vector(std::span<const LatticePoint> points, const std::vector<std::uint32_t>& loop) {
+    Wide sum;
+    const LatticePoint a = points[loop[0]];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+        const Wide c = cross(points[loop[i]] - a, points[loop[i + 1]] - a);
+        sum = {sum.x + c.x, sum.y + c.y, sum.z + c.z};
+    }
+    return sum;
+}
+
+// Of absolute values. The greatest common divisor, or 0 if it is less than `least`: what remains
+// of divisions gets smaller, and is a multiple of it. Of nothing but zeros it is 0.
+std::int64_t common_divisor(std::array<std::int64_t, 3> values, std::int64_t least) {
+    std::int64_t a = 0;
+    for (std::int64_t b : values) {
+        while (b != 0) {
+            if (b < least) return 0;
+            const std::int64_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+    }
+    return a;
+}
+
+// The nearest normal of kNormalBits to `v`, without common divisors; exact where it fits. v and -v
+// give opposite normals. Requires v != 0, components below 2^100.
+Normal quantised(const Wide& v) {
+    const Int128 largest = std::max({absolute(v.x), absolute(v.y), absolute(v.z)});
+    constexpr Int128 kLimit = Int128{1} << kNormalBits;
+    const auto reduced = [](Int128 x, Int128 y, Int128 z) -> Normal {
+        const auto nx = static_cast<std::int64_t>(x);
+        const auto ny = static_cast<std::int64_t>(y);
+        const auto nz = static_cast<std::int64_t>(z);
+        const std::int64_t g = std::gcd(std::gcd(nx, ny), nz);
+        return {nx / g, ny / g, nz / g};
+    };
+    if (largest < (Int128{1} << 62)) {
+        const auto x = static_cast<std::int64_t>(v.x), y = static_cast<std::int64_t>(v.y),
+                   z = static_cast<std::int64_t>(v.z);
+        // What it has to be divided by at least, to fit.
+        const auto least = static_cast<std::int64_t>((largest + kLimit - 1) >> kNormalBits);
+        const std::int64_t g = common_divisor({std::abs(x), std::abs(y), std::abs(z)}, least);
+        if (g != 0) return {x / g, y / g, z / g};
+    } else {
+        // Divided by hand, since std::gcd has no 128 bits: only what is axis-parallel or diagonal
+        // matters here, and for that a division by the largest component is enough.
+        const auto divides = [&](Int128 c) { return c % largest == 0; };
+        if (divides(v.x) && divides(v.y) && divides(v.z)) {
+            return reduced(v.x / largest, v.y / largest, v.z / largest);
+        }
+    }
+    // Halves away from zero, so that opposite vectors round to opposite normals.
+    const auto scaled = [&](Int128 c) {
+        const Int128 q = (2 * absolute(c) * kLimit / largest + 1) / 2;
+        return c < 0 ? -q : q;
+    };
+    return reduced(scaled(v.x), scaled(v.y), scaled(v.z));
+}
+
+std::int64_t dot(Normal n, LatticePoint p) {
+    return n.x * p.x + n.y * p.y + n.z * p.z;
+}
+
+// The plane of a normal that has all of `points` below it.
+std::int64_t support(Normal n, std::span<const LatticePoint> points) {
+    std::int64_t d = dot(n, points[0]);
+    for (const LatticePoint& p : points)
+        d = std::max(d, dot(n, p));
+    return d;
+}
+
+struct Extent {
+    LatticePoint min, max;
+};
+
+Extent extent(std::span<const LatticePoint> points) {
+    Extent e{points[0], points[0]};
+    for (const LatticePoint& p : points) {
+        e.min = {std::min(e.min.x, p.x), std::min(e.min.y, p.y), std::min(e.min.z, p.z)};
+        e.max = {std::max(e.max.x, p.x), std::max(e.max.y, p.y), std::max(e.max.z, p.z)};
+    }
+    return e;
+}
+
+// The hull with its facets in lattice coordinates. To quantise a normal takes long divisions: only
+// where it is asked for.
+struct LatticeHull {
+    std::vector<std::vector<std::uint32_t>> loops;
+    std::vector<Wide> areas;  // twice their area vectors
+
+    Normal normal(std::size_t facet) const { return quantised(areas[facet]); }
+};
+
+LatticeHull lattice_hull(std::span<const LatticePoint> points, HullFacets facets) {
+    LatticeHull hull;
+    hull.loops.reserve(facets.loops.size());
+    hull.areas.reserve(facets.loops.size());
+    for (auto& loop : facets.loops) {
+        const Wide v = area_vector(points, loop);
+        if (v.x == 0 && v.y == 0 && v.z == 0) continue;
+        hull.loops.push_back(std::move(loop));
+        hull.areas.push_back(v);
+    }
+    return hull;
+}
+
+// By qhull, facets in one plane as one.
+std::optional<LatticeHull> merged_hull(std::span<const LatticePoint> points) {
+    if (points.empty()) return std::nullopt;
+    // Relative to a corner: doubles then hold the differences exactly.
+    const Extent e = extent(points);
+    std::vector<Vec3> local;
+    local.reserve(points.size());
+    for (const LatticePoint& p : points) {
+        const LatticePoint q = p - e.min;
+        local.push_back(
+            {static_cast<double>(q.x), static_cast<double>(q.y), static_cast<double>(q.z)});
+    }
+    auto facets = quickhull(local);
+    if (!facets) return std::nullopt;
+    return lattice_hull(points, std::move(*facets));
+}
+
+// In triangles, where that can be.
+std::optional<LatticeHull> hull_of(std::span<const LatticePoint> points) {
+    if (auto facets = lattice_quickhull(points)) return lattice_hull(points, std::move(*facets));
+    return merged_hull(points);
+}
+
+// Normals have no common divisor here, so planes are canonical as they are.
+Plane plane_of(Normal n, std::int64_t d) {
+    return {static_cast<std::int32_t>(n.x), static_cast<std::int32_t>(n.y),
+            static_cast<std::int32_t>(n.z), d};
+}
+
+Plane facet_plane(const LatticeHull& hull, std::size_t facet, std::span<const LatticePoint> points,
+                  Rounding rounding) {
+    const Normal n = hull.normal(facet);
+    if (rounding == Rounding::Outward) return plane_of(n, support(n, points));
+    std::int64_t d = dot(n, points[hull.loops[facet][0]]);
+    for (const std::uint32_t corner : hull.loops[facet])
+        d = std::min(d, dot(n, points[corner]));
+    return plane_of(n, d);
+}
+
+// None stands twice: facets in one plane share it. Its index.
+std::size_t add(std::vector<Plane>& planes, const Plane& plane) {
+    const auto same = std::find(planes.begin(), planes.end(), plane);
+    const auto index = static_cast<std::size_t>(same - planes.begin());
+    if (same == planes.end()) planes.push_back(plane);
+    return index;
+}
+
+// A unit vector that leans as little as is easily found from the worst of `normals`, of unit
+// length; the cosine between them, below 0 if there is none. None better is looked for once it is
+// `enough`.
+double common_cosine(std::span<const Vec3> normals, double enough) {
+    const auto worst_of = [&](Vec3 m) {
+        return *std::min_element(normals.begin(), normals.end(),
+                                 [m](Vec3 a, Vec3 b) { return dot(m, a) < dot(m, b); });
+    };
+    Vec3 sum;
+    for (const Vec3 n : normals)
+        sum = sum + n;
+    Vec3 m = normalized(sum);
+    double best = dot(m, worst_of(m));
+    // Towards the worst by ever less: the middle of the smallest ball around the normals (Badoiu
+    // and Clarkson, Smaller core-sets for balls, 2003).
+    constexpr int kSteps = 8;
+    for (int i = 1; i <= kSteps && !(best > 0.0 && best >= enough); ++i) {
+        m = m + (1.0 / (i + 1)) * (worst_of(m) - m);
+        const Vec3 unit = normalized(m);
+        best = std::max(best, dot(unit, worst_of(unit)));
+    }
+    return best;
+}
+
+// Which facet is on the other side of an edge of a facet.
+class Neighbours {
+public:
+    explicit Neighbours(const std::vector<std::vector<std::uint32_t>>& loops) {
+        std::uint32_t corners = 0;
+        std::size_t edges = 0;
+        for (const auto& loop : loops) {
+            edges += loop.size();
+            for (const std::uint32_t corner : loop)
+                corners = std::max(corners, corner + 1);
+        }
+        // Edges by where they begin.
+        begin_.resize(corners + std::size_t{1});
+        for (const auto& loop : loops) {
+            for (const std::uint32_t corner : loop)
+                ++begin_[corner + std::size_t{1}];
+        }
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        edges_.resize(edges);
+        std::vector<std::uint32_t> end(begin_.begin(), begin_.end() - 1);
+        for (std::size_t f = 0; f < loops.size(); ++f) {
+            for (std::size_t k = 0; k < loops[f].size(); ++k) {
+                const std::uint32_t to = loops[f][(k + 1) % loops[f].size()];
+                edges_[end[loops[f][k]]++] = {to, static_cast<std::uint32_t>(f)};
+            }
+        }
+        for (std::uint32_t from = 0; from < corners && is_closed_; ++from) {
+            for (std::uint32_t i = begin_[from]; i < begin_[from + std::size_t{1}]; ++i) {
+                is_closed_ = is_closed_ && find(from, edges_[i].to) == &edges_[i] &&
+                             find(edges_[i].to, from);
+            }
+        }
+    }
+    // Does each edge of a facet belong to one other, the other way round?
+    bool is_closed() const { return is_closed_; }
+    // Requires that they are closed.
+    std::uint32_t across(std::uint32_t from, std::uint32_t to) const {
+        return find(to, from)->facet;
+    }
+
+private:
+    struct Edge {
+        std::uint32_t to, facet;
+    };
+    // The first of its kind. Few edges begin at a corner.
+    const Edge* find(std::uint32_t from, std::uint32_t to) const {
+        for (std::uint32_t i = begin_[from]; i < begin_[from + std::size_t{1}]; ++i) {
+            if (edges_[i].to == to) return &edges_[i];
+        }
+        return nullptr;
+    }
+
+    std::vector<std::uint32_t> begin_;  // of the edges of a corner
+    std::vector<Edge> edges_;
+    bool is_closed_ = true;
+};
+
+// The outline of facets that are one patch; empty if it is not one loop.
+std::vector<std::uint32_t> outline(const LatticeHull& hull, std::span<const std::uint32_t> patch,
+                                   const std::vector<std::uint32_t>& patch_of,
+                                   const Neighbours& neighbours) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const std::uint32_t f : patch) {
+        const auto& loop = hull.loops[f];
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const std::uint32_t from = loop[k], to = loop[(k + 1) % loop.size()];
+            if (patch_of[neighbours.across(from, to)] != patch_of[f]) edges.emplace_back(from, to);
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::uint32_t> loop;
+    if (edges.empty()) return loop;
+    std::uint32_t at = edges.front().first;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        loop.push_back(at);
+        at = std::lower_bound(edges.begin(), edges.end(), std::pair{at, std::uint32_t{0}})->second;
+        if (at == loop.front()) break;
+    }
+    if (loop.size() != edges.size()) loop.clear();
+    return loop;
+}
+
+// They close, as the facets do.
+struct Patches {
+    LatticeHull hull;
+    std::vector<Plane> planes;  // one a patch, with all points below it
+};
+
+// The hull in patches, each with the plane of its largest facet: around that, all whose corners are
+// less than `depth` units below. Nothing if the facets do not close, or a patch is no disc.
+std::optional<Patches> in_patches(const LatticeHull& hull, std::span<const LatticePoint> points,
+                                  double depth) {
+    const Neighbours neighbours(hull.loops);
+    if (!neighbours.is_closed()) return std::nullopt;
+    const auto count = static_cast<std::uint32_t>(hull.loops.size());
+    struct Sized {
+        double area;
+        std::uint32_t facet;
+    };
+    std::vector<Sized> order;
+    order.reserve(count);
+    for (std::uint32_t f = 0; f < count; ++f) {
+        const Wide& a = hull.areas[f];
+        const Vec3 area{static_cast<double>(a.x), static_cast<double>(a.y),
+                        static_cast<double>(a.z)};
+        order.push_back({norm(area), f});
+    }
+    std::sort(order.begin(), order.end(), [](const Sized& a, const Sized& b) {
+        return a.area > b.area || (a.area == b.area && a.facet < b.facet);
+    });
+    constexpr std::uint32_t kNone = ~0U;
+    std::vector<std::uint32_t> patch_of(count, kNone);
+    std::vector<std::uint32_t> looked_at(count, kNone);  // for which patch
+    std::vector<std::int64_t> heights(points.size());
+    std::vector<std::uint32_t> facets;  // patch by patch
+    facets.reserve(count);
+    std::vector<std::size_t> begins;
+    Patches result;
+    for (const Sized& seed : order) {
+        if (patch_of[seed.facet] != kNone) continue;
+        const auto number = static_cast<std::uint32_t>(begins.size());
+        const Normal n = hull.normal(seed.facet);
+        const double length = norm(
+            Vec3{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)});
+        for (std::size_t i = 0; i < points.size(); ++i)
+            heights[i] = dot(n, points[i]);
+        const std::int64_t d = *std::max_element(heights.begin(), heights.end());
+        const auto lowest = d - static_cast<std::int64_t>(depth * length);
+        const auto is_near = [&](std::uint32_t f) {
+            return std::all_of(hull.loops[f].begin(), hull.loops[f].end(),
+                               [&](std::uint32_t p) { return heights[p] >= lowest; });
+        };
+        begins.push_back(facets.size());
+        facets.push_back(seed.facet);
+        patch_of[seed.facet] = number;
+        for (std::size_t i = begins.back(); i < facets.size(); ++i) {
+            const auto& loop = hull.loops[facets[i]];
+            for (std::size_t k = 0; k < loop.size(); ++k) {
+                const std::uint32_t next = neighbours.across(loop[k], loop[(k + 1) % loop.size()]);
+                if (patch_of[next] != kNone || looked_at[next] == number) continue;
+                looked_at[next] = number;
+                if (!is_near(next)) continue;
+                patch_of[next] = number;
+                facets.push_back(next);
+            }
+        }
+        result.planes.push_back(plane_of(n, d));
+    }
+    begins.push_back(facets.size());
+    for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
+        const std::span<const std::uint32_t> patch(facets.data() + begins[i],
+                                                   begins[i + 1] - begins[i]);
+        auto loop =
+            patch.size() == 1 ? hull.loops[patch[0]] : outline(hull, patch, patch_of, neighbours);
+        if (loop.size() < 3) return std::nullopt;
+        result.hull.loops.push_back(std::move(loop));
+        result.hull.areas.push_back(hull.areas[patch[0]]);
+    }
+    return result;
+}
+
+// Is the cell of these planes, one a facet, nowhere farther than `limit` units from the hull of the
+// points? False if that is not known. Each plane has all points below it, and each edge of a facet
+// belongs to one other.
+//
+// Around each corner the normals of the facets span a cone. If the facets close, and each faces
+// away from a point inside at all of its corners, these cones cover all directions: the map from
+// the surface to its normals can be shrunk to that from its points to where they are seen from
+// inside. So any unit vector u is a sum Σ λi ni over the facets around one corner p, and no point
+// of the cell is farther along it than Σ λi (ni·p + e) = u·p + e Σ λi, where e is how far the
+// planes are above p, which is in the hull. If m is a unit vector with m·ni ≥ c for these facets,
+// then c Σ λi ≤ m·u ≤ 1: the cell is no farther away along u than e/c.
+bool is_within(const LatticeHull& hull, std::span<const LatticePoint> points,
+               const std::vector<Plane>& planes, double limit) {
+    const auto vec_of = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    };
+    struct Incidence {
+        std::uint32_t corner;
+        Vec3 normal;
+        double above;
+    };
+    std::vector<Incidence> incidences;
+    Vec3 inside;
+    for (std::size_t f = 0; f < hull.loops.size(); ++f) {
+        const Normal n{planes[f].nx, planes[f].ny, planes[f].nz};
+        const double length = norm(vec_of(n.x, n.y, n.z));
+        for (const std::uint32_t corner : hull.loops[f]) {
+            const auto above = static_cast<double>(planes[f].d - dot(n, points[corner])) / length;
+            incidences.push_back({corner, (1 / length) * vec_of(n.x, n.y, n.z), above});
+            const LatticePoint p = points[corner] - points[0];
+            inside = inside + vec_of(p.x, p.y, p.z);
+        }
+    }
+    inside = (1.0 / static_cast<double>(incidences.size())) * inside;
+    std::stable_sort(incidences.begin(), incidences.end(),
+                     [](const Incidence& a, const Incidence& b) { return a.corner < b.corner; });
+    std::vector<Vec3> normals;
+    for (std::size_t i = 0; i < incidences.size();) {
+        const std::uint32_t corner = incidences[i].corner;
+        const LatticePoint p = points[corner] - points[0];
+        double above = 0.0;
+        normals.clear();
+        for (; i < incidences.size() && incidences[i].corner == corner; ++i) {
+            normals.push_back(incidences[i].normal);
+            above = std::max(above, incidences[i].above);
+            if (!(dot(incidences[i].normal, vec_of(p.x, p.y, p.z) - inside) > 0.0)) return false;
+        }
+        const double cosine = common_cosine(normals, above / limit);
+        if (!(cosine > 0.0) || !(above / cosine <= limit)) return false;
+    }
+    return true;
+}
+
+// Six planes that keep a cell within the box of its points: where facets are nearly parallel,
+// quantising them could let a corner run far away.
+constexpr std::array<Normal, 6> kBoxNormals{
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+Cell cell_of(const std::vector<Plane>& planes, std::span<const LatticePoint> points,
+             const Lattice& lattice, Origin origin) {
+    Cell cell;
+    cell.origin = origin;
+    for (const Plane& plane : planes)
+        add(cell.planes, plane);
+    for (const Normal& n : kBoxNormals)
+        add(cell.planes, plane_of(n, support(n, points)));
+    const Extent e = extent(points);
+    cell.bounds = {lattice.to_mm(e.min), lattice.to_mm(e.max)};
+    return cell;
+}
+
+}  // namespace
+
+std::optional<Cell> convex_hull(std::span<const LatticePoint> points, const Lattice& lattice,
+                                Origin origin, Rounding rounding) {
+    const auto hull = hull_of(points);
+    if (!hull) return std::nullopt;
+    std::vector<Plane> planes;
+    for (std::size_t i = 0; i < hull->loops.size(); ++i)
+        planes.push_back(facet_plane(*hull, i, points, rounding));
+    return cell_of(planes, points, lattice, origin);
+}
+
+std::optional<Cell> convex_hull_within(std::span<const LatticePoint> points, const Lattice& lattice,
+                                       Origin origin, double slack) {
+    // Which facets qhull finds in one plane may depend on the order of the points.
+    std::vector<LatticePoint> sorted(points.begin(), points.end());
+    std::sort(sorted.begin(), sorted.end(), [](const LatticePoint& a, const LatticePoint& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    const auto hull = hull_of(sorted);
+    if (!hull) return std::nullopt;
+    // Where the normals around a corner are far apart the cell reaches farther out than its planes.
+    constexpr double kShare = 0.5;
+    if (kShare * slack >= 1.0) {
+        if (const auto patches = in_patches(*hull, sorted, kShare * slack)) {
+            if (is_within(patches->hull, sorted, patches->planes, slack))
+                return cell_of(patches->planes, sorted, lattice, origin);
+        }
+    }
+    std::vector<Plane> planes;
+    for (std::size_t i = 0; i < hull->loops.size(); ++i)
+        planes.push_back(facet_plane(*hull, i, sorted, Rounding::Outward));
+    return cell_of(planes, sorted, lattice, origin);
+}
+
+std::optional<Plane> plane_above(const std::array<LatticePoint, 3>& triangle,
+                                 std::span<const LatticePoint> points) {
+    const Wide v = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    if (v.x == 0 && v.y == 0 && v.z == 0) return std::nullopt;
+    const Normal n = quantised(v);
+    return plane_of(n, support(n, points));
+}
+
+std::optional<TranslationSweep> TranslationSweep::of(std::span<const LatticePoint> points,
+                                                     const Lattice& lattice, Rounding rounding) {
+    const auto hull = merged_hull(points);
+    if (!hull) return std::nullopt;
+    TranslationSweep sweep;
+    sweep.lattice_ = lattice;
+    sweep.rounding_ = rounding;
+
+    // Only corners of the hull count for supports.
+    std::map<std::uint32_t, std::uint32_t> renumbered;
+    for (const auto& loop : hull->loops) {
+        for (const std::uint32_t corner : loop)
+            renumbered.emplace(corner, 0);
+    }
+    for (auto& [corner, index] : renumbered) {
+        index = static_cast<std::uint32_t>(sweep.vertices_.size());
+        sweep.vertices_.push_back(points[corner]);
+    }
+    const Extent reach = extent(sweep.vertices_);
+    sweep.low_ = reach.min;
+    sweep.high_ = reach.max;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> facet_at;  // directed edge
+    for (std::size_t i = 0; i < hull->loops.size(); ++i) {
+        const auto& loop = hull->loops[i];
+        const Plane plane = facet_plane(*hull, i, points, rounding);
+        const auto index = static_cast<std::uint32_t>(add(sweep.facets_, plane));
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            facet_at[{renumbered[loop[k]], renumbered[loop[(k + 1) % loop.size()]]}] = index;
+    }
+    for (const auto& [edge, left] : facet_at) {
+        if (edge.first > edge.second) continue;
+        const auto right = facet_at.find({edge.second, edge.first});
+        if (right == facet_at.end()) continue;  // qhull merged across it
+        if (right->second == left) continue;    // quantised to one plane
+        sweep.edges_.push_back({left, right->second, edge.first, edge.second});
+    }
+    for (const Normal& n : kBoxNormals)
+        add(sweep.facets_, plane_of(n, support(n, points)));
+    auto normals = std::make_shared<FacetNormals>();
+    for (const Plane& facet : sweep.facets_) {
+        normals->x.push_back(facet.nx);
+        normals->y.push_back(facet.ny);
+        normals->z.push_back(facet.nz);
+    }
+    sweep.normals_ = std::move(normals);
+    return sweep;
+}
+
+Cell TranslationSweep::operator()(LatticePoint from, LatticePoint to, Origin origin) const {
+    Cell cell;
+    cell.origin = origin;
+    cell.planes.reserve(facets_.size() + 32);
+    const LatticePoint t = to - from;
+    const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+        const Normal n = normal(facets_[i]);
+        const std::int64_t at_from = dot(n, from);
+        const std::int64_t at_to = dot(n, to);
+        cell.planes.push_back(plane_of(n, facets_[i].d + std::max(at_from, at_to)));
+    }
+    cell.normals = normals_;
+    if (t != LatticePoint{}) add_sides(cell, from, to);
+    cell.bounds = bounds(from, to);
+    return cell;
+}
+
+Box TranslationSweep::bounds(LatticePoint from, LatticePoint to) const {
+    const auto least = [](LatticePoint a, LatticePoint b) {
+        return LatticePoint{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+    };
+    const auto most = [](LatticePoint a, LatticePoint b) {
+        return LatticePoint{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+    };
+    return {lattice_.to_mm(low_ + least(from, to)), lattice_.to_mm(high_ + most(from, to))};
+}
+
+// Edges of the silhouette seen along t: e × t points outwards where the left facet goes with the
+// motion and the right one against it (left facet counter-clockwise, e = n_left × n_right).
+void TranslationSweep::add_sides(Cell& cell, LatticePoint from, LatticePoint to) const {
+    const LatticePoint t = to - from;
+    const auto normal = [](const Plane& p) { return Normal{p.nx, p.ny, p.nz}; };
+    for (const Edge& edge : edges_) {
+        const std::int64_t left = dot(normal(facets_[edge.left]), t);
+        const std::int64_t right = dot(normal(facets_[edge.right]), t);
+        if (!((left > 0 && right < 0) || (left < 0 && right > 0))) continue;
+        Wide m = cross(vertices_[edge.head] - vertices_[edge.tail], t);
+        if (left < 0) m = {-m.x, -m.y, -m.z};
+        if (m.x == 0 && m.y == 0 && m.z == 0) continue;
+        const Normal n = quantised(m);
+        std::int64_t d = 0;
+        if (rounding_ == Rounding::Outward) {
+            d = support(n, vertices_) + std::max(dot(n, from), dot(n, to));
+        } else {
+            d = std::min(dot(n, vertices_[edge.tail]), dot(n, vertices_[edge.head])) +
+                std::min(dot(n, from), dot(n, to));
+        }
+        add(cell.planes, plane_of(n, d));
+    }
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outline: a tetrahedron, then one point after the other, each time the farthest that some triangle
+// sees. The triangles that it sees go; a cone over the rim of the hole takes their place. A
+// triangle that has the point in its plane does not see it: it stays, and the cone adds to its
+// facet.
+#include "polytope/lattice_quickhull.h"
+
+#include "ncsim/cda/predicates.h"
+
+#include "base/none.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace ncsim::cda {
+
+namespace {
+
+struct Triangle {
+    std::array<std::uint32_t, 3> corners{};
+    std::array<std::uint32_t, 3> across{};  // the edge from corners[i] to the next one
+    std::int64_t nx = 0, ny = 0, nz = 0;    // outwards; twice its area
+    std::uint32_t seen = kNone;             // the first of the points that it sees
+    std::uint32_t farthest = kNone;         // of them
+    double distance = 0.0;                  // of that, times |n|
+    bool is_gone = false;
+    std::uint32_t looked_at = kNone;  // for which point
+    bool sees_it = false;
+};
+
+class Quickhull {
+public:
+    explicit Quickhull(std::span<const LatticePoint> points)
+        : points_(points), next_(points.size(), kNone) {}
+
+    std::optional<HullFacets> operator()() {
+        if (points_.size() < 4 || !is_near_together() || !begin()) return std::nullopt;
+        for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+            if (triangles_[t].is_gone || triangles_[t].seen == kNone) continue;
+            if (!add_point(triangles_[t].farthest, t)) return std::nullopt;
+        }
+        HullFacets hull;
+        for (const Triangle& t : triangles_) {
+            if (!t.is_gone) hull.loops.push_back({t.corners.begin(), t.corners.end()});
+        }
+        return hull;
+    }
+
+private:
+    // Then a normal has 62 bits, and its product with a difference 91.
+    bool is_near_together() const {
+        constexpr std::int64_t kFarthest = std::int64_t{1} << 29;
+        const LatticePoint a = points_[0];
+        return std::all_of(points_.begin(), points_.end(), [a](LatticePoint p) {
+            return std::abs(p.x - a.x) <= kFarthest / 2 && std::abs(p.y - a.y) <= kFarthest / 2 &&
+                   std::abs(p.z - a.z) <= kFarthest / 2;
+        });
+    }
+
+    // How far `p` is above the triangle, times |n|: 0 only if it is in its plane, and of the right
+    // sign.
+    double above(const Triangle& t, std::uint32_t p) const {
+        const LatticePoint d = points_[p] - points_[t.corners[0]];
+        const double x = static_cast<double>(t.nx) * static_cast<double>(d.x);
+        const double y = static_cast<double>(t.ny) * static_cast<double>(d.y);
+        const double z = static_cast<double>(t.nz) * static_cast<double>(d.z);
+        const double sum = x + y + z;
+        constexpr double kRounding = 1e-15;  // more than four roundings of 2^-53
+        if (std::abs(sum) > kRounding * (std::abs(x) + std::abs(y) + std::abs(z))) return sum;
+        const Int128 exact = static_cast<Int128>(t.nx) * d.x + static_cast<Int128>(t.ny) * d.y +
+                             static_cast<Int128>(t.nz) * d.z;
+        return static_cast<double>(exact);
+    }
+
+    // Its index; kNone if it has no area.
+    std::uint32_t add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        Triangle t;
+        t.corners = {a, b, c};
+        const LatticePoint u = points_[b] - points_[a], v = points_[c] - points_[a];
+        t.nx = u.y * v.z - u.z * v.y;
+        t.ny = u.z * v.x - u.x * v.z;
+        t.nz = u.x * v.y - u.y * v.x;
+        if (t.nx == 0 && t.ny == 0 && t.nz == 0) return kNone;
+        triangles_.push_back(t);
+        return static_cast<std::uint32_t>(triangles_.size()) - 1;
+    }
+
+    // To the first of the triangles from `first` on that sees it. Which none sees is in the hull.
+    void give(std::uint32_t p, std::size_t first) {
+        for (std::size_t i = first; i < triangles_.size(); ++i) {
+            Triangle& t = triangles_[i];
+            const double distance = above(t, p);
+            if (!(distance > 0.0)) continue;
+            next_[p] = t.seen;
+            t.seen = p;
+            if (distance > t.distance) {
+                t.distance = distance;
+                t.farthest = p;
+            }
+            return;
+        }
+    }
+
+    // The tetrahedron; false if all points lie in a plane.
+    bool begin() {
+        const auto count = static_cast<std::uint32_t>(points_.size());
+        const auto vec = [this](std::uint32_t i, std::uint32_t from) {
+            const LatticePoint d = points_[i] - points_[from];
+            return Vec3{static_cast<double>(d.x), static_cast<double>(d.y),
+                        static_cast<double>(d.z)};
+        };
+        const auto farthest = [count](const auto& measure) {
+            std::uint32_t best = 0;
+            double most = -1.0;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const double m = measure(i);
+                if (m > most) most = m, best = i;
+            }
+            return best;
+        };
+        const std::uint32_t a = farthest([&](std::uint32_t i) { return norm(vec(i, 0)); });
+        const std::uint32_t b = farthest([&](std::uint32_t i) { return norm(vec(i, a)); });
+        const std::uint32_t c =
+            farthest([&](std::uint32_t i) { return norm(cross(vec(b, a), vec(i, a))); });
+        if (add_triangle(a, b, c) == kNone) return false;
+        const Triangle base = triangles_[0];
+        const std::uint32_t d = farthest([&](std::uint32_t i) { return std::abs(above(base, i)); });
+        const double height = above(base, d);
+        if (height == 0.0) return false;
+        triangles_.clear();
+        // `d` is below the first.
+        const std::array<std::uint32_t, 3> abc =
+            height < 0.0 ? std::array{a, b, c} : std::array{a, c, b};
+        add_triangle(abc[0], abc[1], abc[2]);
+        for (std::uint32_t i = 0; i < 3; ++i)
+            add_triangle(abc[(i + 1) % 3], abc[i], d);
+        if (triangles_.size() != 4) return false;
+        triangles_[0].across = {1, 2, 3};
+        for (std::uint32_t i = 0; i < 3; ++i)
+            triangles_[i + 1].across = {0, 1 + (i + 2) % 3, 1 + (i + 1) % 3};
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (i != a && i != b && i != c && i != d) give(i, 0);
+        }
+        return true;
+    }
+
+    bool sees(std::uint32_t triangle, std::uint32_t p) {
+        Triangle& t = triangles_[triangle];
+        if (t.looked_at != p) {
+            t.looked_at = p;
+            t.sees_it = above(t, p) > 0.0;
+        }
+        return t.sees_it;
+    }
+
+    // False if the cone would have a triangle without an area.
+    bool add_point(std::uint32_t p, std::uint32_t first) {
+        gone_.assign(1, first);
+        rim_.clear();
+        triangles_[first].is_gone = true;
+        for (std::size_t i = 0; i < gone_.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t other = triangles_[gone_[i]].across[k];
+                if (triangles_[other].is_gone) continue;
+                if (sees(other, p)) {
+                    triangles_[other].is_gone = true;
+                    gone_.push_back(other);
+                } else {
+                    const Triangle& t = triangles_[gone_[i]];
+                    rim_.push_back({t.corners[k], t.corners[(k + 1) % 3], other});
+                }
+            }
+        }
+        const auto begin = static_cast<std::uint32_t>(triangles_.size());
+        for (const Edge& e : rim_) {
+            const std::uint32_t made = add_triangle(e.from, e.to, p);
+            if (made == kNone) return false;
+            triangles_[made].across[0] = e.beyond;
+            Triangle& beyond = triangles_[e.beyond];
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (beyond.corners[k] == e.to && beyond.corners[(k + 1) % 3] == e.from)
+                    beyond.across[k] = made;
+            }
+        }
+        // The rim is one loop: the triangle that begins where another one ends is beside it.
+        at_.resize(points_.size());
+        for (std::uint32_t i = 0; i < rim_.size(); ++i)
+            at_[rim_[i].from] = begin + i;
+        for (std::uint32_t i = 0; i < rim_.size(); ++i) {
+            const std::uint32_t after = at_[rim_[i].to];
+            triangles_[begin + i].across[1] = after;
+            triangles_[after].across[2] = begin + i;
+        }
+        for (const std::uint32_t g : gone_) {
+            for (std::uint32_t q = triangles_[g].seen; q != kNone;) {
+                const std::uint32_t next = next_[q];
+                if (q != p) give(q, begin);
+                q = next;
+            }
+        }
+        return true;
+    }
+
+    struct Edge {
+        std::uint32_t from, to, beyond;
+    };
+    std::span<const LatticePoint> points_;
+    std::vector<std::uint32_t> next_;  // among the points that a triangle sees
+    std::vector<Triangle> triangles_;
+    std::vector<std::uint32_t> gone_;
+    std::vector<Edge> rim_;
+    std::vector<std::uint32_t> at_;
+};
+
+}  // namespace
+
+std::optional<HullFacets> lattice_quickhull(std::span<const LatticePoint> points) {
+    return Quickhull(points)();
+}
+
+}  // namespace ncsim::cda

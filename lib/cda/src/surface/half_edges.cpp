@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/half_edges.h"
+
+#include "ncsim/cda/parallel.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Lines that a thread works on before it asks for more.
+constexpr std::size_t kRun = 2048;
+
+int dot_sign(const Direction& a, const Direction& b) {
+    const Int128 v = static_cast<Int128>(a.x) * b.x + static_cast<Int128>(a.y) * b.y +
+                     static_cast<Int128>(a.z) * b.z;
+    return v > 0 ? 1 : v < 0 ? -1 : 0;
+}
+
+bool follows(const Interval& first, const Interval& second) {
+    return first.owner == second.owner && first.head == second.tail &&
+           first.forward == second.forward;
+}
+
+// The points on a line in order, and the position of each.
+class Stops {
+public:
+    explicit Stops(const Naming& names) : names_(names) {}
+
+    template <class Intervals>
+    void rank(std::uint32_t line, const Intervals& here) {
+        stops_.clear();
+        for (const Interval& i : here)
+            stops_.insert(stops_.end(), {i.tail, i.head});
+        std::sort(stops_.begin(), stops_.end());
+        stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+        by_number_.clear();
+        for (const std::uint32_t stop : stops_)
+            by_number_.emplace_back(stop, 0U);
+        std::sort(stops_.begin(), stops_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return names_.comes_before(line, a, b);
+        });
+        for (std::uint32_t i = 0; i < stops_.size(); ++i) {
+            std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{stops_[i], 0U})
+                ->second = i;
+        }
+    }
+    std::uint32_t position(std::uint32_t point) const {
+        return std::lower_bound(by_number_.begin(), by_number_.end(), std::pair{point, 0U})->second;
+    }
+    std::uint32_t operator[](std::size_t i) const { return stops_[i]; }
+    std::size_t size() const { return stops_.size(); }
+
+private:
+    const Naming& names_;
+    std::vector<std::uint32_t> stops_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_number_;
+};
+
+// 2. Where a forward and a backward piece of one owner lie on each other, they cancel; what is
+// left is covered. Where a cover ends, a piece does: there are no more of them.
+class Canceller {
+public:
+    explicit Canceller(const Naming& names) : names_(names), stops_(names) {}
+
+    void operator()(std::uint32_t line, std::span<Interval> here, std::vector<Interval>& covers) {
+        // What is outside of all of this is nobody's edge.
+        if (std::ranges::all_of(here,
+                                [&](const Interval& i) { return names_.is_outside(i.owner); }))
+            return;
+        if (here.size() == 2 && here[0].tail == here[1].tail && here[0].head == here[1].head) {
+            if (here[0].owner == here[1].owner && !names_.is_outside(here[0].owner)) return;
+            covers.insert(covers.end(), here.begin(), here.end());
+            return;
+        }
+        stops_.rank(line, here);
+        std::sort(here.begin(), here.end(), [&](const Interval& a, const Interval& b) {
+            return std::tuple(a.owner, stops_.position(a.tail)) <
+                   std::tuple(b.owner, stops_.position(b.tail));
+        });
+        for (std::size_t begin = 0; begin < here.size();) {
+            std::size_t end = begin + 1;
+            while (end < here.size() && here[end].owner == here[begin].owner)
+                ++end;
+            // Others have cancelled theirs.
+            if (end == begin + 1 || names_.is_outside(here[begin].owner)) {
+                covers.insert(covers.end(), here.begin() + static_cast<std::ptrdiff_t>(begin),
+                              here.begin() + static_cast<std::ptrdiff_t>(end));
+                begin = end;
+                continue;
+            }
+            breaks_.clear();
+            for (std::size_t i = begin; i < end; ++i)
+                breaks_.insert(breaks_.end(),
+                               {stops_.position(here[i].tail), stops_.position(here[i].head)});
+            std::sort(breaks_.begin(), breaks_.end());
+            breaks_.erase(std::unique(breaks_.begin(), breaks_.end()), breaks_.end());
+            active_.clear();
+            std::size_t next = begin;
+            for (std::size_t b = 0; b + 1 < breaks_.size(); ++b) {
+                std::erase_if(active_, [&](const Interval* c) {
+                    return stops_.position(c->head) <= breaks_[b];
+                });
+                while (next < end && stops_.position(here[next].tail) <= breaks_[b])
+                    active_.push_back(&here[next++]);
+                // Pieces of one owner have no inner points in common: one a direction at most.
+                if (active_.size() != 1) continue;
+                covers.push_back({stops_[breaks_[b]], stops_[breaks_[b + 1]], here[begin].owner,
+                                  active_[0]->forward});
+            }
+            begin = end;
+        }
+    }
+
+private:
+    const Naming& names_;
+    Stops stops_;
+    std::vector<std::uint32_t> breaks_;
+    std::vector<const Interval*> active_;
+};
+
+// 3. Two covers of an owner that follow each other are one edge, unless the owner has a corner
+// between them: another edge of it begins or ends there.
+class Corners {
+public:
+    Corners(const Naming& names, Groups<Interval>& covers) : asked_(names.points(), kNone) {
+        std::uint32_t count = 0;
+        for (std::size_t line = 0; line < names.lines(); ++line) {
+            const std::span<Interval> here = covers.of(line);
+            for (std::size_t i = 1; i < here.size(); ++i) {
+                std::uint32_t& asked = asked_[here[i].tail];
+                if (asked == kNone && follows(here[i - 1], here[i])) asked = count++;
+            }
+        }
+        ends_ = Groups<std::uint32_t>(count);
+        const auto for_each_end = [&](auto take) {
+            for (const Interval& c : covers.all()) {
+                for (const std::uint32_t end : {c.tail, c.head}) {
+                    if (asked_[end] != kNone) take(asked_[end], c.owner);
+                }
+            }
+        };
+        for_each_end([&](std::uint32_t asked, std::uint32_t) { ends_.count(asked); });
+        ends_.reserve();
+        for_each_end([&](std::uint32_t asked, std::uint32_t owner) { ends_.add(asked, owner); });
+    }
+    // Whether nothing of the owner but two covers ends there; asked only of points that are asked_.
+    bool is_passed(std::uint32_t owner, std::uint32_t point) const {
+        const std::span<const std::uint32_t> owners = ends_.of(asked_[point]);
+        return std::count(owners.begin(), owners.end(), owner) == 2;
+    }
+
+private:
+    std::vector<std::uint32_t> asked_;  // for each point its number among those asked about
+    Groups<std::uint32_t> ends_{0};     // at those, the owner of each cover that ends there
+};
+
+// Covers of a line, those that are one edge as one.
+void join_covers(const Naming& names, const Corners& corners, std::span<const Interval> covers,
+                 std::vector<Interval>& joined) {
+    joined.clear();
+    for (const Interval& c : covers) {
+        if (!joined.empty() && follows(joined.back(), c) && !names.is_outside(c.owner) &&
+            corners.is_passed(c.owner, c.tail)) {
+            joined.back().head = c.head;
+        } else {
+            joined.push_back(c);
+        }
+    }
+}
+
+// 4. All owners at a line are cut wherever one of them has a corner.
+class Breaker {
+public:
+    Breaker(const Naming& names, const Corners& corners)
+        : names_(names), corners_(corners), stops_(names) {}
+
+    void break_up(std::uint32_t line, std::span<Interval> here) {
+        join_covers(names_, corners_, here, joined_);
+        if (joined_.size() == 2 && joined_[0].tail == joined_[1].tail &&
+            joined_[0].head == joined_[1].head && joined_[0].forward != joined_[1].forward) {
+            const auto h = static_cast<std::uint32_t>(half_edges.size());
+            for (const Interval& c : joined_)
+                add_half_edge(c, c.tail, c.head, line);
+            half_edges[h].partner = h + 1;
+            half_edges[h + 1].partner = h;
+            return;
+        }
+        if (joined_.empty()) return;
+        stops_.rank(line, joined_);
+        std::sort(joined_.begin(), joined_.end(), [&](const Interval& a, const Interval& b) {
+            return std::tuple(stops_.position(a.tail), a.owner) <
+                   std::tuple(stops_.position(b.tail), b.owner);
+        });
+        active_.clear();
+        std::size_t next = 0;
+        for (std::uint32_t b = 0; b + 1 < stops_.size(); ++b) {
+            std::erase_if(active_,
+                          [&](const Interval* c) { return stops_.position(c->head) <= b; });
+            while (next < joined_.size() && stops_.position(joined_[next].tail) <= b)
+                active_.push_back(&joined_[next++]);
+            here_.clear();
+            for (const Interval* c : active_) {
+                here_.push_back(static_cast<std::uint32_t>(half_edges.size()));
+                add_half_edge(*c, stops_[b], stops_[b + 1], line);
+            }
+            if (!here_.empty()) pair(names_.direction(line), here_);
+        }
+    }
+
+    std::vector<HalfEdge> half_edges;
+
+private:
+    void add_half_edge(const Interval& c, std::uint32_t low, std::uint32_t high,
+                       std::uint32_t line) {
+        half_edges.push_back({c.forward ? low : high, c.forward ? high : low, c.owner,
+                              line & kMostLines, c.forward, false});
+    }
+
+    // 5.
+    // Around the line, counter-clockwise about D: a half-edge against D has its material on the
+    // counter-clockwise side, one along D on the clockwise side; neighbours with nothing but
+    // material between them belong together. The angle of a face is that of its normal n for one
+    // along D, of −n for one against it, less a quarter turn for both.
+    void pair(const Direction& direction, std::vector<std::uint32_t>& here) {
+        const auto link = [&](std::uint32_t a, std::uint32_t b) {
+            half_edges[a].partner = b;
+            half_edges[b].partner = a;
+        };
+        if (here.size() == 2 && half_edges[here[0]].forward != half_edges[here[1]].forward) {
+            return link(here[0], here[1]);
+        }
+        const auto normal = [&](std::uint32_t h) {
+            const Plane& p = names_.owners()[half_edges[h].owner].first;
+            const int sign = half_edges[h].forward ? 1 : -1;
+            return Direction{sign * std::int64_t{p.nx}, sign * std::int64_t{p.ny},
+                             sign * std::int64_t{p.nz}};
+        };
+        // Angles from the first one on: the half turn [0, π) before [π, 2π).
+        const Direction zero = normal(here[0]);
+        const auto cross_sign = [&](const Direction& a, const Direction& b) {
+            // (a × b) · D with a, b of 24 bits and D of 50.
+            const auto c = [](std::int64_t p, std::int64_t q, std::int64_t r, std::int64_t s) {
+                return static_cast<Int128>(p) * s - static_cast<Int128>(q) * r;
+            };
+            const Int128 v = c(a.y, a.z, b.y, b.z) * direction.x +
+                             c(a.z, a.x, b.z, b.x) * direction.y +
+                             c(a.x, a.y, b.x, b.y) * direction.z;
+            return v > 0 ? 1 : v < 0 ? -1 : 0;
+        };
+        const auto is_second_half = [&](const Direction& v) {
+            const int s = cross_sign(zero, v);
+            return s < 0 || (s == 0 && dot_sign(zero, v) < 0);
+        };
+        std::sort(here.begin(), here.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const Direction va = normal(a);
+            const Direction vb = normal(b);
+            const bool ha = is_second_half(va);
+            const bool hb = is_second_half(vb);
+            return ha != hb ? hb : cross_sign(va, vb) > 0;
+        });
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            const std::uint32_t a = here[i];
+            const std::uint32_t b = here[(i + 1) % here.size()];
+            half_edges[a].crowded = true;
+            if (!half_edges[a].forward && half_edges[b].forward) link(a, b);
+        }
+    }
+
+    const Naming& names_;
+    const Corners& corners_;
+    Stops stops_;
+    std::vector<std::uint32_t> here_;
+    std::vector<const Interval*> active_;
+    std::vector<Interval> joined_;
+};
+
+}  // namespace
+
+Chunks<HalfEdge> pair_half_edges(const Naming& names, Groups<Interval> pieces,
+                                 std::size_t threads) {
+    const Runs runs(names.lines(), kRun);
+    pieces.replace(runs, threads, [&names] { return Canceller(names); });
+    const Corners corners(names, pieces);
+    Chunks<HalfEdge> all;
+    make_in_parallel(
+        threads, runs.tasks(),
+        [&](std::size_t task) {
+            Breaker breaker(names, corners);
+            for (std::size_t line = runs.begin(task); line < runs.end(task); ++line)
+                breaker.break_up(static_cast<std::uint32_t>(line), pieces.of(line));
+            return std::move(breaker.half_edges);
+        },
+        [&](std::size_t, const std::vector<HalfEdge>& part) {
+            const auto before = static_cast<std::uint32_t>(all.size());
+            for (HalfEdge h : part) {
+                if (h.partner != kNone) h.partner += before;
+                all.push_back(h);
+            }
+        });
+    return all;
+}
+
+std::vector<BorderEdge> find_border_edges(
+    const Naming& names, Groups<Interval> pieces,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& is_wanted) {
+    pieces.replace(Runs(names.lines(), kRun), 1, [&names] { return Canceller(names); });
+    const Corners corners(names, pieces);
+    std::vector<BorderEdge> edges;
+    std::vector<Interval> joined;
+    for (std::uint32_t line = 0; line < names.lines(); ++line) {
+        join_covers(names, corners, pieces.of(line), joined);
+        for (const Interval& i : joined) {
+            if (is_wanted(i.tail, i.head)) edges.push_back({line, i});
+        }
+    }
+    return edges;
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Who took what? A cell takes what no earlier one had: the first that covers a box takes what the
+// ones before it left there, and what came later finds nothing. Where several have a surface, their
+// facets are followed through time: a facet is born with the area that nobody had before, and each
+// later cell takes some of it, until it is gone. The volume under a facet (a third of area times
+// distance) goes to whom it is born with, and away from whom it dies of: the divergence theorem for
+// each of them. Walls of boxes need not be counted, since neighbours have them in common.
+//
+// Where a cell stands for several steps that went straight on, what it takes is shared between them
+// (step_shares.h).
+//
+// Which cells are in a box is decided exactly, and so is who has the facet where planes coincide.
+// Areas are sums in doubles.
+#include "polytope/facet_region.h"
+#include "tree/descent.h"
+#include "tree/step_shares.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace ncsim::cda {
+
+class BlockTree::Accounting : Descent {
+public:
+    void run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
+             const AccountInput& input, std::vector<Taken>& taken);
+
+private:
+    // Cells of one origin in a row take a turn together: what one of them has is not asked apart.
+    // Those of before have taken theirs.
+    static constexpr std::uint32_t kBefore = 0;
+    static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+    // After whose turn nothing is left in a box, and the cell that covers it.
+    struct Last {
+        std::uint32_t turn = kNobody, number = 0;
+        bool is_nobody() const { return turn == kNobody; }
+    };
+    // Areas below this share of a facet are rounding: nobody took them.
+    static constexpr double kRounding = 1e-9;
+
+    // A cell with a surface in the box.
+    struct Local {
+        std::uint32_t turn = 0, number = 0;
+        std::size_t first = 0, count = 0;  // in planes_
+    };
+
+    void go_down(std::uint32_t node, std::size_t begin, std::size_t end, Last last);
+    void divide(const HalfBox& box, std::size_t begin, std::size_t end, int fruitless,
+                std::size_t parent_load, Last last);
+    Last take_in(const HalfBox& box, std::size_t begin, std::size_t end, Last last);
+    void split(const HalfBox& box, std::size_t axis, std::size_t begin, int fruitless,
+               std::size_t parent_load, Last last);
+    void settle(const HalfBox& box, std::size_t begin, Last last);
+    void share_out();
+    void follow(const Plane& plane, double sign, const Local& self, Last last);
+    bool takes_from(const Local& other, const Plane& plane, bool takes_same, bool takes_opposite);
+    bool clip_to(const Plane& plane, std::span<const Plane> planes);
+    std::span<const Plane> planes_of(const Local& local) const {
+        return std::span(planes_).subspan(local.first, local.count);
+    }
+
+    const AccountInput* input_ = nullptr;
+    std::vector<Taken>* taken_ = nullptr;  // by turn; the first is nobody's
+    std::vector<StepShares> shares_;
+    std::vector<std::uint32_t> shares_of_turn_;  // index, or kNobody
+    // The box at hand.
+    std::vector<Plane> stock_, planes_;
+    std::vector<Local> locals_;
+    std::vector<const Plane*> cuts_;
+    FacetRegion facet_;
+};
+
+void BlockTree::account(std::span<const IncomingCell* const> cells, const AccountInput& input,
+                        std::vector<Taken>& taken) const {
+    if (nodes_[0].kind == Kind::Empty || cells.empty()) return;
+    thread_local Accounting accounting;
+    accounting.run(*this, cells, input, taken);
+}
+
+void BlockTree::Accounting::run(const BlockTree& tree, std::span<const IncomingCell* const> cells,
+                                const AccountInput& input, std::vector<Taken>& taken) {
+    input_ = &input;
+    taken_ = &taken;
+    taken.assign(1, {});
+    begin(tree, cells, input.cells);
+    shares_.clear();
+    shares_of_turn_.assign(1, kNobody);
+    for (Item& item : items_) {
+        const Origin origin = input.cells.origin(item.number);
+        const bool is_shared = item.cell->steps != nullptr;
+        if (taken.back().origin != origin || taken.size() == 1 || is_shared ||
+            shares_of_turn_.back() != kNobody) {
+            taken.push_back({origin, 0.0, {}});
+            shares_of_turn_.push_back(is_shared ? static_cast<std::uint32_t>(shares_.size())
+                                                : kNobody);
+            if (is_shared) shares_.emplace_back(*item.cell);
+        }
+        item.turn = static_cast<std::uint32_t>(taken.size() - 1);
+    }
+    go_down(0, 0, items_.size(), {});
+    for (Taken& turn : taken) {
+        std::ranges::sort(turn.cells);
+        turn.cells.erase(std::unique(turn.cells.begin(), turn.cells.end()), turn.cells.end());
+    }
+    share_out();
+}
+
+// What cells took that stand for steps goes to these. Nobody's turn goes.
+void BlockTree::Accounting::share_out() {
+    std::vector<Taken> all;
+    for (std::size_t turn = 1; turn < taken_->size(); ++turn) {
+        Taken& whole = (*taken_)[turn];
+        const std::uint32_t number = shares_of_turn_[turn];
+        if (number == kNobody) {
+            all.push_back(std::move(whole));
+            continue;
+        }
+        const StepShares& shares = shares_[number];
+        const std::vector<double> volumes = shares.of(whole.volume);
+        for (std::size_t step = 0; step < volumes.size(); ++step)
+            all.push_back({shares.origin(step), volumes[step], whole.cells, step});
+    }
+    taken_->swap(all);
+}
+
+// Items [begin, end) of the level above, in the order of time.
+void BlockTree::Accounting::go_down(std::uint32_t node, std::size_t begin, std::size_t end,
+                                    Last last) {
+    const HalfBox box = tree_->nodes_[node].box();
+    const Level above = level();
+    last = take_in(box, begin, end, last);
+    if (items_.size() == above.items && last.is_nobody()) {
+        // Nothing is taken here.
+    } else if (tree_->nodes_[node].kind == Kind::Material) {
+        take_out(node);
+        divide(box, above.items, items_.size(), 0, kNone, last);
+    } else {
+        const std::size_t here = items_.size();
+        const std::uint32_t first = tree_->nodes_[node].first_child;
+        for (const std::uint32_t child : {first, first + 1}) {
+            if (tree_->nodes_[child].kind != Kind::Empty) go_down(child, above.items, here, last);
+        }
+    }
+    return_to(above);
+}
+
+// Adds what items [begin, end) have in the box, without those whose turn is not before that of the
+// first that covers it. Whose that is.
+BlockTree::Accounting::Last BlockTree::Accounting::take_in(const HalfBox& box, std::size_t begin,
+                                                           std::size_t end, Last last) {
+    turn_to_another_box();
+    const BoxFrame frame(box);
+    const std::size_t mine = items_.size();
+    const std::size_t hopeful = take_those_in(frame, begin, end);
+    const std::size_t met = items_.size();
+    const bool is_coarse = met - mine > kFewCells && cut_of_boxes(box, mine).axis != 3;
+    const auto longest = static_cast<double>(box.extent(box.longest_axis()));
+    if (hopeful != kNone) {
+        Item item = items_[hopeful];
+        if (look(frame, item) == Place::Covers) last = {item.turn, item.number};
+    }
+    std::size_t kept = mine;
+    for (std::size_t i = mine; i < met; ++i) {
+        Item item = items_[i];
+        if (item.turn >= last.turn) continue;
+        if (!is_coarse || !is_small_for(longest, item)) {
+            const Place place = look(frame, item);
+            if (place == Place::Outside) continue;
+            if (place == Place::Covers) {
+                last = {item.turn, item.number};
+                continue;
+            }
+        }
+        items_[kept++] = item;
+    }
+    items_.resize(kept);
+    // Others of its turn came before it.
+    const auto begin_of_mine = items_.begin() + static_cast<std::ptrdiff_t>(mine);
+    items_.erase(std::remove_if(begin_of_mine, items_.end(),
+                                [last](const Item& item) { return item.turn >= last.turn; }),
+                 items_.end());
+    return last;
+}
+
+// A box in a leaf of the tree, of which items [begin, end) are all that is there.
+void BlockTree::Accounting::divide(const HalfBox& box, std::size_t begin, std::size_t end,
+                                   int fruitless, std::size_t parent_load, Last last) {
+    const Level above = level();
+    const std::size_t mine = above.items;
+    last = take_in(box, begin, end, last);
+    const std::span<const Item> items = std::span(items_).subspan(mine);
+    const auto changes = [](const Item& item) { return item.turn != kBefore; };
+    if (last.is_nobody() && std::ranges::none_of(items, changes)) {
+        // Nothing is taken here.
+    } else if (std::ranges::any_of(items, [](const Item& item) { return !item.is_looked_at; })) {
+        const Cut cut = cut_of_boxes(box, mine);
+        split(box, cut.axis == 3 ? box.longest_axis() : cut.axis, mine, 0, kNone, last);
+    } else {
+        // Mostly, what is about to come has gone before: then nothing else need be looked at.
+        drop_redundant(BoxFrame(box), mine);
+        const std::size_t planes = load(mine);
+        const bool was_in_vain = 10 * planes > 9 * parent_load;
+        fruitless = was_in_vain ? fruitless + 1 : 0;
+        Cut cut;
+        if (planes > input_->leaf && fruitless < kFruitlessSplits) cut = best_cut(box, mine);
+        if (last.is_nobody() && std::ranges::none_of(std::span(items_).subspan(mine), changes)) {
+            // Nothing is taken here.
+        } else if (cut.axis == 3) {
+            settle(box, mine, last);
+        } else {
+            split(box, cut.axis, mine, fruitless, cut.parts ? kNone : planes, last);
+        }
+    }
+    return_to(above);
+}
+
+void BlockTree::Accounting::split(const HalfBox& box, std::size_t axis, std::size_t begin,
+                                  int fruitless, std::size_t parent_load, Last last) {
+    const std::size_t end = items_.size();
+    for (const bool upper : {false, true})
+        divide(box.half(axis, upper), begin, end, fruitless, parent_load, last);
+}
+
+// Makes cuts_ what the other cell has of a facet in `plane`; false if nothing. `takes_same`: has it
+// the facet where both have one in the same plane?
+bool BlockTree::Accounting::takes_from(const Local& other, const Plane& plane, bool takes_same,
+                                       bool takes_opposite) {
+    bool has_same = false;
+    bool has_opposite = false;
+    cuts_.clear();
+    for (const Plane& cut : planes_of(other)) {
+        if (!cut.is_parallel_to(plane)) {
+            cuts_.push_back(&cut);
+            continue;
+        }
+        const bool same = same_direction(plane, cut);
+        const int beyond = distance_beyond(plane, cut, same);
+        if (beyond < 0 || (beyond == 0 && !(same ? takes_same : takes_opposite))) return false;
+        if (beyond == 0) (same ? has_same : has_opposite) = true;
+    }
+    return !(has_same && has_opposite);  // else it is flat
+}
+
+// Cuts facet_ to what lies below `planes`; one that is parallel to it has all of it or nothing.
+bool BlockTree::Accounting::clip_to(const Plane& plane, std::span<const Plane> planes) {
+    return std::ranges::all_of(planes, [&](const Plane& cut) {
+        if (!cut.is_parallel_to(plane)) return facet_.clip(cut);
+        const bool same = same_direction(plane, cut);
+        const int beyond = distance_beyond(plane, cut, same);
+        return beyond > 0 || (beyond == 0 && same);
+    });
+}
+
+// A leaf: follows all facets.
+void BlockTree::Accounting::settle(const HalfBox& box, std::size_t begin, Last last) {
+    const BoxFrame frame(box);
+    stock_.clear();
+    for (const Plane& plane : input_->stock) {
+        const Side side = side_of(frame, HalfPlane(plane));
+        if (side == Side::Above) return;
+        if (side == Side::On) stock_.push_back(plane);
+    }
+    locals_.clear();
+    planes_.clear();
+    for (const Item& item : std::span(items_).subspan(begin)) {
+        Local local{item.turn, item.number, planes_.size(), 0};
+        for (const Facet& facet : facets_of(item))
+            planes_.push_back(exact(item, facet.plane));
+        for (const Loose plane : loose_of(item))
+            planes_.push_back(exact(item, entry(plane).plane));
+        local.count = planes_.size() - local.first;
+        locals_.push_back(local);
+    }
+    std::ranges::sort(locals_, {}, [](const Local& l) { return std::pair{l.turn, l.number}; });
+    for (const Plane& plane : stock_) {
+        if (facet_.assign(plane, box)) follow(plane, 1.0, {kBefore, 0, 0, 0}, last);
+    }
+    for (const Local& local : locals_) {
+        for (const Plane& plane : planes_of(local)) {
+            if (facet_.assign(plane, box)) follow(plane, -1.0, local, last);
+        }
+    }
+}
+
+// facet_ through time: from what `self`, if it is a cell, has first. `sign`: 1 out of the part.
+void BlockTree::Accounting::follow(const Plane& plane, double sign, const Local& self, Last last) {
+    const bool is_wall = self.count > 0;
+    const double rounding = kRounding * facet_.area();
+    const auto begin_of_later = static_cast<std::size_t>(
+        std::ranges::upper_bound(locals_, self.turn, {}, &Local::turn) - locals_.begin());
+    // What was there before is only looked at where somebody takes some of it.
+    if (self.turn == kBefore && last.is_nobody()) {
+        std::size_t takers = 0;
+        std::size_t taker = 0;
+        for (std::size_t i = begin_of_later; i < locals_.size() && takers < 2; ++i) {
+            if (!takes_from(locals_[i], plane, !is_wall, is_wall) || !facet_.meets(cuts_)) continue;
+            ++takers;
+            taker = i;
+        }
+        if (takers == 0) return;
+        if (takers == 1) {
+            takes_from(locals_[taker], plane, !is_wall, is_wall);
+            for (const Plane* cut : cuts_) {
+                if (!facet_.clip(*cut)) return;
+            }
+        }
+    }
+    if (is_wall &&
+        (std::ranges::find(stock_, plane) != stock_.end() || !clip_to(plane, planes_of(self)))) {
+        return;
+    }
+    if (!clip_to(plane, stock_)) return;
+    const double height = sign * distance_about(plane, input_->centre) / 3.0;
+    // The latest of them first: mostly it has all of what lies in the way that the tool came.
+    for (std::size_t i = begin_of_later; i-- > 0;) {
+        const Local& other = locals_[i];
+        if (is_wall && other.number == self.number) continue;
+        const bool comes_before =
+            std::pair{other.turn, other.number} < std::pair{self.turn, self.number};
+        if (!takes_from(other, plane, !is_wall || comes_before, is_wall)) continue;
+        facet_.take(cuts_);
+        if (facet_.is_empty()) return;
+    }
+    const auto give = [&](std::uint32_t turn, std::uint32_t number, double area,
+                          double sign_of_it) {
+        Taken& taken = (*taken_)[turn];
+        taken.volume += sign_of_it * height * area;
+        if (area > rounding && (taken.cells.empty() || taken.cells.back() != number))
+            taken.cells.push_back(number);
+    };
+    const auto shares_of = [&](std::uint32_t turn) {
+        const std::uint32_t shares = shares_of_turn_[turn];
+        return shares == kNobody ? nullptr : &shares_[shares];
+    };
+    if (self.turn != kBefore) {
+        const double area = facet_.area();
+        give(self.turn, self.number, area, -1.0);
+        if (StepShares* shares = shares_of(self.turn)) shares->is_born(plane, area);
+    }
+    for (std::size_t i = begin_of_later; i < locals_.size(); ++i) {
+        const Local& other = locals_[i];
+        if (!takes_from(other, plane, !is_wall, is_wall)) continue;
+        give(other.turn, other.number, facet_.take(cuts_), 1.0);
+        if (StepShares* shares = shares_of(other.turn))
+            shares->takes(plane, sign, facet_, facet_.taken());
+        if (facet_.is_empty()) return;
+    }
+    if (last.is_nobody()) return;
+    give(last.turn, last.number, facet_.area(), 1.0);
+    if (StepShares* shares = shares_of(last.turn))
+        shares->takes(plane, sign, facet_, facet_.polygons());
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tree/block.h"
+
+#include <algorithm>
+
+namespace ncsim::cda {
+
+void Block::settle(const AccountInput& input, bool keeps_account) {
+    std::vector<const IncomingCell*> cells;
+    cells.reserve(going_down.size());
+    for (const auto& cell : going_down)
+        cells.push_back(&cell->incoming);
+    if (keeps_account) {
+        std::vector<Taken> turns;
+        tree->account(cells, input, turns);
+        for (const Taken& turn : turns) {
+            Taking taking{turn.volume, {}};
+            for (const std::uint32_t number : turn.cells) {
+                const auto cell = std::ranges::lower_bound(
+                    going_down, number, {}, [](const auto& w) { return w->incoming.number; });
+                taking.bounds.add(turn.step ? (*cell)->cell.steps->steps[*turn.step].bounds
+                                            : (*cell)->cell.bounds);
+            }
+            taken.emplace_back(turn.origin, taking);
+        }
+    }
+    own().insert(cells, input.cells, input.leaf);
+    going_down.clear();
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tree/descent.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Boxes are parted if halves have less than so many times as many cells as the whole, in sum.
+constexpr double kPartsBoxes = 1.9;
+// What an axis loses by being shorter than another when it is chosen.
+constexpr double kShortAxis = 0.25;
+// More cells than this are halved along the longest axis, whatever they are.
+constexpr std::size_t kManyCells = 64;
+
+}  // namespace
+
+void BlockTree::Descent::begin(const BlockTree& tree, std::span<const IncomingCell* const> cells,
+                               const CellTable& table) {
+    tree_ = &tree;
+    table_ = &table;
+    items_.clear();
+    facets_.clear();
+    loose_.clear();
+    pool_.clear();
+    views_.clear();
+    view_of_family_.assign(table.families(), kNone);
+    low_.clear();
+    high_.clear();
+    column_of_.clear();
+    directions_.clear();
+    incoming_planes_ = 0;
+    for (const IncomingCell* cell : cells) {
+        Item item;
+        item.number = cell->number;
+        item.cell = cell;
+        item.first = static_cast<std::uint32_t>(incoming_planes_);
+        incoming_planes_ += cell->planes.size();
+        items_.push_back(item);
+    }
+}
+
+void BlockTree::Descent::return_to(const Level& level) {
+    items_.resize(level.items);
+    facets_.resize(level.facets);
+    loose_.resize(level.loose);
+    pool_.resize(level.pool);
+}
+
+std::size_t BlockTree::Descent::load(std::size_t begin) const {
+    std::size_t sum = 0;
+    for (const Item& item : std::span(items_).subspan(begin))
+        sum += item.facets.count + item.loose.count;
+    return sum;
+}
+
+std::size_t BlockTree::Descent::take_those_in(const BoxFrame& frame, std::size_t begin,
+                                              std::size_t end) {
+    std::size_t hopeful = kNone;
+    double nearest = std::numeric_limits<double>::max();
+    for (std::size_t i = begin; i < end; ++i) {
+        const IncomingCell* cell = items_[i].cell;
+        if (cell) {
+            if (!cell->meets(frame)) continue;
+            double distance = 0.0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                distance = std::max(distance,
+                                    std::abs(cell->min[k] + cell->max[k] - 2.0 * frame.centre[k]) /
+                                        (cell->max[k] - cell->min[k]));
+            }
+            if (distance < nearest) {
+                nearest = distance;
+                hopeful = items_.size();
+            }
+        }
+        items_.push_back(items_[i]);
+    }
+    return hopeful;
+}
+
+// Along the axis whose halves have the fewest items from `begin` on, in sum, by the boxes of those
+// that were not looked at; none if that is not much fewer.
+BlockTree::Descent::Cut BlockTree::Descent::cut_of_boxes(const HalfBox& box,
+                                                         std::size_t begin) const {
+    std::array<double, 3> middle{};
+    for (std::size_t i = 0; i < 3; ++i)
+        middle[i] = static_cast<double>(box.middle(i));
+    std::array<std::size_t, 3> both{};
+    std::size_t all = 0;
+    for (const Item& item : std::span(items_).subspan(begin)) {
+        if (item.is_looked_at) continue;
+        ++all;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (item.cell->min[i] <= middle[i] && item.cell->max[i] >= middle[i]) ++both[i];
+        }
+    }
+    const auto longest = static_cast<double>(box.extent(box.longest_axis()));
+    Cut best;
+    double best_cost = kPartsBoxes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (box.extent(i) < kSmallestBox) continue;
+        const double cost = static_cast<double>(all + both[i]) / static_cast<double>(all) +
+                            kShortAxis * (1.0 - static_cast<double>(box.extent(i)) / longest);
+        if (cost >= best_cost) continue;
+        best_cost = cost;
+        best = {i, true};
+    }
+    return best;
+}
+
+// Adds the cells of a leaf to the items.
+void BlockTree::Descent::take_out(std::uint32_t number) {
+    tree_->nodes_[number].cells.read(words_);
+    const std::span<const std::uint32_t> words(words_);
+    for (std::size_t at = 0; at < words.size(); at += kHead + words[at + 1]) {
+        Item item;
+        item.number = words[at];
+        item.is_looked_at = true;
+        item.facets.first = static_cast<std::uint32_t>(facets_.size());
+        item.loose.first = static_cast<std::uint32_t>(loose_.size());
+        const std::uint32_t family = table_->family(item.number);
+        for (const std::uint32_t plane : words.subspan(at + kHead, words[at + 1])) {
+            const std::uint16_t facet = tree_->planes_.facet(plane);
+            if (facet == kLoose) {
+                loose_.push_back({static_cast<std::uint32_t>(pool_.size())});
+                pool_.push_back({HalfPlane(tree_->planes_.loose(plane)), plane});
+            } else {
+                const double d2 = 2.0 * static_cast<double>(tree_->planes_.distance(plane));
+                facets_.push_back({d2, views_[view_of(family)].first + facet, plane});
+            }
+        }
+        item.facets.count = static_cast<std::uint32_t>(facets_.size()) - item.facets.first;
+        item.loose.count = static_cast<std::uint32_t>(loose_.size()) - item.loose.first;
+        items_.push_back(item);
+    }
+}
+
+std::uint32_t BlockTree::Descent::view_of(std::uint32_t family) {
+    std::uint32_t& view = view_of_family_[family];
+    if (view == kNone) {
+        view = static_cast<std::uint32_t>(views_.size());
+        const FacetNormals& normals = table_->normals(family);
+        views_.push_back({&normals, static_cast<std::uint32_t>(low_.size()), 0});
+        low_.resize(low_.size() + normals.size());
+        high_.resize(low_.size());
+        column_of_.resize(low_.size(), kNone);
+    }
+    return view;
+}
+
+// Where the box begins and ends along the normals of a family.
+const BlockTree::Descent::View& BlockTree::Descent::see(std::uint32_t family,
+                                                        const BoxFrame& frame) {
+    View& view = views_[view_of(family)];
+    if (view.seen == box_) return view;
+    view.seen = box_;
+    const FacetNormals& normals = *view.normals;
+    double* const low = &low_[view.first];
+    double* const high = &high_[view.first];
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double middle = normals.x[i] * frame.centre[0] + normals.y[i] * frame.centre[1] +
+                              normals.z[i] * frame.centre[2];
+        const double reach = std::abs(normals.x[i]) * frame.half[0] +
+                             std::abs(normals.y[i]) * frame.half[1] +
+                             std::abs(normals.z[i]) * frame.half[2];
+        low[i] = middle - reach;
+        high[i] = middle + reach;
+    }
+    return view;
+}
+
+// Of an item of the level above, what it has in the box, at the end of the stacks; first what is
+// most likely to be above a smaller box.
+BlockTree::Descent::Place BlockTree::Descent::look(const BoxFrame& frame, Item& item) {
+    const std::size_t facets = facets_.size();
+    const std::size_t loose = loose_.size();
+    const bool is_outside =
+        item.is_looked_at ? !look_again(frame, item) : !look_at_all(frame, item);
+    if (is_outside) {
+        facets_.resize(facets);
+        loose_.resize(loose);
+        return Place::Outside;
+    }
+    item.is_looked_at = true;
+    item.facets = {static_cast<std::uint32_t>(facets),
+                   static_cast<std::uint32_t>(facets_.size() - facets)};
+    item.loose = {static_cast<std::uint32_t>(loose),
+                  static_cast<std::uint32_t>(loose_.size() - loose)};
+    return item.facets.count + item.loose.count == 0 ? Place::Covers : Place::Cuts;
+}
+
+bool BlockTree::Descent::look_at_all(const BoxFrame& frame, const Item& item) {
+    const IncomingCell& cell = *item.cell;
+    if (!cell.facets.empty()) {
+        const View& seen = see(table_->family(item.number), frame);
+        const double* const d2 = cell.facets.data();
+        const double* const low = &low_[seen.first];
+        const double* const high = &high_[seen.first];
+        const std::size_t count = cell.facets.size();
+        int outside = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            outside |= static_cast<int>(low[i] >= d2[i]);
+        if (outside != 0) return false;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (high[i] <= d2[i]) continue;
+            const auto facet = static_cast<std::uint32_t>(i);
+            facets_.push_back({d2[i], seen.first + facet, facet});
+        }
+    }
+    for (const std::uint16_t plane : cell.loose) {
+        const HalfPlane half_plane(cell.planes[plane]);
+        const Side side = side_of(frame, half_plane);
+        if (side == Side::Above) return false;
+        if (side == Side::Below) continue;
+        loose_.push_back({static_cast<std::uint32_t>(pool_.size())});
+        pool_.push_back({half_plane, plane});
+    }
+    return true;
+}
+
+bool BlockTree::Descent::look_again(const BoxFrame& frame, const Item& item) {
+    if (item.facets.count > 0) see(table_->family(item.number), frame);
+    const std::uint32_t first = item.facets.first;
+    for (std::uint32_t i = first; i < first + item.facets.count; ++i) {
+        const Facet facet = facets_[i];
+        if (low_[facet.direction] >= facet.d2) {
+            // Most likely it is the one again, next door.
+            std::swap(facets_[i], facets_[first]);
+            return false;
+        }
+        if (high_[facet.direction] > facet.d2) facets_.push_back(facet);
+    }
+    for (std::uint32_t i = 0; i < item.loose.count; ++i) {
+        const Loose plane = loose_[item.loose.first + i];
+        const Side side = side_of(frame, entry(plane).half_plane);
+        if (side == Side::Above) return false;
+        if (side == Side::On) loose_.push_back(plane);
+    }
+    return true;
+}
+
+// Where a half of the box begins and ends along the normals of the table.
+void BlockTree::Descent::look_into_half(const BoxFrame& box, const BoxFrame& half) {
+    for (const std::uint32_t direction : directions_) {
+        const ScaledNormal& normal = scaled_[column_of_[direction]];
+        const double reach = 0.5 * (high_[direction] - low_[direction]);
+        double middle = 0.5 * (high_[direction] + low_[direction]);
+        double rest = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            // Along the axis, in half extents of the whole box, times the length of the normal.
+            const double n = reach * static_cast<double>(normal.n[i]);
+            middle += n * (half.centre[i] - box.centre[i]) / box.half[i];
+            rest += std::abs(n) * half.half[i] / box.half[i];
+        }
+        half_low_[direction] = middle - rest;
+        half_high_[direction] = middle + rest;
+    }
+}
+
+// Along the axis that parts the cells best; the longest of those that do as well.
+BlockTree::Descent::Cut BlockTree::Descent::best_cut(const HalfBox& box, std::size_t begin) {
+    const std::span<const Item> items = std::span(items_).subspan(begin);
+    const std::size_t longest = box.longest_axis();
+    if (box.extent(longest) < kSmallestBox) return {};
+    if (items.size() > kManyCells) return {longest, true};
+    half_low_.resize(low_.size());
+    half_high_.resize(low_.size());
+    const BoxFrame whole(box);
+    Cut best;
+    double best_cost = std::numeric_limits<double>::max();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (box.extent(axis) < kSmallestBox) continue;
+        std::size_t total = 0;
+        for (const bool upper : {false, true}) {
+            const HalfBox half = box.half(axis, upper);
+            const BoxFrame frame(half);
+            look_into_half(whole, frame);
+            std::size_t here = 0;
+            for (const Item& item : items) {
+                bool outside = false;
+                bool cut = false;
+                for (const Facet& facet : facets_of(item)) {
+                    const std::uint32_t d = facet.direction;
+                    cut = cut || half_high_[d] > facet.d2;
+                    outside = half_low_[d] >= facet.d2;
+                    if (outside) break;
+                }
+                for (std::size_t k = 0; k < item.loose.count && !outside; ++k) {
+                    const Side side = side_of(frame, entry(loose_of(item)[k]).half_plane);
+                    cut = cut || side == Side::On;
+                    outside = side == Side::Above;
+                }
+                if (outside) continue;
+                if (!cut) {
+                    here = 0;
+                    break;
+                }
+                ++here;
+            }
+            total += here;
+        }
+        const double shape =
+            static_cast<double>(box.extent(axis)) / static_cast<double>(box.extent(longest));
+        const double cost =
+            static_cast<double>(total) / static_cast<double>(items.size()) - kShortAxis * shape;
+        if (cost < best_cost) {
+            best_cost = cost;
+            // Less than half of the cells in both halves: one was cut off rather.
+            best = {axis, 2 * total <= 3 * items.size()};
+        }
+    }
+    return best;
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tree/domination.h"
+
+#include "ncsim/cda/predicates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Of the evaluation of a bound, in units of n times half units: rounding of e (below 2^53), and of
+// the sum relative to its largest terms, with room to spare.
+constexpr double kRoundingOfE = 16.0;
+constexpr double kRelativeRounding = 1e-14;
+
+}  // namespace
+
+Domination implies(const BoxPlane& m, const BoxPlane& p) {
+    // The corner of the box that is farthest above p must be above m, for a start.
+    double height = -m.e;
+    for (std::size_t i = 0; i < 3; ++i)
+        height += std::copysign(1.0, p.n[i]) * m.n[i];
+    if (height < 0) return Domination::None;
+    // max p·x <= min over λ >= 0 of λ e_m + Σ |p_i − λ m_i|: convex, piecewise linear; the least
+    // value is at a kink.
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double lambda = p.n[i] * m.inverse[i];
+        if (lambda <= 0) continue;
+        double bound = lambda * m.e;
+        for (std::size_t k = 0; k < 3; ++k)
+            bound += std::abs(p.n[k] - lambda * m.n[k]);
+        const double size = p.size + lambda * (m.size + std::abs(m.e));
+        const double margin = kRoundingOfE * (1.0 + lambda) + kRelativeRounding * size;
+        if (bound + margin < p.e) return Domination::Strict;
+    }
+    // Equal planes, or nearly so, are left to integers.
+    if (!m.exact->is_parallel_to(*p.exact) || !same_direction(*m.exact, *p.exact)) {
+        return Domination::None;
+    }
+    const int order = compare_distances(*m.exact, *p.exact);
+    return order < 0 ? Domination::None : order == 0 ? Domination::Coplanar : Domination::Strict;
+}
+
+Domination dominated(std::span<const BoxPlane> cell, std::span<const BoxPlane> by) {
+    Domination result = Domination::Strict;
+    for (const BoxPlane& p : by) {
+        Domination best = Domination::None;
+        for (const BoxPlane& m : cell) {
+            const Domination found = implies(m, p);
+            if (found > best) best = found;
+            if (best == Domination::Strict) break;
+        }
+        if (best == Domination::None) return best;
+        result = std::min(result, best);
+    }
+    return result;
+}
+
+Profile::Profile(std::span<const BoxPlane> cell) {
+    std::array<double, 3> sum{};
+    for (const BoxPlane& p : cell) {
+        for (std::size_t i = 0; i < 3; ++i)
+            sum[i] += p.n[i] / p.size;
+    }
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+        if (std::abs(sum[i]) > std::abs(sum[axis])) axis = i;
+    }
+    const double sign = sum[axis] < 0 ? -1.0 : 1.0;
+    direction = static_cast<std::uint8_t>(2 * axis + (sum[axis] < 0 ? 1 : 0));
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    constexpr std::array<float, 4> kAt{-0.9F, -0.3F, 0.3F, 0.9F};
+    reach.fill(1.0F);
+    for (const BoxPlane& p : cell) {
+        const double along = sign * p.n[axis];
+        if (along <= 0) continue;
+        const auto middle = static_cast<float>(p.e / along);
+        const auto du = static_cast<float>(p.n[u] / along);
+        const auto dv = static_cast<float>(p.n[v] / along);
+        for (std::size_t k = 0; k < 16; ++k) {
+            reach[k] = std::min(reach[k], middle - du * kAt[k & 3] - dv * kAt[k >> 2]);
+        }
+    }
+}
+
+bool Profile::may_be_covered_by(const Profile& other) const {
+    if (direction != other.direction) return true;
+    // Equal ones differ by rounding.
+    constexpr float kTolerance = 1e-5F;
+    bool covered = true;
+    for (std::size_t k = 0; k < 16; ++k) {
+        covered &= reach[k] <= other.reach[k] + kTolerance * (std::abs(reach[k]) + 1.0F);
+    }
+    return covered;
+}
+
+}  // namespace ncsim::cda

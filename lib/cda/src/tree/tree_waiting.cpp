@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cells on their way into the tree: they wait, block by block, until somebody asks about the part
+// where they are, or until the tool has left.
+#include "ncsim/cda/parallel.h"
+#include "ncsim/cda/tree.h"
+
+#include "polytope/within.h"
+#include "tree/block.h"
+#include "tree/evaluation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ncsim::cda {
+
+namespace {
+
+// Fewer cells than this are not worth waking a thread for.
+constexpr std::size_t kCellsWorthThreads = 16;
+
+// Volumes of single cells below this share of the stock are rounding.
+constexpr double kAccountRounding = 1e-15;
+
+#ifndef NDEBUG
+bool stands_once(std::vector<Plane> planes) {
+    std::sort(planes.begin(), planes.end());
+    return std::adjacent_find(planes.begin(), planes.end()) == planes.end();
+}
+#endif
+
+// Are the first planes of the cell those of the normals it claims to have?
+bool has_its_normals(const Cell& cell) {
+    if (!cell.normals || cell.normals->size() > cell.planes.size()) return false;
+    const FacetNormals& n = *cell.normals;
+    bool is_so = true;
+    for (std::size_t i = 0; i < n.size(); ++i) {
+        const Plane& p = cell.planes[i];
+        is_so &= n.x[i] == p.nx && n.y[i] == p.ny && n.z[i] == p.nz;
+    }
+    return is_so;
+}
+
+bool tells_share_of(const Cell& cell, Origin origin) {
+    if (!cell.steps) return origin == cell.origin;
+    const auto& steps = cell.steps->steps;
+    return steps.front().origin <= origin && origin <= steps.back().origin;
+}
+
+}  // namespace
+
+void TreeCda::subtract_unmeasured(std::span<const Cell> cells) {
+    for (const Cell& cell : cells) {
+        if (take_in(cell)) settle_some();
+    }
+}
+
+void TreeCda::subtract_step(std::span<const Cell> cells, std::span<const Cell> covering,
+                            std::span<const Cell> before) {
+    for (const Cell& cell : before)
+        take_in(cell, true);
+    for (const Cell& cell : cells)
+        take_in(cell);
+    for (const Cell& cell : covering)
+        take_in(cell, true);
+    settle_some();
+}
+
+// Hands a cell to the blocks that it may meet. False: it does not meet the stock.
+bool TreeCda::take_in(const Cell& cell, bool covers) {
+    assert(stands_once(cell.planes));
+    // What is not below here does not cut the stock.
+    constexpr double kBeyond = std::numeric_limits<double>::infinity();
+    const std::size_t facets = has_its_normals(cell) ? cell.normals->size() : 0;
+    auto taken = std::make_shared<WaitingCell>();
+    IncomingCell& here = taken->incoming;
+    here.facets.reserve(facets);
+    for (std::size_t i = 0; i < cell.planes.size(); ++i) {
+        const Side side = classify_box(stock_box_, cell.planes[i]);
+        if (side == Side::Above) return false;
+        if (i < facets) {
+            here.facets.push_back(side == Side::On ? 2.0 * static_cast<double>(cell.planes[i].d)
+                                                   : kBeyond);
+        } else if (side == Side::On) {
+            here.loose.push_back(static_cast<std::uint16_t>(i));
+        }
+    }
+    here.enclose(cell.bounds, lattice_.unit_mm);
+    here.number = cells_->size() + static_cast<std::uint32_t>(listed_.size());
+    listed_.push_back({cell.origin, cell.rank, facets > 0 ? cell.normals : nullptr});
+    ++counts_.cells;
+    counts_.planes += here.loose.size();
+    for (const double d : here.facets)
+        counts_.planes += d < kBeyond ? 1 : 0;
+    taken->cell = cell;
+    here.planes = taken->cell.planes;
+    here.steps = taken->cell.steps.get();
+    const auto is_there = [](const Place& place, const IncomingCell& c) {
+        bool is_so = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            is_so &= c.min[i] <= place.max[i];
+            is_so &= c.max[i] >= place.min[i];
+        }
+        return is_so;
+    };
+    for (const std::uint32_t number : own_) {
+        if (!is_there(places_[number], here)) continue;
+        Block& block = blocks_[number];
+        if (covers) forget_within(block, cell);
+        block.waiting.push_back(taken);
+        block.last_step = steps_;
+    }
+    return true;
+}
+
+// Of the latest cells that wait for a block, those that show nowhere beside this one, which is
+// before them in rank, need not go down the tree. Where it is told what each origin took, only
+// those whose share it can tell.
+void TreeCda::forget_within(Block& block, const Cell& covering) const {
+    constexpr std::size_t kLatest = 256;
+    auto& waiting = block.waiting;
+    const std::size_t first = waiting.size() - std::min(waiting.size(), kLatest);
+    const auto is_within = [&](const auto& w) {
+        if (account_ && !tells_share_of(covering, w->cell.origin)) return false;
+        return covering.rank < w->cell.rank && lies_within(w->cell, covering, stock_box_);
+    };
+    waiting.erase(std::remove_if(waiting.begin() + static_cast<std::ptrdiff_t>(first),
+                                 waiting.end(), is_within),
+                  waiting.end());
+}
+
+// Every so often, those go down that wait where nobody has come for a while: a block that the tool
+// has left takes in all at once, while other threads would wait; all do if they are many.
+void TreeCda::settle_some() {
+    constexpr std::uint64_t kTurn = 512, kWhile = 4096;
+    const bool are_many = ++waiting_ >= parameters_.batch;
+    if (++steps_ % kTurn != 0 && !are_many) return;
+    begin_settling(
+        [&](const Block& block) { return are_many || steps_ - block.last_step >= kWhile; });
+    if (are_many) waiting_ = 0;
+}
+
+// What waits goes down where `goes`, by other threads if there are any.
+void TreeCda::begin_settling(const std::function<bool(const Block&)>& goes) const {
+    std::vector<Block*> changing;
+    std::size_t cells = 0;
+    for (Block& block : blocks_) {
+        if (block.waiting.empty() || !goes(block)) continue;
+        cells += block.waiting.size();
+        changing.push_back(&block);
+    }
+    if (changing.empty()) return;
+    finish_settling();
+    for (Block* block : changing)
+        block->send_down();
+    changing_ = std::move(changing);
+    // The one with most to do first, so that nobody waits for it in the end.
+    std::ranges::stable_sort(changing_, std::ranges::greater{},
+                             [](const Block* block) { return block->going_down.size(); });
+    const std::size_t threads = cells < kCellsWorthThreads ? 1 : thread_count(parameters_.threads);
+    // By value: the part may be moved meanwhile; what these point to is not.
+    const AccountInput input{stock_planes_, *cells_, centre_, parameters_.leaf};
+    settling_ = std::make_unique<Background>(
+        threads - 1, changing_.size(),
+        [input, changing = changing_.data(), keeps_account = account_.has_value()](std::size_t i) {
+            changing[i]->settle(input, keeps_account);
+        });
+}
+
+// From then on nobody else reads the blocks and the table of cells.
+void TreeCda::finish_settling() const {
+    if (const auto settling = std::move(settling_)) {
+        const auto changed = std::exchange(changing_, {});
+        settling->finish();
+        for (const Block* block : changed)
+            tell_place(static_cast<std::size_t>(block - blocks_.data()));
+        close_books();
+    }
+    for (const Listed& cell : listed_)
+        cells_->add(cell.origin, cell.rank, cell.normals);
+    listed_.clear();
+}
+
+void TreeCda::settle_all() const {
+    begin_settling([](const Block&) { return true; });
+    finish_settling();
+    waiting_ = 0;
+}
+
+void TreeCda::settle() const {
+    const Asked asked(*this);
+    settle_all();
+}
+
+// Lets no cell wait that might change what is asked here.
+void TreeCda::settle_near(const Box& bounds) const {
+    finish_settling();
+    const Box near = this->near(bounds);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        Block& block = blocks_[i];
+        if (std::ranges::none_of(block.waiting,
+                                 [&](const auto& w) { return w->cell.bounds.overlaps(near); }))
+            continue;
+        block.send_down();
+        block.settle({stock_planes_, *cells_, centre_, parameters_.leaf}, account_.has_value());
+        tell_place(i);
+    }
+    close_books();
+}
+
+// In the order of the blocks, whichever thread was first.
+void TreeCda::close_books() const {
+    for (Block& block : blocks_) {
+        for (const auto& [origin, taken] : block.taken) {
+            Taking& sum = (*account_)[origin];
+            sum.volume += taken.volume;
+            sum.bounds.add(taken.bounds);
+        }
+        block.taken.clear();
+    }
+}
+
+double TreeCda::subtract(const Cell& cell) {
+    settle_near(cell.bounds);
+    const Evaluation result = evaluate_window(cell, false);
+    if (parameters_.tile) {
+        WorkpieceModel::subtract_unmeasured(cell);
+        return result.volume * lattice_.cubic_unit_mm3();
+    }
+    // Whether they have anything in common is decided by pieces of surface, exactly; the sum is
+    // rounded, and may come out as less than nothing.
+    if (result.outlines.pieces().empty()) return 0.0;
+    WorkpieceModel::subtract_unmeasured(cell);
+    return std::max(0.0, result.volume * lattice_.cubic_unit_mm3());
+}
+
+void TreeCda::keep_account() {
+    settle();
+    if (!account_) account_.emplace();
+}
+
+Account TreeCda::account() const {
+    const Asked asked(*this);
+    settle_all();
+    Account result;
+    if (!account_) return result;
+    const double unit = lattice_.cubic_unit_mm3();
+    const double rounding = kAccountRounding * stock_volume_;
+    for (const auto& [origin, taken] : *account_) {
+        const bool is_nothing = std::abs(taken.volume) < rounding;
+        result[origin] = is_nothing ? Taking{} : Taking{taken.volume * unit, taken.bounds};
+    }
+    return result;
+}
+
+}  // namespace ncsim::cda

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/corner_normals.h"
+
+#include "render/crease.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ncsim::exporter {
+
+CornerNormals::CornerNormals(const cda::Boundary& boundary, const Provenance& provenance,
+                             const Palette& palette, const brep::Shading& shading)
+    : boundary_(boundary), shading_(shading), first_(boundary.vertices.size() + 1, 0) {
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        maker_.push_back(palette.rank(provenance.of(face.origin)));
+        weighted_.push_back(area_vector(face));
+        for (const auto& loop : face.loops) {
+            for (const std::uint32_t vertex : loop)
+                ++first_[vertex + 1];
+        }
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    faces_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_);
+    for (std::uint32_t f = 0; f < boundary.faces.size(); ++f) {
+        for (const auto& loop : boundary.faces[f].loops) {
+            for (const std::uint32_t vertex : loop)
+                faces_[next[vertex]++] = f;
+        }
+    }
+}
+
+cda::Vec3 CornerNormals::at(std::uint32_t face, std::uint32_t vertex, cda::Vec3 point) const {
+    const cda::Vec3 own = boundary_.faces[face].normal;
+    using Known = brep::Shading::Known;
+    const Known known = shading_.known(face);
+    if (known == Known::Round) return shading_.normal(face, own, vertex, point);
+    // Vertices inside a face, which triangulate() made, have no others.
+    if (maker_[face] == 0 || vertex + 1 >= first_.size()) return own;
+    cda::Vec3 sum;
+    for (std::uint32_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
+        const std::uint32_t other = faces_[i];
+        // A wall is flat as far as what is round.
+        if (known == Known::Flat && shading_.known(other) == Known::Round) continue;
+        const bool is_smooth = maker_[other] == maker_[face] &&
+                               cda::dot(own, boundary_.faces[other].normal) > kCreaseCosine;
+        if (is_smooth) sum = sum + weighted_[other];
+    }
+    const double length = cda::norm(sum);
+    // Slivers without an area have no say, not even about themselves.
+    return length > 0.0 ? (1.0 / length) * sum : own;
+}
+
+// The normal, as long as the face is large.
+cda::Vec3 CornerNormals::area_vector(const cda::BoundaryFace& face) const {
+    double twofold = 0.0;
+    for (const auto& loop : face.loops) {
+        const cda::Vec3 a = boundary_.vertices[loop[0]];
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+            twofold += cda::dot(face.normal, cda::cross(boundary_.vertices[loop[i]] - a,
+                                                        boundary_.vertices[loop[i + 1]] - a));
+        }
+    }
+    return std::max(twofold, 0.0) * face.normal;
+}
+
+}  // namespace ncsim::exporter

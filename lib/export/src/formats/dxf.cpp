@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Groups of two lines: a code that says what it is, and a value. AutoCAD R12, the last one that
+// needs neither handles nor classes.
+#include "formats/drawing.h"
+
+#include <cstdint>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using brep::FlatPoint;
+
+// Colours of AutoCAD: black or white for stock and notes, then those that can be told apart.
+constexpr int kPlain = 7, kGrey = 8;
+
+// Text of DXF is in the code page of whoever reads it: beyond ASCII characters are told by number,
+// and those that have more than four digits not at all. `utf8` is well-formed.
+std::string ascii(const std::string& utf8) {
+    std::string text;
+    for (std::size_t i = 0; i < utf8.size();) {
+        const auto lead = static_cast<std::uint8_t>(utf8[i]);
+        const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        std::uint32_t number = length == 1 ? lead : lead & (0xFFU >> (length + 1));
+        for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
+            number = number << 6 | (static_cast<std::uint8_t>(utf8[i + k]) & 0x3FU);
+        i += length;
+        if (length == 1) {
+            text += static_cast<char>(lead);
+        } else if (length == 4) {
+            text += '?';
+        } else {
+            text += "\\U+";
+            for (int shift = 12; shift >= 0; shift -= 4)
+                text += "0123456789ABCDEF"[(number >> shift) & 0xF];
+        }
+    }
+    return text;
+}
+
+struct Layer {
+    std::string name;
+    int colour = kPlain;
+    bool operator<(const Layer& other) const { return name < other.name; }
+};
+
+class DxfWriter {
+public:
+    DxfWriter(const std::vector<DrawnSection>& sections, std::string program)
+        : sections_(sections), places_(places_of(sections)), program_(std::move(program)) {}
+
+    std::string operator()() {
+        head();
+        tables();
+        group(0, "SECTION");
+        group(2, "ENTITIES");
+        for (number_ = 0; number_ < sections_.size(); ++number_)
+            draw(sections_[number_]);
+        group(0, "ENDSEC");
+        group(0, "EOF");
+        return std::move(text_);
+    }
+
+private:
+    void group(int code, const std::string& value) {
+        text_ += std::to_string(code) + "\n" + value + "\n";
+    }
+    void point(int code, FlatPoint p) {
+        group(code, drawn(p.u));
+        group(code + 10, drawn(p.v));
+        group(code + 20, "0");
+    }
+
+    void head() {
+        group(999, "section by ncsim, mm");
+        group(0, "SECTION");
+        group(2, "HEADER");
+        group(9, "$ACADVER");
+        group(1, "AC1009");
+        group(9, "$INSUNITS");
+        group(70, "4");
+        DrawnBox box = box_of(sections_);
+        if (box.is_empty()) box.add(FlatPoint{});
+        group(9, "$EXTMIN");
+        point(10, {box.left, box.bottom});
+        group(9, "$EXTMAX");
+        point(10, {box.right, box.top});
+        group(0, "ENDSEC");
+    }
+
+    Layer layer(const brep::SectionPiece& piece, std::size_t number) const {
+        const DrawnSection& section = sections_[number];
+        const Maker maker(section.provenance->of(piece.origin));
+        Layer layer;
+        layer.name = maker.is_tool ? maker.name() : "STOCK";
+        constexpr int kColours = 6;
+        if (maker.is_tool) layer.colour = 1 + static_cast<int>(maker.tool % kColours);
+        const bool is_facet = piece.is_facet || (section.is_faceted && maker.is_tool);
+        if (is_facet) {
+            layer.name += "-FACETS";
+            layer.colour = kGrey;
+        }
+        if (sections_.size() > 1) layer.name = std::to_string(number + 1) + "-" + layer.name;
+        return layer;
+    }
+
+    void tables() {
+        std::set<Layer> layers{{"0", kPlain}, {"NOTES", kPlain}};
+        for (std::size_t i = 0; i < sections_.size(); ++i) {
+            for (const brep::Outline& outline : sections_[i].section->outlines) {
+                for (const brep::SectionPiece& piece : outline)
+                    layers.insert(layer(piece, i));
+            }
+        }
+        group(0, "SECTION");
+        group(2, "TABLES");
+        group(0, "TABLE");
+        group(2, "LTYPE");
+        group(70, "1");
+        group(0, "LTYPE");
+        group(2, "CONTINUOUS");
+        group(70, "0");
+        group(3, "Solid line");
+        group(72, "65");
+        group(73, "0");
+        group(40, "0");
+        group(0, "ENDTAB");
+        group(0, "TABLE");
+        group(2, "LAYER");
+        group(70, std::to_string(layers.size()));
+        for (const Layer& layer : layers) {
+            group(0, "LAYER");
+            group(2, layer.name);
+            group(70, "0");
+            group(62, std::to_string(layer.colour));
+            group(6, "CONTINUOUS");
+        }
+        group(0, "ENDTAB");
+        group(0, "ENDSEC");
+    }
+
+    void draw(const DrawnSection& section) {
+        for (const brep::Outline& outline : section.section->outlines) {
+            for (const brep::SectionPiece& piece : outline)
+                draw(piece);
+        }
+        const DrawnBox box = box_of(*section.section);
+        constexpr double kHeight = 3.0, kBelow = 8.0;  // mm
+        group(0, "TEXT");
+        group(8, "NOTES");
+        point(10, moved({box.is_empty() ? 0.0 : box.left,
+                         (box.is_empty() ? 0.0 : box.bottom) - kBelow}));
+        group(40, drawn(kHeight));
+        group(1, ascii(title_of(section, places_[number_], program_)));
+    }
+
+    FlatPoint moved(FlatPoint p) const { return {p.u + places_[number_], p.v}; }
+
+    void entity(const std::string& kind, const std::string& layer) {
+        group(0, kind);
+        group(8, layer);
+    }
+
+    void draw(const brep::SectionPiece& piece) {
+        const std::string on = layer(piece, number_).name;
+        const FlatPoint from = moved(piece.from), to = moved(piece.to);
+        if (std::holds_alternative<brep::FlatLine>(piece.curve)) {
+            entity("LINE", on);
+            point(10, from);
+            point(11, to);
+            return;
+        }
+        if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
+            const bool is_whole = piece.from == piece.to;
+            entity(is_whole ? "CIRCLE" : "ARC", on);
+            point(10, moved(arc->centre));
+            group(40, drawn(arc->radius));
+            if (is_whole) return;
+            // Always counter-clockwise.
+            group(50, drawn(angle_about(arc->centre, arc->is_ccw ? piece.from : piece.to)));
+            group(51, drawn(angle_about(arc->centre, arc->is_ccw ? piece.to : piece.from)));
+            return;
+        }
+        const bool is_whole = piece.from == piece.to;
+        entity("POLYLINE", on);
+        group(66, "1");
+        point(10, {});
+        group(70, is_whole ? "1" : "0");
+        const auto corner = [&](FlatPoint p) {
+            entity("VERTEX", on);
+            point(10, p);
+        };
+        corner(from);
+        std::vector<FlatPoint> points = chords_of(piece);
+        if (is_whole) points.pop_back();
+        for (const FlatPoint& p : points)
+            corner(moved(p));
+        entity("SEQEND", on);
+    }
+
+    const std::vector<DrawnSection>& sections_;
+    std::vector<double> places_;
+    std::string program_;
+    std::size_t number_ = 0;
+    std::string text_;
+};
+
+}  // namespace
+
+void write_dxf(std::ostream& out, const std::vector<DrawnSection>& sections,
+               const std::string& program) {
+    out << DxfWriter(sections, program)();
+    if (!out) throw std::runtime_error("cannot write DXF: the stream failed");
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. Triangles are sorted by the rank of their tool: a primitive each.
+//  2. Within a primitive each face gets vertices of its own, since its line is its own, and with
+//     them normals (corner_normals.h).
+//  3. The buffer is filled stream by stream (indices, positions, normals, lines, tools), an
+//     accessor for each stream of each primitive.
+#include "ncsim/export/gltf.h"
+
+#include "ncsim/cda/mesh.h"
+
+#include "formats/corner_normals.h"
+#include "formats/gltf_model.h"
+#include "formats/text.h"
+#include "mesh/float_mesh.h"
+#include "render/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace ncsim::exporter {
+
+namespace {
+
+struct Primitive {
+    Maker maker{{}};
+    std::vector<std::uint32_t> indices;
+    std::vector<FloatPoint> positions;
+    std::vector<FloatPoint> normals;
+    std::vector<float> lines;
+    std::vector<float> tools;
+};
+
+// Steps 1 and 2. Primitives without triangles are left out.
+std::vector<Primitive> primitives(const PartMesh& part, const Provenance& provenance,
+                                  const Palette& palette) {
+    const auto& [boundary, mesh, centre, shading] = part;
+    std::vector<Primitive> all(palette.makers().size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].maker = palette.makers()[i];
+    const CornerNormals normals(boundary, provenance, palette, shading);
+    constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t current_face = kNoFace;
+    std::unordered_map<std::uint32_t, std::uint32_t> local;  // point → its copy for this face
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.face[t] != current_face) local.clear();
+        current_face = mesh.face[t];
+        const cda::BoundaryFace& face = boundary.faces[current_face];
+        const Provenance::Entry entry = provenance.of(face.origin);
+        Primitive& primitive = all[palette.rank(entry)];
+        for (const std::uint32_t point : mesh.triangles[t]) {
+            const auto next = static_cast<std::uint32_t>(primitive.positions.size());
+            const auto [found, is_new] = local.try_emplace(point, next);
+            if (is_new) {
+                const FloatPoint& p = mesh.points[point];
+                primitive.positions.push_back(p);
+                primitive.normals.push_back(to_floats(normals.at(
+                    current_face, mesh.vertex[point], centre + cda::Vec3{p[0], p[1], p[2]})));
+                primitive.lines.push_back(static_cast<float>(entry.nc_line));
+                primitive.tools.push_back(static_cast<float>(entry.tool));
+            }
+            primitive.indices.push_back(found->second);
+        }
+    }
+    std::erase_if(all, [](const Primitive& primitive) { return primitive.indices.empty(); });
+    return all;
+}
+
+tinygltf::Material material(const Maker& maker, Rgba8 colour) {
+    tinygltf::Material result = plain_material(maker.name(), colour);
+    result.extras = tinygltf::Value(
+        tinygltf::Value::Object{{"tool", tinygltf::Value(static_cast<int>(maker.tool))}});
+    return result;
+}
+
+tinygltf::Mesh mesh_of(const std::vector<Primitive>& primitives, const Palette& palette,
+                       tinygltf::Model& model) {
+    tinygltf::Mesh mesh;
+    mesh.name = "part";
+    Packer packer(model);
+    for (const Primitive& from : primitives) {
+        tinygltf::Primitive to;
+        to.mode = TINYGLTF_MODE_TRIANGLES;
+        to.material = static_cast<int>(model.materials.size());
+        model.materials.push_back(material(from.maker, palette.colour(from.maker)));
+        to.indices = packer.pack_indices(from.indices);
+        to.attributes["POSITION"] = packer.pack_positions(from.positions);
+        to.attributes["NORMAL"] = packer.pack_points(from.normals);
+        to.attributes["_NC_LINE"] = packer.pack_floats(from.lines);
+        to.attributes["_TOOL"] = packer.pack_floats(from.tools);
+        mesh.primitives.push_back(std::move(to));
+    }
+    return mesh;
+}
+
+// Millimetres about `centre`, z up → metres, y up: x stays, z becomes y, y becomes -z.
+tinygltf::Node node_of(cda::Vec3 centre) {
+    constexpr double kMetres = 0.001;
+    const double half_root = std::sqrt(0.5);
+    tinygltf::Node node;
+    node.name = "part";
+    node.mesh = 0;
+    node.translation = {kMetres * centre.x, kMetres * centre.z, 0.0 - kMetres * centre.y};
+    node.rotation = {-half_root, 0.0, 0.0, half_root};
+    node.scale = {kMetres, kMetres, kMetres};
+    return node;
+}
+
+// What the lines say that left a face.
+tinygltf::Value text_of_lines(const cda::Boundary& boundary, const Provenance& provenance) {
+    tinygltf::Value::Object lines;
+    for (const cda::BoundaryFace& face : boundary.faces) {
+        const auto found = provenance.text.find(provenance.of(face.origin).nc_line);
+        if (found == provenance.text.end()) continue;
+        lines.try_emplace(std::to_string(found->first), printable_utf8(found->second));
+    }
+    return tinygltf::Value(std::move(lines));
+}
+
+void check_size(const std::vector<Primitive>& primitives) {
+    std::uint64_t bytes = 0;
+    for (const Primitive& p : primitives)
+        bytes += 4 * p.indices.size() + 32 * p.positions.size();
+    constexpr std::uint64_t kRoomForJson = std::uint64_t{1} << 26;
+    if (bytes + kRoomForJson > std::numeric_limits<std::uint32_t>::max()) {
+        throw std::runtime_error("the part is too large for a glTF file (4 GiB)");
+    }
+}
+
+// Each corner as it is rounded, wherever the others are: others do the same. What is nothing then
+// is left out.
+FloatMesh rounded_alone(const cda::TriangleMesh& mesh, cda::Vec3 centre) {
+    FloatMesh result;
+    result.points.reserve(mesh.vertices.size());
+    for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+        result.points.push_back(to_floats(mesh.vertices[v] - centre));
+        result.vertex.push_back(v);
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const auto& p = result.points;
+        if (p[a] == p[b] || p[b] == p[c] || p[c] == p[a]) continue;
+        result.triangles.push_back(mesh.triangles[t]);
+        result.face.push_back(mesh.face[t]);
+    }
+    return result;
+}
+
+}  // namespace
+
+cda::Vec3 whole_centre(const cda::Boundary& boundary) {
+    const cda::Vec3 centre = cda::bounds(boundary).centre();
+    return {std::round(centre.x), std::round(centre.y), std::round(centre.z)};
+}
+
+tinygltf::Material plain_material(const std::string& name, Rgba8 colour) {
+    const LinearColour linear = to_linear(colour);
+    tinygltf::Material result;
+    result.name = name;
+    result.pbrMetallicRoughness.baseColorFactor = {linear.r, linear.g, linear.b, colour.a / 255.0};
+    if (colour.a < 255) result.alphaMode = "BLEND";
+    result.pbrMetallicRoughness.metallicFactor = 0.0;
+    result.pbrMetallicRoughness.roughnessFactor = 0.6;
+    return result;
+}
+
+tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance) {
+    tinygltf::Model model;
+    model.asset.version = "2.0";
+    model.asset.generator = "ncsim";
+    model.asset.extras = tinygltf::Value(
+        tinygltf::Value::Object{{"program", tinygltf::Value(printable_utf8(provenance.program))},
+                                {"unit", tinygltf::Value(std::string("mm"))}});
+    if (!provenance.text.empty()) {
+        model.asset.extras.Get<tinygltf::Value::Object>().emplace(
+            "lines", text_of_lines(boundary, provenance));
+    }
+    model.scenes.emplace_back();
+    model.scenes.front().name = "part";  // a scene without nodes and name would be written as null
+    model.defaultScene = 0;
+    return model;
+}
+
+std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
+                            const Provenance& provenance) {
+    const Palette palette(provenance);
+    const std::vector<Primitive> parts = primitives(part, provenance, palette);
+    check_size(parts);
+    if (parts.empty()) return std::nullopt;
+    model.meshes.push_back(mesh_of(parts, palette, model));
+    return static_cast<int>(model.meshes.size()) - 1;
+}
+
+void write_model(std::ostream& out, tinygltf::Model& model) {
+    constexpr bool kPretty = false;
+    constexpr bool kBinary = true;
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, out, kPretty, kBinary) || !out) {
+        throw std::runtime_error("cannot write glTF: the stream failed");
+    }
+}
+
+namespace {
+
+void write_mesh(std::ostream& out, const PartMesh& part, const Provenance& provenance) {
+    tinygltf::Model model = model_of(part.boundary, provenance);
+    if (add_part(model, part, provenance)) {
+        model.nodes.push_back(node_of(part.centre));
+        model.scenes.front().nodes = {0};
+    }
+    write_model(out, model);
+}
+
+}  // namespace
+
+void write_gltf(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                std::size_t threads, const brep::Shading& shading) {
+    const cda::Vec3 centre = whole_centre(boundary);
+    const FloatMesh mesh = round_to_floats(cda::triangulate(boundary, threads), centre, threads);
+    write_mesh(out, {boundary, mesh, centre, shading}, provenance);
+}
+
+std::vector<FloatEdge> write_gltf_piece(std::ostream& out, const cda::Boundary& piece,
+                                        const Provenance& provenance, cda::Vec3 centre,
+                                        const brep::Shading& shading) {
+    const FloatMesh mesh = rounded_alone(cda::triangulate(piece), centre);
+    write_mesh(out, {piece, mesh, centre, shading}, provenance);
+    Seams seams;
+    for (const auto& corners : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i)
+            seams.add({mesh.points[corners[i]], mesh.points[corners[(i + 1) % 3]]});
+    }
+    return seams.edges();
+}
+
+}  // namespace ncsim::exporter

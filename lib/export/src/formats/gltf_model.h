@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What files of a part and of a machine have in common.
+#pragma once
+
+#include "ncsim/brep/shading.h"
+#include "ncsim/cda/boundary.h"
+#include "ncsim/export/image.h"
+#include "ncsim/export/provenance.h"
+
+#include "mesh/float_mesh.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::exporter {
+
+/// The one buffer of a model, and what refers to it.
+class Packer {
+public:
+    explicit Packer(tinygltf::Model& model) : model_(model) {
+        if (model_.buffers.empty()) model_.buffers.emplace_back();
+    }
+
+    /// A new accessor over `values`; its number. No target: of animations.
+    template <typename T>
+    int pack(const std::vector<T>& values, int component_type, int type, int target) {
+        std::vector<unsigned char>& bytes = model_.buffers.front().data;
+        tinygltf::BufferView view;
+        view.buffer = 0;
+        view.byteOffset = bytes.size();
+        view.byteLength = values.size() * sizeof(T);
+        view.target = target;
+        for (const T& value : values)
+            append_value(bytes, value);
+        model_.bufferViews.push_back(std::move(view));
+        tinygltf::Accessor accessor;
+        accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
+        accessor.componentType = component_type;
+        accessor.type = type;
+        accessor.count = values.size();
+        model_.accessors.push_back(std::move(accessor));
+        return static_cast<int>(model_.accessors.size()) - 1;
+    }
+
+    int pack_indices(const std::vector<std::uint32_t>& indices) {
+        return pack(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                    TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    }
+    int pack_floats(const std::vector<float>& values) {
+        return pack(values, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR,
+                    TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+    int pack_points(const std::vector<FloatPoint>& points) {
+        return pack(points, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3,
+                    TINYGLTF_TARGET_ARRAY_BUFFER);
+    }
+    /// Positions must come with their bounds.
+    int pack_positions(const std::vector<FloatPoint>& points) {
+        const int number = pack_points(points);
+        tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(number)];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [least, greatest] = std::minmax_element(
+                points.begin(), points.end(),
+                [&](const FloatPoint& a, const FloatPoint& b) { return a[axis] < b[axis]; });
+            accessor.minValues.push_back(static_cast<double>((*least)[axis]));
+            accessor.maxValues.push_back(static_cast<double>((*greatest)[axis]));
+        }
+        return number;
+    }
+
+    /// Seconds, which rise.
+    int pack_times(const std::vector<float>& seconds) {
+        const int number =
+            pack(seconds, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR, kNoTarget);
+        tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(number)];
+        accessor.minValues = {static_cast<double>(seconds.front())};
+        accessor.maxValues = {static_cast<double>(seconds.back())};
+        return number;
+    }
+    /// Translations and scales of nodes,
+    int pack_places(const std::vector<FloatPoint>& places) {
+        return pack(places, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, kNoTarget);
+    }
+    /// and rotations.
+    int pack_turns(const std::vector<std::array<float, 4>>& quaternions) {
+        return pack(quaternions, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4, kNoTarget);
+    }
+
+private:
+    static constexpr int kNoTarget = 0;
+
+    static void append_value(std::vector<unsigned char>& bytes, std::uint32_t number) {
+        for (int shift = 0; shift < 32; shift += 8)
+            bytes.push_back(static_cast<unsigned char>((number >> shift) & 0xFF));
+    }
+    static void append_value(std::vector<unsigned char>& bytes, float number) {
+        append_value(bytes, std::bit_cast<std::uint32_t>(number));
+    }
+    template <std::size_t N>
+    static void append_value(std::vector<unsigned char>& bytes,
+                             const std::array<float, N>& numbers) {
+        for (const float number : numbers)
+            append_value(bytes, number);
+    }
+
+    tinygltf::Model& model_;
+};
+
+/// The surface of a part and what is left of it in floats.
+struct PartMesh {
+    const cda::Boundary& boundary;
+    const FloatMesh& mesh;  ///< Of the triangles of `boundary`, as seen from
+    cda::Vec3 centre;       ///< mm.
+    const brep::Shading& shading;
+};
+
+/// A model that says who made it, of which program, and what the lines say that left a face.
+tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& provenance);
+/// The part, a primitive for each tool: the number of its mesh; none if nothing is left of it.
+/// Throws std::runtime_error if it is too large.
+std::optional<int> add_part(tinygltf::Model& model, const PartMesh& part,
+                            const Provenance& provenance);
+/// Whole millimetres near the middle of the part: positions given with few decimals keep them.
+cda::Vec3 whole_centre(const cda::Boundary& boundary);
+/// A colour without gloss. sRGB.
+tinygltf::Material plain_material(const std::string& name, Rgba8 colour);
+/// Throws std::runtime_error if the stream fails.
+void write_model(std::ostream& out, tinygltf::Model& model);
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,636 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A STEP file is a list of numbered entities. They are written in an order in which each
+// refers to earlier ones only: units and product, then for each shell its faces, before each face
+// the edges it is the first to use, before each edge its curve and vertices.
+#include "ncsim/export/step.h"
+
+#include "ncsim/brep/frames.h"
+#include "ncsim/brep/patch.h"
+#include "ncsim/export/simplify.h"
+
+#include "formats/text.h"
+#include "render/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using cda::Vec3;
+using Entity = std::uint64_t;  // the number after #
+
+// Points nearer than this are one point to the reader, in mm. Above the rounding of coordinates,
+// below the lattice on which parts are cut.
+constexpr const char* kUncertainty = "1.E-06";
+constexpr double kUncertaintyMm = 1e-6;
+// Lines named in the name of a face at most.
+constexpr std::size_t kNamedLines = 8;
+
+// A real number of STEP always has a point.
+std::string real(double number) {
+    std::string text;
+    append_number(text, number);
+    const std::size_t exponent = text.find('e');
+    if (exponent != std::string::npos) text[exponent] = 'E';
+    if (text.find('.') == std::string::npos) {
+        text.insert(std::min(exponent, text.size()), 1, '.');
+    }
+    return text;
+}
+
+void append_hex(std::string& text, std::uint32_t number, int digits) {
+    for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) {
+        text += "0123456789ABCDEF"[(number >> shift) & 0xF];
+    }
+}
+
+// A string of STEP: ASCII in quotes, other characters by number (ISO 10303-21, 6.4.3).
+std::string quoted(std::string_view words) {
+    const std::string utf8 = printable_utf8(words);
+    std::string text = "'";
+    for (std::size_t i = 0; i < utf8.size();) {
+        const auto lead = static_cast<std::uint8_t>(utf8[i]);
+        if (lead < 0x80) {
+            text += utf8[i];
+            if (utf8[i] == '\'' || utf8[i] == '\\') text += utf8[i];
+            ++i;
+            continue;
+        }
+        const int length = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        std::uint32_t number = lead & (0xFFU >> (length + 1));
+        for (int j = 1; j < length; ++j) {
+            number = number << 6 | (static_cast<std::uint8_t>(utf8[++i]) & 0x3FU);
+        }
+        ++i;
+        text += length == 4 ? "\\X4\\" : "\\X2\\";
+        append_hex(text, number, length == 4 ? 8 : 4);
+        text += "\\X0\\";
+    }
+    return text + "'";
+}
+
+std::string ref(Entity entity) {
+    std::string text = "#";
+    text += std::to_string(entity);
+    return text;
+}
+
+std::string list(std::span<const Entity> entities) {
+    std::string text = "(";
+    for (const Entity entity : entities) {
+        if (text.size() > 1) text += ',';
+        text += ref(entity);
+    }
+    text += ')';
+    return text;
+}
+
+// As far as edges are off their surfaces; the accuracy of those who read numbers else.
+std::string uncertainty_of(const brep::Part& part) {
+    return part.miss_mm > kUncertaintyMm ? real(part.miss_mm) : kUncertainty;
+}
+
+class StepWriter {
+public:
+    StepWriter(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+               const StepOptions& options)
+        : out_(out),
+          part_(part),
+          provenance_(provenance),
+          options_(options),
+          palette_(provenance),
+          vertices_(part.vertices.size()),
+          edges_(part.edges.size(), 0),
+          styles_(palette_.makers().size(), 0),
+          faces_(part.faces.size(), 0) {}
+
+    void write() {
+        header();
+        const Entity context = units();
+        const Entity shape = product();
+        std::vector<Entity> items{placement({0, 0, 0}, {0, 0, 1}, {1, 0, 0})};
+        for (std::size_t i = 0; i < part_.solids.size(); ++i)
+            items.push_back(solid_brep(part_.solids[i], "SOLID_" + std::to_string(i + 1)));
+        const std::string kind =
+            items.size() > 1 ? "ADVANCED_BREP_SHAPE_REPRESENTATION" : "SHAPE_REPRESENTATION";
+        const Entity representation = add(kind + "(''," + list(items) + "," + ref(context) + ")");
+        add("SHAPE_DEFINITION_REPRESENTATION(" + ref(shape) + "," + ref(representation) + ")");
+        if (!styled_.empty()) {
+            add("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION(''," + list(styled_) +
+                "," + ref(context) + ")");
+        }
+        validate(shape, representation, context, items);
+        if (options_.has_attributes) attribute(shape, representation, context);
+        text_ += "ENDSEC;\nEND-ISO-10303-21;\n";
+        flush();
+        if (!out_) throw std::runtime_error("cannot write STEP: the stream failed");
+    }
+
+private:
+    Entity add(const std::string& entity) {
+        ++last_;
+        text_ += ref(last_) + "=" + entity + ";\n";
+        if (text_.size() >= kFlushSize) flush();
+        return last_;
+    }
+
+    void header() {
+        text_ +=
+            "ISO-10303-21;\nHEADER;\n"
+            "FILE_DESCRIPTION(('part milled by an NC program'),'2;1');\n"
+            "FILE_NAME(" +
+            quoted(provenance_.program) +
+            ",'1970-01-01T00:00:00',(''),(''),'ncsim','ncsim','');\n"
+            "FILE_SCHEMA(('" +
+            std::string(is_242() ? "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF"
+                                   " { 1 0 10303 442 1 1 4 }"
+                                 : "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }") +
+            "'));\nENDSEC;\nDATA;\n";
+    }
+
+    bool is_242() const { return options_.schema == StepSchema::Ap242; }
+
+    // Millimetres and radians; the context all geometry is in.
+    Entity units() {
+        const Entity length = add("(LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.))");
+        length_ = length;
+        const Entity angle = add("(NAMED_UNIT(*) PLANE_ANGLE_UNIT() SI_UNIT($,.RADIAN.))");
+        const Entity solid = add("(NAMED_UNIT(*) SI_UNIT($,.STERADIAN.) SOLID_ANGLE_UNIT())");
+        const Entity uncertainty =
+            add("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(" + uncertainty_of(part_) + ")," +
+                ref(length) + ",'distance_accuracy_value','')");
+        return add("(GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
+                   ref(uncertainty) + ")) GLOBAL_UNIT_ASSIGNED_CONTEXT(" +
+                   list(std::array{length, angle, solid}) + ") REPRESENTATION_CONTEXT('',''))");
+    }
+
+    // The product that has a shape; the shape's definition.
+    Entity product() {
+        const std::string name =
+            quoted(provenance_.program.empty() ? std::string("part") : provenance_.program);
+        const Entity application =
+            add(is_242() ? "APPLICATION_CONTEXT('managed model based 3d engineering')"
+                         : "APPLICATION_CONTEXT('core data for automotive mechanical design "
+                           "processes')");
+        add("APPLICATION_PROTOCOL_DEFINITION('international standard'," +
+            std::string(is_242() ? "'ap242_managed_model_based_3d_engineering',2014,"
+                                 : "'automotive_design',2000,") +
+            ref(application) + ")");
+        const Entity context = add("PRODUCT_CONTEXT(''," + ref(application) + ",'mechanical')");
+        const Entity made = add("PRODUCT(" + name + "," + name + ",'',(" + ref(context) + "))");
+        add("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(" + ref(made) + "))");
+        const Entity formation = add("PRODUCT_DEFINITION_FORMATION('',''," + ref(made) + ")");
+        const Entity design =
+            add("PRODUCT_DEFINITION_CONTEXT('part definition'," + ref(application) + ",'design')");
+        const Entity definition =
+            add("PRODUCT_DEFINITION('design',''," + ref(formation) + "," + ref(design) + ")");
+        return add("PRODUCT_DEFINITION_SHAPE('',''," + ref(definition) + ")");
+    }
+
+    static std::string triple(Vec3 v) {
+        return "(" + real(v.x) + "," + real(v.y) + "," + real(v.z) + ")";
+    }
+
+    Entity point(Vec3 p) { return add("CARTESIAN_POINT(''," + triple(p) + ")"); }
+
+    // Equal directions are one entity: parts have many parallel edges.
+    Entity direction(Vec3 v) {
+        std::string key = triple(v);
+        const auto found = directions_.find(key);
+        if (found != directions_.end()) return found->second;
+        const Entity made = add("DIRECTION(''," + key + ")");
+        directions_.emplace(std::move(key), made);
+        return made;
+    }
+
+    Entity placement(Vec3 p, Vec3 z, Vec3 x) { return placement(point(p), z, x); }
+    Entity placement(Entity p, Vec3 z, Vec3 x) {
+        const Entity dz = direction(z);
+        const Entity dx = direction(x);
+        return add("AXIS2_PLACEMENT_3D(''," + ref(p) + "," + ref(dz) + "," + ref(dx) + ")");
+    }
+
+    struct Vertex {
+        Entity point = 0, vertex = 0;
+    };
+    const Vertex& vertex(std::uint32_t i) {
+        Vertex& v = vertices_[i];
+        if (v.vertex == 0) {
+            v.point = point(part_.vertices[i]);
+            v.vertex = add("VERTEX_POINT(''," + ref(v.point) + ")");
+        }
+        return v;
+    }
+
+    Entity edge(std::uint32_t number) {
+        Entity& made = edges_[number];
+        if (made != 0) return made;
+        const brep::Edge& e = part_.edges[number];
+        const Vertex from = vertex(e.from);
+        const Vertex to = vertex(e.to);
+        const Entity curve =
+            std::visit([&](const auto& c) { return curve_of(c, e, from); }, e.curve);
+        made = add("EDGE_CURVE(''," + ref(from.vertex) + "," + ref(to.vertex) + "," + ref(curve) +
+                   ",.T.)");
+        return made;
+    }
+
+    Entity curve_of(const brep::Line&, const brep::Edge& e, const Vertex& from) {
+        const Vec3 along = cda::normalized(part_.vertices[e.to] - part_.vertices[e.from]);
+        const Entity vector = add("VECTOR(''," + ref(direction(along)) + ",1.)");
+        return add("LINE(''," + ref(from.point) + "," + ref(vector) + ")");
+    }
+
+    // Counted from where the edge starts.
+    Entity curve_of(const brep::Circle& c, const brep::Edge& e, const Vertex&) {
+        const Vec3 out = part_.vertices[e.from] - c.centre;
+        const Vec3 x = cda::normalized(out - cda::dot(out, c.axis) * c.axis);
+        return add("CIRCLE(''," + ref(placement(c.centre, c.axis, x)) + "," + real(c.radius) + ")");
+    }
+
+    Entity curve_of(const brep::Ellipse& c, const brep::Edge&, const Vertex&) {
+        return add("ELLIPSE(''," + ref(placement(c.centre, c.axis, c.major)) + "," +
+                   real(c.major_radius) + "," + real(c.minor_radius) + ")");
+    }
+
+    Entity curve_of(const brep::Spline& c, const brep::Edge&, const Vertex&) {
+        std::vector<Entity> points;
+        for (const Vec3& p : c.points)
+            points.push_back(point(p));
+        const Knots knots(c.knots);
+        return add("B_SPLINE_CURVE_WITH_KNOTS('',3," + list(points) + ",.UNSPECIFIED.,.F.,.F.," +
+                   knots.multiplicities + "," + knots.places + ",.UNSPECIFIED.)");
+    }
+
+    struct Knots {
+        explicit Knots(const std::vector<double>& knots) {
+            for (std::size_t i = 0; i < knots.size(); ++i) {
+                multiplicities += i == 0 ? '(' : ',';
+                places += i == 0 ? '(' : ',';
+                multiplicities += i == 0 || i + 1 == knots.size() ? '4' : '2';
+                places += real(knots[i]);
+            }
+            multiplicities += ')';
+            places += ')';
+        }
+        std::string multiplicities, places;
+    };
+
+    Entity edge_loop(const brep::Loop& loop) {
+        std::vector<Entity> oriented;
+        for (const brep::EdgeUse& use : loop) {
+            const Entity of = edge(use.edge);
+            oriented.push_back(
+                add("ORIENTED_EDGE('',*,*," + ref(of) + (use.is_forward ? ",.T.)" : ",.F.)")));
+        }
+        return add("EDGE_LOOP(''," + list(oriented) + ")");
+    }
+
+    std::string name_of(const brep::Face& face) const {
+        std::vector<std::uint32_t> lines;
+        for (const cda::Origin origin : face.origins) {
+            lines.push_back(provenance_.of(origin).nc_line);
+        }
+        std::sort(lines.begin(), lines.end());
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        if (lines.front() == 0) return "STOCK";
+        std::string name = "LINE";
+        for (std::size_t i = 0; i < std::min(lines.size(), kNamedLines); ++i) {
+            name += '_';
+            name += std::to_string(lines[i]);
+        }
+        return lines.size() > kNamedLines ? name + "_ETC" : name;
+    }
+
+    // --- Properties -------------------------------------------------------------------------
+
+    Entity power_of_length(int power) {
+        const Entity element = add("DERIVED_UNIT_ELEMENT(" + ref(length_) + "," +
+                                   real(static_cast<double>(power)) + ")");
+        return add("DERIVED_UNIT((" + ref(element) + "))");
+    }
+
+    // Of the whole part, and of its solids where there are several.
+    void validate(Entity shape, Entity representation, Entity context,
+                  const std::vector<Entity>& items) {
+        if (part_.solids.empty()) return;
+        square_ = power_of_length(2);
+        cube_ = power_of_length(3);
+        validate(shape, options_.mass ? *options_.mass : brep::mass_of(part_), context);
+        if (part_.solids.size() == 1) return;
+        for (std::size_t i = 0; i < part_.solids.size(); ++i) {
+            const Entity aspect = aspect_of("SOLID_" + std::to_string(i + 1), items[i + 1], shape,
+                                            representation, context);
+            validate(aspect, brep::mass_of(part_, part_.solids[i]), context);
+        }
+    }
+
+    void validate(Entity of, const brep::Mass& mass, Entity context) {
+        const auto property = [&](const std::string& name, Entity item) {
+            const Entity definition = add("PROPERTY_DEFINITION('geometric validation property','" +
+                                          name + "'," + ref(of) + ")");
+            const Entity value =
+                add("REPRESENTATION('" + name + "',(" + ref(item) + ")," + ref(context) + ")");
+            add("PROPERTY_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(value) + ")");
+        };
+        property("volume", add("MEASURE_REPRESENTATION_ITEM('volume measure',VOLUME_MEASURE(" +
+                               real(mass.volume) + ")," + ref(cube_) + ")"));
+        property("surface area",
+                 add("MEASURE_REPRESENTATION_ITEM('surface area measure',AREA_MEASURE(" +
+                     real(mass.area) + ")," + ref(square_) + ")"));
+        property("centroid", add("CARTESIAN_POINT('centre point'," + triple(mass.centroid) + ")"));
+    }
+
+    // What properties of a face or a solid can be hung on.
+    Entity aspect_of(const std::string& name, Entity item, Entity shape, Entity representation,
+                     Entity context) {
+        const Entity aspect = add("SHAPE_ASPECT('" + name + "',''," + ref(shape) + ",.T.)");
+        if (is_242()) {
+            add("GEOMETRIC_ITEM_SPECIFIC_USAGE('',''," + ref(aspect) + "," + ref(representation) +
+                "," + ref(item) + ")");
+        } else {
+            const Entity definition =
+                add("PROPERTY_DEFINITION('shape with specific properties',''," + ref(aspect) + ")");
+            const Entity only =
+                add("SHAPE_REPRESENTATION('',(" + ref(item) + ")," + ref(context) + ")");
+            add("SHAPE_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(only) + ")");
+        }
+        return aspect;
+    }
+
+    void attribute(Entity shape, Entity representation, Entity context) {
+        struct Attribute {
+            std::string name;
+            Entity general = 0;
+            std::unordered_map<std::string, Entity> values{};  // equal ones are one
+        };
+        std::array<Attribute, 3> attributes{{{"nc_lines"}, {"tools"}, {"kind"}}};
+        for (Attribute& a : attributes)
+            a.general = add("GENERAL_PROPERTY('','" + a.name + "','')");
+        for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+            if (faces_[f] == 0) continue;
+            const brep::Face& face = part_.faces[f];
+            const Entity aspect =
+                aspect_of(name_of(face), faces_[f], shape, representation, context);
+            const std::array<std::string, 3> words{numbers_of(face, &Provenance::Entry::nc_line),
+                                                   numbers_of(face, &Provenance::Entry::tool),
+                                                   kind_of(face)};
+            for (std::size_t i = 0; i < words.size(); ++i) {
+                Attribute& a = attributes[i];
+                Entity& value = a.values[words[i]];
+                if (value == 0) {
+                    const Entity item =
+                        add("DESCRIPTIVE_REPRESENTATION_ITEM('" + a.name + "','" + words[i] + "')");
+                    value = add("REPRESENTATION('" + a.name + "',(" + ref(item) + ")," +
+                                ref(context) + ")");
+                }
+                const Entity definition =
+                    add("PROPERTY_DEFINITION('" + a.name + "',''," + ref(aspect) + ")");
+                add("PROPERTY_DEFINITION_REPRESENTATION(" + ref(definition) + "," + ref(value) +
+                    ")");
+                add("GENERAL_PROPERTY_ASSOCIATION('user defined attribute',''," + ref(a.general) +
+                    "," + ref(definition) + ")");
+            }
+        }
+    }
+
+    static std::string kind_of(const brep::Face& face) {
+        if (face.is_facet) return "facet";
+        return std::string(brep::kForms[face.surface.form.index()]);
+    }
+
+    // Ascending; empty where nobody cut it.
+    std::string numbers_of(const brep::Face& face, std::uint32_t Provenance::Entry::*number) const {
+        std::vector<std::uint32_t> numbers;
+        for (const cda::Origin origin : face.origins) {
+            const Provenance::Entry entry = provenance_.of(origin);
+            if (!entry.is_stock()) numbers.push_back(entry.*number);
+        }
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+        std::string text;
+        for (const std::uint32_t n : numbers)
+            text += (text.empty() ? "" : " ") + std::to_string(n);
+        return text;
+    }
+
+    Entity face(std::uint32_t number) {
+        const brep::Face& from = part_.faces[number];
+        const bool is_flat = std::holds_alternative<brep::Plane>(from.surface.form);
+        std::vector<Entity> bounds;
+        for (const brep::Loop& loop : from.loops) {
+            const Entity of = edge_loop(loop);
+            const bool is_outline = bounds.empty() && is_flat;
+            bounds.push_back(
+                add((is_outline ? "FACE_OUTER_BOUND(''," : "FACE_BOUND('',") + ref(of) + ",.T.)"));
+        }
+        // Without it, readers lose the tip of a cone with other edges than a circle.
+        if (brep::has_tip(part_, from)) {
+            const Entity tip = point(std::get<brep::Cone>(from.surface.form).apex);
+            const Entity corner = add("VERTEX_POINT(''," + ref(tip) + ")");
+            const Entity loop = add("VERTEX_LOOP(''," + ref(corner) + ")");
+            bounds.push_back(add("FACE_BOUND(''," + ref(loop) + ",.T.)"));
+        }
+        const Entity surface =
+            std::visit([&](const auto& form) { return surface_of(form, from); }, from.surface.form);
+        const Entity made = add("ADVANCED_FACE('" + name_of(from) + "'," + list(bounds) + "," +
+                                ref(surface) + (from.surface.is_hollow ? ",.F.)" : ",.T.)"));
+        const Entity look = style(provenance_.of(from.origin));
+        faces_[number] = made;
+        styled_.push_back(add("STYLED_ITEM('',(" + ref(look) + ")," + ref(made) + ")"));
+        return made;
+    }
+
+    std::string place_of(const brep::Frame& frame) {
+        return ref(placement(frame.origin, frame.axis, frame.x));
+    }
+
+    // Placed in the corner in which its outline starts.
+    Entity surface_of(const brep::Plane&, const brep::Face& face) {
+        const brep::EdgeUse& use = face.loops.front().front();
+        const brep::Edge& e = part_.edges[use.edge];
+        const Entity corner = vertex(use.is_forward ? e.from : e.to).point;
+        return add("PLANE(''," + ref(placement(corner, face.frame.axis, face.frame.x)) + ")");
+    }
+    Entity surface_of(const brep::Cylinder& form, const brep::Face& face) {
+        return add("CYLINDRICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) +
+                   ")");
+    }
+    Entity surface_of(const brep::Cone& form, const brep::Face& face) {
+        const double height = cda::dot(face.frame.origin - form.apex, form.axis);
+        const double half = brep::half_angle_rad(form);
+        return add("CONICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.slope * height) +
+                   "," + real(half) + ")");
+    }
+    Entity surface_of(const brep::Sphere& form, const brep::Face& face) {
+        return add("SPHERICAL_SURFACE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+    }
+    Entity surface_of(const brep::Extrusion& form, const brep::Face& face) {
+        const auto half = brep::half_of_ramp(part_, face);
+        const Entity circle =
+            half ? half_circle(form, *half)
+                 : add("CIRCLE(''," + place_of(face.frame) + "," + real(form.radius) + ")");
+        const Entity vector = add("VECTOR(''," + ref(direction(form.along)) + ",1.)");
+        return add("SURFACE_OF_LINEAR_EXTRUSION(''," + ref(circle) + "," + ref(vector) + ")");
+    }
+    // Exactly that, as a rational cubic.
+    Entity half_circle(const brep::Extrusion& form, Vec3 middle) {
+        const Vec3 end = form.radius * cda::cross(form.axis, middle);
+        const Vec3 out = (2.0 * form.radius) * middle;
+        std::vector<Entity> points;
+        for (const Vec3& p : {-end, out - end, out + end, end})
+            points.push_back(point(form.centre + p));
+        const std::string third = real(1.0 / 3.0);
+        return add("(BOUNDED_CURVE()B_SPLINE_CURVE(3," + list(points) +
+                   ",.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS((4,4),(0.,1.),.UNSPECIFIED.)"
+                   "CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.," +
+                   third + "," + third + ",1.))REPRESENTATION_ITEM(''))");
+    }
+    // In files splines.
+    Entity surface_of(const brep::Dome&, const brep::Face& face) { return patch(face); }
+    Entity surface_of(const brep::Coil&, const brep::Face& face) { return patch(face); }
+    Entity surface_of(const brep::Spiral&, const brep::Face& face) { return patch(face); }
+    Entity surface_of(const brep::Envelope&, const brep::Face& face) { return patch(face); }
+    template <typename Other>
+    Entity surface_of(const Other&, const brep::Face&) {
+        throw std::logic_error("faces do not lie on what crosses surfaces");
+    }
+    Entity patch(const brep::Face& face) {
+        const brep::Patch patch = brep::patch_of(part_, face);
+        std::string rows;
+        for (const auto& points : patch.net) {
+            std::vector<Entity> row;
+            for (const Vec3& p : points)
+                row.push_back(point(p));
+            rows += (rows.empty() ? "(" : ",") + list(row);
+        }
+        const Knots around(patch.around), along(patch.along);
+        return add("B_SPLINE_SURFACE_WITH_KNOTS('',3,3," + rows + "),.UNSPECIFIED.,.F.,.F.,.F.," +
+                   around.multiplicities + "," + along.multiplicities + "," + around.places + "," +
+                   along.places + ",.UNSPECIFIED.)");
+    }
+    Entity surface_of(const brep::Torus& form, const brep::Face& face) {
+        if (brep::is_spindle(form)) return spindle(form, face.frame);
+        return add("TOROIDAL_SURFACE(''," + place_of(face.frame) + "," + real(form.major) + "," +
+                   real(form.minor) + ")");
+    }
+
+    // What readers know no torus for: half of its circle, from tip to tip, turns about the axis.
+    Entity spindle(const brep::Torus& form, const brep::Frame& frame) {
+        const Vec3 y = cda::cross(frame.axis, frame.x);
+        const brep::Frame place{frame.origin + form.major * frame.x, -y, frame.x};
+        const Entity circle = add("CIRCLE(''," + place_of(place) + "," + real(form.minor) + ")");
+        const double height =
+            std::sqrt(std::max(0.0, form.minor * form.minor - form.major * form.major));
+        const Entity from = point(frame.origin - height * frame.axis);
+        const Entity to = point(frame.origin + height * frame.axis);
+        const Entity half = add("TRIMMED_CURVE(''," + ref(circle) + ",(" + ref(from) + "),(" +
+                                ref(to) + "),.T.,.CARTESIAN.)");
+        const Entity axis = add("AXIS1_PLACEMENT(''," + ref(point(frame.origin)) + "," +
+                                ref(direction(frame.axis)) + ")");
+        return add("SURFACE_OF_REVOLUTION(''," + ref(half) + "," + ref(axis) + ")");
+    }
+
+    // The colour of a tool.
+    Entity style(Provenance::Entry entry) {
+        Entity& made = styles_[palette_.rank(entry)];
+        if (made != 0) return made;
+        const Rgba8 colour = palette_.colour(entry);
+        std::string rgb;
+        for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
+            rgb += ',';
+            rgb += real(unit_share(channel));
+        }
+        const Entity of = add("COLOUR_RGB(''" + rgb + ")");
+        const Entity fill = add("FILL_AREA_STYLE_COLOUR(''," + ref(of) + ")");
+        const Entity area = add("FILL_AREA_STYLE('',(" + ref(fill) + "))");
+        const Entity surface = add("SURFACE_STYLE_FILL_AREA(" + ref(area) + ")");
+        const Entity side = add("SURFACE_SIDE_STYLE('',(" + ref(surface) + "))");
+        const Entity usage = add("SURFACE_STYLE_USAGE(.BOTH.," + ref(side) + ")");
+        made = add("PRESENTATION_STYLE_ASSIGNMENT((" + ref(usage) + "))");
+        return made;
+    }
+
+    Entity shell(const brep::Shell& faces) {
+        std::vector<Entity> made;
+        for (const std::uint32_t f : faces)
+            made.push_back(face(f));
+        return add("CLOSED_SHELL(''," + list(made) + ")");
+    }
+
+    Entity solid_brep(const brep::Solid& solid, const std::string& name) {
+        const Entity outside = shell(solid.outside);
+        if (solid.voids.empty()) {
+            return add("MANIFOLD_SOLID_BREP('" + name + "'," + ref(outside) + ")");
+        }
+        std::vector<Entity> voids;
+        for (const auto& faces : solid.voids) {
+            const Entity inside = shell(faces);
+            voids.push_back(add("ORIENTED_CLOSED_SHELL('',*," + ref(inside) + ",.T.)"));
+        }
+        return add("BREP_WITH_VOIDS('" + name + "'," + ref(outside) + "," + list(voids) + ")");
+    }
+
+    void flush() {
+        out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+        text_.clear();
+    }
+
+    std::ostream& out_;
+    const brep::Part& part_;
+    const Provenance& provenance_;
+    StepOptions options_;
+    Palette palette_;
+    Entity last_ = 0;
+    Entity length_ = 0, square_ = 0, cube_ = 0;  // units
+    std::string text_;
+    std::vector<Vertex> vertices_;
+    std::vector<Entity> edges_;                           // by number; 0: not yet
+    std::unordered_map<std::string, Entity> directions_;  // by their text
+    std::vector<Entity> styles_;                          // by rank of the tool; 0: not yet
+    std::vector<Entity> styled_;
+    std::vector<Entity> faces_;  // by number; 0: not written
+};
+
+}  // namespace
+
+void write_step_solid(std::ostream& out, const brep::Part& part, const Provenance& provenance,
+                      const StepOptions& options) {
+    if (part.faces.size() > options.max_faces) {
+        throw std::runtime_error("the part has " + std::to_string(part.faces.size()) +
+                                 " faces, more than the " + std::to_string(options.max_faces) +
+                                 " that a STEP file is to have (--step-max-faces, --simplify)");
+    }
+    StepWriter(out, part, provenance, options).write();
+}
+
+brep::FlatPart flat_solid(const cda::Boundary& boundary, double tolerance_mm) {
+    return brep::flat_part([&](double times) {
+        const double tolerance =
+            times == 1.0 ? tolerance_mm : times * std::max(tolerance_mm, kStepTolerance);
+        Simplified part = simplify(boundary, tolerance);
+        return brep::Facets{std::move(part.boundary), std::move(part.origins)};
+    });
+}
+
+void write_step(std::ostream& out, const cda::Boundary& boundary, const Provenance& provenance,
+                const StepOptions& options) {
+    const brep::FlatPart flat = flat_solid(boundary, options.tolerance_mm);
+    if (!flat.is_sound) throw std::runtime_error(kUnsoundSolid);
+    write_step_solid(out, flat.part, provenance, options);
+}
+
+}  // namespace ncsim::exporter

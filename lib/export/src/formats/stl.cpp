@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// 80 bytes of header, a count, and for each triangle its normal, its corners and two bytes without
+// meaning; little-endian.
+#include "ncsim/export/stl.h"
+
+#include "ncsim/cda/parallel.h"
+
+#include "formats/text.h"
+#include "mesh/float_mesh.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace ncsim::exporter {
+
+namespace {
+
+// Must not begin with "solid": by that word readers tell the text form of STL.
+constexpr std::string_view kHeader = "binary STL by ncsim, unit: millimetre";
+constexpr std::size_t kHeaderSize = 80;
+constexpr std::size_t kRecordSize = 50;  // of a triangle; the last two bytes stay 0
+
+// Each returns where the next one goes.
+char* put(char* at, std::uint32_t number) {
+    for (int shift = 0; shift < 32; shift += 8)
+        *at++ = static_cast<char>((number >> shift) & 0xFF);
+    return at;
+}
+
+char* put(char* at, const FloatPoint& point) {
+    for (const float coordinate : point)
+        at = put(at, std::bit_cast<std::uint32_t>(coordinate));
+    return at;
+}
+
+using Corners = std::array<FloatPoint, 3>;
+
+// Of the corners as they are written, so that readers who check it find it right. Zero if they
+// lie on a line.
+FloatPoint normal_of(const Corners& corners) {
+    const auto widened = [](const FloatPoint& p) {
+        return cda::Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]),
+                         static_cast<double>(p[2])};
+    };
+    const cda::Vec3 a = widened(corners[0]);
+    return to_floats(cda::normalized(cda::cross(widened(corners[1]) - a, widened(corners[2]) - a)));
+}
+
+}  // namespace
+
+void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads) {
+    const FloatMesh rounded = round_to_floats(mesh, {}, threads);
+    if (rounded.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
+        throw std::runtime_error("too many triangles for an STL file");
+    }
+    std::string head(kHeader);
+    head.resize(kHeaderSize + sizeof(std::uint32_t), '\0');
+    put(head.data() + kHeaderSize, static_cast<std::uint32_t>(rounded.triangles.size()));
+    out.write(head.data(), static_cast<std::streamsize>(head.size()));
+    const cda::Runs runs(rounded.triangles.size(), kFlushSize / kRecordSize);
+    cda::make_in_parallel(
+        threads, runs.tasks(),
+        [&](std::size_t task) {
+            std::string bytes((runs.end(task) - runs.begin(task)) * kRecordSize, '\0');
+            char* at = bytes.data();
+            for (std::size_t t = runs.begin(task); t < runs.end(task); ++t) {
+                const auto& [a, b, c] = rounded.triangles[t];
+                const Corners corners{rounded.points[a], rounded.points[b], rounded.points[c]};
+                char* next = put(at, normal_of(corners));
+                for (const FloatPoint& corner : corners)
+                    next = put(next, corner);
+                at += kRecordSize;
+            }
+            return bytes;
+        },
+        [&out](std::size_t, const std::string& bytes) {
+            out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        });
+    if (!out) throw std::runtime_error("cannot write STL: the stream failed");
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Up on the drawing is down in SVG: what is counter-clockwise there is drawn with sweep 0.
+#include "ncsim/trig/angles.h"
+
+#include "formats/drawing.h"
+#include "formats/text.h"
+
+#include <map>
+#include <ostream>
+#include <stdexcept>
+#include <utility>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using brep::FlatPoint;
+
+std::string hex(Rgba8 colour) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t channel : {colour.r, colour.g, colour.b}) {
+        text += kDigits[channel >> 4];
+        text += kDigits[channel & 15];
+    }
+    return text;
+}
+
+class SvgWriter {
+public:
+    SvgWriter(const std::vector<DrawnSection>& sections, const std::string& program)
+        : sections_(sections), places_(places_of(sections)), program_(program) {}
+
+    std::string operator()() {
+        DrawnBox box = box_of(sections_);
+        if (box.is_empty()) box.add(FlatPoint{});
+        constexpr double kMargin = 5.0, kBelow = 12.0;  // mm
+        const double width = box.right - box.left + 2.0 * kMargin;
+        const double height = box.top - box.bottom + kMargin + kBelow;
+        text_ =
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
+            drawn(width) + "mm\" height=\"" + drawn(height) + "mm\" viewBox=\"" +
+            drawn(box.left - kMargin) + " " + drawn(-box.top - kMargin) + " " + drawn(width) + " " +
+            drawn(height) + "\">\n";
+        for (std::size_t i = 0; i < sections_.size(); ++i)
+            draw(sections_[i], places_[i]);
+        return std::move(text_) + "</svg>\n";
+    }
+
+private:
+    static std::string at(FlatPoint p) { return drawn(p.u) + " " + drawn(-p.v); }
+
+    void draw(const DrawnSection& section, double place) {
+        const std::string title = xml_text(title_of(section, place, program_));
+        text_ +=
+            "<g transform=\"translate(" + drawn(place) + " 0)\">\n<title>" + title + "</title>\n";
+        const Palette palette(*section.provenance);
+        std::string filled;
+        // By who cut it, and whether it is a facet.
+        std::map<std::pair<Maker, bool>, std::string> lines;
+        for (const brep::Outline& outline : section.section->outlines) {
+            filled += "M" + at(outline.front().from);
+            std::string* last = nullptr;
+            for (const brep::SectionPiece& piece : outline) {
+                const Maker maker(section.provenance->of(piece.origin));
+                const bool is_facet = piece.is_facet || (section.is_faceted && maker.is_tool);
+                std::string& path = lines[{maker, is_facet}];
+                const std::string on = along(piece);
+                filled += on;
+                if (last != &path) path += "M" + at(piece.from);
+                path += on;
+                last = &path;
+            }
+            filled += "Z";
+        }
+        if (!filled.empty())
+            text_ += "<path fill=\"#e4e4e4\" fill-rule=\"evenodd\" d=\"" + filled + "\"/>\n";
+        for (const auto& [who, path] : lines) {
+            const auto& [maker, is_facet] = who;
+            text_ += "<path fill=\"none\" stroke=\"" + hex(palette.colour(maker)) +
+                     "\" stroke-width=\"0.25\"" +
+                     (is_facet ? " stroke-dasharray=\"1 0.5\" class=\"facets\"" : "") + " d=\"" +
+                     path + "\"><title>" + maker.name() + (is_facet ? ", facets" : "") +
+                     "</title></path>\n";
+        }
+        DrawnBox box = box_of(*section.section);
+        if (box.is_empty()) box.add(FlatPoint{});
+        constexpr double kBelow = 8.0;
+        const FlatPoint corner{box.left, box.bottom - kBelow};
+        text_ += "<text font-family=\"sans-serif\" font-size=\"4\" x=\"" + drawn(corner.u) +
+                 "\" y=\"" + drawn(-corner.v) + "\">" + title + "</text>\n</g>\n";
+    }
+
+    // From where the last one ended.
+    static std::string along(const brep::SectionPiece& piece) {
+        if (const auto* arc = std::get_if<brep::FlatArc>(&piece.curve)) {
+            const FlatPoint opposite{2.0 * arc->centre.u - piece.from.u,
+                                     2.0 * arc->centre.v - piece.from.v};
+            return arcs(piece, arc->radius, arc->radius, 0.0, arc->is_ccw, opposite,
+                        angle_about(arc->centre, piece.from), angle_about(arc->centre, piece.to));
+        }
+        if (const auto* e = std::get_if<brep::FlatEllipse>(&piece.curve)) {
+            const FlatPoint opposite{2.0 * e->centre.u - piece.from.u,
+                                     2.0 * e->centre.v - piece.from.v};
+            // More than half of it is more than half a turn about the centre, too.
+            return arcs(piece, trig::length_of(e->major.u, e->major.v), e->minor_radius,
+                        -trig::angle_of(e->major.u, e->major.v), e->is_ccw, opposite,
+                        angle_about(e->centre, piece.from), angle_about(e->centre, piece.to));
+        }
+        std::string text;
+        for (const FlatPoint& p : chords_of(piece))
+            text += "L" + at(p);
+        return text;
+    }
+
+    static std::string arcs(const brep::SectionPiece& piece, double rx, double ry, double turned,
+                            bool is_ccw, FlatPoint opposite, double start, double end) {
+        const std::string radii = "A" + drawn(rx) + " " + drawn(ry) + " " + drawn(turned) + " ";
+        const std::string sweep = is_ccw ? "0 " : "1 ";
+        if (piece.from == piece.to)
+            return radii + "1 " + sweep + at(opposite) + radii + "1 " + sweep + at(piece.to);
+        double turn = is_ccw ? end - start : start - end;
+        if (turn <= 0.0) turn += 360.0;
+        return radii + (turn > 180.0 ? "1 " : "0 ") + sweep + at(piece.to);
+    }
+
+    const std::vector<DrawnSection>& sections_;
+    std::vector<double> places_;
+    const std::string& program_;
+    std::string text_;
+};
+
+}  // namespace
+
+void write_svg(std::ostream& out, const std::vector<DrawnSection>& sections,
+               const std::string& program) {
+    out << SvgWriter(sections, program)();
+    if (!out) throw std::runtime_error("cannot write SVG: the stream failed");
+}
+
+}  // namespace ncsim::exporter

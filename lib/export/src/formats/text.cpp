@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/text.h"
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+
+namespace ncsim::exporter {
+
+namespace {
+
+// Length of the well-formed UTF-8 sequence at the head of `text`; 0 if there is none. Overlong
+// forms, surrogates and numbers beyond U+10FFFF are not well-formed (Unicode, table 3-7).
+std::size_t sequence_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+    const std::uint8_t lead = byte(0);
+    if (lead < 0x80) return 1;
+    const std::size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
+                               : lead >= 0xE0 && lead < 0xF0 ? 3
+                               : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                             : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    }
+    const std::uint8_t second = byte(1);
+    const bool out_of_range = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second >= 0xA0) ||
+                              (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second >= 0x90);
+    return out_of_range ? 0 : length;
+}
+
+}  // namespace
+
+std::string printable_utf8(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = sequence_length(text);
+        const auto lead = static_cast<std::uint8_t>(text.front());
+        if (length == 0 || lead < 0x20 || lead == 0x7F) {
+            result += "\xEF\xBF\xBD";
+        } else {
+            result += text.substr(0, length);
+        }
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    return result;
+}
+
+std::string xml_text(std::string_view text) {
+    std::string result;
+    for (const char c : printable_utf8(text)) {
+        switch (c) {
+            case '&': result += "&amp;"; break;
+            case '<': result += "&lt;"; break;
+            case '>': result += "&gt;"; break;
+            case '"': result += "&quot;"; break;
+            default: result += c;
+        }
+    }
+    return result;
+}
+
+void append_number(std::string& text, double number) {
+    std::array<char, 32> buffer{};
+    const double positive_zero = number + 0.0;  // -0 + 0 is 0
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), positive_zero);
+    text.append(buffer.data(), end.ptr);
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Most triangles of two meshes of which one was made of the other are in both. So corners that both
+// have are not looked at, and for the others first those triangles are asked that the other mesh
+// has by itself: where one of the rest is nearer to the farthest of them, all are asked.
+#include "mesh/deviation.h"
+
+#include "ncsim/cda/mix.h"
+#include "ncsim/cda/triangle_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using cda::TriangleMesh;
+using cda::TriangleTree;
+using cda::Vec3;
+using Triple = std::array<std::uint32_t, 3>;
+
+// Is there a triangle within `limit` of a point? Sometimes no where there is one, by rounding. One
+// that was near the last point often is near the next, too: `last` is asked first, and told.
+bool is_within(const TriangleTree& tree, Vec3 p, double limit, std::uint32_t& last) {
+    if (cda::distance(p, cda::corners_of(tree.mesh(), last)) <= limit) return true;
+    bool found = false;
+    tree.visit(
+        [&](const cda::Box& box) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (p[axis] < box.min[axis] - limit || p[axis] > box.max[axis] + limit)
+                    return false;
+            }
+            return !found;
+        },
+        [&](std::uint32_t t) {
+            if (found || cda::distance(p, cda::corners_of(tree.mesh(), t)) > limit) return;
+            found = true;
+            last = t;
+        });
+    return found;
+}
+
+struct Farthest {
+    double distance = 0.0;
+    Vec3 at;
+};
+
+// Only what is farther than all before it is measured: of most points it is soon clear that they
+// are not.
+Farthest farthest(const std::vector<Vec3>& points, const TriangleTree& tree) {
+    Farthest result;
+    std::uint32_t last = 0;
+    for (const Vec3& p : points) {
+        if (is_within(tree, p, result.distance, last)) continue;
+        const TriangleTree::Nearest nearest = tree.nearest(p);
+        if (nearest.distance_mm > result.distance) result = {nearest.distance_mm, p};
+        last = nearest.triangle;
+    }
+    return result;
+}
+
+bool is_nearer_than(double limit, Vec3 p, const TriangleMesh& mesh) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const cda::Corners corners = cda::corners_of(mesh, t);
+        bool is_near = true;
+        for (int axis = 0; axis < 3 && is_near; ++axis) {
+            const auto [low, high] =
+                std::minmax({corners[0][axis], corners[1][axis], corners[2][axis]});
+            is_near = p[axis] > low - limit && p[axis] < high + limit;
+        }
+        if (is_near && cda::distance(p, corners) < limit) return true;
+    }
+    return false;
+}
+
+// Numbers for places, of both meshes.
+class SamePlaces {
+public:
+    std::vector<Triple> triangles(const TriangleMesh& mesh) {
+        std::vector<std::uint32_t> place(mesh.vertices.size());
+        for (std::size_t v = 0; v < place.size(); ++v)
+            place[v] = number(mesh.vertices[v]);
+        std::vector<Triple> all;
+        all.reserve(mesh.triangles.size());
+        for (const Triple& t : mesh.triangles)
+            all.push_back({place[t[0]], place[t[1]], place[t[2]]});
+        return all;
+    }
+    std::size_t size() const { return numbers_.size(); }
+
+private:
+    struct Hash {
+        std::size_t operator()(const std::array<double, 3>& p) const {
+            std::uint64_t h = 0;
+            for (const double x : p)
+                h = cda::mix(h, std::bit_cast<std::uint64_t>(x + 0.0));
+            return h;
+        }
+    };
+    std::uint32_t number(Vec3 p) {
+        const auto next = static_cast<std::uint32_t>(numbers_.size());
+        return numbers_.try_emplace({p.x, p.y, p.z}, next).first->second;
+    }
+    std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> numbers_;
+};
+
+// A triangle whichever way it is gone round.
+Triple sorted(Triple t) {
+    std::ranges::sort(t);
+    return t;
+}
+
+struct HashTriple {
+    std::size_t operator()(const Triple& t) const {
+        return cda::mix(cda::mix(0, t[0]), t[1] | std::uint64_t{t[2]} << 32);
+    }
+};
+
+// What one mesh has by itself: triangles, and of these the corners and middles.
+struct Own {
+    std::vector<std::uint32_t> triangles;
+    std::vector<Vec3> points;
+};
+Own own_of(const TriangleMesh& mesh, const std::vector<Triple>& triangles,
+           const std::vector<Triple>& others, std::size_t places) {
+    std::unordered_set<Triple, HashTriple> in_other;
+    in_other.reserve(others.size());
+    std::vector<bool> is_done(places, false);
+    for (const Triple& t : others) {
+        in_other.insert(sorted(t));
+        for (const std::uint32_t place : t)
+            is_done[place] = true;
+    }
+    Own own;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        if (in_other.contains(sorted(triangles[t]))) continue;
+        own.triangles.push_back(t);
+        Vec3 sum;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 corner = mesh.vertices[mesh.triangles[t][i]];
+            sum = sum + corner;
+            if (is_done[triangles[t][i]]) continue;
+            is_done[triangles[t][i]] = true;
+            own.points.push_back(corner);
+        }
+        own.points.push_back((1.0 / 3.0) * sum);
+    }
+    return own;
+}
+
+double farthest(const Own& from, const TriangleMesh& to, const Own& own_of_to) {
+    if (from.points.empty()) return 0.0;
+    if (!own_of_to.triangles.empty()) {
+        const Farthest found = farthest(from.points, TriangleTree(to, own_of_to.triangles));
+        if (!is_nearer_than(found.distance, found.at, to)) return found.distance;
+    }
+    return farthest(from.points, TriangleTree(to)).distance;
+}
+
+}  // namespace
+
+double deviation(const TriangleMesh& a, const TriangleMesh& b) {
+    if (a.triangles.empty() || b.triangles.empty())
+        return a.triangles.empty() == b.triangles.empty() ? 0.0 : cda::Box::kInf;
+    SamePlaces places;
+    const std::vector<Triple> of_a = places.triangles(a);
+    const std::vector<Triple> of_b = places.triangles(b);
+    const Own own_a = own_of(a, of_a, of_b, places.size());
+    const Own own_b = own_of(b, of_b, of_a, places.size());
+    return std::max(farthest(own_a, b, own_b), farthest(own_b, a, own_a));
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+//  1. Faces become triangles; those that are too thin vanish (remove_slivers), and whole shells.
+//  2. Triangles are joined to groups across edges while every vertex of a group stays near the
+//     plane of its largest one; thin ones may turn any way.
+//  3. Each group becomes a face (merge_groups).
+//  4. Chains of vertices between two faces become straight where they almost are (Douglas and
+//     Peucker, Algorithms for the reduction of the number of points, 1973).
+//  5. Faces that lost their plane on the way get a new one.
+// What is thin or near is so within a quarter of the tolerance. Where the steps add up to more than
+// all of it, which is seen by comparing the surfaces, everything is done again with half as much.
+#include "ncsim/export/simplify.h"
+
+#include "ncsim/cda/disjoint_sets.h"
+#include "ncsim/cda/mesh.h"
+#include "ncsim/cda/triangle_tree.h"
+
+#include "mesh/deviation.h"
+#include "mesh/half_edges.h"
+#include "mesh/merge_faces.h"
+#include "mesh/slivers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using cda::Vec3;
+using Vertex = std::uint32_t;
+using Loop = std::vector<Vertex>;
+
+constexpr double kMostTurn = 0.9659;  // cosine of 15°
+
+double distance(Vec3 a, Vec3 b) {
+    return cda::norm(b - a);
+}
+
+// Normal times area, from all loops.
+Vec3 area_vector(const std::vector<Vec3>& vertices, const cda::BoundaryFace& face) {
+    Vec3 sum;
+    const Vec3 apex = vertices[face.loops.front().front()];
+    for (const Loop& loop : face.loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            sum = sum + cda::cross(vertices[loop[i]] - apex,
+                                   vertices[loop[(i + 1) % loop.size()]] - apex);
+        }
+    }
+    return 0.5 * sum;
+}
+
+// Each triangle as a face with the plane of the face it comes from.
+cda::Boundary as_boundary(const cda::TriangleMesh& mesh, const cda::Boundary& from) {
+    cda::Boundary result;
+    result.vertices = mesh.vertices;
+    result.shells = from.shells;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const cda::BoundaryFace& face = from.faces[mesh.face[t]];
+        const auto& corners = mesh.triangles[t];
+        result.faces.push_back({face.normal,
+                                face.offset,
+                                face.origin,
+                                face.shell,
+                                {{corners.begin(), corners.end()}}});
+    }
+    return result;
+}
+
+// Shells of which every vertex lies near the plane of the largest face have nothing inside.
+void drop_flakes(cda::Boundary& boundary, double tolerance) {
+    struct Shell {
+        double area = -1.0;
+        const cda::BoundaryFace* largest = nullptr;
+        bool is_flake = true;
+    };
+    std::vector<Shell> shells(boundary.shells);
+    for (const auto& face : boundary.faces) {
+        Shell& shell = shells[face.shell];
+        const double area = cda::norm(area_vector(boundary.vertices, face));
+        if (area > shell.area) shell.area = area, shell.largest = &face;
+    }
+    for (const auto& face : boundary.faces) {
+        Shell& shell = shells[face.shell];
+        for (const Vertex v : face.loops.front()) {
+            const double off =
+                cda::dot(shell.largest->normal, boundary.vertices[v]) - shell.largest->offset;
+            shell.is_flake = shell.is_flake && std::abs(off) < tolerance;
+        }
+    }
+    std::erase_if(boundary.faces, [&](const auto& face) { return shells[face.shell].is_flake; });
+}
+
+// Step 2.
+class Flats {
+public:
+    Flats(cda::Boundary& boundary, double tolerance, const Provenance* lines)
+        : boundary_(boundary), tolerance_(tolerance), groups_(boundary.faces.size()) {
+        for (const auto& face : boundary.faces) {
+            Flat flat;
+            const Vec3 area = area_vector(boundary.vertices, face);
+            flat.area = cda::norm(area);
+            flat.normal = face.normal;
+            flat.offset = face.offset;
+            flat.origin = face.origin;
+            if (lines) flat.line = lines->of(face.origin).nc_line;
+            double longest = 0.0;
+            for (const Loop& loop : face.loops) {
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    flat.vertices.push_back(loop[i]);
+                    longest =
+                        std::max(longest, distance(boundary.vertices[loop[i]],
+                                                   boundary.vertices[loop[(i + 1) % loop.size()]]));
+                }
+            }
+            flat.is_thin = flat.area < tolerance * longest;
+            flats_.push_back(std::move(flat));
+        }
+    }
+
+    void run() {
+        const std::vector<HalfEdge> edges = half_edges(boundary_);
+        const std::vector<std::uint32_t> twins = twins_of(edges);
+        struct Candidate {
+            int rank;
+            double length;
+            std::uint32_t face, other;
+        };
+        std::vector<Candidate> candidates;
+        for (std::uint32_t e = 0; e < edges.size(); ++e) {
+            if (twins[e] < e) continue;
+            const std::uint32_t f = edges[e].face;
+            const std::uint32_t g = edges[twins[e]].face;
+            if (f == g) continue;
+            // Exact planes first, thin faces last: they fit to many.
+            int rank = 1;
+            if (flats_[f].is_thin || flats_[g].is_thin) rank = 2;
+            if (boundary_.faces[f].normal == boundary_.faces[g].normal) rank = 0;
+            candidates.push_back(
+                {rank, distance(boundary_.vertices[edges[e].from], boundary_.vertices[edges[e].to]),
+                 f, g});
+        }
+        std::stable_sort(candidates.begin(), candidates.end(),
+                         [](const Candidate& a, const Candidate& b) {
+                             return a.rank != b.rank ? a.rank < b.rank : a.length > b.length;
+                         });
+        for (const Candidate& c : candidates)
+            join(groups_.find(c.face), groups_.find(c.other), c.rank == 0);
+        for (std::uint32_t f = 0; f < flats_.size(); ++f) {
+            if (groups_.find(f) != f) continue;
+            boundary_.faces[f].normal = flats_[f].normal;
+            boundary_.faces[f].offset = flats_[f].offset;
+        }
+    }
+
+    /// Of the largest face in the group of `face`.
+    cda::Origin origin(std::uint32_t face) { return flats_[groups_.find(face)].origin; }
+
+    cda::DisjointSets& groups() { return groups_; }
+
+private:
+    struct Flat {
+        Vec3 normal;
+        double offset = 0.0;
+        double area = 0.0;
+        cda::Origin origin = cda::kStockOrigin;
+        std::uint32_t line = 0;  // 0 too where lines do not matter
+        bool is_thin = false;
+        std::vector<Vertex> vertices;
+    };
+
+    void join(std::uint32_t a, std::uint32_t b, bool is_exact) {
+        if (a == b) return;
+        if (flats_[a].area < flats_[b].area) std::swap(a, b);
+        Flat& large = flats_[a];
+        Flat& small = flats_[b];
+        if (!small.is_thin && large.line != small.line) return;
+        if (!small.is_thin && cda::dot(large.normal, small.normal) < kMostTurn) return;
+        double farthest = 0.0;
+        for (const Vertex v : small.vertices) {
+            const double off = cda::dot(large.normal, boundary_.vertices[v]) - large.offset;
+            farthest = std::max(farthest, std::abs(off));
+        }
+        if (farthest > tolerance_ && !is_exact) return;
+        Flat both;
+        both.normal = large.normal;
+        both.offset = large.offset;
+        both.area = large.area + small.area;
+        both.origin = large.origin;
+        both.line = large.line;
+        both.is_thin = large.is_thin && small.is_thin;
+        both.vertices = std::move(large.vertices);
+        both.vertices.insert(both.vertices.end(), small.vertices.begin(), small.vertices.end());
+        small.vertices.clear();
+        groups_.unite(a, b);
+        flats_[groups_.find(a)] = std::move(both);
+    }
+
+    cda::Boundary& boundary_;
+    double tolerance_;
+    cda::DisjointSets groups_;
+    std::vector<Flat> flats_;  // of a group: that of its first face
+};
+
+// Step 4.
+class Straightening {
+public:
+    Straightening(cda::Boundary& boundary, double tolerance)
+        : boundary_(boundary),
+          tolerance_(tolerance),
+          edges_at_(boundary.vertices.size(), 0),
+          is_kept_(boundary.vertices.size(), false),
+          is_done_(boundary.vertices.size(), false) {}
+
+    void run() {
+        for_each_loop([&](const Loop& loop) {
+            for (const Vertex v : loop)
+                ++edges_at_[v];
+        });
+        for (Vertex v = 0; v < edges_at_.size(); ++v)
+            is_kept_[v] = edges_at_[v] > 2;
+        for_each_loop([&](const Loop& loop) { anchor(loop); });
+        // Edges that stay as they are come first: no chain may become one of them.
+        std::vector<Loop> chains;
+        for_each_loop([&](const Loop& loop) { split(loop, chains); });
+        for (const Loop& chain : chains)
+            straighten(chain);
+        for (auto& face : boundary_.faces) {
+            for (Loop& loop : face.loops) {
+                std::erase_if(loop, [&](Vertex v) { return !is_kept_[v]; });
+                drop_points(loop);
+            }
+        }
+    }
+
+private:
+    // A chain may end where it begins, with nothing of it farther away than the tolerance.
+    static void drop_points(Loop& loop) {
+        loop.erase(std::unique(loop.begin(), loop.end()), loop.end());
+        while (loop.size() > 1 && loop.front() == loop.back())
+            loop.pop_back();
+    }
+
+    template <typename Action>
+    void for_each_loop(Action action) {
+        for (const auto& face : boundary_.faces) {
+            for (const Loop& loop : face.loops)
+                action(loop);
+        }
+    }
+
+    // A loop without corners keeps two vertices that are far from each other.
+    void anchor(const Loop& loop) {
+        const auto is_kept = [&](Vertex v) { return is_kept_[v]; };
+        if (std::count_if(loop.begin(), loop.end(), is_kept) > 1) return;
+        const auto corner = std::find_if(loop.begin(), loop.end(), is_kept);
+        const Vertex a =
+            corner != loop.end() ? *corner : *std::min_element(loop.begin(), loop.end());
+        const auto far = [&](Vertex v) {
+            return distance(boundary_.vertices[a], boundary_.vertices[v]);
+        };
+        const Vertex b = *std::max_element(loop.begin(), loop.end(), [&](Vertex v, Vertex w) {
+            return std::pair(far(v), v) < std::pair(far(w), w);
+        });
+        is_kept_[a] = is_kept_[b] = true;
+    }
+
+    // Appends the pieces between kept vertices, both included, that have others between them.
+    void split(const Loop& loop, std::vector<Loop>& chains) {
+        const auto first =
+            std::find_if(loop.begin(), loop.end(), [&](Vertex v) { return is_kept_[v]; });
+        const auto start = static_cast<std::size_t>(first - loop.begin());
+        Loop chain{loop[start]};
+        for (std::size_t i = 1; i <= loop.size(); ++i) {
+            const Vertex v = loop[(start + i) % loop.size()];
+            chain.push_back(v);
+            if (!is_kept_[v]) continue;
+            if (chain.size() == 2) {
+                taken_.insert(std::minmax(chain[0], chain[1]));
+            } else if (!is_done_[chain[1]]) {
+                for (std::size_t k = 1; k + 1 < chain.size(); ++k)
+                    is_done_[chain[k]] = true;
+                chains.push_back(chain);
+            }
+            chain = {v};
+        }
+    }
+
+    void straighten(const Loop& chain) {
+        reduce(chain, 0, chain.size() - 1, false);
+        const bool is_edge =
+            std::none_of(chain.begin() + 1, chain.end() - 1, [&](Vertex v) { return is_kept_[v]; });
+        if (!is_edge || taken_.insert(std::minmax(chain.front(), chain.back())).second) return;
+        // There is such an edge already: this one keeps a vertex to tell them apart.
+        reduce(chain, 0, chain.size() - 1, true);
+    }
+
+    void reduce(const Loop& chain, std::size_t first, std::size_t last, bool keeps_one) {
+        if (last - first < 2) return;
+        std::size_t middle = first + 1;
+        double far = -1.0;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            const double d = cda::distance_to_segment(boundary_.vertices[chain[i]],
+                                                      boundary_.vertices[chain[first]],
+                                                      boundary_.vertices[chain[last]]);
+            if (d > far) far = d, middle = i;
+        }
+        if (far <= tolerance_ && !keeps_one) return;
+        is_kept_[chain[middle]] = true;
+        reduce(chain, first, middle, false);
+        reduce(chain, middle, last, false);
+    }
+
+    cda::Boundary& boundary_;
+    double tolerance_;
+    std::vector<std::uint32_t> edges_at_;
+    std::vector<bool> is_kept_, is_done_;
+    std::set<std::pair<Vertex, Vertex>> taken_;
+};
+
+double farthest_from_plane(const std::vector<Vec3>& vertices, const cda::BoundaryFace& face) {
+    double farthest = 0.0;
+    for (const Loop& loop : face.loops) {
+        for (const Vertex v : loop) {
+            const double off = cda::dot(face.normal, vertices[v]) - face.offset;
+            farthest = std::max(farthest, std::abs(off));
+        }
+    }
+    return farthest;
+}
+
+// Step 5: the plane through the middle of the corners, at right angles to the area vector.
+void fit_plane(const std::vector<Vec3>& vertices, cda::BoundaryFace& face) {
+    const Vec3 area = area_vector(vertices, face);
+    if (!(cda::norm(area) > 0.0)) return;
+    face.normal = cda::normalized(area);
+    double least = cda::Box::kInf;
+    double most = -cda::Box::kInf;
+    for (const Vertex v : face.loops.front()) {
+        const double at = cda::dot(face.normal, vertices[v]);
+        least = std::min(least, at);
+        most = std::max(most, at);
+    }
+    face.offset = 0.5 * (least + most);
+}
+
+Simplified simplify_steps(const cda::Boundary& boundary, cda::TriangleMesh mesh, double share,
+                          const Provenance* lines) {
+    remove_slivers(mesh, share);
+    cda::Boundary work = as_boundary(mesh, boundary);
+    drop_flakes(work, share);
+    if (work.faces.empty()) return {};
+    Flats flats(work, share, lines);
+    flats.run();
+    MergedFaces merged = merge_groups(work, flats.groups());
+    if (lines) {
+        for (std::size_t f = 0; f < merged.group.size(); ++f)
+            merged.boundary.faces[f].origin = flats.origin(merged.group[f]);
+    }
+    Straightening(merged.boundary, share).run();
+    for (auto& face : merged.boundary.faces) {
+        const bool is_right_way =
+            cda::dot(area_vector(merged.boundary.vertices, face), face.normal) > 0.0;
+        if (!is_right_way || farthest_from_plane(merged.boundary.vertices, face) > share)
+            fit_plane(merged.boundary.vertices, face);
+    }
+    return {std::move(merged.boundary), std::move(merged.origins), 0.0};
+}
+
+// Flakes thinner than the tolerance may vanish however wide they are: what they were is near to
+// where nothing was, though far from what is left.
+cda::TriangleMesh without_lost_shells(cda::TriangleMesh mesh, const cda::Boundary& before,
+                                      const cda::Boundary& after) {
+    std::vector<bool> is_left(before.shells, false);
+    for (const auto& face : after.faces)
+        is_left[face.shell] = true;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!is_left[before.faces[mesh.face[t]].shell]) continue;
+        mesh.triangles[kept] = mesh.triangles[t];
+        mesh.face[kept++] = mesh.face[t];
+    }
+    mesh.triangles.resize(kept);
+    mesh.face.resize(kept);
+    return mesh;
+}
+
+}  // namespace
+
+Simplified simplify(const cda::Boundary& boundary, double tolerance_mm, const Provenance* lines) {
+    if (boundary.faces.empty()) return {boundary, {}, 0.0};
+    const cda::TriangleMesh before = cda::triangulate(boundary);
+    Simplified result;
+    for (double share = 0.25 * tolerance_mm;; share *= 0.5) {
+        // Far below the tolerance nothing but rounding is left to move.
+        if (share < 1e-3 * tolerance_mm) share = 0.0;
+        result = simplify_steps(boundary, before, share, lines);
+        if (result.boundary.faces.empty()) return result;  // a part smaller than the tolerance
+        result.deviation_mm = deviation(without_lost_shells(before, boundary, result.boundary),
+                                        cda::triangulate(result.boundary));
+        if (result.deviation_mm <= tolerance_mm || share == 0.0) return result;
+    }
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ncsim::exporter {
+
+namespace {
+
+// A dull grey for the stock, soft hues for fresh cuts; told apart in order by most kinds of
+// colour-blind eyes too (blue and orange first).
+constexpr Rgba8 kStockColour{150, 156, 164};
+constexpr std::array<Rgba8, 8> kToolColours{{{126, 182, 226},
+                                             {240, 172, 98},
+                                             {128, 200, 160},
+                                             {226, 146, 186},
+                                             {238, 218, 116},
+                                             {172, 156, 222},
+                                             {226, 124, 98},
+                                             {104, 192, 194}}};
+// A brown that none of them comes near.
+constexpr Rgba8 kUnnumberedColour{164, 122, 90};
+
+constexpr std::array<Rgba8, 5> kScale{
+    {{248, 222, 112}, {122, 200, 122}, {52, 152, 156}, {62, 96, 160}, {78, 48, 118}}};
+
+float to_linear(std::uint8_t channel) {
+    const float c = static_cast<float>(channel) / 255.0F;
+    return c * c;
+}
+
+std::uint8_t to_srgb(float channel) {
+    const float c = std::sqrt(std::clamp(channel, 0.0F, 1.0F));
+    return static_cast<std::uint8_t>(255.0F * c + 0.5F);
+}
+
+}  // namespace
+
+LinearColour to_linear(Rgba8 colour) {
+    return {to_linear(colour.r), to_linear(colour.g), to_linear(colour.b)};
+}
+
+Rgba8 to_srgb(LinearColour colour) {
+    return {to_srgb(colour.r), to_srgb(colour.g), to_srgb(colour.b), 255};
+}
+
+LinearColour scale_colour(double t) {
+    const double position = std::clamp(t, 0.0, 1.0) * static_cast<double>(kScale.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(position), kScale.size() - 2);
+    const auto share = static_cast<float>(position - static_cast<double>(below));
+    return (1.0F - share) * to_linear(kScale[below]) + share * to_linear(kScale[below + 1]);
+}
+
+std::string Maker::name() const {
+    if (!is_tool) return "stock";
+    std::string text(1, 'T');
+    text += std::to_string(tool);
+    return text;
+}
+
+Palette::Palette(const Provenance& provenance) : makers_{Maker({})} {
+    for (const Provenance::Entry& entry : provenance.entries)
+        makers_.emplace_back(entry);
+    std::sort(makers_.begin(), makers_.end());
+    makers_.erase(std::unique(makers_.begin(), makers_.end()), makers_.end());
+    if (makers_.size() > 1 && makers_[1].tool == 0) first_numbered_ = 2;
+}
+
+std::size_t Palette::rank(Maker maker) const {
+    const auto found = std::lower_bound(makers_.begin(), makers_.end(), maker);
+    const bool known = found != makers_.end() && *found == maker;
+    return known ? static_cast<std::size_t>(found - makers_.begin()) : 0;
+}
+
+Rgba8 Palette::colour(Maker maker) const {
+    const std::size_t position = rank(maker);
+    if (position == 0) return kStockColour;
+    if (position < first_numbered_) return kUnnumberedColour;
+    return kToolColours[(position - first_numbered_) % kToolColours.size()];
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/resolve.h"
+
+#include "render/crease.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace ncsim::exporter {
+
+namespace {
+
+using cda::Vec3;
+
+// Light, in the camera's frame, so that every view is lit alike: a key light from the left, low
+// enough to bring out the relief of faces that look up, a weak one from the right, the sky, a part
+// that comes from everywhere, and a sheen, since milled metal is not paper. On a box seen
+// from Iso the top, the left and the right side get about 0.9, 0.6 and 0.4.
+const Vec3 kKeyLight = cda::normalized({-0.65, 0.38, 0.66});
+const Vec3 kFillLight = cda::normalized({0.70, -0.10, 0.70});
+const Vec3 kMirror = cda::normalized(kKeyLight + Vec3{0, 0, 1});  // shows the key light's image
+constexpr double kKey = 0.66;
+constexpr double kFill = 0.15;
+constexpr double kSky = 0.22;
+constexpr double kEverywhere = 0.26;
+constexpr double kSheen = 0.16;
+
+// How much of a pixel's colour is line: where something stands before something else, and
+// where two faces meet.
+constexpr float kSilhouetteInk = 0.75F;
+constexpr float kCreaseInk = 0.5F;
+constexpr Rgba8 kInk{24, 28, 34};
+
+constexpr Rgba8 kWhite{255, 255, 255};
+constexpr Rgba8 kDark{30, 33, 38};
+
+double square(double x) {
+    return x * x;
+}
+
+constexpr LinearColour kWhiteLight{1, 1, 1};
+
+// Change of depth per mm across the picture, along x plus along y.
+double slope(const Surface& surface) {
+    return (std::abs(surface.n_C.x) + std::abs(surface.n_C.y)) / surface.n_C.z;
+}
+
+}  // namespace
+
+LinearColour colour_of(Background background) {
+    return to_linear(background == Background::White ? kWhite : kDark);
+}
+
+Resolver::Resolver(const ScreenMap& map, const RenderOptions& options, const SurfaceTable& table)
+    : map_(map), options_(options), surfaces_(table.surfaces), bends_(table.bends) {
+    lit_.push_back(colour_of(options.background));
+}
+
+Resolver::Lighting Resolver::lighting(Vec3 n_C) {
+    const double diffuse = kEverywhere + kSky * n_C.y +
+                           kKey * std::max(0.0, cda::dot(n_C, kKeyLight)) +
+                           kFill * std::max(0.0, cda::dot(n_C, kFillLight));
+    const double sheen = kSheen * square(square(square(std::max(0.0, cda::dot(n_C, kMirror)))));
+    return {static_cast<float>(diffuse), static_cast<float>(sheen)};
+}
+
+void Resolver::light_new_surfaces() {
+    for (std::size_t i = lit_.size() - 1; i < surfaces_.size(); ++i) {
+        if (surfaces_[i].is_line) {
+            lit_.push_back(surfaces_[i].colour);
+            continue;
+        }
+        const Lighting light = lighting(surfaces_[i].n_C);
+        lit_.push_back(light.diffuse * surfaces_[i].colour + light.sheen * kWhiteLight);
+    }
+}
+
+// (x, y) in mm from the middle of the picture.
+LinearColour Resolver::colour_at(SurfaceId id, double x, double y) const {
+    if (id == kBackground) return lit_[id];
+    const Surface& surface = surfaces_[id - 1];
+    if (!surface.by_depth && surface.bend == 0) return lit_[id];
+    const double depth = depth_at(surface, x, y);
+    const Lighting light = lighting(normal_at(surface, x, y, depth));
+    if (!surface.by_depth) return light.diffuse * surface.colour + light.sheen * kWhiteLight;
+    const Camera& camera = map_.camera();
+    const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
+    const double z_W =
+        camera.target.z + scale * (x * camera.right.z + y * camera.up.z) + depth * camera.back.z;
+    const double t = (options_.depth_top - z_W) / (options_.depth_top - options_.depth_bottom);
+    return light.diffuse * scale_colour(t) + light.sheen * kWhiteLight;
+}
+
+// Where it is `depth` before the middle of the picture.
+Vec3 Resolver::normal_at(const Surface& surface, double x, double y, double depth) const {
+    if (surface.bend == 0) return surface.n_C;
+    const Camera& camera = map_.camera();
+    const double scale = camera.is_orthographic() ? 1.0 : 1.0 - depth / camera.distance;
+    return bends_[surface.bend - 1].normal_at({scale * x, scale * y, depth});
+}
+
+// Where the line of sight through (x, y) meets the plane of the surface: z in the camera's frame.
+// The middle of the picture is the origin; in mm at the target.
+double Resolver::depth_at(const Surface& surface, double x, double y) const {
+    const Vec3 n = surface.n_C;
+    if (map_.camera().is_orthographic()) return (surface.offset - n.x * x - n.y * y) / n.z;
+    const double D = map_.camera().distance;
+    const double s = (n.z * D - surface.offset) / (n.z * D - n.x * x - n.y * y);
+    return D * (1.0 - s);
+}
+
+bool Resolver::is_same_plane(SurfaceId a, SurfaceId b) const {
+    if (a == b) return true;
+    if (a == kBackground || b == kBackground) return false;
+    const Surface& p = surfaces_[a - 1];
+    const Surface& q = surfaces_[b - 1];
+    return cda::dot(p.n_C, q.n_C) > 1.0 - 1e-10 &&
+           std::abs(p.offset - q.offset) < 0.01 * map_.sample_size();
+}
+
+bool Resolver::is_round(SurfaceId id) const {
+    return id != kBackground && surfaces_[id - 1].bend != 0;
+}
+
+bool Resolver::is_line(SurfaceId id) const {
+    return id != kBackground && surfaces_[id - 1].is_line;
+}
+
+// Strength of the line between two neighbouring samples that see `a` and `b`; (x, y) is the
+// point between them.
+float Resolver::line_between(SurfaceId a, SurfaceId b, double x, double y) const {
+    if (a == b) return 0.0F;
+    if (is_line(a) || is_line(b)) return 0.0F;
+    if (a == kBackground || b == kBackground) return kSilhouetteInk;
+    const Surface& p = surfaces_[a - 1];
+    const Surface& q = surfaces_[b - 1];
+    // Triangles of one face.
+    if (p.n_C == q.n_C && p.offset == q.offset) return 0.0F;
+    const double depth = depth_at(p, x, y), other = depth_at(q, x, y);
+    const double step = std::abs(depth - other);
+    // Two faces that meet somewhere between the samples differ by no more than half a sample
+    // times their slopes.
+    if (step > map_.sample_size() * (1.0 + slope(p) + slope(q))) return kSilhouetteInk;
+    return cda::dot(normal_at(p, x, y, depth), normal_at(q, x, y, other)) < kCreaseCosine
+               ? kCreaseInk
+               : 0.0F;
+}
+
+// Where edges of facets that ought to coincide are rounded apart, single samples see through the
+// crack, or see a facet that is cut away there. A sample none of whose four neighbours sees the
+// same plane shows nothing a picture could show: it takes the surface most of them see.
+void Resolver::remove_specks(std::vector<SurfaceId>& ids) {
+    const std::size_t width = rect_.width;
+    for (std::size_t y = 1; y + 1 < rect_.height; ++y) {
+        for (std::size_t x = 1; x + 1 < width; ++x) {
+            const std::size_t i = y * width + x;
+            const std::array<SurfaceId, 4> around{ids[i - 1], ids[i + 1], ids[i - width],
+                                                  ids[i + width]};
+            const bool is_alone = std::none_of(around.begin(), around.end(), [&](SurfaceId id) {
+                return is_same_plane(id, ids[i]);
+            });
+            if (!is_alone || is_line(ids[i])) continue;
+            const auto votes = [&](SurfaceId id) {
+                return std::count_if(around.begin(), around.end(),
+                                     [&](SurfaceId other) { return is_same_plane(id, other); });
+            };
+            const auto winner =
+                *std::max_element(around.begin(), around.end(),
+                                  [&](SurfaceId a, SurfaceId b) { return votes(a) < votes(b); });
+            if (votes(winner) >= 2) ids[i] = winner;
+        }
+    }
+}
+
+void Resolver::find_lines(std::span<const SurfaceId> ids) {
+    ink_.assign(ids.size(), 0.0F);
+    if (!options_.edges) return;
+    const std::size_t width = rect_.width;
+    const double h = map_.sample_size();
+    const double left = static_cast<double>(rect_.x) - 0.5 * options_.samples * options_.width;
+    const double top = static_cast<double>(rect_.y) - 0.5 * options_.samples * options_.height;
+    const auto mark = [&](std::size_t i, float ink) {
+        if (ids[i] != kBackground) ink_[i] = std::max(ink_[i], ink);
+    };
+    const auto compare = [&](std::size_t i, std::size_t j, double x, double y) {
+        if (ids[i] == ids[j]) return;
+        const float ink = line_between(ids[i], ids[j], h * x, h * y);
+        mark(i, ink);
+        mark(j, ink);
+    };
+    for (std::size_t row = 0; row + 1 < rect_.height; ++row) {
+        for (std::size_t column = 0; column + 1 < width; ++column) {
+            const std::size_t i = row * width + column;
+            const double x = left + static_cast<double>(column);
+            const double y = top + static_cast<double>(row);
+            compare(i, i + 1, x + 1.0, -(y + 0.5));
+            compare(i, i + width, x + 0.5, -(y + 1.0));
+        }
+    }
+}
+
+void Resolver::resolve(std::vector<SurfaceId>& ids, std::uint32_t x0, std::uint32_t y0,
+                       std::uint32_t width, std::uint32_t height, Image& image) {
+    const std::uint32_t samples = options_.samples;
+    rect_ = {std::int64_t{x0} * samples - kTileMargin, std::int64_t{y0} * samples - kTileMargin,
+             width * samples + 2 * kTileMargin, height * samples + 2 * kTileMargin};
+    light_new_surfaces();
+    remove_specks(ids);
+    find_lines(ids);
+    const LinearColour ink = to_linear(kInk);
+    const double h = map_.sample_size();
+    const double left = static_cast<double>(rect_.x) + 0.5 - 0.5 * samples * options_.width;
+    const double top = static_cast<double>(rect_.y) + 0.5 - 0.5 * samples * options_.height;
+    const float share = 1.0F / static_cast<float>(samples * samples);
+    const double middle = 0.5 * (samples - 1);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            LinearColour sum, light;
+            SurfaceId lit = kBackground;  // whose light is known all over the pixel
+            for (std::uint32_t s = 0; s < samples * samples; ++s) {
+                const std::uint32_t row = kTileMargin + y * samples + s / samples;
+                const std::uint32_t column = kTileMargin + x * samples + s % samples;
+                const std::size_t i = std::size_t{row} * rect_.width + column;
+                const SurfaceId id = ids[i];
+                const bool round = is_round(id);
+                if (!round) {
+                    light = colour_at(id, h * (left + column), -h * (top + row));
+                } else if (id != lit) {
+                    // What is round is lit once, in the middle: it hardly changes in a pixel.
+                    light = colour_at(id, h * (left + kTileMargin + x * samples + middle),
+                                      -h * (top + kTileMargin + y * samples + middle));
+                }
+                lit = round ? id : kBackground;
+                sum = sum + (1.0F - ink_[i]) * light + ink_[i] * ink;
+            }
+            image.at(x0 + x, y0 + y) = to_srgb(share * sum);
+        }
+    }
+}
+
+}  // namespace ncsim::exporter

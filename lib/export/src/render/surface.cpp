@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surface.h"
+
+#include <algorithm>
+
+namespace ncsim::exporter {
+
+using cda::cross;
+using cda::dot;
+using cda::Vec3;
+
+Bend::Bend(const std::array<Vec3, 3>& corners_C, const std::array<Vec3, 3>& n_C)
+    : corner_(corners_C[0]),
+      n_(n_C[0]),
+      towards_second_(n_C[1] - n_C[0]),
+      towards_third_(n_C[2] - n_C[0]) {
+    const Vec3 second = corners_C[1] - corner_, third = corners_C[2] - corner_;
+    const Vec3 area = cross(second, third);
+    const double square = dot(area, area);
+    // Nobody sees one without an area.
+    if (!(square > 0.0)) return;
+    to_second_ = (1.0 / square) * cross(third, area);
+    to_third_ = (1.0 / square) * cross(area, second);
+}
+
+Vec3 Bend::normal_at(Vec3 p_C) const {
+    const Vec3 p = p_C - corner_;
+    // Samples on an edge may lie beyond it, of needles by many times their width.
+    const double second = std::clamp(dot(to_second_, p), 0.0, 1.0);
+    const double third = std::clamp(dot(to_third_, p), 0.0, 1.0 - second);
+    const Vec3 n = n_ + second * towards_second_ + third * towards_third_;
+    // In a corner that has none.
+    return cda::normalized(n == Vec3{} ? 2.0 * n_ + towards_second_ : n);
+}
+
+}  // namespace ncsim::exporter

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/cycles/area.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace ncsim::gcode {
+namespace {
+
+/// Nearer than it should be by less than this is near enough, as a share of the distance and of
+/// the outline: rounding.
+constexpr double kRounding = 1e-12;
+constexpr double kOfWays = 1e-9;
+
+double cross(PlanePoint o, PlanePoint a, PlanePoint b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+double distance(PlanePoint p, PlanePoint a, PlanePoint b) {
+    const double x = b.x - a.x;
+    const double y = b.y - a.y;
+    const double length_2 = x * x + y * y;
+    double t = length_2 > 0.0 ? ((p.x - a.x) * x + (p.y - a.y) * y) / length_2 : 0.0;
+    t = std::clamp(t, 0.0, 1.0);
+    return trig::length_of(p.x - (a.x + t * x), p.y - (a.y + t * y));
+}
+
+double distance(PlanePoint a, PlanePoint b, PlanePoint c, PlanePoint d) {
+    const bool cd_apart = (cross(c, d, a) > 0.0) != (cross(c, d, b) > 0.0);
+    const bool ab_apart = (cross(a, b, c) > 0.0) != (cross(a, b, d) > 0.0);
+    if (cd_apart && ab_apart) return 0.0;
+    return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
+}
+
+/// What of the line `y` is nearer to the segment than `radius`.
+std::optional<Stroke> near_segment(PlanePoint a, PlanePoint b, double radius, double y) {
+    std::optional<Stroke> out;
+    const auto add = [&](double from, double to) {
+        if (!out) out = Stroke{from, to};
+        out->from = std::min(out->from, from);
+        out->to = std::max(out->to, to);
+    };
+    for (const PlanePoint& p : {a, b}) {
+        const double up = y - p.y;
+        if (std::abs(up) >= radius) continue;
+        const double half = std::sqrt((radius - up) * (radius + up));
+        add(p.x - half, p.x + half);
+    }
+    // The two sides of the band between the ends.
+    const double length = trig::length_of(b.x - a.x, b.y - a.y);
+    if (length == 0.0) return out;
+    const PlanePoint n{-(b.y - a.y) / length * radius, (b.x - a.x) / length * radius};
+    for (const double side : {-1.0, 1.0}) {
+        const PlanePoint p{a.x + side * n.x, a.y + side * n.y};
+        const PlanePoint q{b.x + side * n.x, b.y + side * n.y};
+        if ((p.y < y) == (q.y < y)) continue;
+        const double x = p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y));
+        add(x, x);
+    }
+    return out;
+}
+
+}  // namespace
+
+double signed_area(const std::vector<PlanePoint>& outline) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const PlanePoint& a = outline[i];
+        const PlanePoint& b = outline[(i + 1) % outline.size()];
+        twice += (a.x - outline[0].x) * (b.y - outline[0].y) -
+                 (b.x - outline[0].x) * (a.y - outline[0].y);
+    }
+    return twice / 2.0;
+}
+
+Area::Area(std::vector<PlanePoint> outline, double distance) : outline_(std::move(outline)) {
+    const auto [low, high] =
+        std::ranges::minmax_element(outline_, {}, [](const PlanePoint& p) { return p.y; });
+    lowest_ = low->y + distance;
+    highest_ = high->y - distance;
+    const double size = distance + high->y - low->y;
+    of_strokes_ = std::max(0.0, distance - kRounding * size);
+    of_ways_ = std::max(0.0, distance - kOfWays * size);
+}
+
+bool Area::contains(PlanePoint p) const {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        const PlanePoint& a = outline_[i];
+        const PlanePoint& b = outline_[(i + 1) % outline_.size()];
+        if (distance(p, a, b) < of_ways_) return false;
+        if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+bool Area::contains(PlanePoint a, PlanePoint b) const {
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        if (distance(a, b, outline_[i], outline_[(i + 1) % outline_.size()]) < of_ways_)
+            return false;
+    }
+    return true;
+}
+
+std::vector<Stroke> Area::strokes_at(double y) const {
+    std::vector<double> crossings;
+    std::vector<Stroke> near;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        const PlanePoint& a = outline_[i];
+        const PlanePoint& b = outline_[(i + 1) % outline_.size()];
+        if ((a.y <= y) != (b.y <= y))
+            crossings.push_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+        if (const auto stroke = near_segment(a, b, of_strokes_, y)) near.push_back(*stroke);
+    }
+    std::ranges::sort(crossings);
+    std::ranges::sort(near, {}, &Stroke::from);
+    std::vector<Stroke> strokes;
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        double from = crossings[i];
+        const double end = crossings[i + 1];
+        for (const Stroke& n : near) {
+            if (n.to <= from) continue;
+            if (n.from >= end) break;
+            if (n.from > from) strokes.push_back({from, n.from});
+            from = std::max(from, n.to);
+        }
+        if (from < end) strokes.push_back({from, end});
+    }
+    return strokes;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// G150 of Haas: a pocket of any shape. Its outline stands in a subprogram, which is not run but
+// listened to: a line from the starting hole to the outline, and around it once.
+#include "ncsim/trig/angles.h"
+
+#include "control/cycles/area.h"
+#include "control/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ncsim::gcode {
+namespace {
+
+/// More than these nobody has cut: a word is wrong.
+constexpr double kMostStrokes = 100'000.0;  // at all levels
+constexpr double kMostWork = 1e9;           // strokes, by sides of the outline
+constexpr double kMostPieces = 2000.0;      // of an arc
+
+/// How far chords of the outline's arcs lie off, mm.
+constexpr double kChord = 0.001;
+
+/// Ends that should meet and lie no farther apart do, mm.
+constexpr double kMeets = 0.005;
+
+/// An arc whose ends are no farther apart, seen from the centre, is a full circle. In degrees.
+constexpr double kNoTurn = 1e-9 * 180.0 / std::numbers::pi;
+
+/// In degrees, positive counter-clockwise.
+double sweep_of(const OutlineMove& move) {
+    const double from = trig::angle_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
+    const double to = trig::angle_of(move.to.x - move.centre.x, move.to.y - move.centre.y);
+    double sweep = move.turns > 0 ? to - from : from - to;
+    while (sweep <= kNoTurn)
+        sweep += 360.0;
+    return move.turns > 0 ? sweep : -sweep;
+}
+
+PlanePoint along(const OutlineMove& move, double share) {
+    if (move.turns == 0) {
+        return {move.from.x + share * (move.to.x - move.from.x),
+                move.from.y + share * (move.to.y - move.from.y)};
+    }
+    const trig::SinCos turn = trig::sin_cos(share * sweep_of(move));
+    const double x = move.from.x - move.centre.x;
+    const double y = move.from.y - move.centre.y;
+    return {move.centre.x + x * turn.cos - y * turn.sin,
+            move.centre.y + x * turn.sin + y * turn.cos};
+}
+
+/// The outline as a polygon.
+std::vector<PlanePoint> polygon_of(const std::vector<OutlineMove>& loop, double chord) {
+    std::vector<PlanePoint> points;
+    for (const OutlineMove& move : loop) {
+        int pieces = 1;
+        if (move.turns != 0) {
+            const double r =
+                trig::length_of(move.from.x - move.centre.x, move.from.y - move.centre.y);
+            const double rise = std::min(chord / r, 0.5);
+            const double step = 2.0 * trig::angle_of(1.0 - rise, std::sqrt(rise * (2.0 - rise)));
+            const double wanted = step > 0.0 ? std::abs(sweep_of(move)) / step : kMostPieces;
+            pieces = static_cast<int>(std::ceil(std::clamp(wanted, 4.0, kMostPieces)));
+        }
+        for (int i = 0; i < pieces; ++i)
+            points.push_back(along(move, static_cast<double>(i) / pieces));
+    }
+    return points;
+}
+
+}  // namespace
+
+/// From here on moves are listened to; they begin at the X and Y of the G150.
+bool Machine::begin_outline(const Command& command) {
+    if (control_.corner) settle_corner();
+    Axes start{};
+    AxisMask mask = 0;
+    if (!find_ends(command, start, mask)) return false;
+    outline_ = Outline{control_, {}, false};
+    state_.position[kX] = start[kX];
+    state_.position[kY] = start[kY];
+    state_.motion = Code::G1;
+    state_.cycle = {};
+    state_.feed_mode = FeedMode::PerMinute;
+    state_.feed = std::max(state_.feed, 1.0);  // the one of the G150 counts
+    return true;
+}
+
+/// What was heard is kept for the G150, and all else is as before.
+void Machine::end_outline() {
+    if (control_.corner) settle_corner();
+    control_ = std::move(outline_->before);
+    heard_ = std::move(outline_->moves);
+    heard_well_ = !outline_->is_foreign;
+    outline_.reset();
+}
+
+bool Machine::belongs_to_outline(const Command& command) {
+    const Code motion = command.group(Group::Motion);
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        const bool may =
+            group == Group::Motion || group == Group::Distance || group == Group::Ignored;
+        if (!may && command.group(group) != Code::None) return false;
+    }
+    return (motion == Code::None || motion == Code::G1 || motion == Code::G2 ||
+            motion == Code::G3) &&
+           command.group(MGroup::Stop) == kNone && command.group(MGroup::ToolChange) == kNone;
+}
+
+/// A move of the outline: a line, or with `arc` an arc.
+bool Machine::hear(const Axes& end, const ProgramArc* arc) {
+    const Axes& from = state_.position;
+    OutlineMove move;
+    move.from = {from[kX], from[kY]};
+    move.to = {end[kX], end[kY]};
+    if (arc) move.centre = {arc->centre_1, arc->centre_2}, move.turns = arc->turns;
+    for (std::size_t i = 0; i < end.size(); ++i)
+        outline_->is_foreign |= i != kX && i != kY && end[i] != from[i];
+    outline_->is_foreign |= state_.plane != Plane::XY || std::abs(move.turns) > 1;
+    const bool moves = arc || move.from.x != move.to.x || move.from.y != move.to.y;
+    if (moves) outline_->moves.push_back(move);
+    state_.position = end;
+    return true;
+}
+
+/// At each level: down at the starting hole, strokes along Y (I) or X (J) over all that is a
+/// cutter's radius and the finishing allowance away from the outline, then around it; at the last
+/// level around it once more, on size. Haas tells the order and the words, not the strokes: which
+/// they are makes no difference to what is left. Where no straight way leads from one stroke to
+/// the next, the tool is lifted to R.
+bool Machine::area_pocket(const Command& command, Code side, bool words_taken) {
+    const SourceSpan span = span_of_g(command, Code::G150);
+    const auto needs = [&](std::string_view what) {
+        return fail(Message::PocketWord, span, {"G150", what});
+    };
+    if (compensation_.is_on() || state_.cutter_side != CutterSide::Off)
+        return fail(Message::ForbiddenWithCompensation, span, {"G150"});
+    if (words_taken || command.group(Group::OneShot) != Code::None)
+        return needs("a block of its own");
+    if (state_.feed_mode == FeedMode::InverseTime)
+        return fail(Message::CycleInverseTime, span, {"G150"});
+    if (state_.plane != Plane::XY) return needs("the XY plane (G17)");
+    if (state_.programmed.scaled) return needs("scaling and mirroring off (G50)");
+    if (state_.incremental) return needs("absolute words (G90)");
+    if (!command.has('Z') || !command.has('R')) return needs("a depth (Z) and a height (R)");
+    if (command.has('I') == command.has('J')) return needs("one width of cut, I or J");
+    if (command.get('L', 1.0) != 1.0) return needs("a block without L");
+    if (side != Code::G41 && side != Code::G42) return needs("G41 or G42 in its block");
+    const bool along_y = command.has('I');
+    const double width = along_y ? command['I'] : command['J'];
+    const double allowance = command.get('K', 0.0);
+    if (width <= 0.0) return needs("a width of cut above 0");
+    if (allowance < 0.0) return needs("a finishing allowance (K) that is not below 0");
+    if (!needs_feed(command, "G150")) return false;
+    Axes start{};
+    AxisMask mask = 0;
+    if (!find_ends(command, start, mask)) return false;
+    const double bottom = start[kZ];
+    const double clear = command['R'];
+    const double depth = clear - bottom;
+    const double step = command.get('Q', depth);
+    if (depth <= 0.0) return needs("a depth (Z) below R");
+    if (step <= 0.0 || depth / step > kMostStrokes)
+        return needs("an increment of depth (Q) above 0, and not that small");
+
+    // The outline: without the way to it, closed.
+    if (!heard_well_ || heard_.size() < 2) return needs("an outline of G1, G2 and G3 in X and Y");
+    if (heard_.front().turns != 0)
+        return needs("a line (G1) from the starting hole to the outline");
+    const std::vector<OutlineMove> loop(heard_.begin() + 1, heard_.end());
+    const double unit = state_.unit_mm();
+    if (trig::length_of(loop.back().to.x - loop.front().from.x,
+                        loop.back().to.y - loop.front().from.y) > kMeets / unit) {
+        return needs("an outline that ends where it begins");
+    }
+    const double cutter = std::abs(radius_of_register(command, span));
+    std::vector<PlanePoint> polygon = polygon_of(loop, kChord / unit);
+    const CutterSide inside = signed_area(polygon) > 0.0 ? CutterSide::Left : CutterSide::Right;
+    if (along_y) {
+        for (PlanePoint& p : polygon)
+            std::swap(p.x, p.y);
+    }
+    const Area area(polygon, cutter + allowance);
+    const Area on_size(polygon, cutter);
+    const auto seen = [&](PlanePoint p) { return along_y ? PlanePoint{p.y, p.x} : p; };
+    const PlanePoint hole{start[kX], start[kY]};
+    if (area.lowest() > area.highest() || !area.contains(seen(hole)))
+        return needs("a starting hole (X Y) inside the outline, with room for the cutter");
+    const double height = area.highest() - area.lowest();
+    const double all_strokes = (height / width + 1.0) * (depth / step + 1.0);
+    if (all_strokes > kMostStrokes || all_strokes * static_cast<double>(polygon.size()) > kMostWork)
+        return needs("larger increments (Q, I, J)");
+
+    if (!state_.first_length_seen) {
+        state_.first_length_seen = true;
+        state_.first_length_in_inches = state_.inches;
+    }
+    constexpr AxisMask kPlane = 1U << kX | 1U << kY;
+    constexpr AxisMask kHeight = 1U << kZ;
+    const auto go = [&](double x, double y, double z, MoveKind kind) {
+        Axes to = state_.position;
+        to[kX] = x, to[kY] = y, to[kZ] = z;
+        const AxisMask moved = z != state_.position[kZ] ? kHeight : kPlane;
+        if (to != state_.position) path_.straight(state_, to, kind, moved);
+    };
+    const auto z = [&] { return state_.position[kZ]; };
+    go(hole.x, hole.y, z(), MoveKind::Rapid);
+    go(hole.x, hole.y, clear, MoveKind::Rapid);
+    const auto reach = [&](PlanePoint p, double level) {
+        const PlanePoint here{state_.position[kX], state_.position[kY]};
+        if (area.contains(seen(here), seen(p))) return go(p.x, p.y, level, MoveKind::Feed);
+        go(here.x, here.y, clear, MoveKind::Rapid);
+        go(p.x, p.y, clear, MoveKind::Rapid);
+        go(p.x, p.y, level, MoveKind::Feed);
+    };
+    const int levels = static_cast<int>(std::ceil(depth / step - 1e-9));
+    for (int i = 1; i <= levels; ++i) {
+        const double level = i == levels ? bottom : clear - i * step;
+        if (i > 1) {
+            go(state_.position[kX], state_.position[kY], clear, MoveKind::Rapid);
+            go(hole.x, hole.y, clear, MoveKind::Rapid);
+        }
+        go(hole.x, hole.y, level, MoveKind::Feed);
+        const int strokes = static_cast<int>(std::ceil(height / width - 1e-9));
+        for (int s = 0; s <= strokes; ++s) {
+            const double at = s == strokes ? area.highest() : area.lowest() + s * width;
+            std::vector<Stroke> pieces = area.strokes_at(at);
+            const bool back = s % 2 == 1;
+            if (back) std::ranges::reverse(pieces);
+            for (const Stroke& piece : pieces) {
+                const PlanePoint a = seen({back ? piece.to : piece.from, at});
+                const PlanePoint b = seen({back ? piece.from : piece.to, at});
+                reach(a, level);
+                go(b.x, b.y, z(), MoveKind::Feed);
+            }
+        }
+        if (!mill_around(loop, inside, cutter + allowance, area, along_y, level, clear))
+            return false;
+        const bool finishes = i == levels && allowance > 0.0;
+        if (finishes && !mill_around(loop, inside, cutter, on_size, along_y, level, clear))
+            return false;
+    }
+    go(state_.position[kX], state_.position[kY], clear, MoveKind::Rapid);
+    return true;
+}
+
+/// Around the outline, `radius` inside of it, from the middle of its first move.
+bool Machine::mill_around(const std::vector<OutlineMove>& loop, CutterSide side, double radius,
+                          const Area& area, bool along_y, double level, double clear) {
+    const OutlineMove& first = loop.front();
+    const PlanePoint middle = along(first, 0.5);
+    PlanePoint ahead{first.to.x - first.from.x, first.to.y - first.from.y};
+    if (first.turns != 0) {
+        const double turn = first.turns > 0 ? 1.0 : -1.0;
+        ahead = {-turn * (middle.y - first.centre.y), turn * (middle.x - first.centre.x)};
+    }
+    const double length = trig::length_of(ahead.x, ahead.y);
+    const double in = side == CutterSide::Left ? radius / length : -radius / length;
+    const PlanePoint beside{middle.x - in * ahead.y, middle.y + in * ahead.x};
+
+    Axes to = state_.position;
+    const PlanePoint here{to[kX], to[kY]};
+    const auto seen = [&](PlanePoint p) { return along_y ? PlanePoint{p.y, p.x} : p; };
+    constexpr AxisMask kPlane = 1U << kX | 1U << kY;
+    constexpr AxisMask kHeight = 1U << kZ;
+    const bool straight = area.contains(seen(here), seen(beside));
+    if (!straight) {
+        to[kZ] = clear;
+        path_.straight(state_, to, MoveKind::Rapid, kHeight);
+    }
+    to[kX] = beside.x, to[kY] = beside.y;
+    path_.straight(state_, to, straight ? MoveKind::Feed : MoveKind::Rapid, kPlane);
+    if (!straight) {
+        to[kZ] = level;
+        path_.straight(state_, to, MoveKind::Feed, kHeight);
+    }
+    const auto follow = [&](const OutlineMove& move, PlanePoint end) {
+        Axes target = state_.position;
+        target[kX] = end.x, target[kY] = end.y;
+        if (move.turns == 0) return feed_straight(target, MoveKind::Feed, kPlane);
+        const ProgramArc arc{target, move.centre.x, move.centre.y, move.turns};
+        if (compensation_.is_on()) return compensation_.arc(state_, arc, kPlane, span_, file_);
+        path_.arc(state_, arc, kPlane);
+        return true;
+    };
+    if (radius > 0.0) compensation_.begin_beside(side, radius, state_.position);
+    state_.position[kX] = middle.x;
+    state_.position[kY] = middle.y;
+    bool good = follow(first, first.to);
+    for (std::size_t i = 1; i < loop.size() && good; ++i)
+        good = follow(loop[i], loop[i].to);
+    good = good && follow(first, middle);
+    if (good) {
+        compensation_.end(state_);
+    } else {
+        control_.compensation = {};
+    }
+    path_.set_origin(span_, file_);
+    return good;
+}
+
+}  // namespace ncsim::gcode

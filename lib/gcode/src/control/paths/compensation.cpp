@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/paths/compensation.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::gcode {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+/// Corners flatter than this (degrees) are none: the moved paths meet by themselves.
+constexpr double kFlat = 1e-5 * kDegrees;
+
+/// Nearer to a reversal than this the corner counts as an outside one (LinuxCNC's figure).
+constexpr double kReversal = 0.05 * kDegrees;
+
+double cross(double ax, double ay, double bx, double by) {
+    return ax * by - ay * bx;
+}
+
+}  // namespace
+
+void Compensation::begin(CutterSide side, double radius) {
+    s_.side = side == CutterSide::Left ? 1.0 : -1.0;
+    s_.radius = radius;
+    s_.entering = true;
+    s_.held.reset();
+    s_.followers = {};
+}
+
+void Compensation::begin_beside(CutterSide side, double radius, const Axes& at) {
+    begin(side, radius);
+    s_.entering = false;
+    s_.at = at;
+}
+
+double Compensation::radius_of(const Element& e) const {
+    return trig::length_of(e.to.x - e.centre.x, e.to.y - e.centre.y);
+}
+
+/// Left of a counter-clockwise arc lies its centre.
+double Compensation::offset_radius(const Element& e) const {
+    return radius_of(e) - s_.side * (e.turns > 0 ? s_.radius : -s_.radius);
+}
+
+Compensation::Vec Compensation::start_tangent(const Element& e) const {
+    if (!e.is_arc) {
+        const double length = trig::length_of(e.to.x - e.from.x, e.to.y - e.from.y);
+        return {(e.to.x - e.from.x) / length, (e.to.y - e.from.y) / length};
+    }
+    const double r = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
+    const double turn = e.turns > 0 ? 1.0 : -1.0;
+    return {-turn * (e.from.y - e.centre.y) / r, turn * (e.from.x - e.centre.x) / r};
+}
+
+Compensation::Vec Compensation::end_tangent(const Element& e) const {
+    if (!e.is_arc) return start_tangent(e);
+    const double r = radius_of(e);
+    const double turn = e.turns > 0 ? 1.0 : -1.0;
+    return {-turn * (e.to.y - e.centre.y) / r, turn * (e.to.x - e.centre.x) / r};
+}
+
+Compensation::Vec Compensation::beside(Vec point, Vec tangent) const {
+    return {point.x - s_.side * s_.radius * tangent.y, point.y + s_.side * s_.radius * tangent.x};
+}
+
+bool Compensation::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask,
+                            SourceSpan span, std::uint32_t file) {
+    const PlaneAxes axes = axes_of(state.plane);
+    const Vec from{state.position[axes.first], state.position[axes.second]};
+    const Vec to{end[axes.first], end[axes.second]};
+    if (from.x == to.x && from.y == to.y) {
+        if (!s_.held) {
+            path_.straight(state, end, kind, mask);
+            return true;
+        }
+        s_.followers.push_back({state, end, kind, mask, span, file, false, 0.0});
+        state.position = end;
+        return true;
+    }
+    Element element;
+    element.state = state;
+    element.end = end;
+    element.kind = kind;
+    element.mask = mask;
+    element.span = span;
+    element.file = file;
+    element.from = from;
+    element.to = to;
+    return take(state, std::move(element));
+}
+
+bool Compensation::arc(MachineState& state, const ProgramArc& arc, AxisMask mask, SourceSpan span,
+                       std::uint32_t file) {
+    const PlaneAxes axes = axes_of(state.plane);
+    Element element;
+    element.state = state;
+    element.end = arc.end;
+    element.mask = mask;
+    element.span = span;
+    element.file = file;
+    element.is_arc = true;
+    element.from = {state.position[axes.first], state.position[axes.second]};
+    element.to = {arc.end[axes.first], arc.end[axes.second]};
+    element.centre = {arc.centre_1, arc.centre_2};
+    element.turns = arc.turns;
+    if (offset_radius(element) <= 0.0) {
+        log_.add(Message::CompensationArc, span);
+        return false;
+    }
+    return take(state, std::move(element));
+}
+
+void Compensation::dwell(const MachineState& state, double seconds, SourceSpan span,
+                         std::uint32_t file) {
+    if (!s_.held) return path_.dwell(state, seconds);
+    s_.followers.push_back({state, {}, MoveKind::Feed, 0, span, file, true, seconds});
+}
+
+bool Compensation::take(MachineState& state, Element element) {
+    if (s_.entering) {
+        const double length =
+            trig::length_of(element.to.x - element.from.x, element.to.y - element.from.y);
+        if (length <= s_.radius) {
+            log_.add(Message::CompensationEntry, element.span);
+            return false;
+        }
+        s_.at = state.position;
+        s_.entering = false;
+    } else if (s_.held && !join(element)) {
+        return false;
+    }
+    const Axes end = element.end;
+    state.position = end;
+    set_knowledge(state, after_move(state, element.mask, false));
+    s_.held = std::move(element);
+    return true;
+}
+
+/// Ends the held element where `next` begins.
+bool Compensation::join(const Element& next) {
+    const Element held = *s_.held;
+    const Vec corner = held.to;
+    const Vec in = end_tangent(held);
+    const Vec out = start_tangent(next);
+    const double turn =
+        trig::angle_of(in.x * out.x + in.y * out.y, cross(in.x, in.y, out.x, out.y));
+    if (std::abs(turn) < kFlat) {
+        emit(held, beside(corner, out));
+        return true;
+    }
+    const bool outside = turn * s_.side < 0.0 || std::abs(turn) > 180.0 - kReversal;
+    if (!outside) {
+        Vec point;
+        if (!meeting_point(held, next, point)) {
+            log_.add(Message::CompensationGouge, next.span);
+            return false;
+        }
+        emit(held, point);
+        return true;
+    }
+    emit(held, beside(corner, in));
+    // Round the corner, on behalf of the next move.
+    MachineState state = next.state;
+    state.position = s_.at;
+    const PlaneAxes axes = axes_of(state.plane);
+    const Vec to = beside(corner, out);
+    ProgramArc arc;
+    arc.end = s_.at;
+    arc.end[axes.first] = to.x;
+    arc.end[axes.second] = to.y;
+    arc.centre_1 = corner.x;
+    arc.centre_2 = corner.y;
+    arc.turns = s_.side > 0.0 ? -1 : 1;
+    path_.set_origin(next.span, next.file);
+    path_.arc(state, arc, 0);
+    s_.at = state.position;
+    return true;
+}
+
+/// Where the two elements meet after they were moved aside: the place nearest to the corner.
+bool Compensation::meeting_point(const Element& a, const Element& b, Vec& point) const {
+    const Vec corner = a.to;
+    std::vector<Vec> candidates;
+    const auto line_circle = [&](const Element& line, const Circle& circle) {
+        const Vec d = start_tangent(line);
+        const Vec p = beside(line.from, d);
+        const double along = (circle.centre.x - p.x) * d.x + (circle.centre.y - p.y) * d.y;
+        const double distance = cross(d.x, d.y, circle.centre.x - p.x, circle.centre.y - p.y);
+        const double square = circle.radius * circle.radius - distance * distance;
+        if (square < 0.0) return;
+        for (const double step : {along - std::sqrt(square), along + std::sqrt(square)}) {
+            candidates.push_back({p.x + step * d.x, p.y + step * d.y});
+        }
+    };
+    // Rounded programs have arcs that end a little nearer or farther than they start.
+    const auto circle_of = [&](const Element& e) {
+        const double at_start = trig::length_of(e.from.x - e.centre.x, e.from.y - e.centre.y);
+        const double programmed = &e == &a ? radius_of(e) : at_start;
+        return Circle{e.centre, offset_radius(e) - radius_of(e) + programmed};
+    };
+    if (!a.is_arc && !b.is_arc) {
+        const Vec d = start_tangent(a);
+        const Vec e = start_tangent(b);
+        const Vec p = beside(corner, d);
+        const Vec q = beside(corner, e);
+        const double denominator = cross(d.x, d.y, e.x, e.y);
+        const double step = cross(q.x - p.x, q.y - p.y, e.x, e.y) / denominator;
+        candidates.push_back({p.x + step * d.x, p.y + step * d.y});
+    } else if (!a.is_arc || !b.is_arc) {
+        line_circle(a.is_arc ? b : a, circle_of(a.is_arc ? a : b));
+    } else {
+        const Circle c = circle_of(a);
+        const Circle k = circle_of(b);
+        const double dx = k.centre.x - c.centre.x;
+        const double dy = k.centre.y - c.centre.y;
+        const double distance = trig::length_of(dx, dy);
+        if (distance == 0.0) return false;
+        const double along =
+            (distance * distance + c.radius * c.radius - k.radius * k.radius) / (2.0 * distance);
+        const double square = c.radius * c.radius - along * along;
+        if (square < 0.0) return false;
+        for (const double height : {std::sqrt(square), -std::sqrt(square)}) {
+            candidates.push_back({c.centre.x + (along * dx - height * dy) / distance,
+                                  c.centre.y + (along * dy + height * dx) / distance});
+        }
+    }
+    if (candidates.empty()) return false;
+    point = *std::ranges::min_element(
+        candidates, {}, [&](Vec v) { return trig::length_of(v.x - corner.x, v.y - corner.y); });
+    // Trimmed to less than nothing: the cutter does not fit in.
+    const PlaneAxes axes = axes_of(a.state.plane);
+    const Vec start{s_.at[axes.first], s_.at[axes.second]};
+    const auto backwards = [&](const Element& e, Vec from, Vec to) {
+        const Vec d = start_tangent(e);
+        return (to.x - from.x) * d.x + (to.y - from.y) * d.y < -1e-9;
+    };
+    if (!a.is_arc && backwards(a, start, point)) return false;
+    return b.is_arc || !backwards(b, point, beside(b.to, end_tangent(b)));
+}
+
+void Compensation::emit(Element element, Vec end) {
+    MachineState& state = element.state;
+    state.position = s_.at;
+    const PlaneAxes axes = axes_of(state.plane);
+    Axes target = element.end;
+    target[axes.first] = end.x;
+    target[axes.second] = end.y;
+    path_.set_origin(element.span, element.file);
+    if (element.is_arc) {
+        ProgramArc arc;
+        arc.end = target;
+        arc.centre_1 = element.centre.x;
+        arc.centre_2 = element.centre.y;
+        arc.turns = element.turns;
+        path_.arc(state, arc, element.mask);
+    } else {
+        path_.straight(state, target, element.kind, element.mask);
+    }
+    s_.at = state.position;
+    for (Follower follower : s_.followers) {
+        path_.set_origin(follower.span, follower.file);
+        follower.state.position = s_.at;
+        if (follower.is_dwell) {
+            path_.dwell(follower.state, follower.seconds);
+            continue;
+        }
+        Axes to = follower.end;
+        to[axes.first] = end.x;
+        to[axes.second] = end.y;
+        path_.straight(follower.state, to, follower.kind, follower.mask);
+        s_.at = follower.state.position;
+    }
+    s_.followers = {};
+    s_.held.reset();
+}
+
+void Compensation::flush(MachineState& state) {
+    if (!s_.held) return;
+    const Element held = *s_.held;
+    emit(held, beside(held.to, end_tangent(held)));
+    state.position = s_.at;
+    s_.entering = true;
+}
+
+void Compensation::end(MachineState& state) {
+    flush(state);
+    s_.radius = 0.0;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "control/paths/path.h"
+
+#include "ncsim/trig/angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+/// An arc whose ends are closer than this, seen from the centre, is a full circle: rounding of
+/// offsets and units must not turn one into nothing. In radians, as grbl has it.
+constexpr double kFullCircle = 5e-7;
+constexpr double kFullCircleStrict = 1e-12;
+
+/// A program that has not cut after so many motions has chosen its coordinate system.
+constexpr std::size_t kMostHeld = 10'000;
+
+ProgramFrame frame_of(const MachineState& state) {
+    ProgramFrame frame;
+    frame.inches = state.inches;
+    frame.system = state.system;
+    frame.work_offset = state.work_offset;
+    frame.offset_92 = state.offset_92;
+    frame.tool_offset = state.tool_offset;
+    frame.rotation = state.rotation;
+    frame.plane = state.plane;
+    frame.length_register = state.length_register;
+    frame.length_told = state.length_told;
+    frame.tool_length = state.tool_length;
+    return frame;
+}
+
+/// The origin of a system with what G92 said of its zero, mm and degrees.
+WorkOffset zero_of(const Axes& work_offset, const Axes& zero_92, double rotation, double unit) {
+    WorkOffset zero;
+    zero.rotation = rotation;
+    double x = zero_92[kX];
+    double y = zero_92[kY];
+    trig::rotate(x, y, rotation);
+    for (std::size_t i = 0; i < zero.origin.size(); ++i) {
+        const double shift = i == kX ? x : i == kY ? y : zero_92[i];
+        zero.origin[i] = (work_offset[i] + shift) * (is_rotary(i) ? 1.0 : unit);
+    }
+    return zero;
+}
+
+std::string name_of_system(int system) {
+    constexpr int kExtended = 9;
+    std::string name = system > kExtended ? "G54.1 P" : system > 6 ? "G59." : "G";
+    const int number = system > kExtended ? system - kExtended
+                       : system > 6       ? system - 6
+                                          : 53 + system;
+    return name.append(std::to_string(number));
+}
+
+}  // namespace
+
+Axes out_of_plane(const MachineState& state, const Axes& p) {
+    Axes out = p;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] += state.offset_92[i];
+    if (!state.plane_frame) return out;
+    const Triple outward = state.plane_frame->outward({out[kX], out[kY], out[kZ]});
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = outward[i] + state.outer_92[i];
+    return out;
+}
+
+Path::Place Path::place(const MachineState& state, const Axes& at_plane, AxisMask in_machine) {
+    const Axes p = out_of_plane(state, at_plane);
+    const double mm = state.unit_mm();
+    double x = p[kX];
+    double y = p[kY];
+    trig::rotate(x, y, state.rotation);
+    const auto& g5x = state.work_offset;
+    Place out;
+    Position& at = out.machine;
+    at.x = Length::from_mm(mm * (x + g5x[kX]));
+    at.y = Length::from_mm(mm * (y + g5x[kY]));
+    at.z = Length::from_mm(mm * (p[kZ] + g5x[kZ]));
+    at.a = Angle::from_degrees(p[kA] + g5x[kA]);
+    at.b = Angle::from_degrees(p[kB] + g5x[kB]);
+    at.c = Angle::from_degrees(p[kC] + g5x[kC]);
+    at.u = Length::from_mm(mm * (p[kU] + g5x[kU]));
+    at.v = Length::from_mm(mm * (p[kV] + g5x[kV]));
+    at.w = Length::from_mm(mm * (p[kW] + g5x[kW]));
+    if (state.carried) {
+        at.x += Length::from_mm(mm * (*state.carried)[kX]);
+        at.y += Length::from_mm(mm * (*state.carried)[kY]);
+        at.z += Length::from_mm(mm * (*state.carried)[kZ]);
+    }
+    double zero_x = state.zero_92[kX];
+    double zero_y = state.zero_92[kY];
+    trig::rotate(zero_x, zero_y, state.rotation);
+    const auto& home = state.carried_home;
+    out.zero = {mm * (g5x[kX] + zero_x + home[kX]), mm * (g5x[kY] + zero_y + home[kY]),
+                mm * (g5x[kZ] + state.zero_92[kZ] + home[kZ])};
+    out.rotation = state.rotation;
+    out.frame = state.frame;
+    out.in_machine = in_machine;
+    return out;
+}
+
+bool Path::is_related(const Place& place, std::size_t axis) const {
+    return place.frame[axis] == result_.workpiece.frame[axis] ||
+           (place.in_machine & 1U << axis) != 0;
+}
+
+Position Path::in_workpiece(const Place& place) const {
+    const WorkOffset& w = result_.workpiece;
+    std::array<double, 3> zero{};
+    for (std::size_t i = 0; i < 3; ++i)
+        zero[i] = is_related(place, i) ? w.origin[i] : place.zero[i];
+    const double rotation =
+        is_related(place, kX) && is_related(place, kY) ? w.rotation : place.rotation;
+    Position at = place.machine;
+    double x = at.x.mm() - zero[kX];
+    double y = at.y.mm() - zero[kY];
+    trig::rotate(x, y, -rotation);
+    at.x = Length::from_mm(x);
+    at.y = Length::from_mm(y);
+    at.z = Length::from_mm(at.z.mm() - zero[kZ]);
+    at.a = Angle::from_degrees(at.a.degrees() - w.origin[kA]);
+    at.b = Angle::from_degrees(at.b.degrees() - w.origin[kB]);
+    at.c = Angle::from_degrees(at.c.degrees() - w.origin[kC]);
+    at.u = Length::from_mm(at.u.mm() - w.origin[kU]);
+    at.v = Length::from_mm(at.v.mm() - w.origin[kV]);
+    at.w = Length::from_mm(at.w.mm() - w.origin[kW]);
+    return at;
+}
+
+Knowledge after_move(const MachineState& state, AxisMask mask, bool to_machine) {
+    Knowledge knows{state.known, state.relative, state.of_machine};
+    const auto reach = [&](std::size_t axis, bool& known, bool& relative, bool& of_machine) {
+        if ((mask & 1U << axis) == 0) return;
+        relative = state.incremental && !to_machine && (relative || of_machine || !known);
+        of_machine = to_machine && state.frame[axis] != 0;
+        known = true;
+    };
+    reach(kX, knows.known.x, knows.relative.x, knows.of_machine.x);
+    reach(kY, knows.known.y, knows.relative.y, knows.of_machine.y);
+    reach(kZ, knows.known.z, knows.relative.z, knows.of_machine.z);
+    return knows;
+}
+
+void set_knowledge(MachineState& state, const Knowledge& knows) {
+    state.known = knows.known;
+    state.relative = knows.relative;
+    state.of_machine = knows.of_machine;
+}
+
+const Path::Place& Path::start(const MachineState& state) {
+    if (!at_ || state.length_changes != length_changes_) {
+        at_ = place(state, state.position);
+        length_changes_ = state.length_changes;
+    }
+    return *at_;
+}
+
+void Path::fill(const MachineState& state, MoveKind kind, AxisMask mask) {
+    motion_.span = span_;
+    motion_.file = file_;
+    motion_.kind = kind;
+    motion_.feed_mode = state.feed_mode;
+    motion_.feed = state.feed;
+    motion_.spindle = state.spindle;
+    motion_.spindle_rpm = state.spindle_rpm;
+    motion_.tool = state.tool;
+    motion_.coordinates = state.coordinates;
+    motion_.length = Length::from_mm(state.tool_offset[kZ] * state.unit_mm());
+    motion_.known_start = state.known;
+    const Knowledge end = after_move(state, mask, machine_coordinates_);
+    motion_.known_end = end.known;
+    motion_.start_assumed = state.relative.any() || end.relative.any();
+    motion_.machine_coordinates = machine_coordinates_;
+    motion_.turns_clamped = false;
+    motion_.spindle_in_doubt = state.spindle_in_doubt;
+}
+
+// --- Where W is ---
+
+void Path::bind(int system, const WorkOffset& workpiece) {
+    bound_ = true;
+    result_.workpiece_system = system;
+    result_.workpiece = workpiece;
+    for (Held& held : held_)
+        let_out(held.motion, held.frame, held.from, held.to, held.centre, held.plane_origin);
+    held_ = {};
+}
+
+void Path::bind(const Held& held) {
+    const double unit = held.frame.inches ? 25.4 : 1.0;
+    WorkOffset workpiece = zero_of(held.frame.work_offset, held.zero_92, held.frame.rotation, unit);
+    for (std::size_t i = 0; i < 3; ++i)
+        workpiece.origin[i] += unit * held.carried_home[i];
+    workpiece.frame = held.origin_frame;
+    bind(held.frame.system, workpiece);
+}
+
+void Path::finish() {
+    if (bound_ || held_.empty()) return;
+    // It never cuts: the coordinates that it comes to count, from where it first has them.
+    const auto speaks = [](const Held& h) {
+        return !h.motion.machine_coordinates && start_of(h.motion);
+    };
+    const auto last = std::find_if(held_.rbegin(), held_.rend(), speaks);
+    const Held& chosen = last == held_.rend() ? held_.back() : *last;
+    bind(Held(*std::ranges::find_if(held_, [&](const Held& h) {
+        return &h == &chosen || (speaks(h) && h.origin_frame == chosen.origin_frame);
+    })));
+}
+
+void Path::emit(const MachineState& state, const Place& from, const Place& to,
+                const Position& centre, const std::optional<Place>& plane_origin) {
+    ++result_.motions;
+    if (bound_) {
+        ProgramFrame frame;
+        frame.system = state.system;
+        if (options_.observe_frame) frame = frame_of(state);
+        let_out(motion_, frame, from, to, centre, plane_origin);
+        return;
+    }
+    held_.push_back({motion_, frame_of(state), from, to, centre, plane_origin, state.zero_92,
+                     state.carried_home, state.frame});
+    const bool cuts = motion_.kind != MoveKind::Rapid && start_of(motion_);
+    if (cuts || held_.size() >= kMostHeld) bind(Held(held_.back()));
+}
+
+void Path::let_out(Motion& motion, const ProgramFrame& frame, const Place& from, const Place& to,
+                   const Position& centre, const std::optional<Place>& plane_origin) {
+    // A motion begins where the one before it ended, however that was said.
+    const bool goes_on = at_W_ && *at_machine_ == from.machine;
+    const Position from_W = goes_on ? *at_W_ : in_workpiece(from);
+    const Position to_W = in_workpiece(to);
+    motion.offset_unknown = false;
+    for (std::size_t i = 0; i < 3; ++i)
+        motion.offset_unknown |= !is_related(to, i);
+    if (auto* line = std::get_if<Linear>(&motion.what)) {
+        *line = {from_W, to_W};
+    } else if (auto* tilted = std::get_if<Arc>(&motion.what); tilted && plane_origin) {
+        // Its centre is told in the plane already, and its directions in the machine.
+        tilted->from = from_W;
+        tilted->to = to_W;
+        const Position origin_W = in_workpiece(*plane_origin);
+        const double turned = is_related(*plane_origin, kX) && is_related(*plane_origin, kY)
+                                  ? result_.workpiece.rotation
+                                  : plane_origin->rotation;
+        tilted->tilted = turn_about(2, -turned) * *tilted->tilted;
+        tilted->tilted->origin = {origin_W.x.mm(), origin_W.y.mm(), origin_W.z.mm()};
+    } else if (auto* arc = std::get_if<Arc>(&motion.what)) {
+        Place at = to;
+        at.machine = centre;
+        const Position centre_W = in_workpiece(at);
+        const Length lengths[] = {centre_W.x, centre_W.y, centre_W.z, Length(),  Length(),
+                                  Length(),   centre_W.u, centre_W.v, centre_W.w};
+        const PlaneAxes axes = axes_of(arc->plane);
+        arc->from = from_W;
+        arc->to = to_W;
+        arc->centre_1 = lengths[axes.first];
+        arc->centre_2 = lengths[axes.second];
+        // What does not move in the machine does not move in W, in whatever system it was said.
+        if (to.machine.x == from.machine.x && to.machine.y == from.machine.y) {
+            arc->to.x = from_W.x;
+            arc->to.y = from_W.y;
+        }
+        if (to.machine.z == from.machine.z) arc->to.z = from_W.z;
+    } else if (auto* spline = std::get_if<Spline>(&motion.what)) {
+        spline->from = from_W;
+        spline->to = to_W;
+        for (Spline::ControlPoint& point : spline->control_points) {
+            Place at = to;
+            at.machine.x = point.x;
+            at.machine.y = point.y;
+            const Position point_W = in_workpiece(at);
+            point.x = point_W.x;
+            point.y = point_W.y;
+        }
+    } else if (auto* change = std::get_if<ToolChange>(&motion.what)) {
+        change->at = to_W;
+    }
+    at_machine_ = to.machine;
+    at_W_ = to_W;
+    if (motion.offset_unknown && start_of(motion)) {
+        log_.add(Message::OffsetUnknown, motion.span,
+                 {name_of_system(frame.system), name_of_system(result_.workpiece_system)});
+    }
+    if (options_.observe_frame) options_.observe_frame(motion, frame);
+    if (sink_) sink_(motion);
+}
+
+void Path::arrive(MachineState& state, const Axes& end, const Place& target, AxisMask mask) {
+    at_ = target;
+    state.position = end;
+    set_knowledge(state, after_move(state, mask, machine_coordinates_));
+}
+
+// --- Motions ---
+
+void Path::straight(MachineState& state, const Axes& end, MoveKind kind, AxisMask mask) {
+    const Place from = start(state);
+    const Place target = place(state, end, machine_coordinates_ ? mask : 0);
+    const Position& a = from.machine;
+    const Position& b = target.machine;
+    fill(state, kind, mask);
+    const bool lengths =
+        a.x != b.x || a.y != b.y || a.z != b.z || a.u != b.u || a.v != b.v || a.w != b.w;
+    const bool turns = a.a != b.a || a.b != b.b || a.c != b.c;
+    motion_.turns_clamped = (state.clamped[0] && a.a != b.a) || (state.clamped[1] && a.b != b.b) ||
+                            (state.clamped[2] && a.c != b.c);
+    // A purely rotary move is fed in degrees, which have no inches.
+    if (state.feed_mode != FeedMode::InverseTime && (lengths || !turns)) {
+        motion_.feed *= state.unit_mm();
+    }
+    if (!std::holds_alternative<Linear>(motion_.what)) motion_.what = Linear{};
+    // A place of the machine, and where the tip is then is a matter of how it turns.
+    const auto is_turned = [](const Position& p) {
+        return p.a != Angle() || p.b != Angle() || p.c != Angle();
+    };
+    const bool is_lost = machine_coordinates_ && state.coordinates == Coordinates::Tip &&
+                         (mask & (1U << kX | 1U << kY | 1U << kZ)) != 0 &&
+                         (is_turned(a) || is_turned(b));
+    constexpr KnownAxes kNothing{false, false, false};
+    if (is_lost) motion_.known_start = motion_.known_end = kNothing;
+    emit(state, from, target);
+    arrive(state, end, target, mask);
+    if (is_lost) set_knowledge(state, Knowledge{kNothing, kNothing, kNothing});
+}
+
+void Path::arc(MachineState& state, const ProgramArc& arc, AxisMask mask) {
+    const PlaneAxes axes = axes_of(state.plane);
+    const Axes& end = arc.end;
+    const double x0 = state.position[axes.first] - arc.centre_1;
+    const double y0 = state.position[axes.second] - arc.centre_2;
+    const double x1 = end[axes.first] - arc.centre_1;
+    const double y1 = end[axes.second] - arc.centre_2;
+    const double limit = options_.strict ? kFullCircleStrict : kFullCircle;
+    const bool full = std::abs(x0 * y1 - y0 * x1) <= limit * (x0 * x0 + y0 * y0) &&
+                      x0 * x1 + y0 * y1 > 0.0 &&
+                      trig::length_of(x1 - x0, y1 - y0) <= limit * trig::length_of(x0, y0) * 4;
+    const Place from = start(state);
+    Axes centre = state.position;
+    centre[axes.first] = arc.centre_1;
+    centre[axes.second] = arc.centre_2;
+    const Place arc_centre = place(state, centre);
+    Axes whole = end;
+    if (full && state.plane_frame) {
+        whole[axes.first] = state.position[axes.first];
+        whole[axes.second] = state.position[axes.second];
+    }
+    Place to = place(state, whole);
+    if (full && !state.plane_frame) {  // Exactly: the ends are one point, whatever rounding says.
+        for (const std::size_t axis : {axes.first, axes.second}) {
+            if (axis == kX) to.machine.x = from.machine.x;
+            if (axis == kY) to.machine.y = from.machine.y;
+            if (axis == kZ) to.machine.z = from.machine.z;
+            if (axis == kU) to.machine.u = from.machine.u;
+            if (axis == kV) to.machine.v = from.machine.v;
+            if (axis == kW) to.machine.w = from.machine.w;
+        }
+    }
+    fill(state, MoveKind::Feed, mask);
+    if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
+    Arc out{{}, {}, state.plane, {}, {}, arc.turns, {}};
+    std::optional<Place> plane_origin;
+    if (state.plane_frame) {
+        out.centre_1 = Length::from_mm(arc.centre_1 * state.unit_mm());
+        out.centre_2 = Length::from_mm(arc.centre_2 * state.unit_mm());
+        out.tilted = turn_about(2, state.rotation) * *state.plane_frame;
+        plane_origin = place(state, {});
+    }
+    motion_.what = std::move(out);
+    emit(state, from, to, arc_centre.machine, plane_origin);
+    arrive(state, end, to, mask);
+}
+
+void Path::spline(MachineState& state, const Spline& spline, const Axes& end, AxisMask mask) {
+    Spline out = spline;
+    const Place from = start(state);
+    const Place to = place(state, end);
+    for (Spline::ControlPoint& point : out.control_points) {
+        Axes p = state.position;
+        p[kX] = point.x.mm();
+        p[kY] = point.y.mm();
+        const Place at = place(state, p);
+        point.x = at.machine.x;
+        point.y = at.machine.y;
+    }
+    fill(state, MoveKind::Feed, mask);
+    if (state.feed_mode != FeedMode::InverseTime) motion_.feed *= state.unit_mm();
+    motion_.what = std::move(out);
+    emit(state, from, to);
+    arrive(state, end, to, mask);
+}
+
+void Path::dwell(const MachineState& state, double seconds) {
+    const Place at = start(state);
+    fill(state, MoveKind::Feed);
+    motion_.feed *= state.unit_mm();
+    motion_.what = Dwell{seconds};
+    emit(state, at, at);
+}
+
+void Path::tool_change(const MachineState& state) {
+    const Place at = start(state);
+    fill(state, MoveKind::Rapid);
+    motion_.feed *= state.unit_mm();
+    motion_.what = ToolChange{state.tool, {}};
+    emit(state, at, at);
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the TOML files of the program have in common where they speak of tools.
+#pragma once
+
+#include "ncsim/toolpath/tool_spec.h"
+
+#include "files/toml_reader.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ncsim::setup {
+
+constexpr std::int64_t kMostTools = 99'999'999;
+
+/// [[28, 15], [28, 40, 10]]: diameter and height, or lower and upper diameter and height; mm.
+std::vector<toolpath::ToolSegment> read_segments(const TomlReader& reader, const toml::node& node,
+                                                 const std::string& key);
+
+}  // namespace ncsim::setup

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/setup/job.h"
+
+#include "ncsim/gcode/subprogram_file.h"
+#include "ncsim/report/file_names.h"
+#include "ncsim/setup/coordinate_systems.h"
+#include "ncsim/setup/job_file.h"
+#include "ncsim/setup/stock_file.h"
+#include "ncsim/toolpath/tool_file.h"
+#include "ncsim/verify/machine.h"
+
+#include "job/holder_file.h"
+#include "job/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace ncsim::setup {
+
+namespace {
+
+// No control reads a program with NUL bytes in its text; punched tape had them as leader, before
+// the first '%', and there they are harmless.
+bool is_binary(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of('\0');
+    if (begin == std::string_view::npos) return !text.empty();
+    const std::size_t last = text.find_last_not_of(std::string_view("\0\x1a", 2));
+    return text.substr(begin, last + 1 - begin).find('\0') != std::string_view::npos;
+}
+
+// A line that begins with this program number: "O1234", "O01234 (DRILL)", ":1234".
+bool begins_program(std::string_view text, std::string_view digits) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto is_letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
+    for (std::size_t line = 0; line < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", line), text.size());
+        std::size_t at = text.find_first_not_of(" \t", line);
+        if (at < end && (text[at] == 'O' || text[at] == 'o' || text[at] == ':')) {
+            at = text.find_first_not_of(" \t", at + 1);
+            while (at < end && text[at] == '0')
+                ++at;
+            if (at < end && text.substr(at, digits.size()) == digits) {
+                const std::size_t behind = at + digits.size();
+                const bool ends = behind >= end || !is_digit(text[behind]);
+                const std::size_t word = text.find_first_not_of(" \t", behind);
+                // "O12 sub", "O12 while": LinuxCNC's labels.
+                const bool is_label = word < end && word + 1 < end && is_letter(text[word]) &&
+                                      is_letter(text[word + 1]);
+                if (ends && !is_label) return true;
+            }
+        }
+        line = std::max(end, line) + 1;
+    }
+    return false;
+}
+
+// The one file of a folder in which the program with this number begins; none where there are two
+// of them, for nobody knows which one the control has.
+std::optional<std::string> file_with_program(const std::filesystem::path& folder,
+                                             std::string_view name) {
+    constexpr std::size_t kMostFiles = 2000;
+    constexpr std::uintmax_t kMostBytes = 4'000'000;
+    std::string_view digits = name.substr(name.empty() ? 0 : 1);
+    if (name.empty() || name[0] != 'O' || digits.empty() ||
+        digits.find_first_not_of("0123456789") != std::string_view::npos) {
+        return std::nullopt;
+    }
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    if (digits.empty()) return std::nullopt;
+    std::optional<std::string> found;
+    std::error_code ignored;
+    std::size_t files = 0;
+    const std::filesystem::path here = folder.empty() ? "." : folder;
+    for (const auto& entry : std::filesystem::directory_iterator(here, ignored)) {
+        if (++files > kMostFiles) return std::nullopt;
+        if (!gcode::is_program_file(entry.path().filename().string())) continue;
+        if (!entry.is_regular_file(ignored) || entry.file_size(ignored) > kMostBytes) continue;
+        std::ifstream in(entry.path(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        if (!begins_program(text, digits)) continue;
+        if (found) return std::nullopt;
+        found = entry.path().filename().string();
+    }
+    return found;
+}
+
+// Subprograms live in files beside the program and where the user says: "O<probe>" in probe.ngc,
+// "M98 P1234" in O1234.nc, or in the file in which O1234 begins, whatever its name.
+std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesystem::path>& folders,
+                                                 std::string_view name, InputSet& inputs) {
+    const std::vector<std::string> files = gcode::subprogram_files(name);
+    for (const std::filesystem::path& folder : folders) {
+        for (const std::string& file : files) {
+            const std::filesystem::path path = folder / file;
+            if (inputs.is_there(path.string()))
+                return gcode::SourceFile{file, inputs.read(path.string())};
+        }
+    }
+    for (const std::filesystem::path& folder : folders) {
+        inputs.look_through(folder.string());
+        if (const std::optional<std::string> file = file_with_program(folder, name))
+            return gcode::SourceFile{*file, inputs.read((folder / *file).string())};
+    }
+    return std::nullopt;
+}
+
+// What the command line leaves open, and who said the rest.
+JobFile take_job_file(JobOptions& options, InputSet& inputs) {
+    JobFile file =
+        parse_job_file({name_of_input(options.job), inputs.read(options.job, kMostSetUpBytes)});
+    const std::string folder = std::filesystem::path(options.job).parent_path().string();
+    if (options.program.empty()) {
+        if (file.program.empty()) {
+            throw std::runtime_error(
+                fmt::format("'{}' names no program, and neither does the command line",
+                            name_of_input(options.job)));
+        }
+        options.program = seen_in(folder, file.program);
+    }
+    if (file.stock && file.stock->from) {
+        file.stock->from->path = seen_in(folder, file.stock->from->path);
+    }
+    if (!options.inches) options.inches = file.inches;
+    if (file.dialect && options.dialect == gcode::Dialect::Auto) options.dialect = *file.dialect;
+    options.strict |= file.strict;
+    options.block_delete |= file.block_delete;
+    options.increments |= file.increments;
+    const auto append = [](auto& list, const auto& more) {
+        list.insert(list.end(), more.begin(), more.end());
+    };
+    append(options.allow, file.allow);
+    append(options.accept, file.accept);
+    append(options.require, file.require);
+    if (!options.start) options.start = file.start;
+    options.offsets = file.offsets;
+    if (options.holders.empty() && !file.holders.empty())
+        options.holders = seen_in(folder, file.holders);
+    return file;
+}
+
+// CAMotics projects also tell the unit of programs that do not.
+std::vector<toolpath::ToolFile> read_tables(JobOptions& options, InputSet& inputs) {
+    std::vector<toolpath::ToolFile> tables;
+    for (const std::string& path : options.tool_tables) {
+        gcode::SourceFile file{report::base_name(name_of_input(path)),
+                               inputs.read(path, kMostSetUpBytes)};
+        tables.push_back(toolpath::read_tool_file(file, options.inches.value_or(false)));
+        for (const gcode::Diagnostic& d : tables.back().diagnostics) {
+            if (d.severity != gcode::Severity::Error) continue;
+            throw std::runtime_error(fmt::format("{}:{}:{}: {}", name_of_input(path), d.span.line,
+                                                 d.span.column, d.message));
+        }
+        if (!options.inches) options.inches = tables.back().inches;
+    }
+    return tables;
+}
+
+// The first of a number counts. A comment that contradicts a table is worth a look: one of both is
+// of another job. What the user says at the command line is meant.
+void add_tool(Job& job, const toolpath::ToolEntry& entry) {
+    const toolpath::ToolEntry* known = toolpath::find_tool(job.tools, entry.spec.number);
+    if (!known) {
+        job.tools.push_back(entry);
+        return;
+    }
+    constexpr double kSame = 1e-3;  // mm; CAM systems round what they print
+    if (known->told_by != toolpath::ToldBy::Table || !known->spec.diameter ||
+        !entry.spec.diameter || std::abs(*known->spec.diameter - *entry.spec.diameter) <= kSame) {
+        return;
+    }
+    gcode::Diagnostic d = gcode::diagnostic_of(
+        Message::TableDisagrees, entry.span,
+        {std::to_string(entry.spec.number), fmt::format("{:g}", *entry.spec.diameter), known->file,
+         fmt::format("{:g}", *known->spec.diameter)});
+    d.file = entry.file;
+    job.diagnostics.push_back(std::move(d));
+}
+
+// What holds the tools, for those of which nobody says it.
+void add_holders(Job& job, const std::string& path, InputSet& inputs) {
+    for (const toolpath::ToolSpec& told : read_holder_file(path, inputs)) {
+        for (toolpath::ToolEntry& entry : job.tools) {
+            if (entry.spec.number == told.number) complete_assembly(entry.spec, told);
+        }
+    }
+}
+
+std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, const JobFile& file,
+                                                 const std::vector<toolpath::ToolFile>& tables,
+                                                 std::optional<toolpath::StockEntry> noted,
+                                                 InputSet& inputs) {
+    const bool is_placed = options.stock_turn || options.stock_move;
+    if (is_placed && !(options.stock && options.stock->from)) {
+        throw std::runtime_error("--stock-turn and --stock-move are for --stock FILE");
+    }
+    if (options.stock) {
+        toolpath::Stock stock = *options.stock;
+        if (stock.from && !stock.shape) {
+            if (options.stock_turn) stock.from->turn = *options.stock_turn;
+            if (options.stock_move) stock.from->move = *options.stock_move;
+            stock = read_stock_file(*stock.from, inputs);
+        }
+        return toolpath::StockEntry{stock, toolpath::ToldBy::Option, {}, {}};
+    }
+    if (file.stock) {
+        toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
+        entry.file = report::base_name(name_of_input(options.job));
+        if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from, inputs);
+        return entry;
+    }
+    for (const toolpath::ToolFile& table : tables) {
+        if (table.stock) return table.stock;
+    }
+    return noted;
+}
+
+// The program, and what `options` and `from_file` tell of it.
+Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_file,
+             InputSet& inputs) {
+    Job job;
+    job.program = std::move(program);
+    if (is_binary(job.program.text)) {
+        throw std::runtime_error(
+            fmt::format("'{}' is not an NC program: it is binary data", job.program.name));
+    }
+    const std::vector<toolpath::ToolFile> tables = read_tables(options, inputs);
+    const bool inches = options.inches.value_or(false);
+    job.interpreter.default_units =
+        inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
+    job.interpreter.block_delete = options.block_delete;
+    job.interpreter.dialect = options.dialect;
+    job.interpreter.strict = options.strict;
+    job.interpreter.allow = options.allow;
+    job.interpreter.least_increments = options.increments;
+    for (gcode::Position& origin : job.interpreter.work_offsets) {
+        origin.z = gcode::Length::from_mm(-verify::kHomeHeight);
+    }
+    for (const auto& [system, origin] : options.offsets)
+        tell_offset(job.interpreter, system, origin);
+
+    for (const toolpath::ToolSpec& spec : options.tools) {
+        job.tools.push_back({spec, toolpath::ToldBy::Option, {}, spec.description});
+    }
+    toolpath::ProgramNotes notes = toolpath::read_notes(job.program, inches);
+    job.diagnostics = std::move(notes.diagnostics);
+    for (const toolpath::ToolEntry& entry : from_file.tools)
+        add_tool(job, entry);
+    for (const toolpath::ToolFile& table : tables) {
+        for (const toolpath::ToolEntry& entry : table.tools)
+            add_tool(job, entry);
+        job.diagnostics.insert(job.diagnostics.end(), table.diagnostics.begin(),
+                               table.diagnostics.end());
+    }
+    for (const toolpath::ToolEntry& entry : notes.tools)
+        add_tool(job, entry);
+    if (!options.holders.empty()) add_holders(job, options.holders, inputs);
+    job.start = options.start ? options.start : notes.start;
+    for (int axis = 0; axis < 3 && job.start; ++axis)
+        job.interpreter.start[static_cast<std::size_t>(axis)] =
+            gcode::Length::from_mm((*job.start)[axis]);
+    for (const toolpath::ToolEntry& entry : job.tools) {
+        gcode::ToolTableEntry known;
+        known.length_told = entry.offset.z != 0.0;
+        known.number = entry.spec.number;
+        for (int axis = 0; axis < 3; ++axis) {
+            known.offset[static_cast<std::size_t>(axis)] =
+                gcode::Length::from_mm(entry.offset[axis]);
+        }
+        if (entry.spec.diameter) known.diameter = gcode::Length::from_mm(*entry.spec.diameter);
+        job.interpreter.tools.push_back(known);
+    }
+    job.stock = choose_stock(options, from_file, tables, std::move(notes.stock), inputs);
+    job.options = std::move(options);
+    return job;
+}
+
+}  // namespace
+
+Job read_job(JobOptions options, InputSet& inputs) {
+    JobFile from_file;
+    if (!options.job.empty()) from_file = take_job_file(options, inputs);
+    gcode::SourceFile program{name_of_input(options.program), inputs.read(options.program)};
+    std::vector<std::filesystem::path> folders{
+        std::filesystem::path(options.program).parent_path()};
+    folders.insert(folders.end(), options.subprograms.begin(), options.subprograms.end());
+    Job job = composed(std::move(program), std::move(options), from_file, inputs);
+    job.interpreter.read_file = [folders, &inputs](std::string_view name) {
+        return read_subprogram(folders, name, inputs);
+    };
+    return job;
+}
+
+Job job_of(gcode::SourceFile program, JobOptions options) {
+    InputSet inputs;
+    JobFile from_file;
+    options.program = program.name;
+    if (!options.job.empty()) from_file = take_job_file(options, inputs);
+    return composed(std::move(program), std::move(options), from_file, inputs);
+}
+
+}  // namespace ncsim::setup

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/setup/project_file.h"
+
+#include "files/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace ncsim::setup {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string next_name(std::string_view& path) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    std::string name(path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
+    return name;
+}
+
+std::vector<std::string> names_of(std::string_view path) {
+    std::vector<std::string> names;
+    while (!path.empty())
+        names.push_back(next_name(path));
+    return names;
+}
+
+class ProjectReader {
+public:
+    explicit ProjectReader(const TomlReader& reader) : r_(reader) {}
+
+    std::vector<ProjectFile::Section> read() {
+        std::vector<ProjectFile::Section> sections(1);
+        bool has_version = false;
+        for (const auto& [key, node] : r_.root()) {
+            const std::string name(key.str());
+            if (name == "version") {
+                (void)r_.integer(node, name, 1, 1);
+                has_version = true;
+            } else if (name == "program") {
+                r_.each_of(node, name, [&](const toml::node& n, const std::string& k) {
+                    sections.push_back(section(n, k));
+                });
+            } else {
+                sections[0].settings.push_back(setting(name, node));
+            }
+        }
+        if (!has_version) r_.fail(r_.root(), "expected version = 1");
+        return sections;
+    }
+
+private:
+    ProjectFile::Section section(const toml::node& node, const std::string& where) {
+        ProjectFile::Section section;
+        for (const auto& [key, value] : r_.table(node, where)) {
+            const std::string name(key.str());
+            if (name == "files") {
+                section.files = r_.texts(value, name);
+                for (const toml::node& pattern : r_.list(value, name))
+                    check_pattern(pattern);
+            } else {
+                section.settings.push_back(setting(name, value));
+            }
+        }
+        if (section.files.empty())
+            r_.fail(node, "expected files, the programs that this is about: files = [\"a/**\"]");
+        return section;
+    }
+
+    // One that could match nothing is a mistake.
+    void check_pattern(const toml::node& node) const {
+        const std::string pattern = r_.text(node, "files");
+        const auto is_no_name = [](const std::string& name) {
+            return name.empty() || name == "." || name == "..";
+        };
+        const std::vector<std::string> names = names_of(pattern);
+        if (names.empty() || std::ranges::any_of(names, is_no_name))
+            r_.fail(node, fmt::format("'{}': expected a path below this file", pattern));
+    }
+
+    ProjectSetting setting(const std::string& name, const toml::node& node) {
+        ProjectSetting result;
+        result.option = name;
+        result.where = fmt::format("{}:{}:{}", r_.name(), node.source().begin.line,
+                                   node.source().begin.column);
+        if (node.is_boolean()) {
+            result.is_flag = true;
+            result.is_on = r_.yes_or_no(node, name);
+        } else if (node.is_array()) {
+            for (const toml::node& item : *node.as_array())
+                result.values.push_back(value(name, item));
+        } else {
+            result.values.push_back(value(name, node));
+        }
+        return result;
+    }
+
+    std::string value(const std::string& name, const toml::node& node) {
+        if (node.is_string()) return r_.text(node, name);
+        if (node.is_number()) return fmt::format("{}", r_.number(node, name));
+        r_.fail(node, fmt::format("'{}': expected a text, a number, true, false or a list", name));
+    }
+
+    const TomlReader& r_;
+};
+
+// Does the pattern, a row of parts of which some stand for any number of things, match? Wherever
+// such a part may end is kept: no way is tried twice.
+template <class Part, class Thing, class IsMany, class IsLike>
+bool matches_row(const Part& pattern, const Thing& things, IsMany is_many, IsLike is_like) {
+    std::vector<bool> reached(things.size() + 1, false);
+    reached[0] = true;
+    for (const auto& part : pattern) {
+        std::vector<bool> next(things.size() + 1, false);
+        for (std::size_t i = 0; i <= things.size(); ++i) {
+            if (is_many(part)) {
+                next[i] = reached[i] || (i > 0 && next[i - 1]);
+            } else if (i > 0) {
+                next[i] = reached[i - 1] && is_like(part, things[i - 1]);
+            }
+        }
+        reached = std::move(next);
+    }
+    return reached.back();
+}
+
+bool name_matches(std::string_view pattern, std::string_view name) {
+    return matches_row(
+        pattern, name, [](char c) { return c == '*'; },
+        [](char c, char is) { return c == '?' || c == is; });
+}
+
+// Of a program whose text comes from elsewhere: as if it were here.
+fs::path place_of(const std::string& program) {
+    return fs::absolute(program == "-" ? "stdin" : program).lexically_normal();
+}
+
+}  // namespace
+
+std::optional<std::string> find_project_file(const std::string& program) {
+    fs::path folder = place_of(program).parent_path();
+    const fs::path here = fs::current_path();
+    while (true) {
+        const fs::path file = folder / kProjectFileName;
+        std::error_code ignored;
+        // Also one that leads nowhere: whoever reads it says so.
+        if (fs::symlink_status(file, ignored).type() != fs::file_type::not_found) {
+            const bool is_absolute = program != "-" && fs::path(program).is_absolute();
+            return is_absolute ? file.string() : file.lexically_relative(here).string();
+        }
+        if (fs::exists(folder / ".git", ignored) || folder == folder.parent_path())
+            return std::nullopt;
+        folder = folder.parent_path();
+    }
+}
+
+ProjectFile read_project_file(const std::string& path, InputSet& inputs) {
+    ProjectFile project;
+    project.name = path;
+    project.folder = fs::path(path).parent_path().string();
+    const TomlReader reader(path, inputs.read(path, kMostSetUpBytes));
+    project.sections = ProjectReader(reader).read();
+    return project;
+}
+
+std::vector<ProjectSetting> settings_for(const ProjectFile& project, const std::string& program) {
+    const fs::path folder = fs::absolute(project.name).lexically_normal().parent_path();
+    const std::string path = place_of(program).lexically_relative(folder).generic_string();
+    std::vector<ProjectSetting> settings;
+    for (const ProjectFile::Section& section : project.sections) {
+        const auto is_meant = [&](const std::string& pattern) { return matches(pattern, path); };
+        if (!section.files.empty() && std::ranges::none_of(section.files, is_meant)) continue;
+        for (const ProjectSetting& setting : section.settings) {
+            std::erase_if(settings,
+                          [&](const auto& earlier) { return earlier.option == setting.option; });
+            settings.push_back(setting);
+        }
+    }
+    return settings;
+}
+
+bool matches(std::string_view pattern, std::string_view path) {
+    return matches_row(
+        names_of(pattern), names_of(path), [](const std::string& part) { return part == "**"; },
+        [](const std::string& part, const std::string& name) { return name_matches(part, name); });
+}
+
+}  // namespace ncsim::setup

@@ -1,0 +1,534 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machines/kinematics_reader.h"
+
+#include "ncsim/machine/presets.h"
+
+#include "meshes/mesh_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+namespace ncsim::setup {
+
+namespace {
+
+using cda::Vec3;
+using gcode::Coordinates;
+
+constexpr std::size_t kMostLinks = 100;
+constexpr std::string_view kBed = "bed";
+
+// X, Y, Z, A, B or C.
+std::optional<char> axis_named(std::string_view name) {
+    if (name.size() != 1 || std::string_view("XYZABC").find(name[0]) == std::string_view::npos)
+        return std::nullopt;
+    return name[0];
+}
+
+bool turns(char letter) {
+    return letter <= 'C';
+}
+
+// The number of "M428": those of every control are not free.
+std::optional<int> m_code_named(std::string_view name, int first) {
+    constexpr int kLast = 9999;
+    int number = 0;
+    const char* end = name.data() + name.size();
+    if (name.size() < 2 || name[0] != 'M') return std::nullopt;
+    const auto read = std::from_chars(name.data() + 1, end, number);
+    const bool is_one =
+        read.ec == std::errc() && read.ptr == end && number >= first && number <= kLast;
+    return is_one ? std::optional(number) : std::nullopt;
+}
+
+// "#c08040"
+std::optional<std::array<std::uint8_t, 3>> colour_named(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    std::array<std::uint8_t, 3> colour{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const char* first = text.data() + 1 + 2 * i;
+        const auto read = std::from_chars(first, first + 2, colour[i], 16);
+        if (read.ec != std::errc() || read.ptr != first + 2) return std::nullopt;
+    }
+    return colour;
+}
+
+}  // namespace
+
+void KinematicsReader::take_preset(const toml::node& node, const std::string& key) {
+    preset_ = Name{&node, r_.text(node, key)};
+    if (machine::preset(preset_->name)) return;
+    std::string names;
+    for (const machine::Preset& known : machine::presets())
+        names.append(names.empty() ? "" : ", ").append(known.name);
+    r_.fail(node, fmt::format("'{}': no machine of this name; expected {}", key, names));
+}
+
+void KinematicsReader::take_pivots(const toml::node& node, const std::string& key) {
+    pivots_node_ = &node;
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}.{}': expected A, B or C", key, name.str()));
+        pivots_[*letter] = r_.vector(value, fmt::format("{}.{}", key, name.str()));
+    }
+}
+
+void KinematicsReader::take_along_tool(const toml::node& node, const std::string& key) {
+    const std::string letter = r_.text(node, key);
+    if (letter != "U" && letter != "V" && letter != "W")
+        r_.fail(node, fmt::format("'{}': expected \"U\", \"V\" or \"W\"", key));
+    along_tool_ = Name{&node, letter};
+}
+
+Coordinates KinematicsReader::tip_or_axes(const toml::node& node, const std::string& key,
+                                          const std::string& mode) const {
+    if (mode != "tip" && mode != "axes")
+        r_.fail(node, fmt::format("'{}': expected \"tip\" or \"axes\"", key));
+    return mode == "tip" ? Coordinates::Tip : Coordinates::Axes;
+}
+
+void KinematicsReader::take_control(const toml::node& node, const std::string& key) {
+    control_node_ = &node;
+    // One of the words that are known, of which not all can be simulated.
+    const auto choose = [this](std::string_view built, std::string_view other, const auto& done) {
+        return [this, built, other, done](const toml::node& n, const std::string& k) {
+            const std::string word = r_.text(n, k);
+            if (word == other)
+                r_.fail(n,
+                        fmt::format("'{}': \"{}\" is not simulated, only \"{}\"", k, other, built));
+            if (word != built) r_.fail(n, fmt::format("'{}': expected \"{}\"", k, built));
+            done();
+        };
+    };
+    const TomlReader::Take m_codes = [this](const toml::node& n, const std::string& k) {
+        for (const auto& [name, value] : r_.table(n, k)) {
+            constexpr int kFree = 100;
+            const auto number = m_code_named(name.str(), kFree);
+            const std::string whole = fmt::format("{}.{}", k, name.str());
+            if (!number) r_.fail(value, fmt::format("'{}': expected M100 to M9999", whole));
+            control_.m_codes[*number] = tip_or_axes(value, whole, r_.text(value, whole));
+        }
+    };
+    r_.each(
+        r_.table(node, key), key,
+        {{"m_codes", m_codes},
+         {"tip_frame", choose("table", "work", [this] { control_.by_length_word = true; })},
+         {"tip_frame_at", choose("zero", "start", [this] { control_.frame_at_zero = true; })},
+         {"tip_turns", choose("joints", "vector", [] {})},
+         {"at_start",
+          [this](const toml::node& n, const std::string& k) {
+              control_.at_start = tip_or_axes(n, k, r_.text(n, k));
+          }},
+         {"kinematics",
+          [this](const toml::node& n, const std::string& k) {
+              for (const std::string& mode : r_.texts(n, k))
+                  control_.kinematics.push_back(tip_or_axes(n, k, mode));
+          }},
+         {"fixture_offsets",
+          [this](const auto& n, const auto& k) {
+              take_table_offsets(n, k, false, fixture_offsets_);
+          }},
+         {"fixture_offset_moves",
+          [this](const auto& n, const auto& k) { fixture_offsets_.moves = r_.yes_or_no(n, k); }},
+         {"setting_errors",
+          [this](const auto& n, const auto& k) {
+              take_table_offsets(n, k, true, setting_errors_);
+          }},
+         {"setting_error_moves",
+          [this](const auto& n, const auto& k) { setting_errors_.moves = r_.yes_or_no(n, k); }},
+         {"setting_error_turns_axes",
+          [this](const auto& n, const auto& k) {
+              setting_errors_.axes_take_turns = r_.yes_or_no(n, k);
+          }},
+         {"orient", [this](const toml::node& n, const std::string& k) {
+              const std::string word = r_.text(n, k);
+              if (word == "positive") {
+                  prefer_ = machine::Prefer::StandUp;
+              } else if (word == "negative") {
+                  prefer_ = machine::Prefer::StandDown;
+              } else if (word != "shortest") {
+                  r_.fail(n, fmt::format(
+                                 "'{}': expected \"shortest\", \"positive\" or \"negative\"", k));
+              }
+          }}});
+}
+
+// { B = 90 }: degrees; axes that are not named stand at 0.
+std::array<double, 3> KinematicsReader::angles(const toml::node& node,
+                                               const std::string& key) const {
+    std::array<double, 3> at{};
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        at[static_cast<std::size_t>(*letter - 'A')] = r_.number(value, whole);
+    }
+    return at;
+}
+
+void KinematicsReader::take_table_offsets(const toml::node& node, const std::string& key,
+                                          bool may_turn, gcode::TableOffsets& into) const {
+    constexpr int kMost = 300;
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        const std::string_view text = name.str();
+        int number = 0;
+        const char* end = text.data() + text.size();
+        const auto read = std::from_chars(text.data() + !text.empty(), end, number);
+        if (!text.starts_with('P') || read.ec != std::errc() || read.ptr != end || number < 1 ||
+            number > kMost) {
+            r_.fail(value, fmt::format("'{}': expected P1 to P{}", whole, kMost));
+        }
+        std::optional<Vec3> offset;
+        std::optional<std::array<double, 3>> at;
+        Vec3 turns;
+        TomlReader::Keys keys{
+            {"offset", [&](const auto& n, const auto& k) { offset = r_.vector(n, k); }},
+            {"at", [&](const auto& n, const auto& k) { at = angles(n, k); }}};
+        if (may_turn)
+            keys["turns"] = [&](const auto& n, const auto& k) { turns = r_.vector(n, k); };
+        r_.each(r_.table(value, whole), whole, keys);
+        if (!offset || !at) {
+            r_.fail(value, fmt::format("'{}': expected offset = [x, y, z], and at which angles of "
+                                       "the table, at = {{ B = 0 }}",
+                                       whole));
+        }
+        into.by_number[number] = {
+            {offset->x, offset->y, offset->z}, *at, {turns.x, turns.y, turns.z}};
+    }
+}
+
+machine::Travel KinematicsReader::travel(const toml::node& node, const std::string& key) const {
+    const toml::array& ends = r_.list(node, key, 2);
+    const machine::Travel travel{r_.number(ends[0], key), r_.number(ends[1], key)};
+    if (travel.min >= travel.max)
+        r_.fail(node, fmt::format("'{}': the first end must be below the second", key));
+    return travel;
+}
+
+gcode::RotaryWay KinematicsReader::way(const toml::node& node, const std::string& key) const {
+    using gcode::RotaryWay;
+    const std::string word = r_.text(node, key);
+    for (const auto& [name, known] : {std::pair{"linear", RotaryWay::Linear},
+                                      {"shortest", RotaryWay::Shortest},
+                                      {"sign", RotaryWay::Sign},
+                                      {"positive", RotaryWay::Positive}}) {
+        if (word == name) return known;
+    }
+    r_.fail(node,
+            fmt::format("'{}': expected \"linear\", \"shortest\", \"sign\" or \"positive\"", key));
+}
+
+void KinematicsReader::take_ways(const toml::node& node, const std::string& key) {
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        ways_[static_cast<std::size_t>(*letter - 'A')] = way(value, whole);
+    }
+}
+
+void KinematicsReader::take_clamps(const toml::node& node, const std::string& key) {
+    for (const auto& [name, value] : r_.table(node, key)) {
+        const auto letter = axis_named(name.str());
+        const std::string whole = fmt::format("{}.{}", key, name.str());
+        if (!letter || !turns(*letter))
+            r_.fail(value, fmt::format("'{}': expected A, B or C", whole));
+        const toml::array& codes = r_.list(value, whole, 2);
+        constexpr int kFirst = 10;  // those below are of every control
+        const auto clamp = m_code_named(r_.text(codes[0], whole), kFirst);
+        const auto release = m_code_named(r_.text(codes[1], whole), kFirst);
+        if (!clamp || !release || clamp == release || *clamp == 30 || *release == 30)
+            r_.fail(value, fmt::format("'{}': expected two M codes, [\"M10\", \"M11\"]", whole));
+        clamps_.push_back({*letter, *clamp, *release});
+    }
+}
+
+void KinematicsReader::take_assumed(const toml::node& node, const std::string& key) {
+    assumed_ = Name{&node, r_.text(node, key)};
+}
+
+void KinematicsReader::take_travel(char letter, const toml::node& node, const std::string& key) {
+    travels_node_ = &node;
+    travels_[letter] = travel(node, key);
+}
+
+void KinematicsReader::take_link(const toml::node& node, const std::string& key) {
+    Link link;
+    link.node = &node;
+    std::optional<char> letter;
+    std::optional<Vec3> along, about, through;
+    std::optional<bool> turns_part;
+    std::optional<machine::Travel> range;
+    std::optional<gcode::RotaryWay> told_way;
+    const toml::node* clearance_at = nullptr;
+    MeshKeys mesh(r_, folder_, inputs_);
+    const auto direction = [this](std::optional<Vec3>& into) {
+        return [this, &into](const toml::node& n, const std::string& k) {
+            into = r_.vector(n, k);
+            constexpr double kNothing = 1e-6;
+            if (norm(*into) < kNothing) r_.fail(n, fmt::format("'{}': it has no length", k));
+        };
+    };
+    r_.each(r_.table(node, key), key,
+            {{"name", [&](const auto& n, const auto& k) { link.name = r_.text(n, k); }},
+             {"parent", [&](const auto& n, const auto& k) { link.parent = r_.text(n, k); }},
+             {"axis",
+              [&](const toml::node& n, const std::string& k) {
+                  letter = axis_named(r_.text(n, k));
+                  if (!letter) r_.fail(n, fmt::format("'{}': expected X, Y, Z, A, B or C", k));
+              }},
+             {"moves_along", direction(along)},
+             {"turns_about", direction(about)},
+             {"through", [&](const auto& n, const auto& k) { through = r_.vector(n, k); }},
+             {"travel", [&](const auto& n, const auto& k) { range = travel(n, k); }},
+             {"mesh", [&](const auto& n, const auto& k) { mesh.take_mesh(n, k); }},
+             {"scale", [&](const auto& n, const auto& k) { mesh.take_scale(n, k); }},
+             {"hull", [&](const auto& n, const auto& k) { mesh.take_hull(n, k); }},
+             {"colour",
+              [&](const toml::node& n, const std::string& k) {
+                  link.colour = colour_named(r_.text(n, k));
+                  if (!link.colour) r_.fail(n, fmt::format("'{}': expected \"#rrggbb\"", k));
+              }},
+             {"clearance",
+              [&](const auto& n, const auto& k) {
+                  clearance_at = &n;
+                  link.clearance_mm = r_.not_negative(n, k);
+              }},
+             {"way", [&](const auto& n, const auto& k) { told_way = way(n, k); }},
+             {"positive", [&](const toml::node& n, const std::string& k) {
+                  const std::string which = r_.text(n, k);
+                  if (which != "part" && which != "tool")
+                      r_.fail(n, fmt::format("'{}': expected \"part\" or \"tool\"", k));
+                  turns_part = which == "part";
+              }}});
+    if (auto file = mesh.finish()) {
+        link.mesh = std::move(file->mesh);
+        link.deflection_mm = file->deflection_mm;
+        link.mesh_at = mesh.place();
+        link.as_hull = mesh.as_hull();
+    }
+    if (link.name.empty() || link.name == kBed || find(link.name))
+        r_.fail(node, "a link needs a name of its own, which is not \"bed\"");
+    if (clearance_at && !link.mesh)
+        r_.fail(*clearance_at, fmt::format("link '{}' has no mesh: no clearance", link.name));
+    if (links_.size() >= kMostLinks) r_.fail(node, fmt::format("more than {} links", kMostLinks));
+    if (letter) {
+        const bool rotary = turns(*letter);
+        const auto& told = rotary ? about : along;
+        if (!told || (rotary ? along : about)) {
+            r_.fail(node, fmt::format("axis {} needs {}, and nothing else", *letter,
+                                      rotary ? "turns_about" : "moves_along"));
+        }
+        if (!rotary && (through || turns_part))
+            r_.fail(node, fmt::format("axis {} moves straight: no through, no positive", *letter));
+        if (std::ranges::any_of(
+                links_, [&](const Link& l) { return l.joint && l.joint->letter == *letter; })) {
+            r_.fail(node, fmt::format("axis {} is told twice", *letter));
+        }
+        const auto positive =
+            turns_part.value_or(false) ? machine::Positive::Part : machine::Positive::Tool;
+        link.joint = machine::joint_of(*letter, rotary, *told, through.value_or(Vec3{}), positive);
+        link.is_placed = through.has_value();
+        if (range) travels_[*letter] = *range;
+        if (told_way && !rotary)
+            r_.fail(node, fmt::format("axis {} moves straight: no way", *letter));
+        if (told_way) ways_[static_cast<std::size_t>(*letter - 'A')] = *told_way;
+        // Positions have X, Y and Z along the axes of the program.
+        Vec3 own;
+        if (!rotary) own[*letter - 'X'] = 1.0;
+        if (!rotary && norm(link.joint->direction - own) > 1e-9)
+            r_.fail(node,
+                    fmt::format("axis {}: only {} along itself is simulated", *letter, *letter));
+    } else if (along || about || through || turns_part || range || told_way) {
+        r_.fail(node, "a link that moves needs its axis");
+    }
+    links_.push_back(std::move(link));
+}
+
+void KinematicsReader::take_part(const toml::node& node, const std::string& key) {
+    r_.each(r_.table(node, key), key, {{"link", [this](const auto& n, const auto& k) {
+                                            part_ = Name{&n, r_.text(n, k)};
+                                        }}});
+}
+
+void KinematicsReader::take_spindle_link(const toml::node& node, const std::string& key) {
+    tool_ = Name{&node, r_.text(node, key)};
+}
+
+const KinematicsReader::Link* KinematicsReader::find(const std::string& name) const {
+    const auto found = std::ranges::find(links_, name, &Link::name);
+    return found == links_.end() ? nullptr : &*found;
+}
+
+// From a link to the bed.
+std::vector<const KinematicsReader::Link*> KinematicsReader::way_up(const Name& from) const {
+    std::vector<const Link*> way;
+    const toml::node* named_at = from.node;
+    for (std::string name = from.name; !name.empty() && name != kBed;) {
+        const Link* link = find(name);
+        if (!link) r_.fail(*named_at, fmt::format("there is no link '{}'", name));
+        if (way.size() >= links_.size())
+            r_.fail(*link->node, fmt::format("link '{}' carries itself", name));
+        way.push_back(link);
+        named_at = link->node;
+        name = link->parent;
+    }
+    return way;
+}
+
+ToldKinematics KinematicsReader::of_preset() const {
+    ToldKinematics told;
+    told.chain = *machine::preset(preset_->name);
+    for (const auto& [letter, place] : pivots_) {
+        if (!told.chain.find(letter))
+            r_.fail(*pivots_node_,
+                    fmt::format("'pivot': {} has no axis {}", preset_->name, letter));
+    }
+    for (machine::Joint& joint : told.chain.joints) {
+        if (!joint.turns) continue;
+        const auto place = pivots_.find(joint.letter);
+        if (place == pivots_.end()) {
+            told.untold_pivots += joint.letter;
+        } else {
+            joint.through = place->second;
+        }
+    }
+    return told;
+}
+
+ToldKinematics KinematicsReader::of_links() const {
+    const toml::node& first = *links_.front().node;
+    if (!part_) r_.fail(first, "which link carries the part? part = { link = \"…\" }");
+    if (!tool_) r_.fail(first, "which link carries the tool? [spindle] link = \"…\"");
+    ToldKinematics told;
+    const auto add = [&](const Link* link) {
+        if (!link->joint) return;
+        told.chain.joints.push_back(*link->joint);
+        if (link->joint->turns && !link->is_placed) told.untold_pivots += link->joint->letter;
+    };
+    std::vector<const Link*> up = way_up(*part_);
+    std::vector<const Link*> down = way_up(*tool_);
+    // What carries both moves neither against the other.
+    while (!up.empty() && !down.empty() && up.back() == down.back()) {
+        if (up.back()->joint) {
+            r_.fail(*up.back()->node,
+                    fmt::format("link '{}' carries the part and the tool", up.back()->name));
+        }
+        up.pop_back();
+        down.pop_back();
+    }
+    std::ranges::for_each(up, add);
+    std::for_each(down.rbegin(), down.rend(), add);
+    for (const Link& link : links_) {
+        if (link.joint && !told.chain.find(link.joint->letter)) {
+            r_.fail(*link.node,
+                    fmt::format("axis {} moves neither the part nor the tool", link.joint->letter));
+        }
+    }
+    for (const char letter : {'X', 'Y', 'Z'}) {
+        if (!told.chain.find(letter)) r_.fail(first, fmt::format("no link moves along {}", letter));
+    }
+    return told;
+}
+
+// What presets and links have in common.
+void KinematicsReader::finish(ToldKinematics& told) const {
+    told.prefer = prefer_;
+    if (assumed_) told.guess = assumed_->name;
+    if (along_tool_) told.chain.joints.push_back(machine::along_tool(along_tool_->name.front()));
+    for (const auto& [letter, range] : travels_) {
+        if (!turns(letter)) continue;
+        if (!told.chain.find(letter))
+            r_.fail(*travels_node_, fmt::format("'travel': there is no axis {}", letter));
+        told.travels[letter] = range;
+    }
+}
+
+// From the bed on, each joint as it moves the link.
+machine::Chain KinematicsReader::moved_by(const Name& link) const {
+    std::vector<const Link*> carries_part;
+    if (part_) carries_part = way_up(*part_);
+    machine::Chain chain;
+    const std::vector<const Link*> way = way_up(link);
+    for (auto next = way.rbegin(); next != way.rend(); ++next) {
+        const Link* moved = *next;
+        if (!moved->joint) continue;
+        machine::Joint joint = *moved->joint;
+        // Told as the motion of the tool: what carries the part goes the other way.
+        if (std::ranges::find(carries_part, moved) != carries_part.end())
+            joint.direction = -joint.direction;
+        chain.joints.push_back(joint);
+    }
+    return chain;
+}
+
+machine::Chain KinematicsReader::part_moved_by() const {
+    return part_ && !links_.empty() ? moved_by(*part_) : machine::Chain();
+}
+
+machine::Chain KinematicsReader::tool_moved_by() const {
+    return tool_ && !links_.empty() ? moved_by(*tool_) : machine::Chain();
+}
+
+std::vector<MachineBody> KinematicsReader::links_that(bool have_a_mesh) const {
+    std::vector<MachineBody> bodies;
+    for (const Link& link : links_) {
+        if (link.mesh.has_value() != have_a_mesh) continue;
+        MachineBody body;
+        body.link = link.name;
+        if (link.mesh) body.mesh = *link.mesh;
+        if (link.colour) body.colour = *link.colour;
+        if (link.parent != kBed) body.parent = link.parent;
+        body.moved_by = moved_by({link.node, link.name});
+        if (link.joint) body.joint = body.moved_by.joints.back();
+        body.clearance_mm = link.clearance_mm;
+        body.deflection_mm = link.deflection_mm;
+        body.mesh_at = link.mesh_at;
+        body.as_hull = link.as_hull;
+        bodies.push_back(std::move(body));
+    }
+    return bodies;
+}
+
+std::vector<MachineBody> KinematicsReader::bodies() const {
+    return links_that(true);
+}
+
+std::vector<MachineBody> KinematicsReader::other_links() const {
+    return links_that(false);
+}
+
+std::optional<ToldKinematics> KinematicsReader::kinematics() const {
+    if (preset_ && !links_.empty())
+        r_.fail(*preset_->node, "a machine is told by its preset or by its links, not both");
+    if (pivots_node_ && !preset_) r_.fail(*pivots_node_, "'pivot' belongs to a preset");
+    if (links_.empty()) {
+        for (const auto& name : {part_, tool_}) {
+            if (name) r_.fail(*name->node, fmt::format("there is no link '{}'", name->name));
+        }
+    }
+    if (preset_ || !links_.empty()) {
+        ToldKinematics told = preset_ ? of_preset() : of_links();
+        finish(told);
+        return told;
+    }
+    if (assumed_) r_.fail(*assumed_->node, "'assumed' needs to know how the machine turns");
+    if (along_tool_)
+        r_.fail(*along_tool_->node, "'along_tool' needs to know how the machine turns");
+    if (travels_node_)
+        r_.fail(*travels_node_, "'travel' of a rotary axis needs to know how the machine turns");
+    if (control_node_) {
+        r_.fail(*control_node_,
+                "'control' needs to know how the machine turns: preset or [[link]]");
+    }
+    return std::nullopt;
+}
+
+}  // namespace ncsim::setup

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshes/obj_mesh.h"
+
+#include "meshes/polygons.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace ncsim::setup {
+
+namespace {
+
+constexpr std::string_view kObjBlanks = " \t\r";
+
+// The next word of a line; empty at its end.
+std::string_view next_word(std::string_view& line) {
+    const std::size_t begin = line.find_first_not_of(kObjBlanks);
+    if (begin == std::string_view::npos) {
+        line = {};
+        return {};
+    }
+    const std::size_t end = std::min(line.find_first_of(kObjBlanks, begin), line.size());
+    const std::string_view word = line.substr(begin, end - begin);
+    line.remove_prefix(end);
+    return word;
+}
+
+std::string_view next_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return line.substr(0, line.find('#'));
+}
+
+template <class Number>
+std::optional<Number> number_in(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    Number number{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+bool is_obj(std::string_view bytes) {
+    constexpr std::array<std::string_view, 9> kFirst{"v", "vn", "vt",     "f",     "o",
+                                                     "g", "s",  "mtllib", "usemtl"};
+    while (!bytes.empty()) {
+        std::string_view line = next_line(bytes);
+        const std::string_view word = next_word(line);
+        if (!word.empty()) return std::ranges::find(kFirst, word) != kFirst.end();
+    }
+    return false;
+}
+
+std::vector<cda::Vec3> read_obj(std::string_view bytes) {
+    Polygons polygons;
+    std::size_t number = 0;
+    const auto refuse = [&number](const char* what) {
+        throw Refused{fmt::format("line {}: {}", number, what)};
+    };
+    while (!bytes.empty()) {
+        ++number;
+        std::string_view line = next_line(bytes);
+        const std::string_view key = next_word(line);
+        if (key == "v") {
+            cda::Vec3 p;
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto value = number_in<double>(next_word(line));
+                if (!value) refuse("a point has three numbers");
+                p[axis] = *value;
+            }
+            polygons.points.push_back(p);
+        } else if (key == "f") {
+            std::vector<std::uint32_t> face;
+            for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
+                const auto told = number_in<std::int64_t>(word.substr(0, word.find('/')));
+                const auto count = static_cast<std::int64_t>(polygons.points.size());
+                // From 1 on; or backwards from the last one, which is -1.
+                if (!told || *told == 0 || *told > count || *told < -count)
+                    refuse("a face names a point that does not stand before it");
+                face.push_back(static_cast<std::uint32_t>(*told > 0 ? *told - 1 : count + *told));
+            }
+            if (face.size() < 3) refuse("a face has three corners or more");
+            polygons.faces.push_back(std::move(face));
+        } else if (key == "curv" || key == "surf" || key == "cstype") {
+            refuse("curves and curved surfaces are not read");
+        }
+    }
+    return corners_of(polygons);
+}
+
+}  // namespace ncsim::setup

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/extent.h"
+
+#include "ncsim/machine/inverse.h"
+#include "ncsim/toolpath/machine.h"
+#include "ncsim/trig/angles.h"
+
+#include "motion/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ncsim::toolpath {
+
+using gcode::Position;
+
+namespace {
+
+// How much farther than at right angles to its axis a coordinate of a spiral is farthest out, in
+// degrees. `radius`: at right angles; `growth`: that of the radius a radian.
+double spiral_lead(double radius, double growth) {
+    // r' cos d = r sin d, thus cot d = radius / growth + d =: x + d, for d up to a quarter turn.
+    // The cotangent is convex: Newton's steps from below stay below.
+    constexpr double kRadian = 180.0 / std::numbers::pi;
+    const double x = radius / std::abs(growth);
+    const double least = x + std::numbers::pi / 2;
+    if (growth == 0.0 || !(least > 0.0)) return 0.0;
+    double d = trig::angle_of(least, 1.0) / kRadian;
+    for (int i = 0; i < 8 && d > 0.0; ++i) {
+        const trig::SinCos at = trig::sin_cos(d * kRadian);
+        d += (at.cos * at.sin - (x + d) * at.sin * at.sin) / (1.0 + at.sin * at.sin);
+    }
+    return std::copysign(d * kRadian, growth);
+}
+
+// Where a coordinate of an arc is farthest out: at right angles to its axis, on a spiral near by.
+void add_extremes(cda::Box& box, const gcode::Arc& arc, const Polar& p) {
+    const double low = std::min(p.start_degrees, p.start_degrees + p.sweep_degrees);
+    const double high = std::max(p.start_degrees, p.start_degrees + p.sweep_degrees);
+    const double growth = (p.end_radius - p.start_radius) / p.sweep_degrees;  // mm a degree
+    const double beyond = growth == 0.0 ? 0.0 : 90.0;
+    for (double q = std::ceil((low - beyond) / 90.0) * 90.0; q <= high + beyond; q += 90.0) {
+        // Radii grow or shrink all the way: the first and the last turn are farthest out.
+        if (q > low + 450.0 && q < high - 450.0) q = std::floor((high - 450.0) / 90.0) * 90.0;
+        const double radius = p.start_radius + (q - p.start_degrees) * growth;
+        const double at = q + spiral_lead(radius, growth * 180.0 / std::numbers::pi);
+        if (at < low || at > high) continue;
+        box.add(linear_axes(on_arc(arc, p, (at - p.start_degrees) / p.sweep_degrees)));
+    }
+}
+
+// Of an arc in a tilted plane: balls about its middle at its start and its end hold it.
+void add_balls(cda::Box& box, const gcode::Arc& arc) {
+    const gcode::Arc own = gcode::in_own_frame(arc);
+    const Polar p = polar(own);
+    const double radius = std::max(p.start_radius, p.end_radius);
+    for (const Position& end : {own.from, own.to}) {
+        const gcode::Arc circle{end, end, own.plane, own.centre_1, own.centre_2, 1, {}};
+        const Position middle = on_arc(circle, {p.centre_1, p.centre_2, 0.0, 0.0, 0.0, 0.0}, 0.5);
+        const cda::Vec3 at = linear_axes(gcode::outward(*arc.tilted, middle));
+        const cda::Vec3 reach{radius, radius, radius};
+        box.add(at - reach);
+        box.add(at + reach);
+    }
+}
+
+}  // namespace
+
+cda::Box extent_of_joints(const gcode::Motion& motion, const Kinematics& machine) {
+    cda::Box box;
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    if (!from || !to) return box;
+    const Poses poses(&machine, motion);
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const Polar p = arc ? polar(*arc) : Polar{};
+    const auto degrees = [](gcode::Angle a, gcode::Angle b) { return std::abs((b - a).degrees()); };
+    constexpr double kStep = 0.25;
+    constexpr double kMost = 100'000;
+    const double turn = degrees(from->a, to->a) + degrees(from->b, to->b) +
+                        degrees(from->c, to->c) + std::abs(p.sweep_degrees);
+    const double steps = std::clamp(std::ceil(turn / kStep), 1.0, kMost);
+    for (double i = 0.0; i <= steps; ++i) {
+        const Position at = arc ? on_arc(*arc, p, i / steps) : between(*from, *to, i / steps);
+        machine::Values now = values_of(at);
+        for (const machine::Joint& joint : poses.chain()->joints) {
+            const std::size_t letter = *machine::index_of(joint.letter);
+            if (letter >= 6) now[letter] = 0.0;  // X, Y and Z move the tip by it
+        }
+        const auto values = machine::values_for(*poses.chain(), poses.at(at).translation, now);
+        if (!values) return {};
+        box.add(cda::Vec3{(*values)[0], (*values)[1], (*values)[2]});
+    }
+    return box;
+}
+
+namespace {
+
+cda::Box extent_of_axes(const gcode::Motion& motion) {
+    cda::Box box;
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    box.add(linear_axes(*from));
+    box.add(linear_axes(*to));
+    if (const auto* arc = std::get_if<gcode::Arc>(&motion.what)) {
+        if (arc->tilted) {
+            add_balls(box, *arc);
+        } else {
+            add_extremes(box, *arc, polar(*arc));
+        }
+    } else if (const auto* spline = std::get_if<gcode::Spline>(&motion.what)) {
+        for (const auto& point : spline->control_points) {
+            Position p = *from;
+            p.x = point.x, p.y = point.y;
+            box.add(linear_axes(p));
+        }
+    }
+    return box;
+}
+
+gcode::Motion without_second_axes(const gcode::Motion& motion) {
+    gcode::Motion first = motion;
+    const auto still = [](Position& p) { p.u = p.v = p.w = gcode::Length(); };
+    if (auto* linear = std::get_if<gcode::Linear>(&first.what)) {
+        still(linear->from), still(linear->to);
+    } else if (auto* arc = std::get_if<gcode::Arc>(&first.what)) {
+        still(arc->from), still(arc->to);
+        if (arc->plane >= gcode::Plane::UV) first.what = gcode::Linear{arc->from, arc->to};
+    } else if (auto* spline = std::get_if<gcode::Spline>(&first.what)) {
+        still(spline->from), still(spline->to);
+    }
+    return first;
+}
+
+}  // namespace
+
+cda::Box extent_of_path(const gcode::Motion& motion, const Poses& poses) {
+    const Position* from = start_of(motion);
+    const Position* to = end_of(motion);
+    if (!from || !to) return {};
+    const double reach = poses.of_tip() ? second_axes(*poses.chain(), motion).reach_mm : 0.0;
+    if (reach == 0.0) return extent_of_axes(motion);
+    const bool turns = from->a != to->a || from->b != to->b || from->c != to->c;
+    if (std::holds_alternative<gcode::Linear>(motion.what) && !turns) {
+        cda::Box box;
+        box.add(poses.place(*from));
+        box.add(poses.place(*to));
+        return box;
+    }
+    cda::Box box = extent_of_axes(without_second_axes(motion));
+    const cda::Vec3 margin{reach, reach, reach};
+    return {box.min - margin, box.max + margin};
+}
+
+}  // namespace ncsim::toolpath

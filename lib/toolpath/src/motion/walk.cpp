@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/walk.h"
+
+#include "ncsim/cda/int128.h"
+#include "ncsim/toolpath/machine.h"
+
+#include "motion/path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ncsim::toolpath {
+
+using gcode::Length;
+using gcode::Linear;
+using gcode::Position;
+
+namespace {
+
+constexpr std::array<Length Position::*, 3> kFirst{&Position::x, &Position::y, &Position::z};
+constexpr std::array<Length Position::*, 3> kSecond{&Position::u, &Position::v, &Position::w};
+
+// Where a linear axis is after `time`, moving at `rate` until it is there. Exactly there then.
+Length axis_at(Length from, Length to, double rate, double time) {
+    const double distance = std::abs((to - from).mm());
+    if (rate * time >= distance) return to;
+    return from + (rate * time / distance) * (to - from);
+}
+
+cda::Box grown(cda::Box box, double by_mm) {
+    box.min = box.min - cda::Vec3{by_mm, by_mm, by_mm};
+    box.max = box.max + cda::Vec3{by_mm, by_mm, by_mm};
+    return box;
+}
+
+// A cylinder that ends below in a disc, a quarter circle or a cone, at the tip; else nothing.
+std::optional<cda::RoundSweep> round_of(const ToolPiece& piece) {
+    const std::vector<ProfilePoint>& p = piece.profile;
+    if (p.size() < 2 || p.size() > 3) return std::nullopt;
+    const ProfilePoint& low = p.front();
+    const ProfilePoint& high = p.back();
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        if (p[i].fillet != 0.0) return std::nullopt;
+    }
+    cda::RoundSweep sweep;
+    sweep.radius = high.radius;
+    sweep.height = high.height - low.height;
+    sweep.from = sweep.to = {0, 0, low.height};
+    if (p[1].radius != high.radius || low.radius > high.radius) return std::nullopt;
+    if (low.radius == high.radius) {
+        if (p.size() != 2 || low.fillet > low.radius) return std::nullopt;
+        sweep.flat_radius = low.radius - low.fillet;
+        sweep.tip_height = low.fillet;
+    } else {
+        if (low.fillet != 0.0) return std::nullopt;
+        sweep.flat_radius = low.radius;
+        sweep.tip_height = p[1].height - low.height;
+        sweep.is_cone = true;
+        if (sweep.tip_height <= 0.0) return std::nullopt;
+    }
+    if (sweep.radius <= 0.0 || sweep.height < sweep.tip_height) return std::nullopt;
+    return sweep;
+}
+
+// Of all that cuts; nothing, if one of its pieces is none of these.
+std::vector<cda::RoundSweep> round_of(const Tool& tool) {
+    std::vector<cda::RoundSweep> all;
+    for (const ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting) continue;
+        const auto sweep = round_of(piece);
+        if (!sweep) return {};
+        all.push_back(*sweep);
+    }
+    return all;
+}
+
+// Is b on the way from a to c? Exactly.
+bool is_between(const cda::LatticePoint& a, const cda::LatticePoint& b,
+                const cda::LatticePoint& c) {
+    const cda::LatticePoint u = b - a, v = c - b;
+    const auto product = [](std::int64_t p, std::int64_t q) { return cda::Int128{p} * q; };
+    return product(u.x, v.y) == product(u.y, v.x) && product(u.y, v.z) == product(u.z, v.y) &&
+           product(u.z, v.x) == product(u.x, v.z) &&
+           product(u.x, v.x) + product(u.y, v.y) + product(u.z, v.z) > 0;
+}
+
+// Are the walls of a hull that went so far exact? Their normals may be rounded; then the hulls of
+// its steps differ from it by that.
+bool goes_exactly_along(const cda::Cell& hull, const cda::LatticePoint& way) {
+    const auto first = hull.planes.begin() + static_cast<std::ptrdiff_t>(hull.normals->size());
+    return std::all_of(first, hull.planes.end(), [&](const cda::Plane& wall) {
+        return wall.nx * way.x + wall.ny * way.y + wall.nz * way.z == 0;
+    });
+}
+
+}  // namespace
+
+const Linear* straight_upright(const gcode::Motion& motion) {
+    const auto* linear = std::get_if<Linear>(&motion.what);
+    if (!linear || motion.coordinates == gcode::Coordinates::Tip) return nullptr;
+    for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
+        if ((linear->from.*axis).degrees() != 0.0 || (linear->to.*axis).degrees() != 0.0)
+            return nullptr;
+    }
+    return linear;
+}
+
+std::vector<Linear> legs_of(const Linear& rapid, const RapidPath& path) {
+    if (!path.dog_leg) return {rapid};
+    // When each axis arrives.
+    std::vector<double> times;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (const auto axis : {kFirst[i], kSecond[i]}) {
+            const double distance = std::abs((rapid.to.*axis - rapid.from.*axis).mm());
+            if (distance > 0.0) times.push_back(distance / path.rates[i]);
+        }
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    if (times.size() < 2) return {rapid};
+    std::vector<Linear> legs;
+    Position at = rapid.from;
+    for (const double time : times) {
+        Position next = rapid.to;
+        if (time != times.back()) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (const auto axis : {kFirst[i], kSecond[i]}) {
+                    next.*axis = axis_at(rapid.from.*axis, rapid.to.*axis, path.rates[i], time);
+                }
+            }
+            const double t = time / times.back();
+            for (const auto axis : {&Position::a, &Position::b, &Position::c}) {
+                next.*axis = gcode::Angle::from_degrees(
+                    (rapid.from.*axis).degrees() +
+                    t * ((rapid.to.*axis).degrees() - (rapid.from.*axis).degrees()));
+            }
+        }
+        legs.push_back({at, next});
+        at = next;
+    }
+    return legs;
+}
+
+Walk::Walk(const cda::Lattice& lattice, const cda::Box& stock, const ToolAccuracy& accuracy,
+           const SamplingOptions& sampling, RapidPath rapid, const Watch& watch,
+           std::shared_ptr<const Kinematics> told)
+    : lattice_(lattice),
+      stock_(stock),
+      accuracy_(accuracy),
+      sampling_(sampling),
+      rapid_(rapid),
+      watch_(watch),
+      told_(std::move(told)),
+      place_(stock) {
+    // What steps gain less than they may, facets may be left out for: whole numbers of steps leave
+    // more than the least share, as a rule.
+    constexpr double kLeast = 0.02, kMost = 0.3;
+    gain_mm_ = sampling.rotation_gain_mm;
+    slack_mm_ = kMost * gain_mm_;
+    sampling_.rotation_gain_mm -= kLeast * gain_mm_;
+    place_.add(watch.place);
+}
+
+const Cutter& Walk::add_tool(int number, const Tool& tool) {
+    const auto found = tools_.find(number);
+    if (found != tools_.end()) return found->second.cutter;
+    Cutter cutter(tool, lattice_, accuracy_);
+    ToolExtent followed = cutter.extent();
+    for (const ToolPiece& piece : tool.pieces) {
+        if (!piece.cutting && watch_.shanks) followed.pieces.push_back(extent_of(piece));
+    }
+    return tools_.try_emplace(number, Known{std::move(cutter), std::move(followed), round_of(tool)})
+        .first->second.cutter;
+}
+
+const Cutter* Walk::cutter(int number) const {
+    const auto found = tools_.find(number);
+    return found == tools_.end() ? nullptr : &found->second.cutter;
+}
+
+// The same box without what it takes to find how far the tool reaches, which is known.
+cda::Box Walk::Known::bounds(const Pose& X_WA, const Pose& X_WB) {
+    if (rows != X_WA.rows) {
+        rows = X_WA.rows;
+        reach = cutter.reach(X_WA);
+    }
+    return cutter.bounds(X_WA, X_WB, reach);
+}
+
+// Into cells_ or sweeps_: what may meet the stock.
+void Walk::trace(Known& tool, const Pose& X_WA, const Pose& X_WB, cda::Origin origin,
+                 const Liberties& liberties) {
+    Cutter& cutter = tool.cutter;
+    cells_.clear();
+    sweeps_.clear();
+    const cda::Box bounds =
+        X_WA.rows == X_WB.rows ? tool.bounds(X_WA, X_WB) : cutter.bounds(X_WA, X_WB, liberties);
+    is_near_ = stock_.overlaps(bounds);
+    if (!is_near_ || (wanted_ && !wanted_->overlaps(bounds))) return;
+    const cda::Vec3 up{0, 0, 1};
+    if (leaves_round_ && !tool.round.empty() && axis_of(X_WA) == up && axis_of(X_WB) == up) {
+        for (cda::RoundSweep sweep : tool.round) {
+            sweep.origin = origin;
+            for (const auto& [end, pose] : {std::pair{&sweep.from, &X_WA}, {&sweep.to, &X_WB}}) {
+                *end = pose->translation + *end;
+                const double r = sweep.radius;
+                sweep.bounds.add(*end - cda::Vec3{r, r, 0});
+                sweep.bounds.add(*end + cda::Vec3{r, r, sweep.height});
+            }
+            if (stock_.overlaps(sweep.bounds)) sweeps_.push_back(sweep);
+        }
+        return;
+    }
+    cutter.trace(X_WA, X_WB, origin, cells_, liberties);
+    std::erase_if(cells_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+}
+
+void Walk::arrive(const gcode::Motion& motion, cda::Origin origin,
+                  const std::function<void(const Step&)>& step) {
+    const auto found = tools_.find(motion.tool);
+    const gcode::Position* end = end_of(motion);
+    if (found == tools_.end() || !end || has_known_start(motion) || !has_known_end(motion)) return;
+    const Pose X_WT = Poses(told_.get(), motion).at(*end);
+    trace(found->second, X_WT, X_WT, origin, {});
+    step({X_WT, X_WT, cells_, {}, {}, sweeps_, is_near_, {}, {}});
+}
+
+// Does all it does in this motion stay out of what is wanted?
+bool Walk::passes_by(const Known& tool, const gcode::Motion& motion, const Poses& poses,
+                     const Pose& X_WA, const Pose& X_WB) const {
+    double reach = 0.0;
+    for (const PieceExtent& piece : tool.followed.pieces) {
+        const double high = std::max(std::abs(piece.low_mm), std::abs(piece.high_mm));
+        reach = std::max(reach, std::sqrt(high * high + piece.radius_mm * piece.radius_mm));
+    }
+    const auto strays = strays_mm(motion, poses, reach);
+    return strays && !wanted_->overlaps(grown(tool.cutter.bounds(X_WA, X_WB), *strays));
+}
+
+// Does a straight move go on as the one before did, on the lattice, no farther than the tool is
+// wide: nobody can tell more exactly where it cut? Where it does not, straight_ is what those
+// before it took together.
+void Walk::go_on(Known& tool, const gcode::Motion& motion, const Pose& X_WA, const Pose& X_WB,
+                 cda::Origin origin) {
+    if (!covers_ || leaves_round_ || motion.kind != gcode::MoveKind::Feed) return end_run();
+    const cda::LatticePoint from = lattice_.round(X_WA.translation);
+    const cda::LatticePoint to = lattice_.round(X_WB.translation);
+    const double way = norm(lattice_.to_mm(to - run_.start));
+    const bool goes_on = !run_.ends.empty() && run_.tool == &tool && run_.ends.back() == from &&
+                         way <= 2 * tool.cutter.radius_mm() && is_between(run_.start, from, to);
+    if (!goes_on) {
+        end_run();
+        run_ = {from, {}, {}, &tool, cda::kStockOrigin};
+    }
+    run_.ends.push_back(to);
+    run_.steps.push_back({origin, 1.0, cells_.empty() ? cda::Box{} : cells_[0].bounds});
+    // What did not meet the stock has no number; whether it is wanted or not.
+    if (is_near_ && tool.cutter.meets(stock_, X_WA, X_WB)) run_.origin = origin;
+}
+
+void Walk::end_run() {
+    Run run = std::exchange(run_, {});
+    if (run.ends.size() < 2 || run.origin == cda::kStockOrigin) return;
+    const cda::LatticePoint way = run.ends.back() - run.start;
+    const Pose X_WA{upright_, lattice_.to_mm(run.start)};
+    const Pose X_WB{upright_, lattice_.to_mm(run.ends.back())};
+    const cda::Box bounds = run.tool->bounds(X_WA, X_WB);
+    if (!stock_.overlaps(bounds) || (wanted_ && !wanted_->overlaps(bounds))) return;
+    run.tool->cutter.trace(X_WA, X_WB, run.origin, straight_);
+    for (cda::Cell& cell : straight_) {
+        const std::int64_t rank = std::int64_t{cell.rank} - std::ssize(run.ends);
+        cell.rank =
+            static_cast<std::int32_t>(std::max<std::int64_t>(rank, cda::Cell::kFirstRank + 1));
+    }
+    std::erase_if(straight_, [&](const cda::Cell& c) {
+        return !stock_.overlaps(c.bounds) || !goes_exactly_along(c, way);
+    });
+    // Of several pieces nobody knows by the place which was there first.
+    if (straight_.size() != 1 || run.tool->cutter.pieces() != 1) return;
+    const auto length = [&](const cda::LatticePoint& end) {
+        return norm(lattice_.to_mm(end - run.start));
+    };
+    for (std::size_t i = 0; i + 1 < run.ends.size(); ++i)
+        run.steps[i].end = length(run.ends[i]) / length(run.ends.back());
+    straight_[0].steps =
+        std::make_shared<const cda::StraightSteps>(cda::StraightSteps{way, std::move(run.steps)});
+}
+
+// Is the motion an arc about a middle that the tool may have within it all the way? Then it goes on
+// with the one before, if that was about the same.
+bool Walk::go_round(const Cutter& cutter, const gcode::Motion& motion) {
+    // Centres that are programmed one by one differ in their last digits.
+    constexpr double kSame = 0.01;
+    const auto* arc = std::get_if<gcode::Arc>(&motion.what);
+    const bool is_level = arc && arc->plane == gcode::Plane::XY && !arc->tilted;
+    const Polar p = is_level ? polar(*arc) : Polar{};
+    if (!covers_ || !is_level || leaves_round_ || p.start_radius >= cutter.radius_mm()) {
+        round_.way.clear();
+        return false;
+    }
+    const bool goes_on = round_.tool == motion.tool && std::abs(p.sweep_degrees) < 359.0 &&
+                         std::abs(p.centre_1 - round_.centre_1) < kSame &&
+                         std::abs(p.centre_2 - round_.centre_2) < kSame;
+    if (!goes_on) round_ = {{}, {}, p.centre_1, p.centre_2, motion.tool};
+    return true;
+}
+
+// A step of an arc; where it ends a whole turn, covering_ is what that took in any case.
+void Walk::close_round(Cutter& cutter, const Pose& X_WA, const Pose& X_WB, cda::Origin origin) {
+    constexpr std::size_t kMost = 1000;  // steps of a turn
+    const cda::LatticePoint from = lattice_.round(X_WA.translation);
+    const cda::LatticePoint to = lattice_.round(X_WB.translation);
+    std::vector<cda::LatticePoint>& way = round_.way;
+    if (way.empty() || way.back() != from || way.size() > kMost || X_WA.rows != X_WB.rows ||
+        X_WA.rows != round_.rows) {
+        way = {from};
+        round_.rows = X_WA.rows;
+    }
+    way.push_back(to);
+    if (X_WA.rows != X_WB.rows || to.x != way[0].x || to.y != way[0].y) return;
+    cutter.cover(way, X_WB, origin, covering_);
+    way = {to};
+    // Wherever they are wanted or not: that there is one may end a step that is not near.
+    std::erase_if(covering_, [&](const cda::Cell& c) { return !stock_.overlaps(c.bounds); });
+}
+
+SampleBounds Walk::take(const gcode::Motion& motion, cda::Origin origin,
+                        const std::function<void(const Step&)>& step) {
+    const auto found = tools_.find(motion.tool);
+    if (found == tools_.end() || !has_known_start(motion)) return {};
+    Known& tool = found->second;
+    covering_.clear();
+    straight_.clear();
+    if (const Linear* linear = told_ || rapid_.dog_leg ? nullptr : straight_upright(motion)) {
+        const Pose X_WA{upright_, linear_axes(linear->from)};
+        const Pose X_WB{upright_, linear_axes(linear->to)};
+        if (X_WA == X_WB) return {};
+        round_.way.clear();
+        trace(tool, X_WA, X_WB, origin, {});
+        go_on(tool, motion, X_WA, X_WB, origin);
+        Turning turning;
+        turning.moved_mm = norm(X_WB.translation - X_WA.translation);
+        step({X_WA, X_WB, cells_, covering_, straight_, sweeps_, is_near_, {}, turning});
+        return {};
+    }
+    const bool has_legs = rapid_.dog_leg && motion.kind == gcode::MoveKind::Rapid;
+    Cutter& cutter = tool.cutter;
+    end_run();
+    const bool goes_round = go_round(cutter, motion);
+    if (passes_by_ && !has_legs && !goes_round && start_of(motion)) {
+        const Poses poses(told_.get(), motion);
+        const Pose X_WA = poses.at(*start_of(motion)), X_WB = poses.at(*end_of(motion));
+        if (passes_by(tool, motion, poses, X_WA, X_WB)) {
+            step({X_WA, X_WB, {}, covering_, straight_, {}, false, {}, {}});
+            return {};
+        }
+    }
+    const ToolExtent& followed = tool.followed;
+    // The bounds are those of round tools, whose hulls are so near to the ones that are made.
+    const cda::Box place =
+        grown(place_, std::max(accuracy_.tolerance_mm, cutter.error_mm()) + slack_mm_);
+
+    SampleBounds worst;
+    const auto walk = [&](const gcode::Motion& part) {
+        Samples samples = sample(part, followed, sampling_, place, told_.get());
+        Liberties liberties = liberties_of(samples.turning);
+        // A rapid move is followed exactly, so that it meets nothing where a cut has been.
+        if (samples.turning.turn_rad > 0.0 && part.kind != gcode::MoveKind::Rapid) {
+            liberties.slack_mm = std::clamp(gain_mm_ - samples.bounds.gained_mm, 0.0, slack_mm_);
+            samples.bounds.gained_mm += liberties.slack_mm;
+        }
+        worst.missed_mm = std::max(worst.missed_mm, samples.bounds.missed_mm);
+        worst.gained_mm = std::max(worst.gained_mm, samples.bounds.gained_mm);
+        for (std::size_t i = 1; i < samples.poses.size(); ++i) {
+            const Pose& X_WA = samples.poses[i - 1];
+            const Pose& X_WB = samples.poses[i];
+            // A tool that does not move cuts nothing it has not cut on its way here.
+            if (X_WA == X_WB) continue;
+            trace(tool, X_WA, X_WB, origin, liberties);
+            if (goes_round) close_round(cutter, X_WA, X_WB, origin);
+            step({X_WA, X_WB, cells_, covering_, straight_, sweeps_, is_near_, samples.bounds,
+                  samples.turning});
+            covering_.clear();
+            straight_.clear();
+        }
+    };
+
+    const auto* linear = std::get_if<Linear>(&motion.what);
+    const bool of_tip = motion.coordinates == gcode::Coordinates::Tip;
+    if (!linear || motion.kind != gcode::MoveKind::Rapid || !rapid_.dog_leg || of_tip) {
+        walk(motion);
+        return worst;
+    }
+    for (const Linear& leg : legs_of(*linear, rapid_)) {
+        gcode::Motion part = motion;
+        part.what = leg;
+        walk(part);
+    }
+    return worst;
+}
+
+}  // namespace ncsim::toolpath

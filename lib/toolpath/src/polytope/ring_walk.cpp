@@ -1,0 +1,570 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outline. Circumscribed: what has to hold the round section of a ring is the circle within its
+// polygon, so the radii of these circles, over heights, have to lie on or outside the profile.
+// Around a rounded corner they go from tangent to tangent of its arc; how far along one tangent is
+// limited by the corners of the polygon, which stand farther out. A radius has to be a
+// multiple of the polygon's, which costs nothing, since the height is free. Inscribed: the tangents
+// are those of a smaller arc about the same centre, and the corners do not stand out of the arc.
+//
+// Which polygon comes next is a choice: fine ones reach farther, coarse ones have fewer facets. All
+// walks that nobody beats in both, facets and how far they have turned, go on to the next ring.
+#include "polytope/ring_walk.h"
+
+#include "ncsim/cda/lattice.h"
+#include "ncsim/trig/angles.h"
+
+#include "polytope/half_plane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+using Vec = HalfPlaneVec;
+
+constexpr double kUpright = 1e-9;
+// A unit, by which heights are rounded, and more than doubles are wrong.
+constexpr double kAlmost = 1 + 1e-6;
+constexpr int kMaxRings = 512;  // of one rounded corner
+
+// A rounded corner: the disc of radius rho about `centre` touches the line along d1 in `start` and
+// the line along d2 in `end`.
+struct Fillet {
+    Vec centre, start, end, d1, d2;
+    double rho = 0.0;
+    double turn_degrees = 0.0;
+};
+
+Fillet fillet_of(Vec before, Vec corner, Vec after, double rho) {
+    Fillet f;
+    f.d1 = unit(corner - before);
+    f.d2 = unit(after - corner);
+    f.rho = rho;
+    f.turn_degrees = trig::angle_of(dot(f.d1, f.d2), cross(f.d1, f.d2));
+    const double leg = rho * cross(f.d1, f.d2) / (1 + dot(f.d1, f.d2));
+    f.start = corner - leg * f.d1;
+    f.end = corner + leg * f.d2;
+    f.centre = f.start + rho * left_of(f.d1);
+    return f;
+}
+
+// In lattice units.
+std::vector<Vec> corners_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
+    std::vector<Vec> points;
+    points.reserve(profile.size());
+    for (const ProfilePoint& p : profile)
+        points.push_back({p.radius / unit_mm, p.height / unit_mm});
+    return points;
+}
+
+// Where discs close the profile, its lines come from the axis.
+Vec before(const std::vector<Vec>& points, std::size_t i) {
+    return i > 0 ? points[i - 1] : Vec{0, points[i].h};
+}
+Vec after(const std::vector<Vec>& points, std::size_t i) {
+    return i + 1 < points.size() ? points[i + 1] : Vec{0, points[i].h};
+}
+
+std::vector<Fillet> fillets_of(const std::vector<ProfilePoint>& profile, double unit_mm) {
+    const std::vector<Vec> points = corners_of(profile, unit_mm);
+    std::vector<Fillet> fillets;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (profile[i].fillet <= 0) continue;
+        fillets.push_back(
+            fillet_of(before(points, i), points[i], after(points, i), profile[i].fillet / unit_mm));
+    }
+    return fillets;
+}
+
+double turned(const Fillet& f, Vec d) {
+    return trig::angle_of(dot(f.d1, d), cross(f.d1, d));
+}
+
+// A walk up to one of its rings.
+struct Step {
+    Ring ring;
+    int before = -1;  // the step under it
+    int facets = 0, corners = 0;
+    double error = 0.0;
+    // Where it is, and on which tangent it goes on (circumscribed); how far around the arc
+    // (inscribed).
+    Vec at, d;
+    double turned = 0.0;
+    bool has_ring = false;
+};
+
+class Walks {
+public:
+    Walks(const std::vector<RingPolygon>& family, Side side, const Play& play, int most_corners)
+        : family_(family),
+          side_(side),
+          most_corners_(most_corners),
+          tolerance_(std::max(play.within, play.beyond)),
+          inset_(play.within > 0 ? play.within - 1 - kAlmost : 0.0),
+          excess_(play.beyond > 0 ? play.beyond - 1 - kAlmost : 0.0),
+          most_common_(std::max<std::int64_t>(1, round_down(tolerance_ / 4))) {
+        const auto& corners = family[0].corners;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto& [x, y] = corners[i];
+            const auto& [u, v] = corners[(i + 1) % corners.size()];
+            longest_ = std::max({longest_, std::abs(u - x), std::abs(v - y)});
+            widest_ = std::max(widest_, std::abs(x * v - y * u));
+        }
+        steps_.emplace_back();
+        here_ = {0};
+    }
+
+    std::optional<RingStack> operator()(const std::vector<ProfilePoint>& profile, double unit_mm) {
+        const std::vector<Vec> points = corners_of(profile, unit_mm);
+        for (std::size_t i = 0; i < profile.size(); ++i) {
+            const Vec from = before(points, i);
+            const Vec to = after(points, i);
+            const Fillet f = fillet_of(from, points[i], to, profile[i].fillet / unit_mm);
+            // Rounding what is straight leaves it straight.
+            constexpr double kStraight = 1e-6;  // degrees
+            if (f.rho <= 0 || !(f.turn_degrees > kStraight)) {
+                add_corner(points[i], from, to, i + 1 == points.size());
+            } else if (outside()) {
+                go_around(f);
+            } else {
+                go_within(f);
+            }
+            if (here_.empty()) return std::nullopt;
+        }
+        const int best = *std::ranges::min_element(here_, [this](int a, int b) {
+            return std::pair(at(a).facets, at(a).error) < std::pair(at(b).facets, at(b).error);
+        });
+        RingStack stack;
+        stack.facets = at(best).facets;
+        stack.corners = at(best).corners;
+        stack.error = at(best).error;
+        for (int i = best; at(i).has_ring; i = at(i).before)
+            stack.rings.push_back(at(i).ring);
+        std::ranges::reverse(stack.rings);
+        return stack;
+    }
+
+private:
+    const Step& at(int i) const { return steps_[static_cast<std::size_t>(i)]; }
+    bool outside() const { return side_ != Side::Inscribed; }
+
+    // Of the circle that has to be right: within the polygon when it stands outside, else around.
+    double radius_of(std::size_t polygon) const {
+        return outside() ? family_[polygon].inner : family_[polygon].outer;
+    }
+    std::int64_t scale_of(double radius, std::size_t polygon) const {
+        const double b = radius_of(polygon);
+        return outside() ? round_up(radius / b) : std::max<std::int64_t>(0, round_down(radius / b));
+    }
+
+    // The height of a ring on top of a narrower one, moved down (up) by less than the second
+    // number, such that normals of the facets between them have kNormalBits. For a side (x, y) of
+    // the polygon, with the area A of its triangle about the axis doubled, a strip k multiples wide
+    // and h high has the normal (y h, -x h, A k): what h and k have in common is divided out.
+    std::pair<std::int64_t, std::int64_t> exact_height(const Step& under, std::int64_t scale,
+                                                       std::int64_t height, bool up) const {
+        const std::int64_t wide = scale - under.ring.scale;
+        const std::int64_t high = height - under.ring.height;
+        if (!under.has_ring || (under.ring.scale > 0 && under.ring.polygon != 0))
+            return {height, 1};
+        if (wide <= 0 || high <= 0) return {height, 1};
+        constexpr std::int64_t kMost = std::int64_t{1} << cda::kNormalBits;
+        for (std::int64_t common = 1; common <= std::min(most_common_, wide); ++common) {
+            if (wide % common != 0) continue;
+            const std::int64_t times = high / common + (up && high % common != 0 ? 1 : 0);
+            if (times < 1) break;
+            if (times <= kMost / longest_ && wide / common <= kMost / widest_)
+                return {under.ring.height + times * common, common};
+        }
+        return {height, 1};
+    }
+
+    // Heights go outwards: down on the lower side of the tool, up at its upper end.
+    int add(int before, std::size_t polygon, std::int64_t scale, double height, bool upper_end,
+            double error) {
+        const Step& under = at(before);
+        const bool up = upper_end == outside();
+        Step step;
+        step.ring = {scale == 0 ? 0 : polygon, scale, up ? round_up(height) : round_down(height)};
+        step.before = before;
+        step.has_ring = true;
+        step.error = std::max(under.error, error);
+        const int sides = family_[polygon].sides;
+        step.corners = under.corners + (scale == 0 ? 1 : sides);
+        step.facets = under.facets;
+        if (under.has_ring) {
+            const int below = family_[under.ring.polygon].sides;
+            step.facets += scale == 0              ? (under.ring.scale == 0 ? 0 : below)
+                           : under.ring.scale == 0 ? sides
+                                                   : facets_between(below, sides);
+        }
+        steps_.push_back(step);
+        return static_cast<int>(steps_.size()) - 1;
+    }
+
+    // What is upright keeps its polygon, so that it is one cylinder.
+    bool may_follow(int before, std::size_t polygon, bool upright) const {
+        const Step& under = at(before);
+        return !upright || !under.has_ring || under.ring.scale == 0 ||
+               under.ring.polygon == polygon;
+    }
+
+    // Of all that end here with the same polygon the cheapest.
+    void arrive(std::vector<int>& there, int step) const {
+        if (at(step).corners > most_corners_) return;
+        for (int& other : there) {
+            if (at(other).ring.polygon != at(step).ring.polygon) continue;
+            if (std::pair(at(step).facets, at(step).error) <
+                std::pair(at(other).facets, at(other).error)) {
+                other = step;
+            }
+            return;
+        }
+        there.push_back(step);
+    }
+
+    // A rim between a cone and a disc: moved to the lattice for the disc, it would draw the cone
+    // in, so that is led to where it is moved the other way. The same where two cones meet.
+    void add_corner(Vec p, Vec before, Vec after, bool upper_end) {
+        constexpr std::size_t kFinest = 0;
+        const std::int64_t scale = scale_of(p.r, kFinest);
+        const auto multiple = static_cast<double>(scale);
+        const double error = 2 + (outside() ? multiple * family_[kFinest].outer - p.r
+                                            : p.r - multiple * family_[kFinest].inner);
+        const bool ends_a_cone = before.r < p.r && before.h < p.h;
+        const bool begins_a_cone = after.r < p.r && after.h > p.h;
+        const bool is_both = upper_end ? ends_a_cone : begins_a_cone;
+        const bool upright = std::abs(p.r - before.r) <= kUpright;
+        std::vector<int> there;
+        for (const int under : here_) {
+            if (scale != 0 && !may_follow(under, kFinest, upright)) continue;
+            const bool is_rim = outside() && is_both;
+            const bool is_upper = upper_end && !is_rim;
+            // Inscribed, an upper end that is moved down would let the cone out.
+            const bool up = is_upper == outside();
+            const auto [height, step] =
+                is_upper ? std::pair{up ? round_up(p.h) : round_down(p.h), std::int64_t{1}}
+                         : exact_height(at(under), scale, up ? round_up(p.h) : round_down(p.h), up);
+            const double off = error + static_cast<double>(step - 1);
+            const int ring = add(under, kFinest, scale, static_cast<double>(height), is_upper, off);
+            const bool is_beyond = is_rim && height < round_up(p.h);
+            arrive(there, is_beyond ? add(ring, kFinest, scale, p.h, true, off) : ring);
+        }
+        here_ = std::move(there);
+    }
+
+    // Walks that go on around the same arc: those that no other beats.
+    struct Front {
+        std::vector<int> steps;
+        bool admit(const Walks& walks, int step) {
+            const Step& a = walks.at(step);
+            if (a.corners > walks.most_corners_) return false;
+            for (const int other : steps) {
+                const Step& b = walks.at(other);
+                if (a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
+                    b.facets <= a.facets && b.turned >= a.turned) {
+                    return false;
+                }
+            }
+            std::erase_if(steps, [&](int other) {
+                const Step& b = walks.at(other);
+                return a.ring.polygon == b.ring.polygon && a.has_ring == b.has_ring &&
+                       a.facets <= b.facets && a.turned >= b.turned;
+            });
+            steps.push_back(step);
+            return true;
+        }
+    };
+
+    // Rings at the same place of different polygons. A copy stands for what comes from below.
+    template <class Next>
+    void walk(const Fillet& f, const Next& next) {
+        std::vector<int> there;
+        std::vector<int> now;
+        for (const int under : here_) {
+            Step start = at(under);
+            start.at = f.start;
+            start.d = f.d1;
+            start.turned = 0.0;
+            steps_.push_back(start);
+            now.push_back(static_cast<int>(steps_.size()) - 1);
+        }
+        Front front;
+        for (int ring = 0; ring < kMaxRings && !now.empty(); ++ring) {
+            Front coming;
+            for (const int step : now) {
+                for (std::size_t polygon = 0; polygon < family_.size(); ++polygon)
+                    next(step, polygon, coming, there);
+            }
+            now.clear();
+            for (const int step : coming.steps) {
+                if (front.admit(*this, step)) now.push_back(step);
+            }
+        }
+        here_ = std::move(there);
+    }
+
+    // How far the farthest corners of a ring stand from the arc.
+    double beyond(const Fillet& f, Vec p, std::size_t polygon) const {
+        const double stretched = p.r * (family_[polygon].outer / family_[polygon].inner);
+        return norm(Vec{stretched, p.h} - f.centre) - f.rho;
+    }
+
+    // As far along the tangent as the corners of the ring may stand out, but not beyond the end.
+    void follow_tangent(const Fillet& f, int step, std::size_t polygon, Front& coming) {
+        const Vec from = at(step).at;
+        const Vec d = at(step).d;
+        const bool upright = std::abs(d.r) <= kUpright;
+        if (!may_follow(step, polygon, upright)) return;
+        const double b = family_[polygon].inner;
+        const double stretch = family_[polygon].outer / b;
+        const double reach = f.rho + excess_;
+        std::int64_t scale = 0;
+        Vec p;
+        if (upright) {
+            // There is one radius only, so the height is free.
+            scale = scale_of(from.r, polygon);
+            p.r = static_cast<double>(scale) * b;
+            const double x = p.r * stretch - f.centre.r;
+            if (x >= reach) return;
+            p.h = f.centre.h + std::sqrt(reach * reach - x * x);
+            // Nor beyond the end, which is not upright.
+            p.h = std::min(p.h, f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h);
+        } else {
+            // (from + t d, stretched) stands at `reach` from the centre.
+            const Vec u{from.r * stretch - f.centre.r, from.h - f.centre.h};
+            const Vec v{d.r * stretch, d.h};
+            const double half = dot(u, v) / dot(v, v);
+            const double under = half * half - (dot(u, u) - reach * reach) / dot(v, v);
+            if (under <= 0) return;
+            const double t = -half + std::sqrt(under);
+            const double end = way_to_end(f, from, d).r;
+            const double radius =
+                d.r > 0 ? std::min(from.r + t * d.r, end) : std::max(from.r + t * d.r, end);
+            if (radius <= 0) return;
+            scale = d.r > 0 ? round_down(radius / b) : round_up(radius / b);
+            if (scale <= 0) return;
+            p.r = static_cast<double>(scale) * b;
+            p.h = from.h + (p.r - from.r) / d.r * d.h;
+        }
+        p.h = outside() ? outward(p.h, d) : inward(p.h, f);
+        // Not beyond where the tangent touches the arc: no step.
+        if (dot(p - f.centre, d) <= 0) return;
+        Vec next = tangent_from(f, p);
+        if (inset_ > 0 && turned(f, next) >= f.turn_degrees) next = unit(f.end - p);  // is nearer
+        const double degrees = turned(f, next);
+        if (degrees <= at(step).turned || degrees >= f.turn_degrees) return;
+        const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
+        if (error > tolerance_) return;
+        const bool is_upper = outside() ? d.r <= kUpright : p.h > f.centre.h;
+        const int ring = add(step, polygon, scale, p.h, is_upper, error);
+        go_on(ring, p, next, degrees);
+        coming.admit(*this, ring);
+    }
+
+    void go_on(int ring, Vec p, Vec d, double degrees) {
+        Step& made = steps_[static_cast<std::size_t>(ring)];
+        made.at = p;
+        made.d = d;
+        made.turned = degrees;
+    }
+
+    static double inward(double height, const Fillet& f) {
+        return static_cast<double>(height > f.centre.h ? round_down(height) : round_up(height));
+    }
+
+    // Where the line from a point meets that along which the profile goes on.
+    static Vec way_to_end(const Fillet& f, Vec from, Vec d) {
+        return from + (cross(f.end - from, f.d2) / cross(d, f.d2)) * d;
+    }
+
+    // Of the arc whose tangents the facets are.
+    double touched_radius(const Fillet& f) const { return std::max(f.rho - inset_, 0.5 * f.rho); }
+
+    // Requires a point that is not within the circle to be touched.
+    Vec tangent_from(const Fillet& f, Vec p) const {
+        const double rho = touched_radius(f);
+        const Vec w = p - f.centre;
+        const double squared = dot(w, w);
+        const double length = std::sqrt(std::max(0.0, squared - rho * rho));
+        return (1 / squared) * (-length * w + rho * left_of(w));
+    }
+
+    // To the lattice, and not inside of a line that a point lies on.
+    static double outward(double height, Vec line) {
+        return static_cast<double>(line.r > kUpright ? round_down(height) : round_up(height));
+    }
+
+    // --- Circumscribed ---
+
+    void go_around(const Fillet& f) {
+        walk(f, [&](int step, std::size_t polygon, Front& coming, std::vector<int>& there) {
+            end_tangents(f, step, polygon, there);
+            follow_tangent(f, step, polygon, coming);
+        });
+    }
+
+    // The last corner must not lie inside the line along d2: where the tool gets narrower it
+    // stands on that line, farther out, else on the tangent, farther on.
+    void end_tangents(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
+        const Vec from = at(step).at;
+        Vec d = at(step).d;
+        Vec meeting = way_to_end(f, from, d);
+        // The tangent of a smaller arc may go on inside of what follows: not beyond where that
+        // begins.
+        if (inset_ > 0 && dot(meeting - f.end, f.d2) > 0) {
+            meeting = f.end;
+            d = unit(f.end - from);
+        }
+        const bool upright = std::abs(f.d2.r) <= kUpright || std::abs(d.r) <= kUpright;
+        if (upright && polygon != 0) return;
+        const double b = family_[polygon].inner;
+        std::int64_t scale = 0;
+        Vec p;
+        if (d.r <= kUpright && f.d2.r < -kUpright) {
+            scale = scale_of(std::clamp(meeting.r, 0.0, from.r), polygon);
+            p.r = static_cast<double>(scale) * b;
+            p.h = f.end.h + (p.r - f.end.r) / f.d2.r * f.d2.h;
+        } else if (std::abs(d.r) <= kUpright) {
+            return;
+        } else {
+            // Once more where its height, moved outwards for the one line, is inside of the other.
+            scale = scale_of(meeting.r, polygon) - 1;
+            do {
+                p.r = static_cast<double>(++scale) * b;
+                p.h = outward(from.h + (p.r - from.r) / d.r * d.h, d);
+            } while (f.d2.r < -kUpright && cross(f.d2, p - f.end) > 0);
+            // As wide as what goes on upright, it may end where that begins: its upper end may be
+            // that of the tool.
+            if (std::abs(f.d2.r) <= kUpright) p.h = std::min(p.h, f.end.h);
+        }
+        if (!may_follow(step, polygon, std::abs(d.r) <= kUpright)) return;
+        const double error = std::max(f.rho - touched_radius(f), beyond(f, p, polygon)) + 1;
+        if (error > tolerance_) return;
+        arrive(there, add(step, polygon, scale, p.h, d.r <= kUpright, error));
+    }
+
+    // --- Inscribed ---
+
+    void go_within(const Fillet& f) {
+        walk(f, [&](int step, std::size_t polygon, Front& coming, std::vector<int>& there) {
+            if (at(step).turned == 0.0) {
+                begin_arc(f, step, polygon, coming);
+                return;
+            }
+            end_arc(f, step, polygon, there);
+            follow_tangent(f, step, polygon, coming);
+        });
+    }
+
+    // Back along d1, so that the lower end stays where it is.
+    void begin_arc(const Fillet& f, int step, std::size_t polygon, Front& coming) {
+        constexpr double kBegun = 1e-12;
+        const std::int64_t scale = scale_of(f.start.r, polygon);
+        if (scale == 0 && polygon != 0) return;
+        const bool upright = std::abs(f.d1.r) <= kUpright;
+        if (!may_follow(step, polygon, upright)) return;
+        const double radius = static_cast<double>(scale) * family_[polygon].outer;
+        const bool moves = f.d1.r > kUpright;
+        const double back = moves ? (f.start.r - radius) / f.d1.r * f.d1.h : 0.0;
+        const double height = inward(f.start.h - back, f);
+        const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
+        const double within = cross(f.d1, side - f.start);
+        if (within + 2 > tolerance_) return;
+        const int ring = add(step, polygon, scale, height, f.start.h > f.centre.h, within + 2);
+        // Small arcs may be lost as a whole.
+        const bool is_near = within <= f.rho - touched_radius(f);
+        const Vec d = is_near ? tangent_from(f, side) : unit(f.end - side);
+        go_on(ring, side, d, std::max(kBegun, turned(f, d)));
+        coming.admit(*this, ring);
+    }
+
+    void end_arc(const Fillet& f, int step, std::size_t polygon, std::vector<int>& there) {
+        const bool upright = std::abs(f.d2.r) <= kUpright;
+        if (upright && polygon != 0) return;
+        const std::int64_t scale = scale_of(f.end.r, polygon);
+        if (scale == 0 && polygon != 0) return;
+        const double radius = static_cast<double>(scale) * family_[polygon].outer;
+        const double x = radius - f.centre.r;
+        const double rise = std::sqrt(std::max(0.0, f.rho * f.rho - x * x));
+        const bool upper = f.end.h > f.centre.h;
+        const double height = inward(upright ? f.end.h : f.centre.h + (upper ? rise : -rise), f);
+        const Vec from = at(step).at;
+        const Vec side{static_cast<double>(scale) * family_[polygon].inner, height};
+        // How far the facets between both rings are from the arc over them.
+        const double depth = f.rho - cross(from - f.centre, unit(side - from));
+        const double error = std::max(depth, std::abs(f.end.r - side.r)) + 2;
+        if (error > tolerance_) return;
+        const double all = std::max(error, f.rho - touched_radius(f) + 2);
+        arrive(there, add(step, polygon, scale, height, upper, all));
+    }
+
+    const std::vector<RingPolygon>& family_;
+    Side side_;
+    int most_corners_;
+    double tolerance_;
+    double inset_;              // how far within the arc facets may lie
+    double excess_;             // how far beyond it corners may
+    std::int64_t most_common_;  // heights are moved by less for normals that fit
+    // Of the finest polygon: of its sides, along an axis; of doubled areas of their triangles
+    // about its middle.
+    std::int64_t longest_ = 1, widest_ = 1;
+    std::vector<Step> steps_;
+    std::vector<int> here_;  // the walks that go on
+};
+
+}  // namespace
+
+std::optional<RingStack> ring_stack(const ToolPiece& piece, const std::vector<RingPolygon>& family,
+                                    Side side, double unit_mm, const Play& play, int most_corners) {
+    return Walks(family, side, play, most_corners)(piece.profile, unit_mm);
+}
+
+double mean_excess(const ToolPiece& piece, const std::vector<RingPolygon>& family,
+                   const std::vector<Ring>& rings, double unit_mm) {
+    constexpr std::size_t kAround = 16;                // of an eighth: the others are its mirrors
+    constexpr int kAlong = 64;                         // of each arc
+    std::vector<std::array<double, kAround>> reaches;  // of the polygons
+    for (const RingPolygon& polygon : family) {
+        auto& reach = reaches.emplace_back();
+        for (std::size_t i = 0; i < kAround; ++i) {
+            const trig::SinCos a = trig::sin_cos((static_cast<double>(i) + 0.5) * 45.0 / kAround);
+            for (const auto& [x, y] : polygon.corners) {
+                reach[i] = std::max(
+                    reach[i], a.cos * static_cast<double>(x) + a.sin * static_cast<double>(y));
+            }
+        }
+    }
+    double sum = 0.0, area = 0.0;
+    for (const Fillet& f : fillets_of(piece.profile, unit_mm)) {
+        const Vec out = -1.0 * left_of(f.d1);
+        for (int k = 0; k < kAlong; ++k) {
+            const trig::SinCos a = trig::sin_cos((k + 0.5) * f.turn_degrees / kAlong);
+            const Vec n = a.cos * out + a.sin * left_of(out);
+            if (n.h >= 0) break;
+            const double seen = n.h * n.h * n.h * n.h;
+            const double weight = seen * f.turn_degrees * f.rho * (f.centre.r + f.rho * n.r);
+            double mean = 0.0;
+            for (std::size_t i = 0; i < kAround; ++i) {
+                double reach = -std::numeric_limits<double>::infinity();
+                for (const Ring& ring : rings) {
+                    reach = std::max(
+                        reach, n.r * static_cast<double>(ring.scale) * reaches[ring.polygon][i] +
+                                   n.h * static_cast<double>(ring.height));
+                }
+                mean += reach / kAround;
+            }
+            sum += weight * (mean - dot(n, f.centre) - f.rho);
+            area += weight;
+        }
+    }
+    return area > 0 ? sum / area : 0.0;
+}
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Outline:
+//  1. Polygons with integer corners around (or in) the circle of integer radius b, and coarser ones
+//  with parallel sides: ring_polygon.h.
+//  2. Every ring of the polytope is a multiple of one of them at an integer height. Strips between
+//  two rings then are trapezoids with parallel sides, exactly flat, and triangles. Which ring
+//  follows which: ring_walk.h.
+//  3. The number of sides and b are chosen for the fewest facets within the tolerance: here.
+#include "ncsim/toolpath/tool_polytope.h"
+
+#include "polytope/half_plane.h"
+#include "polytope/ring_polygon.h"
+#include "polytope/ring_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+using cda::LatticePoint;
+
+constexpr int kMinSides = 16;
+constexpr int kMaxSides = 1024;
+// A tool of more corners would take hours to move, and nobody needs it: a ball of 100 mm within 10
+// µm.
+constexpr int kMaxCorners = 8192;
+
+double largest_radius(const ToolPiece& piece) {
+    double r = 0.0;
+    for (const ProfilePoint& p : piece.profile)
+        r = std::max(r, p.radius);
+    return r;
+}
+
+bool has_fillet(const ToolPiece& piece) {
+    return std::any_of(piece.profile.begin(), piece.profile.end(),
+                       [](const ProfilePoint& p) { return p.fillet > 0; });
+}
+
+// Radii worth trying for the base polygon, for a tool of `radius` units. Where all rings are
+// equal (or points) the radius itself; else its divisors of a size at which neither the rounding of
+// the polygon nor the coarse radii weigh much; where it has none, those that nearly divide it.
+struct BaseCandidates {
+    std::vector<std::int64_t> first;
+    std::vector<std::int64_t> more;  // near divisors of all sizes
+};
+
+// Of a piece with a cone, and one radius but for tips: the largest divisor of the radius for which
+// facets of cones have normals of kNormalBits (exact_height in ring_walk.cpp), so that they meet in
+// their corners exactly. Where there is none that is fine enough, one that divides it but for nine
+// units at most; the radius if that is not to be had, either.
+std::int64_t base_of_cone(const ToolPiece& piece, std::int64_t radius, Side side) {
+    bool has_cone = false;
+    double slope = 1.0;  // of a cone, at least that of its facets' other component
+    for (std::size_t i = 1; i < piece.profile.size(); ++i) {
+        const double wide = piece.profile[i].radius - piece.profile[i - 1].radius;
+        const double high = piece.profile[i].height - piece.profile[i - 1].height;
+        if (!(wide > 0) || !(high > 0)) continue;
+        has_cone = true;
+        slope = std::max(slope, high / wide);
+    }
+    if (!has_cone) return radius;
+    constexpr double kLongestSide = 0.4;  // of kMinSides, in radii
+    constexpr std::int64_t kFineEnough = 1000;
+    const auto most = static_cast<std::int64_t>(
+        std::sqrt(std::ldexp(1.0, cda::kNormalBits) / (kLongestSide * slope)));
+    constexpr std::int64_t kMostOff = 9;
+    std::pair<std::int64_t, std::int64_t> best{kMostOff + 1, radius};
+    for (std::int64_t b = std::min(most, radius - 1); b >= kFineEnough && best.first > 0; --b) {
+        const std::int64_t rest = radius % b;
+        const std::int64_t off = side != Side::Inscribed ? (b - rest) % b : rest;
+        if (off < best.first) best = {off, b};
+    }
+    return best.second;
+}
+
+BaseCandidates base_candidates(const ToolPiece& piece, std::int64_t radius, double unit_mm,
+                               Side side) {
+    bool one_ring = !has_fillet(piece);
+    for (const ProfilePoint& p : piece.profile) {
+        const double r = p.radius / unit_mm;
+        const std::int64_t rounded = side != Side::Inscribed ? round_up(r) : round_down(r);
+        one_ring = one_ring && (rounded == 0 || rounded == radius);
+    }
+    if (one_ring) {
+        const std::int64_t b = base_of_cone(piece, radius, side);
+        return b < radius ? BaseCandidates{{b}, {radius}} : BaseCandidates{{radius}, {}};
+    }
+    const double root = std::sqrt(static_cast<double>(radius));
+    const auto low = std::max<std::int64_t>(1, static_cast<std::int64_t>(root / 2));
+    const auto high = std::max(static_cast<std::int64_t>(root * 2), radius / 200);
+    constexpr std::int64_t kFarthest = std::numeric_limits<std::int64_t>::max();
+    BaseCandidates candidates;
+    std::pair<std::int64_t, std::int64_t> nearest{kFarthest, 1};
+    // Of each size, from `begin` to a third more, one is enough to choose from.
+    std::pair<std::int64_t, std::int64_t> nearest_here{kFarthest, 1};
+    std::int64_t begin = low;
+    const auto end_size = [&] {
+        if (static_cast<double>(nearest_here.first) < root / 2)
+            candidates.more.push_back(nearest_here.second);
+        nearest_here.first = kFarthest;
+    };
+    for (std::int64_t b = low; b <= high; ++b) {
+        if (3 * b >= 4 * begin) {
+            end_size();
+            begin = b;
+        }
+        const std::int64_t rest = radius % b;
+        std::vector<std::int64_t>& exact = candidates.first;
+        if (rest == 0 && (exact.empty() || 3 * b >= 4 * exact.back())) exact.push_back(b);
+        const std::int64_t off = side != Side::Inscribed ? (b - rest) % b : rest;
+        nearest = std::min(nearest, {off, b});
+        nearest_here = std::min(nearest_here, {off, b});
+    }
+    end_size();
+    if (candidates.first.empty()) candidates.first.push_back(nearest.second);
+    return candidates;
+}
+
+std::vector<LatticePoint> points_of(const std::vector<RingPolygon>& family,
+                                    const std::vector<Ring>& rings) {
+    std::vector<LatticePoint> points;
+    for (const Ring& ring : rings) {
+        for (const auto& [x, y] : family[ring.polygon].corners) {
+            points.push_back({ring.scale * x, ring.scale * y, ring.height});
+            if (ring.scale == 0) break;  // a tip is one point
+        }
+    }
+    return points;
+}
+
+// The cheapest stack of rings that is known.
+struct Choice {
+    std::vector<RingPolygon> family;
+    RingStack stack;
+
+    bool is_there() const { return !family.empty(); }
+    int sides() const { return family.front().sides; }
+};
+
+// Tries polygons of all numbers of sides and of some radii.
+class Search {
+public:
+    Search(const ToolPiece& piece, std::int64_t radius, double unit_mm, Side side)
+        : piece_(piece),
+          radius_(static_cast<double>(radius)),
+          unit_mm_(unit_mm),
+          side_(side),
+          is_rounded_(has_fillet(piece)),
+          candidates_(base_candidates(piece, radius, unit_mm, side)) {
+        if (!is_rounded_) return;
+        constexpr std::size_t kEnough = 12;
+        thin_out(candidates_.first, kEnough);
+        thin_out(candidates_.more, kEnough);
+    }
+
+    // Within `tolerance` (lattice units), or as near to it as may be.
+    Choice operator()(double tolerance) {
+        tolerance_ = std::max(tolerance, least_tolerance());
+        // What is too fine for the lattice, or would take too many corners, is tried with less.
+        constexpr double kCoarser = 1.2;
+        constexpr std::size_t kFew = 4;
+        for (;; tolerance_ *= kCoarser) {
+            if (is_rounded_ && tolerance_ > tolerance) {
+                thin_out(candidates_.first, kFew);
+                thin_out(candidates_.more, kFew);
+            }
+            try_all(candidates_.first);
+            // All divisors of the largest radius may be too coarse for the others.
+            if (!is_met()) try_all(candidates_.more);
+            if (best_.is_there() && (is_met() || !is_rounded_)) break;
+            if (tolerance_ > radius_) break;
+        }
+        if (is_rounded_ && best_.is_there()) even_out();
+        if (is_rounded_ && best_.is_there() && side_ == Side::Fair) balance();
+        return std::move(best_);
+    }
+
+private:
+    // Heights are free, so that a choice of some sizes is enough.
+    static void thin_out(std::vector<std::int64_t>& radii, std::size_t enough) {
+        while (radii.size() > enough) {
+            std::size_t kept = 0;
+            for (std::size_t i = 1; i < radii.size(); i += 2)
+                radii[kept++] = radii[i];
+            radii.resize(kept);
+        }
+    }
+
+    bool is_met() const { return best_.is_there() && best_.stack.error <= tolerance_; }
+
+    int cost(const RingStack& stack) const { return is_rounded_ ? stack.facets : stack.corners; }
+
+    void try_all(const std::vector<std::int64_t>& radii) {
+        // Where there are many more sides than are needed, strips are too narrow.
+        const int most =
+            is_rounded_ ? std::min(kMaxSides, 2 * least_sides() + kMinSides) : kMaxSides;
+        for (int sides = kMinSides; sides <= most; sides += step_after(sides)) {
+            // With that many sides, even one ring more than the tips is dearer than the best.
+            if (is_met() && (is_rounded_ ? 1 : 2) * sides > cost(best_.stack)) break;
+            const std::vector<double> cosines = corner_cosines(sides);
+            for (const std::int64_t b : radii) {
+                const RingPolygon finest = ring_polygon(b, cosines, side_);
+                const double azimuth = side_ != Side::Inscribed
+                                           ? finest.outer / static_cast<double>(b) - 1
+                                           : 1 - finest.inner / static_cast<double>(b);
+                const bool is_last = sides == kMaxSides && !is_rounded_;
+                if (azimuth * radius_ > tolerance_ && !is_last) continue;
+                std::vector<RingPolygon> family{finest};
+                if (is_rounded_) family = with_coarser(finest);
+                auto stack =
+                    ring_stack(piece_, family, side_, unit_mm_, play(tolerance_), kMaxCorners);
+                if (stack) consider(std::move(family), std::move(*stack));
+            }
+        }
+    }
+
+    // Where there are many, those that can be halved several times are enough.
+    int step_after(int sides) const {
+        if (!is_rounded_ || sides < 64) return 4;
+        return sides < 128 ? 8 : 16;
+    }
+
+    // What would take all corners if rings were as far apart, and had as few sides, as each alone
+    // may.
+    double least_tolerance() const {
+        double tolerance = 1.0;
+        for (const ProfilePoint& p : piece_.profile) {
+            constexpr double kTurn = std::numbers::pi / 2;
+            const double mean = std::sqrt(p.fillet / unit_mm_ * radius_);
+            tolerance = std::max(tolerance, std::numbers::pi / 4 * kTurn * mean / kMaxCorners);
+        }
+        return tolerance;
+    }
+
+    // r(1/cos x - 1) ~ r x²/2 with x = 180°/k.
+    int least_sides() const {
+        const double sides = std::numbers::pi / std::sqrt(2 * tolerance_ / radius_);
+        return static_cast<int>(std::min<double>(kMaxSides, std::ceil(sides)));
+    }
+
+    void consider(std::vector<RingPolygon> family, RingStack stack) {
+        const bool is_better =
+            stack.error <= tolerance_
+                ? !is_met() || std::pair(cost(stack), stack.error) <
+                                   std::pair(cost(best_.stack), best_.stack.error)
+                : !best_.is_there() || stack.error < best_.stack.error;
+        if (is_better) best_ = {std::move(family), std::move(stack)};
+    }
+
+    // The strips as wide as each other: the smallest error that costs no more.
+    void even_out() {
+        constexpr int kHalvings = 8;
+        double low = 0.0;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = (low + best_.stack.error) / 2;
+            auto stack =
+                ring_stack(piece_, best_.family, side_, unit_mm_, play(middle), kMaxCorners);
+            if (stack && stack->error < best_.stack.error && stack->facets <= best_.stack.facets) {
+                best_.stack = std::move(*stack);
+            } else {
+                low = middle;
+            }
+        }
+    }
+
+    // Over squares on a sphere, the corners of which stand out by a third of how deep the squares
+    // lie from corner to middle, the polytope reaches as far as the ball on average.
+    Play play(double tolerance) const {
+        switch (side_) {
+            case Side::Circumscribed: return {0.0, tolerance};
+            case Side::Inscribed: return {tolerance, 0.0};
+            case Side::Fair: break;
+        }
+        return {tolerance, 0.5 * tolerance};
+    }
+
+    // Which share of the depth of its facets the corners of a fair tool stand out: the bias grows
+    // with that. Radii and heights come in steps, so other depths may hit better, some with more
+    // facets.
+    void balance() {
+        constexpr double kShallower = 0.97;
+        constexpr int kDepths = 8;
+        const int few = best_.stack.facets;
+        double depth = 1.5 * best_.stack.error;
+        double bias = std::abs(bias_of(best_.stack, depth));
+        for (int i = 0; i < kDepths; ++i, depth *= kShallower) {
+            // A thirtieth more is as good.
+            if (is_balanced(bias) && best_.stack.facets <= few + few / 32) break;
+            balance(depth, few + few / 4, bias);
+        }
+    }
+
+    // A part that is cut by passes without a distance between them would end where the corners
+    // reach. As far apart as they are, ridges are left between, since facets meet in edges: for
+    // passes of a tenth to twice the tool's radius, measured, a fifth of the depth more or less.
+    double bias_of(const RingStack& stack, double depth) const {
+        constexpr double kRidges = 0.2;
+        return mean_excess(piece_, best_.family, stack.rings, unit_mm_) - kRidges * depth;
+    }
+
+    bool is_balanced(double bias) const { return bias <= 0.01 * tolerance_; }
+
+    void balance(double depth, int most, double& bias) {
+        constexpr int kHalvings = 10;
+        double low = 0.1, high = 0.9;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double share = (low + high) / 2;
+            const Play play{(1 - share) * depth, share * depth};
+            auto stack = ring_stack(piece_, best_.family, side_, unit_mm_, play, kMaxCorners);
+            if (!stack) {
+                low = share;
+                continue;
+            }
+            const double mean = bias_of(*stack, depth);
+            (mean > 0 ? high : low) = share;
+            if (stack->error > tolerance_ || stack->facets > most) continue;
+            const bool is_better = is_balanced(bias) ? is_balanced(std::abs(mean)) &&
+                                                           stack->facets < best_.stack.facets
+                                                     : std::abs(mean) < bias;
+            if (!is_better) continue;
+            bias = std::abs(mean);
+            best_.stack = std::move(*stack);
+        }
+    }
+
+    const ToolPiece& piece_;
+    double radius_;
+    double unit_mm_;
+    Side side_;
+    bool is_rounded_;
+    BaseCandidates candidates_;
+    double tolerance_ = 0.0;
+    Choice best_;
+};
+
+}  // namespace
+
+PiecePolytope approximate(const ToolPiece& piece, const cda::Lattice& lattice,
+                          const ToolAccuracy& accuracy) {
+    PiecePolytope polytope;
+    polytope.cutting = piece.cutting;
+    const double u = lattice.unit_mm;
+    const double exact_radius = largest_radius(piece) / u;
+    const std::int64_t radius =
+        accuracy.side != Side::Inscribed ? round_up(exact_radius) : round_down(exact_radius);
+    if (piece.profile.empty() || radius < 1) return polytope;
+    const Choice best = Search(piece, radius, u, accuracy.side)(accuracy.tolerance_mm / u);
+    if (!best.is_there()) return polytope;
+    polytope.sides = best.sides();
+    polytope.error_mm = best.stack.error * u;
+    polytope.points_T = points_of(best.family, best.stack.rings);
+    return polytope;
+}
+
+PiecePolytope approximate_above(const ToolPiece& below, const ToolPiece& piece,
+                                const cda::Lattice& lattice, const ToolAccuracy& accuracy) {
+    const auto as_thick = [&](const ProfilePoint& p) {
+        return p.fillet == 0.0 && !below.profile.empty() && p.radius == below.profile.back().radius;
+    };
+    const bool goes_on = !piece.profile.empty() && std::ranges::all_of(piece.profile, as_thick) &&
+                         below.profile.back().fillet == 0.0;
+    PiecePolytope polytope = approximate(goes_on ? below : piece, lattice, accuracy);
+    if (!goes_on || polytope.points_T.empty()) return polytope;
+    const std::int64_t top =
+        std::ranges::max(polytope.points_T, {}, [](const LatticePoint& p) { return p.z; }).z;
+    std::erase_if(polytope.points_T, [top](const LatticePoint& p) { return p.z != top; });
+    const bool outside = accuracy.side != Side::Inscribed;
+    const double low = piece.profile.front().height / lattice.unit_mm;
+    const double high = piece.profile.back().height / lattice.unit_mm;
+    const std::vector<LatticePoint> ring = polytope.points_T;
+    for (LatticePoint& p : polytope.points_T)
+        p.z = outside ? round_down(low) : round_up(low);
+    for (LatticePoint p : ring) {
+        p.z = outside ? round_up(high) : round_down(high);
+        polytope.points_T.push_back(p);
+    }
+    polytope.cutting = piece.cutting;
+    return polytope;
+}
+
+}  // namespace ncsim::toolpath

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/toolpath/tool_spec.h"
+
+#include "tools/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+// What the tool most probably is: what is said first, else what follows from its numbers.
+ToolKind kind_of(const ToolSpec& spec) {
+    if (spec.kind) return *spec.kind;
+    if (spec.taper && *spec.taper > 0) return ToolKind::TaperedEndMill;
+    if (spec.angle) return ToolKind::VCutter;
+    const double radius = spec.corner_radius.value_or(0.0);
+    if (radius <= 0.0 || !spec.diameter) return ToolKind::FlatEndMill;
+    // CAM systems print radii rounded to a few digits.
+    return radius >= 0.49 * *spec.diameter ? ToolKind::BallEndMill : ToolKind::BullNoseEndMill;
+}
+
+// Of a dovetail mill that does not tell it: 60 degrees between floor and flank.
+constexpr double kDovetailTaper = 30.0;
+// Of undercutting mills that tell no neck, over their diameter.
+constexpr double kNeck = 0.6;
+
+// Cones for engraving are sold by their angle and their tip, on a shank of an eighth of an inch.
+constexpr double kEngraverShank = 3.175;
+
+double diameter_of(const ToolSpec& spec) {
+    if (spec.diameter) return *spec.diameter;
+    return spec.tip_diameter ? std::max(kEngraverShank, 2 * *spec.tip_diameter) : 0.0;
+}
+
+// The length of the cutting part where nobody tells it.
+double length_of(const ToolSpec& spec, ToolKind kind, double assumed) {
+    if (spec.length) return *spec.length;
+    const double d = diameter_of(spec);
+    if (kind == ToolKind::LollipopMill) return d;
+    // The wider a disc is, the more it would cut away.
+    if (kind == ToolKind::SlotMill) return 0.25 * d;
+    if (kind == ToolKind::DovetailMill) return 0.5 * d;
+    return spec.stick_out ? std::min(assumed, *spec.stick_out) : assumed;
+}
+
+std::optional<double> neck_of(const ToolSpec& spec, ToolKind kind) {
+    if (spec.neck_diameter) return spec.neck_diameter;
+    const double d = diameter_of(spec);
+    if (!is_undercutting(kind) || !spec.shaft.empty()) return std::nullopt;
+    if (spec.shank_diameter && *spec.shank_diameter < d) return std::nullopt;  // it is the neck
+    return kNeck * d;
+}
+
+void add_assembly(Tool& tool, const ToolSpec& spec) {
+    const double flutes = height_of(tool);
+    const auto add = [&tool](const ToolSegment& s) {
+        if (s.height > 0) add_holder_segment(tool, s.lower_diameter, s.upper_diameter, s.height);
+    };
+    for (const ToolSegment& segment : spec.shaft)
+        add(segment);
+    const double reach = spec.stick_out.value_or(0.0);
+    if (spec.shaft.empty()) {
+        if (const auto neck = neck_of(spec, tool.kind)) {
+            double length = spec.neck_length.value_or(0.0);
+            if (!spec.neck_length && !spec.shank_diameter)
+                length = std::max(reach - flutes, 3 * *neck);
+            if (!spec.neck_length && spec.shank_diameter) length = *neck;
+            add({*neck, *neck, length});
+            tool.pieces.back().assumed = !spec.neck_diameter;
+        }
+        if (spec.shank_diameter) {
+            constexpr double kShown = 3.0;  // diameters, where nobody tells how long it is
+            const bool ends = spec.stick_out || !spec.holder.empty();
+            const double rest = ends ? reach - height_of(tool) : kShown * *spec.shank_diameter;
+            add({*spec.shank_diameter, *spec.shank_diameter, spec.shank_length.value_or(rest)});
+        }
+    }
+    if (spec.holder.empty()) return;
+    // What is between: thinner than nobody knows, so as thick as what is below.
+    if (const double gap = reach - height_of(tool); gap > 0) {
+        const double d = 2 * tool.pieces.back().profile.back().radius;
+        add({d, d, gap});
+        tool.pieces.back().assumed = true;
+    }
+    for (const ToolSegment& segment : spec.holder) {
+        add(segment);
+        // Without a stick-out it begins as low as it can be.
+        tool.pieces.back().assumed = !spec.stick_out && spec.shaft.empty() && !spec.shank_length;
+    }
+}
+
+double angle_of(const ToolSpec& spec, ToolKind kind) {
+    return spec.angle.value_or(kind == ToolKind::Drill ? 118.0 : 90.0);
+}
+
+Tool shaped(const ToolSpec& spec, double length) {
+    const double d = diameter_of(spec);
+    const double corner = spec.corner_radius.value_or(0.0);
+    const ToolKind kind = kind_of(spec);
+    switch (kind) {
+        case ToolKind::FaceMill:
+            if (corner > 0) {
+                Tool tool = bull_nose_end_mill(d, corner, length);
+                tool.kind = ToolKind::FaceMill;
+                return tool;
+            }
+            return face_mill(d, length);
+        case ToolKind::BallEndMill: return ball_end_mill(d, length);
+        case ToolKind::BullNoseEndMill: return bull_nose_end_mill(d, corner, length);
+        case ToolKind::VCutter:
+            return v_cutter(d, spec.tip_diameter.value_or(0.0), angle_of(spec, kind), length);
+        case ToolKind::Drill: return drill(d, angle_of(spec, kind), length);
+        case ToolKind::TaperedEndMill:
+            return tapered_end_mill(d, corner, spec.taper.value_or(0.0), length);
+        case ToolKind::SlotMill: return slot_mill(d, corner, length);
+        case ToolKind::DovetailMill:
+            return dovetail_mill(d, spec.taper.value_or(kDovetailTaper), length);
+        case ToolKind::LollipopMill: return lollipop_mill(d);
+        case ToolKind::FlatEndMill:
+        case ToolKind::Other: break;
+    }
+    return corner > 0 ? bull_nose_end_mill(d, corner, length) : flat_end_mill(d, length);
+}
+
+}  // namespace
+
+bool is_complete(const ToolSpec& spec) {
+    if (!spec.pieces.empty()) return true;
+    if (!spec.diameter && kind_of(spec) != ToolKind::VCutter) return false;
+    return text::is_sane_length(diameter_of(spec));
+}
+
+Tool make_tool(const ToolSpec& spec, double assumed_length) {
+    Tool tool;
+    if (spec.pieces.empty()) {
+        tool = shaped(spec, length_of(spec, kind_of(spec), assumed_length));
+        // What of the flutes is in the holder does not cut.
+        const double reach = spec.stick_out.value_or(height_of(tool));
+        if (reach < height_of(tool)) {
+            for (ToolPiece& piece : tool.pieces)
+                piece = slice(piece, 0.0, reach);
+            std::erase_if(tool.pieces, [](const ToolPiece& p) { return p.profile.empty(); });
+        }
+        add_assembly(tool, spec);
+    } else {
+        tool.kind = spec.kind.value_or(ToolKind::Other);
+        tool.pieces = spec.pieces;
+    }
+    tool.number = spec.number;
+    tool.description = spec.description;
+    return tool;
+}
+
+ToolSpec filled(const ToolSpec& spec, double assumed_length) {
+    ToolSpec result = spec;
+    if (!spec.pieces.empty()) return result;
+    result.kind = kind_of(spec);
+    if (!spec.diameter) result.diameter = diameter_of(spec);
+    if (*result.kind == ToolKind::Drill || *result.kind == ToolKind::VCutter) {
+        result.angle = angle_of(spec, *result.kind);
+    }
+    if (!spec.length) result.length = length_of(spec, *result.kind, assumed_length);
+    return result;
+}
+
+bool guesses_shape(const ToolSpec& spec) {
+    if (!spec.pieces.empty()) return false;
+    const ToolKind kind = kind_of(spec);
+    switch (kind) {
+        case ToolKind::VCutter: return !spec.angle || !spec.diameter;
+        case ToolKind::TaperedEndMill: return !spec.taper;
+        case ToolKind::SlotMill: return !spec.length;
+        case ToolKind::DovetailMill: return !spec.length || !spec.taper;
+        case ToolKind::Other: return true;
+        default: break;
+    }
+    // A radius tells a kind, too.
+    return !spec.kind && spec.corner_radius.value_or(0.0) <= 0.0;
+}
+
+namespace {
+
+// A tool put together by hand is told with all that is worth telling.
+bool has_body(const std::vector<ToolPiece>& pieces) {
+    return std::ranges::any_of(pieces, [](const ToolPiece& p) { return !p.cutting; });
+}
+
+}  // namespace
+
+bool tells_shank(const ToolSpec& spec) {
+    return spec.shank_diameter || spec.neck_diameter || !spec.shaft.empty() ||
+           has_body(spec.pieces);
+}
+
+bool tells_holder(const ToolSpec& spec) {
+    return !spec.holder.empty() || has_body(spec.pieces);
+}
+
+double least_flute_length(const Tool& tool) {
+    const double d = cutting_diameter_of(tool);
+    double cone = 0.0;  // how high the shaped end is
+    for (const ToolPiece& piece : tool.pieces) {
+        const auto widest = std::ranges::find_if(
+            piece.profile, [&](const ProfilePoint& p) { return 2 * p.radius >= d; });
+        if (piece.cutting && widest != piece.profile.end())
+            cone = std::max(cone, widest->height + widest->fillet);
+    }
+    switch (tool.kind) {
+        case ToolKind::FaceMill: return std::max(cone, 0.1 * d);
+        case ToolKind::Drill: return cone + 3 * d;
+        case ToolKind::VCutter:
+        case ToolKind::TaperedEndMill: return cone;
+        case ToolKind::SlotMill:
+        case ToolKind::DovetailMill:
+        case ToolKind::LollipopMill: return cutting_height_of(tool);
+        case ToolKind::FlatEndMill:
+        case ToolKind::BallEndMill:
+        case ToolKind::BullNoseEndMill:
+        case ToolKind::Other: break;
+    }
+    return std::max(cone, 1.25 * d);
+}
+
+std::string filled_in(const ToolSpec& spec, double assumed_length) {
+    if (!spec.pieces.empty()) return {};
+    std::string result;
+    const auto add = [&result](const std::string& what) {
+        result += (result.empty() ? "" : ", ") + what;
+    };
+    const ToolKind kind = kind_of(spec);
+    if (!spec.kind) add("kind " + std::string(name_of(kind)));
+    if (!spec.diameter) add("diameter " + text::number(diameter_of(spec)) + " mm");
+    if (kind == ToolKind::Other) add("the shape of a flat end mill");
+    if ((kind == ToolKind::Drill || kind == ToolKind::VCutter) && !spec.angle) {
+        add("angle " + text::number(angle_of(spec, kind)) + " deg");
+    }
+    if (kind == ToolKind::DovetailMill && !spec.taper)
+        add("taper " + text::number(kDovetailTaper) + " deg");
+    if (!spec.length && kind != ToolKind::LollipopMill)
+        add("length " + text::number(length_of(spec, kind, assumed_length)) + " mm");
+    if (const auto neck = neck_of(spec, kind); neck && !spec.neck_diameter)
+        add("neck " + text::number(*neck) + " mm");
+    return result;
+}
+
+std::string describe(const Tool& tool) {
+    std::string line(name_of(tool.kind));
+    line += " D" + text::number(cutting_diameter_of(tool));
+    const ToolPiece* tip = tool.pieces.empty() ? nullptr : &tool.pieces.front();
+    if (tip && tool.kind != ToolKind::BallEndMill && tool.kind != ToolKind::LollipopMill &&
+        tip->profile.front().fillet > 0) {
+        line += " R" + text::number(tip->profile.front().fillet);
+    }
+    line += " L" + text::number(cutting_height_of(tool));
+    double height = cutting_height_of(tool);
+    for (const ToolPiece& piece : tool.pieces) {
+        if (piece.cutting || piece.profile.back().height <= height) continue;
+        const double lower = 2 * piece.profile.front().radius;
+        const double upper = 2 * piece.profile.back().radius;
+        height = piece.profile.back().height;
+        line.append(", D").append(text::number(lower));
+        if (upper != lower) line.append("-").append(text::number(upper));
+        line.append(" to ").append(text::number(height));
+    }
+    return line;
+}
+
+namespace {
+
+// The parts of --tool behind its number.
+class OptionReader {
+public:
+    explicit OptionReader(ToolSpec& spec) : spec_(spec) {}
+
+    // Why it is none; empty: it was read.
+    std::string read(std::string_view part) {
+        static constexpr std::pair<std::string_view, ToolKind> kKinds[] = {
+            {"FLAT", ToolKind::FlatEndMill},
+            {"BALL", ToolKind::BallEndMill},
+            {"BULL", ToolKind::BullNoseEndMill},
+            {"FACE", ToolKind::FaceMill},
+            {"V", ToolKind::VCutter},
+            {"CHAMFER", ToolKind::VCutter},
+            {"DRILL", ToolKind::Drill},
+            {"TAPER", ToolKind::TaperedEndMill},
+            {"SLOT", ToolKind::SlotMill},
+            {"DOVETAIL", ToolKind::DovetailMill},
+            {"LOLLIPOP", ToolKind::LollipopMill}};
+        const auto* kind = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                        [part](const auto& k) { return k.first == part; });
+        if (kind != std::end(kKinds)) {
+            spec_.kind = kind->second;
+            return {};
+        }
+        if (!part.empty() && part.front() == 'H') return read_holder(part);
+        std::size_t at = 1;
+        const auto value = part.empty() ? std::nullopt : number_at(part, at);
+        if (!value || (at != part.size() && part.front() != 'S' && part.front() != 'N')) {
+            return std::string(part).append(
+                " is neither a kind of tool (flat, ball, bull, face, v, chamfer, drill, taper, "
+                "slot, "
+                "dovetail, lollipop) nor a value (D, R, L, A, P, N, S, E, H)");
+        }
+        switch (part.front()) {
+            case 'D': spec_.diameter = value; break;
+            case 'R': spec_.corner_radius = value; break;
+            case 'L': spec_.length = value; break;
+            case 'P': spec_.tip_diameter = value; break;
+            case 'E': spec_.stick_out = value; break;
+            case 'S': return read_step(part, at, *value, spec_.shank_diameter, spec_.shank_length);
+            case 'N': return read_step(part, at, *value, spec_.neck_diameter, spec_.neck_length);
+            case 'A': return read_angle(*value);
+            default:
+                return std::string(part).append(" starts with none of D, R, L, A, P, N, S, E, H");
+        }
+        return {};
+    }
+
+private:
+    // Millimetres; `at` moves behind the number and its unit.
+    static std::optional<double> number_at(std::string_view part, std::size_t& at) {
+        const auto q = text::quantity_at(part, at);
+        if (!q || q->begin != at || q->value < 0) return std::nullopt;
+        at = q->end;
+        return q->unit == text::Unit::Inch || q->is_fraction ? 25.4 * q->value : q->value;
+    }
+
+    std::string read_angle(double degrees) {
+        const bool per_side =
+            spec_.kind == ToolKind::TaperedEndMill || spec_.kind == ToolKind::DovetailMill;
+        if (per_side && degrees > 80) return "a flank opens by 80 degrees per side at most";
+        if (!per_side && (degrees < 1 || degrees > 179))
+            return "an angle is between 1 and 179 degrees";
+        (per_side ? spec_.taper : spec_.angle) = degrees;
+        return {};
+    }
+
+    // S12, S12x30
+    static std::string read_step(std::string_view part, std::size_t at, double diameter,
+                                 std::optional<double>& into, std::optional<double>& length) {
+        into = diameter;
+        if (at == part.size()) return {};
+        if (part[at++] == 'X') length = number_at(part, at);
+        if (length && at == part.size()) return {};
+        return std::string(part).append(
+            ": expected a diameter, or diameter x length, as in S12x30");
+    }
+
+    // H28x15,40x25 or H20-32x10
+    std::string read_holder(std::string_view part) {
+        for (std::string_view step : text::split(part.substr(1), ',')) {
+            step = text::trimmed(step);
+            std::size_t at = 0;
+            ToolSegment segment;
+            const auto lower = number_at(step, at);
+            auto upper = lower;
+            if (lower && at < step.size() && step[at] == '-') upper = number_at(step, ++at);
+            std::optional<double> height;
+            if (upper && at < step.size() && step[at] == 'X') height = number_at(step, ++at);
+            if (!height || at != step.size() || *height <= 0) {
+                return std::string(part).append(
+                    ": expected diameter x height, or lower-upper x height, from below upwards, as "
+                    "in H28x15,28-40x25");
+            }
+            segment = {*lower, *upper, *height};
+            spec_.holder.push_back(segment);
+        }
+        return {};
+    }
+
+    ToolSpec& spec_;
+};
+
+}  // namespace
+
+std::optional<ToolSpec> parse_tool_option(std::string_view option, std::string& message) {
+    const std::string upper = text::upper(option);
+    const std::string_view s = upper;
+    const auto refuse = [&](std::string_view why) {
+        message = text::quoted(option) + ": ";
+        message += why;
+        return std::nullopt;
+    };
+    const std::size_t equals = s.find('=');
+    std::string_view number = text::trimmed(s.substr(0, equals));
+    if (!number.empty() && number.front() == 'T') number.remove_prefix(1);
+    const auto tool = text::quantity_at(number, 0);
+    if (equals == std::string_view::npos || !tool || tool->end != number.size() ||
+        tool->value < 1 || tool->value > 99999999 || tool->value != std::floor(tool->value)) {
+        return refuse("expected a tool number first, as in T1=flat:D10:L40");
+    }
+    ToolSpec spec;
+    spec.number = static_cast<int>(tool->value);
+    spec.description = std::string(text::trimmed(option.substr(equals + 1)));
+    OptionReader reader(spec);
+    for (const std::string_view part : text::split(s.substr(equals + 1), ':')) {
+        const std::string why = reader.read(text::trimmed(part));
+        if (!why.empty()) return refuse(why);
+    }
+    if (!is_complete(spec))
+        return refuse("a tool needs a diameter, as in D10, between 1 nm and 1 km");
+    for (const auto& length : {spec.length, spec.shank_diameter, spec.shank_length,
+                               spec.neck_diameter, spec.neck_length, spec.stick_out}) {
+        if (length && !text::is_sane_length(*length))
+            return refuse("a length of that size is no tool's");
+    }
+    for (const ToolSegment& segment : spec.holder) {
+        if (!text::is_sane_length(std::max(segment.lower_diameter, segment.upper_diameter)) ||
+            !text::is_sane_length(segment.height)) {
+            return refuse("a length of that size is no holder's");
+        }
+    }
+    return spec;
+}
+
+}  // namespace ncsim::toolpath

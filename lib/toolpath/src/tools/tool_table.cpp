@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One pass over the blocks collects remarks in order, tool calls, and units; then every remark is
+// given its tool and its unit.
+#include "ncsim/toolpath/tool_table.h"
+
+#include "ncsim/gcode/parser.h"
+
+#include "tools/messages.h"
+#include "tools/text.h"
+#include "tools/tool_comment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace ncsim::toolpath {
+
+namespace {
+
+using gcode::Block;
+using text::Unit;
+
+struct PlacedRemark {
+    ToolRemark remark;
+    gcode::SourceSpan span;
+    std::string text;
+    int owner = 0;  // a tool number, 0: none yet
+};
+
+bool is_word(const gcode::Word& word, char letter, double number) {
+    return word.letter == letter && word.literal && !word.comma && word.number == number;
+}
+
+bool is_move(const Block& block) {
+    return std::any_of(block.words.begin(), block.words.end(), [](const gcode::Word& w) {
+        return w.letter == 'X' || w.letter == 'Y' || w.letter == 'Z';
+    });
+}
+
+void scale(ToolSpec& spec, double factor) {
+    for (auto* length : {&spec.diameter, &spec.corner_radius, &spec.tip_diameter, &spec.length,
+                         &spec.neck_diameter, &spec.neck_length, &spec.shank_diameter,
+                         &spec.shank_length, &spec.stick_out}) {
+        if (*length) **length *= factor;
+    }
+    for (ToolPiece& piece : spec.pieces) {
+        for (ProfilePoint& p : piece.profile) {
+            p.radius *= factor, p.height *= factor, p.fillet *= factor;
+        }
+    }
+}
+
+class NoteReader {
+public:
+    explicit NoteReader(bool default_inches)
+        : inches_(default_inches), inches_first_(default_inches) {}
+
+    void read(const Block& block) {
+        if (!block.words.empty()) in_list_ = false;  // lists stand in lines of their own
+        for (const gcode::Comment& comment : block.comments)
+            read(comment);
+        for (const gcode::Word& word : block.words) {
+            if (is_word(word, 'G', 20) || is_word(word, 'G', 21)) set_units(word.number == 20);
+            if (word.letter == 'T' && word.literal && word.number >= 1 && word.number < 1e8) {
+                call_tool(static_cast<int>(word.number));
+            }
+        }
+        if (is_move(block)) end_waiting();
+    }
+
+    ProgramNotes finish() {
+        end_waiting();
+        place_listed();
+        for (PlacedRemark& placed : remarks_)
+            keep(placed);
+        if (block_) {
+            const auto in_mm = [this](const Triple& t) {
+                return factor(t.unit, inches_first_) * t.value;
+            };
+            const cda::Vec3 size = in_mm(block_->first);
+            const cda::Vec3 min = cda::Vec3{} - in_mm(block_->second);
+            set_stock({min, min + size}, block_span_, block_text_);
+        } else if (min_ && max_) {
+            cda::Box box;
+            box.add(factor(min_->unit, inches_first_) * min_->value);
+            box.add(factor(max_->unit, inches_first_) * max_->value);
+            set_stock(box, block_span_, block_text_);
+        } else if (size_ && !size_is_elsewhere_) {
+            // Vectric's usual zero, unless it says another: the lower left corner, on top.
+            const cda::Vec3 size = factor(size_->unit, inches_first_) * size_->value;
+            cda::Vec3 min{-(zero_xy_.x + 1) / 2 * size.x, -(zero_xy_.y + 1) / 2 * size.y,
+                          zero_at_bed_ ? 0.0 : -size.z};
+            set_stock({min, min + size}, block_span_, block_text_);
+            if (notes_.stock) notes_.stock->place_assumed = !zero_told_;
+        }
+        if (start_) notes_.start = factor(start_->unit, inches_first_) * start_->value;
+        return std::move(notes_);
+    }
+
+private:
+    static double factor(Unit unit, bool inches) {
+        const bool is_inch = unit == Unit::None ? inches : unit == Unit::Inch;
+        return is_inch ? 25.4 : 1.0;
+    }
+
+    void read(const gcode::Comment& comment) {
+        const bool after_heading = std::exchange(size_expected_, false);
+        if (after_heading) {
+            if (const auto size = read_size_remark(comment.text)) {
+                StockRemark remark;
+                remark.what = StockRemark::What::Size;
+                remark.first = *size;
+                return take_stock(remark, comment);
+            }
+        }
+        const std::string heading = text::upper(text::trimmed(comment.text));
+        if (heading == "REQUIRED TOOLS:") {
+            in_list_ = true;
+            return;
+        }
+        // Nested parentheses come as one comment; the inner pair may be the remark.
+        if (auto stock = read_stock_remark(comment.text)) {
+            take_stock(*stock, comment);
+        } else if (const auto keyed = read_keyed_remark(comment.text)) {
+            take_keyed(*keyed, comment);
+        } else if (auto tool = read_tool_remark(comment.text)) {
+            PlacedRemark placed{std::move(*tool), comment.span, std::string(comment.text), 0};
+            placed.owner = placed.remark.spec.number;
+            if (placed.owner == 0 && in_list_) {
+                listed_.push_back(std::move(placed));
+                return;
+            }
+            if (placed.owner == 0) waiting_.push_back(remarks_.size());
+            remarks_.push_back(std::move(placed));
+        }
+    }
+
+    // PowerMill: one thing a comment. A key that comes again speaks of another tool.
+    void take_keyed(const KeyedRemark& keyed, const gcode::Comment& comment) {
+        using Key = KeyedRemark::Key;
+        const unsigned bit = 1U << static_cast<unsigned>(keyed.key);
+        if ((keys_seen_ & bit) != 0) end_keyed();
+        if (keys_seen_ == 0) keyed_ = {ToolRemark{}, comment.span, std::string(comment.text), 0};
+        keys_seen_ |= bit;
+        ToolSpec& spec = keyed_.remark.spec;
+        switch (keyed.key) {
+            case Key::ToolNumber:
+                if (keyed.value >= 1 && keyed.value < 1e8) {
+                    spec.number = static_cast<int>(keyed.value);
+                }
+                break;
+            case Key::Diameter:
+                if (keyed.value > 0) spec.diameter = keyed.value;
+                keyed_.remark.unit = keyed.unit;
+                keyed_.text = std::string(comment.text);
+                keyed_.span = comment.span;
+                break;
+            case Key::TipRadius:
+                if (keyed.value > 0) spec.corner_radius = keyed.value;
+                break;
+            case Key::Taper:
+                if (keyed.value > 0) spec.taper = std::min(keyed.value, 80.0);
+                break;
+            case Key::ToolType: spec.kind = keyed.kind; break;
+            case Key::TorusRadius: torus_radius_ = keyed.value; break;
+        }
+    }
+
+    void end_keyed() {
+        if (keys_seen_ == 0) return;
+        keys_seen_ = 0;
+        const double torus = std::exchange(torus_radius_, 0.0);
+        if (keyed_.remark.spec.kind == ToolKind::BullNoseEndMill && torus > 0) {
+            keyed_.remark.spec.corner_radius = torus;
+        }
+        if (!keyed_.remark.spec.diameter) return;
+        keyed_.remark.certain = true;
+        keyed_.remark.spec.description = keyed_.text;
+        if (keyed_.remark.spec.kind == ToolKind::FlatEndMill && keyed_.remark.spec.corner_radius) {
+            keyed_.remark.spec.kind.reset();  // the radius says more than the name
+        }
+        keyed_.owner = keyed_.remark.spec.number;
+        if (keyed_.owner == 0) waiting_.push_back(remarks_.size());
+        remarks_.push_back(std::move(keyed_));
+    }
+
+    // The tools of a list without numbers are called in its order. What stands at a call beats it.
+    void place_listed() {
+        for (std::size_t i = 0; i < listed_.size(); ++i) {
+            if (i >= calls_.size() && (i > 0 || !calls_.empty())) break;
+            listed_[i].owner = calls_.empty() ? 0 : calls_[i];
+            remarks_.push_back(std::move(listed_[i]));
+        }
+    }
+
+    void take_stock(const StockRemark& remark, const gcode::Comment& comment) {
+        using What = StockRemark::What;
+        const bool whole = remark.what == What::Block;
+        if (remark.what == What::Start && !start_) start_ = remark.first;
+        if (remark.what == What::Min && !min_) min_ = remark.first;
+        if (remark.what == What::Max && !max_) max_ = remark.first;
+        if (whole && !block_) block_ = remark;
+        switch (remark.what) {
+            case What::Heading: size_expected_ = true; return;
+            case What::ZeroAtTop: zero_at_bed_ = false, zero_told_ = true; return;
+            case What::ZeroAtBed: zero_at_bed_ = true, zero_told_ = true; return;
+            case What::ZeroXY: zero_xy_ = remark.first.value, zero_told_ = true; return;
+            case What::Elsewhere: size_is_elsewhere_ = true; return;
+            case What::Size:
+                if (!size_) size_ = remark.first;
+                break;
+            default: break;
+        }
+        if (remark.what != What::Start && (block_text_.empty() || (whole && !whole_seen_))) {
+            block_text_ = std::string(comment.text);
+            block_span_ = comment.span;
+        }
+        whole_seen_ = whole_seen_ || whole;
+    }
+
+    void set_units(bool inches) {
+        inches_ = inches;
+        if (!units_seen_) inches_first_ = inches;
+        units_seen_ = true;
+    }
+
+    // Numberless remarks before the call belong to this tool.
+    void call_tool(int number) {
+        end_keyed();
+        last_tool_ = number;
+        if (std::find(calls_.begin(), calls_.end(), number) == calls_.end()) {
+            calls_.push_back(number);
+        }
+        if (units_seen_) tool_inches_.try_emplace(number, inches_);
+        for (const std::size_t i : waiting_)
+            remarks_[i].owner = number;
+        waiting_.clear();
+    }
+
+    // A move came before a call: they belong to the tool in the spindle.
+    void end_waiting() {
+        end_keyed();
+        for (const std::size_t i : waiting_)
+            remarks_[i].owner = last_tool_;
+        waiting_.clear();
+    }
+
+    // Owner 0: no tool is called anywhere, and the remark speaks of the one that is in the spindle.
+    void keep(PlacedRemark& placed) {
+        ToolSpec spec = placed.remark.spec;
+        spec.number = placed.owner;
+        const auto called = tool_inches_.find(placed.owner);
+        const bool inches = called != tool_inches_.end() ? called->second : inches_first_;
+        scale(spec, factor(placed.remark.unit, inches));
+        if (!is_complete(spec)) return;
+        const auto known =
+            std::find_if(notes_.tools.begin(), notes_.tools.end(),
+                         [&](const ToolEntry& e) { return e.spec.number == spec.number; });
+        if (known == notes_.tools.end()) {
+            notes_.tools.push_back({std::move(spec), ToldBy::Comment, placed.span, placed.text});
+            certain_.push_back(placed.remark.certain);
+            return;
+        }
+        const auto index = static_cast<std::size_t>(known - notes_.tools.begin());
+        if (placed.remark.certain && !certain_[index]) {  // a stated diameter beats one in a name
+            *known = {std::move(spec), ToldBy::Comment, placed.span, placed.text};
+            certain_[index] = true;
+        } else if (placed.remark.certain && known->spec.diameter && spec.diameter &&
+                   std::abs(*known->spec.diameter - *spec.diameter) > 1e-3) {
+            notes_.diagnostics.push_back(gcode::diagnostic_of(
+                Message::CommentsDisagree, placed.span,
+                {std::to_string(spec.number), text::number(*spec.diameter),
+                 std::to_string(known->span.line), text::number(*known->spec.diameter)}));
+        }
+    }
+
+    void set_stock(const cda::Box& box, gcode::SourceSpan span, const std::string& text) {
+        const cda::Vec3 size = box.size();
+        if (!text::is_sane_length(size.x) || !text::is_sane_length(size.y) ||
+            !text::is_sane_length(size.z)) {
+            notes_.diagnostics.push_back(gcode::diagnostic_of(Message::StockSize, span));
+            return;
+        }
+        notes_.stock = StockEntry{{box}, ToldBy::Comment, span, text};
+    }
+
+    ProgramNotes notes_;
+    std::vector<bool> certain_;  // beside notes_.tools
+    std::vector<PlacedRemark> remarks_;
+    std::vector<std::size_t> waiting_;  // remarks without an owner yet
+    std::map<int, bool> tool_inches_;   // units at the first call
+    std::optional<StockRemark> block_;
+    std::optional<Triple> min_, max_, start_;
+    std::optional<Triple> size_;  // without a place: Vectric, Kiri:Moto
+    cda::Vec3 zero_xy_{-1, -1, 0};
+    bool zero_at_bed_ = false;
+    bool zero_told_ = false;
+    bool size_is_elsewhere_ = false;
+    bool size_expected_ = false;  // behind "Material Size"
+    bool in_list_ = false;        // behind "Required tools:"
+    std::vector<PlacedRemark> listed_;
+    std::vector<int> calls_;  // tool numbers in the order of their first call
+    PlacedRemark keyed_;
+    double torus_radius_ = 0.0;
+    unsigned keys_seen_ = 0;  // a bit for each KeyedRemark::Key
+    gcode::SourceSpan block_span_;
+    std::string block_text_;
+    bool whole_seen_ = false;
+    bool inches_ = false;
+    bool inches_first_ = false;
+    bool units_seen_ = false;
+    int last_tool_ = 0;
+};
+
+}  // namespace
+
+ProgramNotes read_notes(const gcode::SourceFile& program, bool default_inches) {
+    NoteReader notes(default_inches);
+    gcode::BlockReader reader(program);
+    Block block;
+    while (reader.next(block))
+        notes.read(block);
+    return notes.finish();
+}
+
+const ToolEntry* find_tool(const std::vector<ToolEntry>& tools, int number) {
+    const auto found = std::find_if(tools.begin(), tools.end(), [number](const ToolEntry& e) {
+        return e.spec.number == number;
+    });
+    return found == tools.end() ? nullptr : &*found;
+}
+
+}  // namespace ncsim::toolpath
