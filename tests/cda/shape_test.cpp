@@ -248,9 +248,28 @@ TEST(ShapeFile, ComesBackAsItWas) {
                 create(part, shape)->boundary().vertices);
 }
 
+TEST(ShapeFile, KeepsTheAssumptionsOfTheRunThatWroteIt) {
+    const TreeCda block(mm_box(0, 0, 0, 1, 1, 1), kLattice);
+    const Shape shape = shape_of(triangulate(block.boundary()), kLattice);
+    EXPECT_TRUE(read_back(written(shape)).assumed.empty());
+    const std::vector<std::string> assumed{"tool-guess: T1", "stock-guess: a block"};
+    std::ostringstream out;
+    ShapeWriter writer(out, shape.lattice, shape.outer, assumed);
+    writer.end();
+    EXPECT_EQ(read_back(out.str()).assumed, assumed);
+    EXPECT_EQ(placed(read_back(out.str()), Placement().turned(0, 2)).assumed, assumed);
+    // Version 1 did not record them.
+    std::string old = written(shape);
+    old.replace(0, 13, "ncsim stock 1");
+    EXPECT_EQ(read_back(old).assumed.size(), 1U);
+    std::string long_line = out.str();
+    long_line.replace(long_line.find("T1"), 2, std::string(5000, 'x'));
+    EXPECT_THROW(read_back(long_line), std::runtime_error);
+}
+
 TEST(ShapeFile, APlaneThatStandsTwiceCountsOnce) {
     const std::string text =
-        "ncsim stock 1\nunit 1e-05\nnormal 1 0 0\nnormal -1 0 0\nnormal 0 1 0\nnormal 0 -1 0\n"
+        "ncsim stock 2\nunit 1e-05\nnormal 1 0 0\nnormal -1 0 0\nnormal 0 1 0\nnormal 0 -1 0\n"
         "normal 0 0 1\nnormal 0 0 -1\nnormal 1 1 2\n"
         "outer 0 500000 1 0 2 500000 3 0 4 500000 5 0\n"
         "cell 6 500000 6 300000 6 300000\nend 1\n";

@@ -133,16 +133,16 @@ TEST(JobFile, TellsStartOffsetsWhatIsAcceptedAndWhatIsRequired) {
     EXPECT_EQ(open_doubts(verdict_of(folder, {"two.nc"})),
               (std::set<std::string>{"offset-guess", "start-unknown"}));
     folder.write("job.toml",
-                 "version = 1\nstart = [0, 0, 100]\n[offsets]\nG54 = [-200, -100, "
+                 "version = 2\nstart = [0, 0, 100]\n[offsets]\nG54 = [-200, -100, "
                  "-300]\nG55 = [-200, -94, -300]\n");
     const json told = verdict_of(folder, {"two.nc", "--job", "job.toml"});
     EXPECT_EQ(told["verdict"], "clean") << told.dump(1);
-    folder.write("job.toml", "version = 1\naccept = ['offset-guess', 'start-unknown']\n");
+    folder.write("job.toml", "version = 2\naccept = ['offset-guess', 'start-unknown']\n");
     EXPECT_EQ(verdict_of(folder, {"two.nc", "--job", "job.toml"})["verdict"], "clean");
-    folder.write("job.toml", "version = 1\naccept = ['all']\nrequire = ['travels']\n");
+    folder.write("job.toml", "version = 2\naccept = ['all']\nrequire = ['travels']\n");
     const json required = verdict_of(folder, {"two.nc", "--job", "job.toml"});
     ASSERT_FALSE(required["doubts"].empty());
-    folder.write("job.toml", "version = 1\nstart = [0, 0, 100]\nrequire = ['travels']\n");
+    folder.write("job.toml", "version = 2\nstart = [0, 0, 100]\nrequire = ['travels']\n");
     folder.write("slot.nc", kNoStart);
     EXPECT_EQ(open_doubts(verdict_of(folder, {"slot.nc", "--job", "job.toml"})),
               std::set<std::string>{"required"});

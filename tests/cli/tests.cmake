@@ -35,6 +35,7 @@ if(TARGET ncsim)
       output_test.cpp
       parse_test.cpp
       project_test.cpp
+    provenance_test.cpp
       rotary_test.cpp
       run_program.cpp
       rays_test.cpp

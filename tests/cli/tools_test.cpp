@@ -152,7 +152,7 @@ TEST(JobFile, YieldsToTheCommandLine) {
     Folder folder;
     folder.write("slot.nc", kSlot);
     folder.write("slot.toml",
-                 "version = 1\nprogram = \"slot.nc\"\n[stock]\nmin = [-20, -15, -10]\n"
+                 "version = 2\nprogram = \"slot.nc\"\n[stock]\nmin = [-20, -15, -10]\n"
                  "max = [20, 15, 0]\n[[tool]]\nnumber = 1\nkind = \"ball\"\ndiameter = 6\n");
     const Ran ran = folder.run({"tools", "--job", "slot.toml", "--tool", "T1=flat:D4"});
     EXPECT_TRUE(contains(ran.out, "T1        flat end mill D4 ")) << ran.out;
@@ -164,7 +164,7 @@ TEST(JobFile, YieldsToTheCommandLine) {
 TEST(JobFile, ThatMakesNoSenseIsRefusedWithItsPlace) {
     const std::pair<const char*, const char*> table[] = {
         {"version = ", "a.toml:1:"},
-        {"version = 2\n", "a.toml:1:11: "},
+        {"version = 3\n", "a.toml:1:11: "},
         {"program = 3\n", "a.toml:1:11: 'program': expected a text in quotes"},
         {"colour = \"red\"\n", "a.toml:1:10: 'colour' is not known; expected accept, allow"},
         {"units = \"furlong\"\n", "a.toml:1:9: "},
@@ -195,7 +195,7 @@ TEST(JobFile, ThatMakesNoSenseIsRefusedWithItsPlace) {
 
 TEST(JobFile, WithoutAProgramIsRefused) {
     Folder folder;
-    folder.write("a.toml", "version = 1\n");
+    folder.write("a.toml", "version = 2\n");
     EXPECT_EQ(folder.run({"tools", "--job", "a.toml"}).exit_code, 2);
     EXPECT_EQ(folder.run({"tools", "--job", "none.toml"}).exit_code, 2);
     EXPECT_EQ(folder.run({"tools"}).exit_code, 2);

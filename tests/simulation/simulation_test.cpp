@@ -237,7 +237,7 @@ TEST(Check, OfALoopWithoutEndJudgesItsBeginning) {
 TEST(Check, AsksOnlyWhatIsSelected) {
     Questions questions;
     for (const verify::RuleInfo& rule : verify::rules())
-        questions.selection.ignored.emplace(rule.id);
+        questions.selection.ignored.emplace(rule.id, "");
     const report::Checked checked = check(plan_of(kTool + kStock + kSlot), questions);
     EXPECT_FALSE(checked.simulated);
     EXPECT_TRUE(checked.verdict.findings.empty());

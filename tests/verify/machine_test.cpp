@@ -84,7 +84,7 @@ Setup setup_of(LinkBodies told) {
     setup.machine.work_zero = machine.zero;
     setup.bodies = std::make_shared<const verify::MachineBodies>(std::move(told));
     setup.uses_length_offsets = true;
-    setup.selection.ignored = {"over-travel", "spindle-off", "rapid-in-material"};
+    setup.selection.ignored = {{"over-travel", ""}, {"spindle-off", ""}, {"rapid-in-material", ""}};
     return setup;
 }
 

@@ -102,7 +102,7 @@ TEST(UncertainFlutes, AreNotDoubtedWhereARapidMoveCuts) {
     EXPECT_FALSE(needs_longer_flutes(program));
     EXPECT_TRUE(needs_longer_flutes(program + "(ncsim: ignore rapid-in-material)\nG0 X-30 Y4\n"));
     verify::Setup setup = verify_test::plain_setup();
-    setup.selection.ignored.emplace("rapid-in-material");
+    setup.selection.ignored.emplace("rapid-in-material", "");
     EXPECT_TRUE(needs_longer_flutes(program, setup));
 }
 

@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace ncsim::verify_test {
 namespace {
@@ -18,12 +20,27 @@ using verify::Severity;
 
 TEST(Selection, LeavesRulesOutAndChangesTheirWeight) {
     verify::Setup setup = plain_setup();
-    setup.selection.ignored = {"rapid-in-material"};
-    setup.selection.severities["no-feed"] = Severity::Note;
+    setup.selection.ignored = {{"rapid-in-material", "--ignore"}};
+    setup.selection.severities["no-feed"] = {Severity::Note, "shop.toml:2:1"};
     const auto verdict =
         verdict_of("G21 G90 T1 M6 S1000 M3 G0 X-30 Y0 Z-2\nG0 X30\nG1 X0\n", setup);
     EXPECT_TRUE(findings_of(verdict, "rapid-in-material").empty());
     EXPECT_EQ(only(verdict, "no-feed").severity, Severity::Note);
+    EXPECT_TRUE(only(verdict, "no-feed").demoted);
+    ASSERT_EQ(verdict.deselected(), 1U);
+    const auto deselected = std::ranges::find_if(verdict.skipped, &verify::Skipped::deselected);
+    EXPECT_EQ(deselected->rule, "rapid-in-material");
+    EXPECT_EQ(deselected->reason, "deselected by --ignore");
+    EXPECT_EQ(verdict.demotions,
+              (std::vector<verify::Demotion>{{"no-feed", Severity::Note, "shop.toml:2:1"}}));
+}
+
+TEST(Selection, ErrorsThatAreDemotedOrSuppressedAreAcceptedAndNeverClean) {
+    verify::Setup setup = plain_setup();
+    setup.selection.severities["rapid-in-material"] = {Severity::Note, "--severity"};
+    EXPECT_EQ(verdict_of(kStart + "G0 Z-2\nG0 X30\n", setup).outcome(), verify::Outcome::Accepted);
+    EXPECT_EQ(verdict_of(kStart + "G0 Z-2\nG0 X30 (ncsim: ignore rapid-in-material)\n").outcome(),
+              verify::Outcome::Accepted);
 }
 
 TEST(Suppression, IsForTheNextBlockOnly) {

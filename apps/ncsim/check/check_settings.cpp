@@ -97,7 +97,6 @@ report::EntryOptions entries_for(const CheckOptions& options, bool many) {
     entries.github = all || options.github;
     entries.csv = !options.csv.empty();
     entries.known = all || !options.write_baseline.empty();
-    entries.selection = options.selection;
     return entries;
 }
 
@@ -195,6 +194,10 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
                   static_cast<std::ptrdiff_t>(more.size());
         }
         made.options = parsed(std::move(words));
+        for (const setup::ProjectSetting& setting : settings) {
+            if (!told_.given.contains(setting.option))
+                made.options.selection.set_origin("--" + setting.option, setting.where);
+        }
     }
     const CheckOptions& options = made.options;
     // The standard input is expected already, if the command line names it.
@@ -216,9 +219,9 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
                             options.design_tolerance, setup::name_of_input(options.design),
                             file.deflection_mm, 2.0 * file.deflection_mm));
         }
-        made.design = simulation::Design{setup::name_of_input(options.design), std::move(file.mesh),
-                                         options.design_tolerance, std::move(file.face_names),
-                                         file.deflection_mm};
+        made.design = simulation::Design{
+            setup::name_of_input(options.design), std::move(file.mesh), options.design_tolerance,
+            std::move(file.face_names),           file.deflection_mm,   std::move(file.assumed)};
         questions.design = &*made.design;
     }
     made.baseline = baseline_of(options);

@@ -30,7 +30,7 @@ std::vector<std::string_view> ids_of(const char* option, const std::string& name
 
 void select(verify::Selection& selection, const std::vector<std::string>& names) {
     for (const verify::RuleInfo& rule : verify::rules())
-        selection.ignored.emplace(rule.id);
+        selection.ignored.emplace(rule.id, "--select");
     for (const std::string& name : names) {
         for (const std::string_view id : ids_of("--select", name))
             selection.ignored.erase(std::string(id));
@@ -40,7 +40,7 @@ void select(verify::Selection& selection, const std::vector<std::string>& names)
 void ignore(verify::Selection& selection, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
         for (const std::string_view id : ids_of("--ignore", name))
-            selection.ignored.emplace(id);
+            selection.ignored.emplace(id, "--ignore");
     }
 }
 
@@ -53,7 +53,8 @@ void weigh(verify::Selection& selection, const std::vector<std::string>& texts) 
             for (const auto severity :
                  {gcode::Severity::Note, gcode::Severity::Warning, gcode::Severity::Error}) {
                 if (value != verify::name_of(severity)) continue;
-                selection.severities.insert_or_assign(std::string(id), severity);
+                selection.severities.insert_or_assign(
+                    std::string(id), verify::Selection::Weight{severity, "--severity"});
                 known = true;
             }
             if (!known) {
@@ -73,8 +74,8 @@ std::string known_reason(const char* option, const std::string& name) {
 std::string known_requirement(const char* option, const std::string& name) {
     if (std::ranges::find(verify::kRequirements, name) != std::end(verify::kRequirements))
         return name;
-    throw Refusal{
-        fmt::format("{} '{}': expected holder, fixtures, travels, offsets or links", option, name)};
+    throw Refusal{fmt::format(
+        "{} '{}': expected holder, fixtures, travels, offsets, links or lengths", option, name)};
 }
 
 // Lists may be given with commas and more than once.
@@ -180,7 +181,8 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
                      o.accept.push_back(known_reason("--accept", name));
              });
     add_list(*check, "--require", "THINGS",
-             "What has to be told: holder,fixtures,travels,offsets,links", [&o](const auto& names) {
+             "What has to be specified: holder,fixtures,travels,offsets,links,lengths",
+             [&o](const auto& names) {
                  for (const std::string& name : names)
                      o.require.push_back(known_requirement("--require", name));
              });

@@ -21,6 +21,7 @@
 #include "options/run_options.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ncsim::app {
@@ -45,6 +46,8 @@ struct Outcome {
     std::vector<simulation::CutOpen> sections{};
     /// What --machine told, if anything.
     const setup::MachineFile* machine = nullptr;
+    /// Assumptions of the run, for files that ncsim reads again; a text each.
+    std::vector<std::string> assumed{};
 };
 
 /// The sections with their origins; points into it.

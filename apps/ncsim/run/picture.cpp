@@ -204,7 +204,7 @@ void add_guesses(const Outcome& outcome, std::vector<std::string>& lines) {
     }
     if (survey.stock->told_by == toolpath::ToldBy::Assumption && !survey.only_rapid)
         lines.push_back("guessed: stock " + report::describe(*survey.stock));
-    if (!survey.interpretation.units_stated) {
+    if (survey.units_assumed) {
         lines.emplace_back(survey.interpretation.uses_inches ? "guessed: inches"
                                                              : "guessed: millimetres");
     }

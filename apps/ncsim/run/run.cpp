@@ -18,6 +18,7 @@
 #include "ncsim/setup/machine_formats.h"
 #include "ncsim/setup/recorded_input.h"
 #include "ncsim/setup/stock_file.h"
+#include "ncsim/simulation/check.h"
 #include "ncsim/simulation/draft.h"
 #include "ncsim/simulation/shading.h"
 #include "ncsim/simulation/simulate.h"
@@ -45,6 +46,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -110,7 +112,7 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     });
     outputs.write(o.stl, [&](std::ostream& out) {
         exporter::write_stl(out, cda::triangulate(*mesh, outcome.plan.threads),
-                            outcome.plan.threads);
+                            outcome.plan.threads, s.provenance.assumed);
     });
     outputs.write(o.ply,
                   [&](std::ostream& out) { exporter::write_ply(out, polygons(), s.provenance); });
@@ -136,10 +138,28 @@ void write_outputs(const Outcome& outcome, OutputSet& outputs) {
     outputs.write(o.save_stock, [&](std::ostream& out) {
         const cda::Shape stock =
             toolpath::stock_shape(*outcome.survey.stock, outcome.plan.tool_tolerance);
-        setup::write_stock_file(out, stock, s.carved);
+        setup::write_stock_file(out, stock, s.carved, outcome.assumed);
     });
     outputs.write(o.stats, [&](std::ostream& out) { s.part->write_statistics(out); });
     outputs.write(o.xml, [&](std::ostream& out) { s.part->write_cells(out); });
+}
+
+// True if a file is written that ncsim reads as stock, design or mesh.
+bool records_assumptions(const Options& o) {
+    const auto is_asked_for = [](const std::string* path) { return !path->empty(); };
+    const std::string* const paths[] = {&o.save_stock, &o.stl, &o.gltf, &o.vrml, &o.step};
+    return std::ranges::any_of(paths, is_asked_for);
+}
+
+// The reasons before the colons, each once: "stock-guess, tool-guess".
+std::string reasons_of(const std::vector<std::string>& assumed) {
+    std::string reasons;
+    std::set<std::string> known;
+    for (const std::string& text : assumed) {
+        const std::string reason = text.substr(0, text.find(':'));
+        if (known.insert(reason).second) reasons += (reasons.empty() ? "" : ", ") + reason;
+    }
+    return reasons;
 }
 
 // Would a quick look do for what is asked for?
@@ -250,6 +270,11 @@ int run(Options options) {
         simulation = simulation::simulate(plan, survey, nothing,
                                           [&](std::uint64_t done) { progress.update(done); },
                                           {animation.every(), take_frame});
+        if (records_assumptions(o)) {
+            outcome.assumed =
+                simulation::assumptions_of(plan, survey, machine ? *machine : setup::MachineFile{});
+        }
+        simulation->provenance.assumed = reasons_of(outcome.assumed);
         if (o.tiles) expect_same_files(o.tile_files, recorded.files());
         if (animation.every() != 0) take_frame(*simulation);
         print_findings(plan.job.program, simulation->diagnostics);
@@ -273,6 +298,7 @@ int run(Options options) {
             outcome.simplified = &*simplified;
         }
         true_surfaces = true_solid(outcome);
+        if (true_surfaces) true_surfaces->provenance.assumed = simulation->provenance.assumed;
         if (true_surfaces) outcome.true_solid = &*true_surfaces;
         if (!o.step.empty()) {
             outcome.solid = outcome.true_solid;

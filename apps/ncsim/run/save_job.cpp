@@ -53,7 +53,9 @@ void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey
     setup::JobRemarks remarks;
     if (job.options.program != "-") file.program = seen_from(path, job.options.program);
     file.inches = job.options.inches.value_or(false);
+    file.units_assumed = !survey.interpretation.units_stated && job.units_assumed;
     file.dialect = survey.interpretation.dialect.dialect;
+    file.dialect_assumed = job.options.dialect == gcode::Dialect::Auto;
     file.strict = job.options.strict;
     file.increments = job.options.increments;
     file.block_delete = job.options.block_delete;
@@ -65,6 +67,8 @@ void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey
     if (survey.stock) {
         file.stock = *survey.stock;
         if (file.stock->from) file.stock->from->path = seen_from(path, file.stock->from->path);
+        file.stock_assumed = survey.stock->told_by == toolpath::ToldBy::Assumption;
+        file.stock_place_assumed = survey.stock->place_assumed;
         remarks.stock = report::told(survey.stock->told_by, survey.stock->span, survey.stock->text,
                                      survey.stock->file, "--stock");
     }

@@ -3,6 +3,7 @@
 
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/version.h"
+#include "ncsim/verify/rule.h"
 
 #include "json.h"
 #include "json_stream.h"
@@ -24,6 +25,7 @@ Json to_json(const Checked& checked, const Finding& f) {
     json["category"] = verify::name_of(f.category);
     json["certain"] = f.certainty == verify::Certainty::Certain;
     json["suppressed"] = f.suppressed;
+    if (f.demoted) json["demoted"] = true;
     if (f.accepted) json["accepted"] = *f.accepted;
     json["file"] = file_of(checked, f.place);
     if (f.place.span.line > 0) {
@@ -141,7 +143,14 @@ Json to_json(const Checked& checked) {
         json["unlisted"][rule] = more;
     json["skipped"] = Json::array();
     for (const verify::Skipped& s : v.skipped)
-        json["skipped"].push_back({{"rule", s.rule}, {"reason", s.reason}});
+        json["skipped"].push_back(
+            {{"rule", s.rule}, {"reason", s.reason}, {"deselected", s.deselected}});
+    json["rules"] = {{"known", verify::rules().size()},
+                     {"selected", verify::rules().size() - v.deselected()}};
+    json["demoted"] = Json::array();
+    for (const verify::Demotion& d : v.demotions)
+        json["demoted"].push_back(
+            {{"rule", d.rule}, {"severity", verify::name_of(d.severity)}, {"by", d.by}});
     if (checked.simulated) json["ledger"] = to_json(v.ledger);
     if (checked.design) json["design"] = to_json(*checked.design);
     return json;

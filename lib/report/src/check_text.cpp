@@ -2,6 +2,7 @@
 #include "ncsim/report/check_text.h"
 
 #include "ncsim/report/plain_text.h"
+#include "ncsim/verify/rule.h"
 
 #include "append.h"
 
@@ -72,6 +73,8 @@ void put_doubt(std::string& text, const Checked& checked, const verify::Doubt& d
 }
 
 constexpr std::string_view kSkipped = "  skipped";
+// How reasons of deselected rules begin.
+constexpr std::string_view kDeselectedBy = "deselected by ";
 
 // Rules that could not be asked for the same reason share a line.
 void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped) {
@@ -85,6 +88,12 @@ void put_skipped(std::string& text, const std::vector<verify::Skipped>& skipped)
         }
         append(text, "{}  {}: {}\n", kSkipped, rules, one_line(s.reason));
     }
+}
+
+// Rules whose severity the user lowered.
+void put_demotions(std::string& text, const std::vector<verify::Demotion>& demotions) {
+    for (const verify::Demotion& d : demotions)
+        append(text, "{}  {}\n", kSkipped, one_line(demotion_text(d)));
 }
 
 void put_settings(std::string& text, const std::string& file) {
@@ -197,7 +206,9 @@ std::string text_of(const Checked& checked, const TextOptions& options) {
                known.severity, one_line(known.what), known.rule);
     }
     if (options.many) return text;
-    append(text, "{}: {}: {}\n", path, name_of_verdict(checked), counts_of(checked));
+    const std::string scope = scope_of(checked);
+    append(text, "{}: {}{}: {}\n", path, name_of_verdict(checked),
+           scope.empty() ? "" : fmt::format(" ({})", scope), counts_of(checked));
     put_remedies(text, remedies_of(checked));
     put_settings(text, shown_path(checked.settings));
     put_baseline(text, shown_path(checked.baseline));
@@ -233,8 +244,52 @@ std::string remedies_of(const Checked& checked) {
     return text;
 }
 
+std::string demotion_text(const verify::Demotion& demotion) {
+    return fmt::format("{}: severity {} by {}", demotion.rule, verify::name_of(demotion.severity),
+                       demotion.by);
+}
+
+std::string scope_of(const Checked& checked) {
+    if (!checked.failure.empty()) return {};
+    const verify::Verdict& v = checked.verdict;
+    std::string text;
+    const auto add = [&text](const std::string& what) {
+        text += (text.empty() ? "" : "; ") + what;
+    };
+    const std::size_t known = verify::rules().size();
+    if (const auto deselected = v.deselected(); deselected > 0) {
+        std::set<std::string> by;
+        for (const verify::Skipped& s : v.skipped) {
+            if (s.deselected) by.insert(s.reason.substr(kDeselectedBy.size()));
+        }
+        add(fmt::format("{} of {} rules by {}", known - deselected, known, fmt::join(by, ", ")));
+    }
+    if (!v.demotions.empty()) {
+        std::set<std::string> by;
+        for (const verify::Demotion& d : v.demotions)
+            by.insert(d.by);
+        add(fmt::format("{} demoted by {}", counted(v.demotions.size(), "rule"),
+                        fmt::join(by, ", ")));
+    }
+    std::string reasons;
+    for (const verify::ReasonInfo& reason : verify::reasons()) {
+        const auto is_accepted = [&](const verify::Doubt& d) {
+            return d.accepted && d.reason == reason.id;
+        };
+        if (std::ranges::any_of(v.doubts, is_accepted))
+            reasons += (reasons.empty() ? "" : ", ") + std::string(reason.id);
+    }
+    if (!reasons.empty()) add("accepted " + reasons);
+    const auto suppressed = std::ranges::count_if(
+        v.findings, [](const Finding& f) { return f.suppressed && f.severity == Severity::Error; });
+    if (suppressed > 0)
+        add(counted(static_cast<std::uint64_t>(suppressed), "error") + " suppressed");
+    return text;
+}
+
 std::string skipped_of(const Checked& checked) {
     std::string text;
+    put_demotions(text, checked.verdict.demotions);
     put_skipped(text, checked.verdict.skipped);
     return text;
 }
@@ -248,6 +303,7 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
     Lines settings;
     Lines skipped;
     Lines to_tell;
+    Lines scopes;
     all([&](const Entry& entry) {
         ++programs;
         std::string told;
@@ -256,13 +312,16 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
         settings.add(told);
         skipped.add(entry.skipped);
         to_tell.add(entry.to_tell);
+        if (!entry.scope.empty()) scopes.add("  scope    " + entry.scope + '\n');
         if (++words[entry.word] > kMostListed || entry.word == "clean") return;
         listed[entry.word] += "  " + shown_path(entry.path);
+        if (!entry.scope.empty()) listed[entry.word] += " (" + entry.scope + ")";
         if (!entry.counts.empty()) listed[entry.word] += ": " + entry.counts;
         listed[entry.word] += '\n';
     });
     if (!options.many) return skipped.text();
     text += settings.text(programs);
+    text += scopes.text(programs);
     put_remedies(text, to_tell.text(programs));
     if (options.notes) {
         text += skipped.text(programs);

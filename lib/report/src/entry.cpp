@@ -20,6 +20,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("settings", entry.settings);
     take("baseline", entry.baseline);
     take("counts", entry.counts);
+    take("scope", entry.scope);
     take("to_tell", entry.to_tell);
     take("skipped", entry.skipped);
     take("json", entry.json);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/report/junit.h"
 
+#include "ncsim/report/check_text.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/verify/rule.h"
 
@@ -63,14 +64,15 @@ std::string line_of(const Checked& checked, const verify::Doubt& d) {
 // One more case, of all doubts.
 constexpr std::string_view kProven = "proven";
 
-std::vector<Case> cases_of(const Checked& checked, const verify::Selection& selection,
-                           bool warnings_as_errors) {
+std::vector<Case> cases_of(const Checked& checked, bool warnings_as_errors) {
     std::vector<Case> cases;
     for (const verify::RuleInfo& rule : verify::rules()) {
-        if (!selection.includes(rule.id)) continue;
         Case one{rule.id, {}, {}, {}, 0};
         for (const verify::Skipped& s : checked.verdict.skipped) {
             if (s.rule == rule.id) one.skipped = s.reason;
+        }
+        for (const verify::Demotion& d : checked.verdict.demotions) {
+            if (d.rule == rule.id) one.remarks += demotion_text(d) + '\n';
         }
         for (const Finding& f : checked.verdict.findings) {
             if (f.rule != rule.id) continue;
@@ -111,8 +113,7 @@ void put_case(std::string& text, const Case& c, const std::string& program) {
 
 }  // namespace
 
-Json junit_share(const Checked& checked, const verify::Selection& selection,
-                 bool warnings_as_errors) {
+Json junit_share(const Checked& checked, bool warnings_as_errors) {
     const std::string program = relative_path(checked.path);
     if (!checked.failure.empty()) {
         const std::string suite = fmt::format(
@@ -122,7 +123,7 @@ Json junit_share(const Checked& checked, const verify::Selection& selection,
             xml(program), xml(checked.failure));
         return {{"tests", 1}, {"failures", 0}, {"errors", 1}, {"skipped", 0}, {"suite", suite}};
     }
-    const std::vector<Case> cases = cases_of(checked, selection, warnings_as_errors);
+    const std::vector<Case> cases = cases_of(checked, warnings_as_errors);
     const auto failed =
         std::ranges::count_if(cases, [](const Case& c) { return !c.failures.empty(); });
     const auto passed_over = std::ranges::count_if(

@@ -17,12 +17,12 @@ Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     entry.text = text_of(checked, {options.notes, options.quiet, options.many});
     entry.settings = checked.settings;
     entry.counts = counts_of(checked);
+    entry.scope = scope_of(checked);
     entry.to_tell = remedies_of(checked);
     entry.skipped = skipped_of(checked);
     if (options.json) entry.json = to_line(check_json_share(checked));
     if (options.sarif) entry.sarif = to_line(sarif_share(checked, options.notes));
-    if (options.junit)
-        entry.junit = to_line(junit_share(checked, options.selection, options.warnings_as_errors));
+    if (options.junit) entry.junit = to_line(junit_share(checked, options.warnings_as_errors));
     entry.baseline = checked.baseline;
     if (options.known) entry.known = to_line(baseline_share(checked));
     if (options.github) entry.github = github_annotations(checked, options.notes);

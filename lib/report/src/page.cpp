@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/report/page.h"
 
+#include "ncsim/report/check_text.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/version.h"
@@ -269,6 +270,8 @@ std::string ledger_html(const Checked& checked) {
 
 std::string skipped_html(const Checked& checked) {
     std::string text = "<section><h2>Not asked</h2><table>\n";
+    for (const verify::Demotion& d : checked.verdict.demotions)
+        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", d.rule, escaped(demotion_text(d)));
     for (const verify::Skipped& s : checked.verdict.skipped)
         text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", s.rule, escaped(s.reason));
     return text + "</table></section>\n";
@@ -287,12 +290,13 @@ std::string pictures_html(const Look& look) {
 
 std::string header_html(const Checked& checked) {
     const verify::Verdict& v = checked.verdict;
+    const std::string scope = scope_of(checked);
     std::string text = fmt::format(
-        "<header class=\"{0}\"><h1>{1}: {0}</h1><p>errors {2}, warnings {3}, notes {4}, suppressed "
-        "{5}, doubts {6} · ncsim {7}</p>",
+        "<header class=\"{0}\"><h1>{1}: {0}{8}</h1><p>errors {2}, warnings {3}, notes {4}, "
+        "suppressed {5}, doubts {6} · ncsim {7}</p>",
         checked.word, escaped(relative_path(checked.path)), v.count(Severity::Error),
         v.count(Severity::Warning), v.count(Severity::Note), v.suppressed(), v.open_doubts(),
-        kVersion);
+        kVersion, scope.empty() ? "" : fmt::format(" ({})", escaped(scope)));
     if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
     if (!checked.stock.empty()) text += "<p>stock " + escaped(checked.stock) + "</p>";
     if (!checked.time.empty()) text += "<p>time " + escaped(checked.time) + "</p>";

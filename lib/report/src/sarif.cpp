@@ -3,6 +3,7 @@
 // Static Analysis Results Interchange Format (SARIF) Version 2.1.0, OASIS Standard, 2020.
 #include "ncsim/report/sarif.h"
 
+#include "ncsim/report/check_text.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/report/version.h"
 #include "ncsim/verify/rule.h"
@@ -204,8 +205,14 @@ Json sarif_share(const Checked& checked, bool notes) {
              {"message", {{"text", fmt::format("{} more findings of {}", more, rule)}}},
              {"locations", {location(path)}}});
     }
+    for (const verify::Demotion& d : checked.verdict.demotions) {
+        share["configuration"].push_back({{"level", "warning"},
+                                          {"associatedRule", {{"id", d.rule}}},
+                                          {"message", {{"text", demotion_text(d)}}},
+                                          {"locations", {location(path)}}});
+    }
     for (const verify::Skipped& s : checked.verdict.skipped) {
-        share["configuration"].push_back({{"level", "note"},
+        share["configuration"].push_back({{"level", s.deselected ? "warning" : "note"},
                                           {"associatedRule", {{"id", s.rule}}},
                                           {"message", {{"text", s.rule + " skipped: " + s.reason}}},
                                           {"locations", {location(path)}}});

@@ -5,7 +5,6 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
-#include "ncsim/verify/selection.h"
 
 #include "json.h"
 
@@ -15,8 +14,7 @@ namespace ncsim::report {
 
 Json check_json_share(const Checked& checked);
 Json sarif_share(const Checked& checked, bool notes);
-Json junit_share(const Checked& checked, const verify::Selection& selection,
-                 bool warnings_as_errors);
+Json junit_share(const Checked& checked, bool warnings_as_errors);
 Json baseline_share(const Checked& checked);
 std::string ledger_csv_share(const Checked& checked);
 

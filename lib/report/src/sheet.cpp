@@ -35,6 +35,7 @@ public:
 std::string units(const ProgramFacts& program) {
     const char* name = program.interpretation.uses_inches ? "inches" : "millimetres";
     if (program.interpretation.units_stated) return fmt::format("{}, as the program says", name);
+    if (!program.units_assumed) return fmt::format("{}, as specified", name);
     return fmt::format("{}, assumed: neither G20 nor G21 stands before the first length (--units)",
                        name);
 }
@@ -93,6 +94,10 @@ std::string assumption_sheet(const std::string& name, const ProgramFacts& progra
             sheet.line("",
                        "assumed: where it lies; a corner or the middle is at zero, as the cuts "
                        "have it");
+        }
+        if (program.stock->shape) {
+            for (const std::string& assumed : program.stock->shape->assumed)
+                sheet.line("", "assumed by the run that left it: {}", one_line(assumed));
         }
         sheet.line("model", "{}, lattice unit {:g} nm", cutting.model,
                    toolpath::stock_lattice(*program.stock).unit_mm * 1e6);

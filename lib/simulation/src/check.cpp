@@ -30,8 +30,7 @@ namespace ncsim::simulation {
 
 namespace {
 
-// Where nobody tells where the shank ends, it is taller than any cut is deep; where nobody tells a
-// shank, it is as thick as the flutes.
+// Adds a shank taller than any cut is deep if its length is not specified, as thick as the flutes.
 void extend_shank(toolpath::Tool& tool, const toolpath::ToolSpec& spec) {
     constexpr double kTall = 1000.0;  // mm
     if (spec.shank_length || spec.stick_out || !spec.shaft.empty()) return;
@@ -144,17 +143,22 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.required.insert(plan.job.options.require.begin(), plan.job.options.require.end());
     for (const auto& [number, used] : survey.tools) {
         const auto told = questions.machine.tools.find(number);
-        setup.tools.emplace(
-            number,
-            facts_of(used, told == questions.machine.tools.end() ? nullptr : &told->second));
+        verify::ToolFacts facts =
+            facts_of(used, told == questions.machine.tools.end() ? nullptr : &told->second);
+        const toolpath::ToolEntry* entry = toolpath::find_tool(plan.job.tools, number);
+        facts.gauge_length_specified = entry && entry->offset.z != 0.0;
+        setup.tools.emplace(number, std::move(facts));
     }
     if (survey.stock) setup.stock = survey.stock->box;
     if (!survey.is_ready()) {
         setup.not_simulated = reason_against(survey);
     } else if (survey.stock->told_by == toolpath::ToldBy::Assumption) {
         setup.stock_assumption = survey.stock->text;
+    } else if (survey.stock->place_assumed) {
+        setup.stock_assumption =
+            "its place is not specified; a corner or the middle is at zero, as the cuts suggest";
     }
-    if (!survey.interpretation.units_stated) {
+    if (survey.units_assumed) {
         setup.units_assumption =
             fmt::format("{}, since neither G20 nor G21 stands before the first length",
                         survey.interpretation.uses_inches ? "inches" : "millimetres");
@@ -321,6 +325,116 @@ void observe_frames(Plan& plan, verify::Verifier& verifier) {
 
 }  // namespace
 
+namespace {
+
+// Fixtures that overlap the stock when the program starts, in words: one of both is not where the
+// set-up has it.
+std::vector<std::string> fixtures_in_stock(const Plan&, const Survey& survey,
+                                           const Questions& questions) {
+    constexpr double kDeep = 0.01;  // mm
+    std::vector<std::string> found;
+    const bool is_block = survey.stock && !survey.stock->shape && !survey.stock->is_round &&
+                          survey.stock->told_by != toolpath::ToldBy::Assumption &&
+                          !survey.stock->place_assumed;
+    if (!is_block) return found;
+    const cda::Box& block = survey.stock->box;
+    const auto is_inside = [&](const cda::Vec3& p) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (p[axis] < block.min[axis] + kDeep || p[axis] > block.max[axis] - kDeep)
+                return false;
+        }
+        return true;
+    };
+    for (const verify::Fixture& fixture : questions.machine.machine.fixtures) {
+        if (fixture.system != 0 && fixture.system != survey.interpretation.workpiece_system)
+            continue;
+        bool overlaps = std::ranges::any_of(fixture.mesh.vertices, is_inside);
+        if (fixture.mesh.triangles.empty()) {
+            overlaps = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                overlaps &= std::min(block.max[axis], fixture.box.max[axis]) -
+                                std::max(block.min[axis], fixture.box.min[axis]) >
+                            kDeep;
+            }
+        }
+        if (overlaps)
+            found.push_back(fmt::format("the fixture '{}' is inside the stock", fixture.name));
+    }
+    return found;
+}
+
+// Doubts about files that were written by runs with assumptions, and about axes that the program
+// never positions.
+void add_doubts_of_inputs(const Plan& plan, const Survey& survey, const Questions& questions,
+                          verify::Verifier& verifier) {
+    const auto add = [&verifier](const std::string& what) {
+        verifier.add_doubt("file-origin", what);
+    };
+    for (const setup::JobDoubt& doubt : plan.job.doubts)
+        verifier.add_doubt(doubt.reason, doubt.message, {0, doubt.span});
+    for (const std::string& what : fixtures_in_stock(plan, survey, questions))
+        verifier.add_doubt("contradiction", what);
+    for (const verify::Fixture& fixture : questions.machine.machine.fixtures) {
+        if (!fixture.assumed.empty())
+            add(fmt::format("mesh of the fixture '{}': {}", fixture.name, fixture.assumed));
+    }
+    for (const setup::MachineBody& body : questions.machine.bodies) {
+        if (!body.assumed.empty())
+            add(fmt::format("mesh of the link '{}': {}", body.link, body.assumed));
+    }
+    if (questions.design && !questions.design->assumed.empty())
+        add(fmt::format("design {}: {}", questions.design->path, questions.design->assumed));
+    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
+        if (survey.untold[axis])
+            verifier.add_doubt("start-unknown",
+                               fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
+    }
+}
+
+// Doubts about the tools, the stock and the motions, none about the part.
+bool is_assumption(const verify::Doubt& doubt) {
+    constexpr std::string_view kOthers[] = {"told-not-used", "required", "nothing-removed"};
+    return std::ranges::find(kOthers, doubt.reason) == std::end(kOthers);
+}
+
+std::string with_line(std::string text, const verify::Place& place) {
+    return place.span.line == 0 ? text : fmt::format("{} (line {})", text, place.span.line);
+}
+
+}  // namespace
+
+std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
+                                        const setup::MachineFile& machine) {
+    Questions questions;
+    questions.machine = machine;
+    Prepared all{plan, survey, setup_for(plan, survey, questions), {}};
+    verify::Verifier verifier(all.setup, all.stock(), all.lattice(), {});
+    verifier.add(survey.diagnostics);
+    add_doubts_of_inputs(plan, survey, questions, verifier);
+    observe_frames(all.plan, verifier);
+    gcode::interpret(plan.job.program, all.plan.job.interpreter, [&](const gcode::Motion& motion) {
+        verifier.begin(motion);
+        verifier.end();
+    });
+    const verify::Verdict verdict = verifier.finish(survey.interpretation, nullptr, 0.0);
+    std::vector<std::string> assumed;
+    for (const verify::Doubt& doubt : verdict.doubts) {
+        if (is_assumption(doubt))
+            assumed.push_back(with_line(doubt.reason + ": " + doubt.message, doubt.place));
+    }
+    // Nothing was cut here that could show how high the flutes cut.
+    const double deep = all.stock().max.z - survey.tip_positions.min.z;
+    for (const auto& [number, facts] : all.setup.tools) {
+        if (facts.certain_flutes && deep > *facts.certain_flutes)
+            assumed.push_back(fmt::format("flutes-guess: T{}: {}", number, facts.assumption));
+    }
+    for (const verify::Finding& f : verdict.findings) {
+        if (f.category == verify::Category::Program && f.severity == verify::Severity::Error)
+            assumed.push_back(with_line(f.rule + ": " + f.message, f.place));
+    }
+    return assumed;
+}
+
 void check(Plan told_plan, const Questions& questions, report::Checked& checked) {
     checked.path = told_plan.job.program.name;
     Prepared all = prepared(std::move(told_plan), questions);
@@ -353,13 +467,9 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
             "told-not-used",
             "meshes of links: where the work zero (G54) lies in the machine is not told");
     }
+    add_doubts_of_inputs(plan, survey, questions, verifier);
     for (std::string& what : all.not_used)
         verifier.add_doubt("told-not-used", std::move(what));
-    for (std::size_t axis = 0; axis < survey.untold.size(); ++axis) {
-        if (survey.untold[axis])
-            verifier.add_doubt("start-unknown",
-                               fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
-    }
     observe_frames(plan, verifier);
     if (checked.simulated) {
         Verification verification = all.verification();

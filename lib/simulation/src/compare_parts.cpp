@@ -58,7 +58,7 @@ report::OneSided remainder(const Surveyed& side, const Simulation& other) {
     verify::Setup setup;
     setup.ledger = true;
     for (const verify::RuleInfo& rule : verify::rules())
-        setup.selection.ignored.emplace(rule.id);
+        setup.selection.ignored.emplace(rule.id, "");
     for (const auto& [number, used] : side.survey.tools)
         setup.tools[number].tool = used.tool;
     verify::Verifier verifier(setup, side.survey.stock->box, other.lattice);

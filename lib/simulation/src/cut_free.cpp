@@ -131,7 +131,6 @@ std::vector<verify::Finding> cut_free(const Plan& plan, const Survey& survey,
         const Moment& moment = history.after(cut);
         verify::Finding f;
         f.rule = "part-cut-free";
-        f.severity = verify::Severity::Warning;
         f.place = f.last = moment.place;
         f.first_motion = f.last_motion = moment.motion;
         f.message = "a piece of the part is cut free";

@@ -129,7 +129,7 @@ Finding excess(const DesignRegion& region, const Design& design, const Simulatio
     const bool certain =
         region.depth_mm > design.tolerance_mm + design.deflection_mm + simulation.bounds.missed_mm;
     f.certainty = certain ? verify::Certainty::Certain : verify::Certainty::Within;
-    f.severity = verify::Severity::Warning;
+    f.severity = certain ? verify::Severity::Error : verify::Severity::Warning;
     f.message = "material is left that the design does not have";
     const auto lines = lines_of(region, simulation);
     f.message += lines.empty() ? ", where nothing was cut"

@@ -83,7 +83,7 @@ std::optional<Certainty> Refiner::look(const verify::OpenContact& contact, const
             pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
     }
     for (const verify::RuleInfo& rule : verify::rules()) {
-        if (rule.id != contact.rule) setup.selection.ignored.emplace(rule.id);
+        if (rule.id != contact.rule) setup.selection.ignored.emplace(rule.id, "");
     }
     setup.rapid = setup_->rapid;
     setup.kinematics = setup_->kinematics;

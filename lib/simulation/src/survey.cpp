@@ -46,7 +46,9 @@ public:
 
     struct ToolTrack {
         gcode::SourceSpan first;
-        cda::Box cutting_tips;  // ends of feed moves, mm
+        gcode::SourceSpan first_cut;     // line 0: it does not cut
+        bool cuts_after_change = false;  // cuts although the program changed tools before
+        cda::Box cutting_tips;           // ends of feed moves, mm
         double highest_tip = -std::numeric_limits<double>::infinity();
         toolpath::HighestLevels levels;
         cda::Vec3 farthest_tip;  // from the axes X, Y and Z
@@ -60,6 +62,7 @@ public:
         if (!from || !to) {
             const auto* change = std::get_if<gcode::ToolChange>(&motion.what);
             const int tool = change ? change->tool : motion.tool;
+            result_.calls_tools |= change != nullptr;
             if (change || std::holds_alternative<gcode::Dwell>(motion.what))
                 verify::add_rest(result_.distances[tool], motion);
             return;
@@ -95,6 +98,11 @@ public:
         }
         ToolTrack& track = track_of(motion);
         if (feed) result_.cutting_tools.insert(motion.tool);
+        if (feed && track.first_cut.line == 0) track.first_cut = motion.span;
+        if (feed && result_.calls_tools && !track.cuts_after_change) {
+            track.cuts_after_change = true;
+            if (motion.tool == 0) track.first_cut = motion.span;
+        }
         if (feed) track.clues.take(motion, toolpath::Poses(told_machine_, motion));
         const toolpath::Samples samples = verify::coarse_samples(motion, told_machine_);
         for (std::size_t i = 0; i < samples.poses.size(); ++i) {
@@ -158,10 +166,12 @@ double assumed_length(const Survey& survey, const MotionSurvey& motions,
 }
 
 // Which description belongs to this tool number?
-const toolpath::ToolEntry* entry_for(const Plan& plan, int number, bool is_only_tool) {
+const toolpath::ToolEntry* entry_for(const Plan& plan, int number, bool is_only_tool,
+                                     bool calls_tools) {
     if (const auto* entry = toolpath::find_tool(plan.job.tools, number)) return entry;
-    // A program that never calls a tool, and one tool that somebody describes: it is that one.
-    if (number == 0 && is_only_tool && plan.job.tools.size() == 1) return &plan.job.tools.front();
+    // A program that never calls a tool uses the only one that is described.
+    if (number == 0 && is_only_tool && !calls_tools && plan.job.tools.size() == 1)
+        return &plan.job.tools.front();
     return nullptr;
 }
 
@@ -176,7 +186,8 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
         report::UsedTool used;
         used.first = track.first;
         toolpath::ToolSpec spec;
-        if (const auto* entry = entry_for(plan, number, motions.tracks().size() == 1)) {
+        if (const auto* entry =
+                entry_for(plan, number, motions.tracks().size() == 1, result.calls_tools)) {
             spec = entry->spec;
             used.told_by = entry->told_by;
             used.span = entry->span;
@@ -198,10 +209,14 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
                                                    : ", a guess from its moves");
         } else {
             const std::string name = std::to_string(number);
-            if (number == 0) {
+            if (number == 0 && result.calls_tools && track.cuts_after_change) {
+                tell(result, Message::SpindleEmpty, track.first_cut, {});
+            } else if (number == 0) {
                 tell(result, Message::NoToolCalled, track.first, {guess});
             } else {
-                tell(result, Message::ToolUnknown, track.first, {name, name, guess, name, guess});
+                tell(result, Message::ToolUnknown,
+                     track.first_cut.line > 0 ? track.first_cut : track.first,
+                     {name, name, guess, name, guess});
             }
             result.ready = false;
             result.unknown_tools.emplace(number, track.first);
@@ -209,8 +224,10 @@ void choose_tools(const Plan& plan, const MotionSurvey& motions, Survey& result)
         }
         spec.number = number;
         used.is_guess = used.told_by == ToldBy::Assumption || toolpath::guesses_shape(spec);
-        used.length_told = spec.length || !spec.pieces.empty();
+        const toolpath::ToolSpec specified = toolpath::specified_part(spec);
+        used.length_told = specified.length || !specified.pieces.empty();
         used.spec = toolpath::filled(spec, length);
+        if (used.told_by == ToldBy::Assumption) used.spec.assumed = {"shape"};
         used.filled_in = toolpath::filled_in(spec, length);
         used.tool = toolpath::make_tool(spec, length);
         result.tools.emplace(number, std::move(used));
@@ -366,6 +383,7 @@ Look look_at(const Plan& plan, const std::array<bool, 3>& untold) {
     result.interpretation = gcode::interpret(plan.job.program, plan.job.interpreter,
                                              [&](const gcode::Motion& m) { motions.take(m); });
     look.told = motions.told();
+    result.units_assumed = !result.interpretation.units_stated && plan.job.units_assumed;
     result.rotation = rotation_of(plan, result);
     result.diagnostics = result.interpretation.diagnostics;
     result.diagnostics.insert(result.diagnostics.end(), plan.job.diagnostics.begin(),

@@ -83,12 +83,23 @@ void FindingLog::settle(Finding& f, bool weakened) const {
     f.category = rule.category;
     if (f.hint.empty()) f.hint = rule.fix;
     const auto& severities = setup_->selection.severities;
-    if (const auto told = severities.find(f.rule); told != severities.end()) {
-        f.severity = told->second;
+    if (const auto weight = severities.find(f.rule); weight != severities.end()) {
+        const Severity before = f.severity;
+        f.severity = weight->second.severity;
+        f.demoted = before == Severity::Error && f.severity != Severity::Error;
     } else if (weakened && f.severity == Severity::Error) {
         f.severity = Severity::Warning;
     }
     f.suppressed = f.place.file == 0 && setup_->suppressions.covers(f.place.span.line, f.rule);
+}
+
+void FindingLog::settle(Finding& f, std::vector<std::string_view>& rests_on) {
+    std::erase_if(rests_on, [&](std::string_view r) { return setup_->accepted.contains(r); });
+    const bool is_error = f.severity == Severity::Error;
+    settle(f, !rests_on.empty());
+    if (!is_error || f.suppressed) return;
+    for (const std::string_view reason : rests_on)
+        doubt(reason, "an error rests on it: " + f.message, f.place);
 }
 
 bool FindingLog::store(Finding finding) {
@@ -109,13 +120,8 @@ void FindingLog::add(std::string_view rule, const Move& move, Sighting s) {
     f.first_motion = f.last_motion = move.number;
     f.tool = move.motion->tool;
     if (s.is_note) f.severity = Severity::Note;
-    std::erase_if(s.rests_on, [&](std::string_view r) { return setup_->accepted.contains(r); });
-    const bool is_error = f.severity == Severity::Error;
-    settle(f, !s.rests_on.empty());
-    if (is_error && !f.suppressed) {
-        for (const std::string_view reason : s.rests_on)
-            doubt(reason, "an error rests on it: " + s.message, f.place);
-    }
+    f.message = s.message;
+    settle(f, s.rests_on);
 
     std::string key = row_key(rule, s.message);
     if (const auto open = rows_.find(key); open != rows_.end()) {
@@ -132,7 +138,6 @@ void FindingLog::add(std::string_view rule, const Move& move, Sighting s) {
     f.quantity = std::move(s.quantity);
     f.point = s.point;
     f.box = s.box;
-    f.message = std::move(s.message);
     if (!s.hint.empty()) f.hint = std::move(s.hint);
     f.assumptions = std::move(s.assumptions);
     if (store(std::move(f))) rows_[std::move(key)] = {findings_.size() - 1, print};
@@ -152,8 +157,8 @@ void FindingLog::go_on(std::string_view rule) {
         findings_[it->second.finding].goes_on = true;
 }
 
-void FindingLog::add(Finding finding) {
-    settle(finding, false);
+void FindingLog::add(Finding finding, std::vector<std::string_view> rests_on) {
+    settle(finding, rests_on);
     store(std::move(finding));
 }
 

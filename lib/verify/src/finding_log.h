@@ -46,14 +46,17 @@ public:
     void go_on(std::string_view rule);
     /// Something that keeps a program from being proven. The same reason and message count once.
     void doubt(std::string_view reason, std::string message, const Place& place = {});
-    /// A finding that is complete as it is, but for category, weight, hint and suppression.
-    void add(Finding finding);
+    /// Adds a finding that is complete except for category, severity, hint and suppression. An
+    /// error that rests on reasons for doubt becomes a warning, and a doubt of each.
+    void add(Finding finding, std::vector<std::string_view> rests_on = {});
 
     /// Hands everything over, sorted by file, line, column and rule.
     void finish(Verdict& verdict);
 
 private:
     void settle(Finding& finding, bool weakened) const;
+    /// Settles it without the reasons that the user accepted, and logs doubts of the others.
+    void settle(Finding& finding, std::vector<std::string_view>& rests_on);
     bool store(Finding finding);
 
     const Setup* setup_;

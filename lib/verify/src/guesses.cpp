@@ -53,12 +53,12 @@ void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched
 }
 
 void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,
-                            bool needs_part, bool is_simulated, FindingLog& log) {
+                            bool needs_part, FindingLog& log) {
     if (!setup.units_assumption.empty())
         log.doubt("units-guess", "units: " + setup.units_assumption);
     if (needs_part && setup.not_simulated)
         log.doubt("not-simulated", "the program was not simulated: " + *setup.not_simulated);
-    if (!needs_part || !is_simulated) return;
+    if (!needs_part || setup.not_simulated) return;
     if (setup.setting_askew > 0.0) {
         log.doubt("kinematics-guess",
                   fmt::format("the part is turned by {:.6g} degrees on the table, which G54.4 "

@@ -16,9 +16,8 @@ namespace ncsim::verify {
 /// Of one motion. `is_watched`: its tool is known; `needs_part`: a selected rule looks at the part.
 void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched, bool needs_part,
                            FindingLog& log);
-/// Of the whole program, once it has run with these tools, by number. `is_simulated`: there is a
-/// part.
+/// Logs doubts about the set-up of a program that has run with `tools`, by number.
 void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,
-                            bool needs_part, bool is_simulated, FindingLog& log);
+                            bool needs_part, FindingLog& log);
 
 }  // namespace ncsim::verify

@@ -69,6 +69,8 @@ struct Move {
     /// Tip control with rotary axes that are not at 0, or a tool that W moves along itself: X, Y
     /// and Z are not where the axes go.
     bool is_tilted_tip = false;
+    /// Z of the start, of the end, is a position of the spindle nose, not of the tip.
+    bool starts_at_nose = false, ends_at_nose = false;
     /// Box of all paths up to here, and before this motion.
     cda::Box way, way_before;
 

@@ -56,6 +56,7 @@ bool hides_axes(const toolpath::Poses& poses, const gcode::Position& from,
 
 PathFacts::PathFacts(const Setup& setup, const Box& stock) : setup_(setup) {
     if (!stock.is_empty()) highest_ = stock.max.z;
+    at_nose_ = setup.uses_length_offsets;
     for (const Fixture& fixture : setup_.machine.fixtures)
         highest_ = std::max(highest_, fixture.place().max.z);
 }
@@ -79,6 +80,19 @@ void PathFacts::take(Move& move, const gcode::Position& from, const gcode::Posit
     place_in_machine(move, log);
     move.passes_above = passes_above(motion, from, to);
     look_at_length(move, poses.place(from).z, poses.place(to).z);
+    look_at_nose(move, from, to);
+}
+
+void PathFacts::look_at_nose(Move& move, const gcode::Position& from, const gcode::Position& to) {
+    const gcode::Motion& motion = *move.motion;
+    move.starts_at_nose = at_nose_;
+    // A machine position of Z may be where the program has the tip.
+    const bool is_upright = from.x == to.x && from.y == to.y;
+    if (from.z != to.z || !motion.known_start.z || (motion.machine_coordinates && is_upright)) {
+        at_nose_ = motion.machine_coordinates ||
+                   (frame_.length_register == gcode::kNoLength && setup_.uses_length_offsets);
+    }
+    move.ends_at_nose = at_nose_;
 }
 
 void PathFacts::measure(Move& move, const toolpath::Poses& poses, const gcode::Position& from,

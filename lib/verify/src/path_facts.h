@@ -32,12 +32,16 @@ private:
     void place_in_machine(Move& move, FindingLog& log) const;
     /// Of one that goes from the one height of the tip to the other.
     void look_at_length(Move& move, double from_mm, double to_mm) const;
+    /// Notes whether Z is a position of the spindle nose, as in machine coordinates and without a
+    /// length offset.
+    void look_at_nose(Move& move, const gcode::Position& from, const gcode::Position& to);
     bool passes_above(const gcode::Motion& motion, const gcode::Position& from,
                       const gcode::Position& to) const;
 
     const Setup& setup_;
     gcode::ProgramFrame frame_;
-    cda::Vec3 tool_offset_;                                      // mm
+    cda::Vec3 tool_offset_;  // mm
+    bool at_nose_ = false;   // Z is a position of the spindle nose, not of the tip
     double highest_ = -std::numeric_limits<double>::infinity();  // of all that stands there, W
     cda::Box way_;                                               // of all motions so far
 };

@@ -27,10 +27,19 @@ std::uint64_t Verdict::open_doubts() const {
 Outcome Verdict::outcome() const {
     if (count(Severity::Error) > 0) return Outcome::Failed;
     if (open_doubts() > 0) return Outcome::NotProven;
-    const bool is_accepted = std::ranges::any_of(findings, [](const Finding& f) {
-        return f.accepted && !f.suppressed && f.severity == Severity::Error;
-    });
-    return is_accepted ? Outcome::Accepted : Outcome::Clean;
+    return is_accepted() ? Outcome::Accepted : Outcome::Clean;
+}
+
+bool Verdict::is_accepted() const {
+    const auto is_waived = [](const Finding& f) {
+        return f.demoted || (!f.counts() && f.severity == Severity::Error);
+    };
+    return std::ranges::any_of(findings, is_waived) ||
+           std::ranges::any_of(doubts, [](const Doubt& d) { return d.accepted; });
+}
+
+std::uint64_t Verdict::deselected() const {
+    return static_cast<std::uint64_t>(std::ranges::count_if(skipped, &Skipped::deselected));
 }
 
 std::string_view name_of(Outcome outcome) {

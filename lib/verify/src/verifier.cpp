@@ -18,6 +18,7 @@
 #include "measuring.h"
 #include "path_facts.h"
 #include "rule_table.h"
+#include "unknown_length.h"
 #include "watched.h"
 
 #include <fmt/format.h>
@@ -83,7 +84,12 @@ public:
           measuring_(setup_, stock_, lattice_, move_, volumes_),
           ledger_book_(ledger_, stock_) {
         for (const Rule& rule : rule_table()) {
-            if (!asked(rule.info.id)) continue;
+            if (const auto by = setup_.selection.ignored.find(rule.info.id);
+                by != setup_.selection.ignored.end()) {
+                skipped_.push_back(
+                    {std::string(rule.info.id), "deselected by " + by->second, true});
+                continue;
+            }
             if (rule.missing) {
                 if (auto reason = rule.missing(setup_)) {
                     skipped_.push_back({std::string(rule.info.id), std::move(*reason)});
@@ -114,6 +120,7 @@ public:
         if (!move_.is_move) return;
         if (!share_.tile) {
             path_facts_.take(move_, *from, *to, log_);
+            doubt_unknown_length(setup_, move_, log_);
         } else if (part && !place_) {
             place_ = part->wanted().value_or(stock_);
             measuring_.keep(evidence_, *place_);
@@ -244,21 +251,25 @@ public:
 
     void add(Finding finding) {
         if (!asked(finding.rule)) return;
-        if (finding.certainty == Certainty::Within &&
+        if (finding.certainty == Certainty::Within && finding.severity != Severity::Note &&
             find_rule(finding.rule)->severity == Severity::Error) {
             log_.doubt("uncertain-contact", finding.message, finding.place);
         }
+        std::vector<std::string_view> rests_on;
         if (!setup_.stock_assumption.empty()) {
             finding.assumptions.push_back("stock: " + setup_.stock_assumption);
+            rests_on.emplace_back("stock-guess");
         }
         const ToolFacts* tool = finding.tool > 0 ? facts_of(setup_, finding.tool) : nullptr;
         if (tool && !tool->assumption.empty()) {
             finding.assumptions.push_back("tool: " + tool->assumption);
+            if (tool->is_guess) rests_on.emplace_back("tool-guess");
         }
         if (!setup_.units_assumption.empty()) {
             finding.assumptions.push_back("units: " + setup_.units_assumption);
+            rests_on.emplace_back("units-guess");
         }
-        log_.add(std::move(finding));
+        log_.add(std::move(finding), std::move(rests_on));
     }
 
     void add_doubt(std::string_view reason, std::string message, const Place& place) {
@@ -294,11 +305,24 @@ public:
         conclude_doubts(part != nullptr);
         log_.finish(verdict);
         verdict.skipped = std::move(skipped_);
+        verdict.demotions = demotions();
         verdict.ledger = std::move(ledger_);
         return verdict;
     }
 
 private:
+    std::vector<Demotion> demotions() const {
+        std::vector<Demotion> demotions;
+        for (const RuleInfo& rule : rules()) {
+            const auto weight = setup_.selection.severities.find(rule.id);
+            if (weight == setup_.selection.severities.end()) continue;
+            if (weight->second.severity < rule.severity)
+                demotions.push_back(
+                    {std::string(rule.id), weight->second.severity, weight->second.by});
+        }
+        return demotions;
+    }
+
     [[noreturn]] static void refuse_evidence() {
         throw std::runtime_error("the tiles do not agree on the motions of the program");
     }
@@ -472,13 +496,15 @@ private:
         const bool is_suppressed =
             !rule.empty() && where.file == 0 && setup_.suppressions.covers(d.span.line, rule);
         const std::string_view reason = doubt_of_diagnostic(d.code);
-        if (!reason.empty() && d.severity == Severity::Warning && !is_suppressed)
+        // A tool that is not described is missing information, not a fault of the program.
+        const bool is_missing = rule == "tool-undefined";
+        if (!reason.empty() && (d.severity == Severity::Warning || is_missing) && !is_suppressed)
             log_.doubt(reason, d.message, where);
         if (rule.empty() || !asked(rule)) return;
         Finding f;
         f.rule = rule;
         f.code = d.code;
-        f.severity = d.severity;
+        f.severity = is_missing ? find_rule(rule)->severity : d.severity;
         f.place = f.last = where;
         f.count = d.count;
         f.message = d.message;
@@ -487,7 +513,7 @@ private:
     }
 
     void conclude_doubts(bool is_simulated) {
-        doubt_guesses_of_setup(setup_, watched_, needs_part_, is_simulated, log_);
+        doubt_guesses_of_setup(setup_, watched_, needs_part_, log_);
         // The same block, but for the order in which it is added up.
         if (needs_part_ && is_simulated && !(ledger_.rest_mm3 < ledger_.stock_mm3 * (1.0 - 1e-12)))
             log_.doubt("nothing-removed", "the program removes nothing from the stock");

@@ -516,6 +516,7 @@ Cell placed(const Cell& cell, const Placement& placement, const Lattice& lattice
 Shape placed(const Shape& shape, const Placement& placement) {
     Shape result;
     result.lattice = shape.lattice;
+    result.assumed = shape.assumed;
     result.outer = placed(shape.outer, placement, shape.lattice);
     constexpr double kReach = static_cast<double>(std::int64_t{1} << kCoordinateBits);
     for (int i = 0; i < 3; ++i) {

@@ -22,7 +22,13 @@ namespace {
 
 using Normal = std::array<std::int64_t, 3>;
 
-constexpr std::string_view kMagic = "ncsim stock 1";
+constexpr std::string_view kMagic = "ncsim stock 2";
+constexpr std::string_view kMagicWithoutOrigin = "ncsim stock 1";
+constexpr const char* kUnknownOrigin =
+    "its format, of ncsim 0.1, does not record the assumptions of the run that wrote it";
+// Limits for a damaged file; runs write far fewer and shorter lines.
+constexpr std::size_t kMostAssumed = 10000;
+constexpr std::size_t kLongestAssumed = 2000;
 // More planes than any hull has; a limit for what a damaged file may ask for.
 constexpr std::size_t kMostPlanes = 65536;
 // |d| of planes that pass within kMaxPose of the origin stays below this.
@@ -50,11 +56,15 @@ struct ShapeWriter::State {
     }
 };
 
-ShapeWriter::ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer)
+ShapeWriter::ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer,
+                         const std::vector<std::string>& assumed)
     : state_(new State{out, {}}) {
     std::array<char, 32> unit{};  // the shortest text that gives the same number
     const auto end = std::to_chars(unit.data(), unit.data() + unit.size(), lattice.unit_mm).ptr;
-    out << kMagic << "\nunit " << std::string_view(unit.data(), end) << '\n';
+    out << kMagic << '\n';
+    for (std::size_t i = 0; i < std::min(assumed.size(), kMostAssumed); ++i)
+        out << "assumed " << std::string_view(assumed[i]).substr(0, kLongestAssumed) << '\n';
+    out << "unit " << std::string_view(unit.data(), end) << '\n';
     state_->write("outer", outer);
 }
 
@@ -77,8 +87,17 @@ public:
     explicit Reader(std::istream& in) : in_(in) {}
 
     Shape read() {
-        if (!next() || line_ != kMagic) refuse("not a stock that ncsim wrote");
-        if (!next() || !word("unit")) refuse("expected the lattice: unit 1e-05");
+        if (!next() || (line_ != kMagic && line_ != kMagicWithoutOrigin))
+            refuse("not a stock that ncsim wrote");
+        if (line_ == kMagicWithoutOrigin) shape_.assumed.emplace_back(kUnknownOrigin);
+        bool has_line = next();
+        while (has_line && word("assumed ")) {
+            if (shape_.assumed.size() == kMostAssumed || rest_.size() > kLongestAssumed)
+                refuse("more assumptions than a run makes");
+            shape_.assumed.emplace_back(rest_);
+            has_line = next();
+        }
+        if (!has_line || !word("unit")) refuse("expected the lattice: unit 1e-05");
         double unit = 0.0;
         if (!number(unit) || !is_unit(unit) || !is_at_end()) {
             refuse("expected a length in mm: 1, 2 or 5 times a power of ten, at least 1e-05");

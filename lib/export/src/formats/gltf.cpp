@@ -8,6 +8,7 @@
 #include "ncsim/export/gltf.h"
 
 #include "ncsim/cda/mesh.h"
+#include "ncsim/cda/shape.h"
 
 #include "formats/corner_normals.h"
 #include "formats/gltf_model.h"
@@ -180,6 +181,10 @@ tinygltf::Model model_of(const cda::Boundary& boundary, const Provenance& proven
     model.asset.extras = tinygltf::Value(
         tinygltf::Value::Object{{"program", tinygltf::Value(printable_utf8(provenance.program))},
                                 {"unit", tinygltf::Value(std::string("mm"))}});
+    if (!provenance.assumed.empty()) {
+        model.asset.extras.Get<tinygltf::Value::Object>().emplace(
+            "assumptions", tinygltf::Value(std::string(cda::kAssumedMark) + provenance.assumed));
+    }
     if (!provenance.text.empty()) {
         model.asset.extras.Get<tinygltf::Value::Object>().emplace(
             "lines", text_of_lines(boundary, provenance));

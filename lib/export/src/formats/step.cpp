@@ -7,6 +7,7 @@
 
 #include "ncsim/brep/frames.h"
 #include "ncsim/brep/patch.h"
+#include "ncsim/cda/shape.h"
 #include "ncsim/export/simplify.h"
 
 #include "formats/text.h"
@@ -150,7 +151,11 @@ private:
     void header() {
         text_ +=
             "ISO-10303-21;\nHEADER;\n"
-            "FILE_DESCRIPTION(('part milled by an NC program'),'2;1');\n"
+            "FILE_DESCRIPTION(('part milled by an NC program'" +
+            (provenance_.assumed.empty()
+                 ? std::string()
+                 : "," + quoted(std::string(cda::kAssumedMark) + provenance_.assumed)) +
+            "),'2;1');\n"
             "FILE_NAME(" +
             quoted(provenance_.program) +
             ",'1970-01-01T00:00:00',(''),(''),'ncsim','ncsim','');\n"

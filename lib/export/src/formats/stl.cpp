@@ -5,10 +5,12 @@
 #include "ncsim/export/stl.h"
 
 #include "ncsim/cda/parallel.h"
+#include "ncsim/cda/shape.h"
 
 #include "formats/text.h"
 #include "mesh/float_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -25,6 +27,8 @@ namespace {
 
 // Must not begin with "solid": by that word readers tell the text form of STL.
 constexpr std::string_view kHeader = "binary STL by ncsim, unit: millimetre";
+const std::string kHeaderWithAssumptions =
+    "binary STL by ncsim, unit: mm; " + std::string(cda::kAssumedMark);
 constexpr std::size_t kHeaderSize = 80;
 constexpr std::size_t kRecordSize = 50;  // of a triangle; the last two bytes stay 0
 
@@ -56,12 +60,18 @@ FloatPoint normal_of(const Corners& corners) {
 
 }  // namespace
 
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads) {
+void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads,
+               std::string_view assumed) {
     const FloatMesh rounded = round_to_floats(mesh, {}, threads);
     if (rounded.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
         throw std::runtime_error("too many triangles for an STL file");
     }
     std::string head(kHeader);
+    if (!assumed.empty()) {
+        head = kHeaderWithAssumptions;
+        head += assumed;
+        head.resize(std::min(head.size(), kHeaderSize));
+    }
     head.resize(kHeaderSize + sizeof(std::uint32_t), '\0');
     put(head.data() + kHeaderSize, static_cast<std::uint32_t>(rounded.triangles.size()));
     out.write(head.data(), static_cast<std::streamsize>(head.size()));

@@ -6,6 +6,8 @@
 //  3. A Shape lists the points its faces use, then the faces.
 #include "ncsim/export/vrml.h"
 
+#include "ncsim/cda/shape.h"
+
 #include "formats/text.h"
 #include "formats/vrml_scene.h"
 #include "mesh/pieces.h"
@@ -115,7 +117,12 @@ private:
         text_ += "#VRML V2.0 utf8\n";
         text_ += "WorldInfo { title ";
         quoted(provenance_.program);
-        text_ += " info [ \"made by ncsim\" \"unit: mm, z up\" ] }\n";
+        text_ += " info [ \"made by ncsim\" \"unit: mm, z up\"";
+        if (!provenance_.assumed.empty()) {
+            text_ += ' ';
+            quoted(std::string(cda::kAssumedMark) + provenance_.assumed);
+        }
+        text_ += " ] }\n";
     }
 
     void quoted(std::string_view words) {

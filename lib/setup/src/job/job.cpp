@@ -116,7 +116,7 @@ std::optional<gcode::SourceFile> read_subprogram(const std::vector<std::filesyst
     return std::nullopt;
 }
 
-// What the command line leaves open, and who said the rest.
+// Fills in options from the job file unless the command line specifies them.
 JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     JobFile file =
         parse_job_file({name_of_input(options.job), inputs.read(options.job, kMostSetUpBytes)});
@@ -132,8 +132,12 @@ JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     if (file.stock && file.stock->from) {
         file.stock->from->path = seen_in(folder, file.stock->from->path);
     }
-    if (!options.inches) options.inches = file.inches;
-    if (file.dialect && options.dialect == gcode::Dialect::Auto) options.dialect = *file.dialect;
+    if (!options.inches) {
+        options.inches = file.inches;
+        options.inches_assumed = file.units_assumed;
+    }
+    if (file.dialect && !file.dialect_assumed && options.dialect == gcode::Dialect::Auto)
+        options.dialect = *file.dialect;
     options.strict |= file.strict;
     options.block_delete |= file.block_delete;
     options.increments |= file.increments;
@@ -167,14 +171,69 @@ std::vector<toolpath::ToolFile> read_tables(JobOptions& options, InputSet& input
     return tables;
 }
 
+std::string text_of(const cda::Box& box) {
+    return fmt::format("{:g},{:g},{:g}:{:g},{:g},{:g}", box.min.x, box.min.y, box.min.z, box.max.x,
+                       box.max.y, box.max.z);
+}
+
+// Adds a doubt if --tool and a description in a file or comment are of different tools.
+void doubt_contradiction(Job& job, const toolpath::ToolEntry& option,
+                         const toolpath::ToolEntry& entry) {
+    constexpr double kSame = 1e-3;  // mm; CAM systems round what they print
+    const toolpath::ToolSpec &a = option.spec, &b = entry.spec;
+    const bool has_other_kind = a.kind && b.kind && *a.kind != *b.kind;
+    const bool has_other_diameter =
+        a.diameter && b.diameter && std::abs(*a.diameter - *b.diameter) > kSame;
+    if (!has_other_kind && !has_other_diameter) return;
+    const auto text_of = [](const toolpath::ToolSpec& spec) {
+        std::string text = spec.kind ? std::string(toolpath::name_of(*spec.kind)) : "tool";
+        if (spec.diameter) text += fmt::format(" D{:g}", *spec.diameter);
+        return text;
+    };
+    const bool is_comment = entry.told_by == toolpath::ToldBy::Comment;
+    job.doubts.push_back({"contradiction",
+                          fmt::format("T{} is a {} by --tool and a {} by {}", a.number, text_of(a),
+                                      text_of(b), is_comment ? "its comment" : entry.file),
+                          is_comment ? entry.span : gcode::SourceSpan{}});
+}
+
+// Adds a doubt if --stock and the comments of the program describe different blocks; a stock file
+// may be a part of the block.
+void doubt_contradiction(Job& job, const std::optional<toolpath::StockEntry>& noted) {
+    constexpr double kSame = 0.01;  // mm
+    if (!noted || !job.stock || job.stock->told_by != toolpath::ToldBy::Option) return;
+    const cda::Box &option = job.stock->box, &block = noted->box;
+    bool differs = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = block.min[axis] - option.min[axis];
+        const double high = option.max[axis] - block.max[axis];
+        if (noted->place_assumed) {
+            differs |= std::abs(option.size()[axis] - block.size()[axis]) > kSame;
+        } else {
+            differs |= low > kSame || high > kSame;
+            if (!job.stock->shape) differs |= low < -kSame || high < -kSame;
+        }
+    }
+    if (!differs) return;
+    job.doubts.push_back({"contradiction",
+                          fmt::format("the stock is {} by --stock and {} by a comment",
+                                      text_of(option), text_of(block)),
+                          noted->span});
+}
+
 // The first of a number counts. A comment that contradicts a table is worth a look: one of both is
 // of another job. What the user says at the command line is meant.
+// A length of a table stays if the command line describes the shape alone.
 void add_tool(Job& job, const toolpath::ToolEntry& entry) {
-    const toolpath::ToolEntry* known = toolpath::find_tool(job.tools, entry.spec.number);
-    if (!known) {
+    const auto known = std::ranges::find_if(job.tools, [&entry](const toolpath::ToolEntry& other) {
+        return other.spec.number == entry.spec.number;
+    });
+    if (known == job.tools.end()) {
         job.tools.push_back(entry);
         return;
     }
+    if (known->offset == cda::Vec3{}) known->offset = entry.offset;
+    if (known->told_by == toolpath::ToldBy::Option) doubt_contradiction(job, *known, entry);
     constexpr double kSame = 1e-3;  // mm; CAM systems round what they print
     if (known->told_by != toolpath::ToldBy::Table || !known->spec.diameter ||
         !entry.spec.diameter || std::abs(*known->spec.diameter - *entry.spec.diameter) <= kSame) {
@@ -188,7 +247,7 @@ void add_tool(Job& job, const toolpath::ToolEntry& entry) {
     job.diagnostics.push_back(std::move(d));
 }
 
-// What holds the tools, for those of which nobody says it.
+// Adds holders to tools without a specified holder.
 void add_holders(Job& job, const std::string& path, InputSet& inputs) {
     for (const toolpath::ToolSpec& told : read_holder_file(path, inputs)) {
         for (toolpath::ToolEntry& entry : job.tools) {
@@ -217,6 +276,11 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     if (file.stock) {
         toolpath::StockEntry entry{*file.stock, toolpath::ToldBy::Table, {}, "the stock"};
         entry.file = report::base_name(name_of_input(options.job));
+        entry.place_assumed = file.stock_place_assumed;
+        if (file.stock_assumed) {
+            entry.told_by = toolpath::ToldBy::Assumption;
+            entry.text = fmt::format("the block is marked as assumed in {}", entry.file);
+        }
         if (entry.from) static_cast<toolpath::Stock&>(entry) = read_stock_file(*entry.from, inputs);
         return entry;
     }
@@ -226,7 +290,7 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     return noted;
 }
 
-// The program, and what `options` and `from_file` tell of it.
+// Combines the program with `options`, tables, comments and the job file.
 Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_file,
              InputSet& inputs) {
     Job job;
@@ -281,7 +345,21 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
         if (entry.spec.diameter) known.diameter = gcode::Length::from_mm(*entry.spec.diameter);
         job.interpreter.tools.push_back(known);
     }
-    job.stock = choose_stock(options, from_file, tables, std::move(notes.stock), inputs);
+    job.stock = choose_stock(options, from_file, tables, notes.stock, inputs);
+    doubt_contradiction(job, notes.stock);
+    job.units_assumed = !options.inches || options.inches_assumed;
+    if (from_file.has_unknown_origin) {
+        job.doubts.push_back(
+            {"file-origin", fmt::format("{}: version 1 of job files does not record what was "
+                                        "assumed: check its values, then write version = 2",
+                                        name_of_input(options.job))});
+    }
+    if (job.stock && job.stock->shape) {
+        for (const std::string& assumed : job.stock->shape->assumed)
+            job.doubts.push_back(
+                {"file-origin",
+                 fmt::format("stock {}: {}", name_of_input(job.stock->from->path), assumed)});
+    }
     job.options = std::move(options);
     return job;
 }

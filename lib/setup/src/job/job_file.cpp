@@ -31,7 +31,7 @@ namespace {
 using toolpath::ToolKind;
 using toolpath::ToolSpec;
 
-constexpr std::int64_t kVersion1 = 1;
+constexpr std::int64_t kVersionWithoutOrigin = 1, kVersion = 2;
 
 constexpr std::pair<std::string_view, ToolKind> kKinds[] = {{"flat", ToolKind::FlatEndMill},
                                                             {"ball", ToolKind::BallEndMill},
@@ -101,8 +101,15 @@ public:
             r_.root(), "",
             {{"version",
               [&](const auto& n, const auto&) {
-                  if (n.template value<std::int64_t>() != kVersion1)
-                      r_.fail(n, "this version of job files is not known; expected 1");
+                  const auto version = n.template value<std::int64_t>();
+                  if (version != kVersion && version != kVersionWithoutOrigin)
+                      r_.fail(n, "this version of job files is not known; expected 2");
+                  job.has_unknown_origin = version == kVersionWithoutOrigin;
+              }},
+             {"assumed",
+              [&](const auto& n, const auto& k) {
+                  for (const std::string& name : assumed_names(n, k, {"units", "dialect"}))
+                      (name == "units" ? job.units_assumed : job.dialect_assumed) = true;
               }},
              {"program", [&](const auto& n, const auto& k) { job.program = r_.text(n, k); }},
              {"units",
@@ -118,14 +125,14 @@ public:
              {"allow", words(job.allow, any, "words")},
              {"accept",
               words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
-             {"require",
-              words(job.require, is_requirement, "holder, fixtures, travels, offsets, links")},
+             {"require", words(job.require, is_requirement,
+                               "holder, fixtures, travels, offsets, links, lengths")},
              {"start", [&](const auto& n, const auto& k) { job.start = r_.vector(n, k); }},
              {"offsets",
               [&](const auto& n, const auto& k) { job.offsets = read_offsets(r_, n, k); }},
              {"holders", [&](const auto& n, const auto& k) { job.holders = r_.text(n, k); }},
-             {"stock",
-              [&](const auto& n, const auto& k) { job.stock = read_stock(r_.table(n, k), k); }},
+             {"stock", [&](const auto& n,
+                           const auto& k) { job.stock = read_stock(r_.table(n, k), k, job); }},
              {"tool", [&](const auto& n, const auto& k) {
                   r_.each_of(n, k, [&](const toml::node& tool, const std::string& key) {
                       toolpath::ToolEntry entry = read_tool(r_.table(tool, key), key);
@@ -140,6 +147,24 @@ public:
     }
 
 private:
+    // The names in a list `assumed`; each has to be one of `known`.
+    template <class Known>
+    std::vector<std::string> assumed_names(const toml::node& node, const std::string& key,
+                                           const Known& known) const {
+        std::vector<std::string> names = r_.texts(node, key);
+        for (const std::string& name : names) {
+            if (std::find(std::begin(known), std::end(known), name) == std::end(known)) {
+                r_.fail(node, fmt::format("'{}': '{}' cannot be assumed here; expected {}", key,
+                                          name, fmt::join(known, ", ")));
+            }
+        }
+        return names;
+    }
+    std::vector<std::string> assumed_names(const toml::node& node, const std::string& key,
+                                           std::initializer_list<std::string_view> known) const {
+        return assumed_names(node, key, std::vector<std::string_view>(known));
+    }
+
     gcode::Dialect read_dialect(const toml::node& node, const std::string& key) const {
         using gcode::Dialect;
         const std::string name = r_.text(node, key);
@@ -174,12 +199,17 @@ private:
         return stock;
     }
 
-    toolpath::Stock read_stock(const toml::table& t, const std::string& key) const {
+    toolpath::Stock read_stock(const toml::table& t, const std::string& key, JobFile& job) const {
         if (t.contains("file")) return read_stock_from_file(t, key);
         std::optional<cda::Vec3> min, max;
         toolpath::Stock stock;
         r_.each(t, key,
-                {{"min", [&](const auto& n, const auto& k) { min = r_.vector(n, k); }},
+                {{"assumed",
+                  [&](const auto& n, const auto& k) {
+                      for (const std::string& name : assumed_names(n, k, {"size", "place"}))
+                          (name == "size" ? job.stock_assumed : job.stock_place_assumed) = true;
+                  }},
+                 {"min", [&](const auto& n, const auto& k) { min = r_.vector(n, k); }},
                  {"max", [&](const auto& n, const auto& k) { max = r_.vector(n, k); }},
                  {"axis",
                   [&](const auto& n, const auto& k) {
@@ -252,6 +282,10 @@ private:
             {"offset", [&](const auto& n, const auto& k) { entry.offset = r_.vector(n, k); }},
             {"description",
              [&](const auto& n, const auto& k) { spec.description = r_.text(n, k); }},
+            {"assumed",
+             [&](const auto& n, const auto& k) {
+                 spec.assumed = assumed_names(n, k, toolpath::kAssumable);
+             }},
             {"piece", [&](const auto& n, const auto& k) {
                  r_.each_of(n, k, [&](const auto& piece, const auto& key) {
                      spec.pieces.push_back(read_piece(piece, key));
@@ -309,8 +343,18 @@ std::string_view key_of(ToolKind kind) {
         ->first;
 }
 
+// A list of texts; nothing if it is empty.
+void write_list(std::ostream& out, const char* key, const std::vector<std::string>& words) {
+    if (words.empty()) return;
+    out << key << " = [";
+    for (std::size_t i = 0; i < words.size(); ++i)
+        out << (i == 0 ? "" : ", ") << quoted(words[i]);
+    out << "]\n";
+}
+
 void write_tool(std::ostream& out, const ToolSpec& spec, cda::Vec3 offset) {
     out << "[[tool]]\nnumber = " << spec.number << '\n';
+    write_list(out, "assumed", spec.assumed);
     if (spec.kind) out << "kind = \"" << key_of(*spec.kind) << "\"\n";
     for (const NamedValue& named : kValues) {
         if (const auto& value = spec.*named.value) {
@@ -364,7 +408,13 @@ JobFile parse_job_file(const gcode::SourceFile& file) {
 void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& remarks) {
     out << "# Written by ncsim " << report::kVersion
         << ": what a program stood on. Lengths in mm, angles in degrees.\n"
-        << "version = 1\n";
+        << "# Values that are named in a list \"assumed\" were not specified: correct them and "
+           "remove the name.\n"
+        << "version = " << kVersion << '\n';
+    std::vector<std::string> assumed;
+    if (file.units_assumed) assumed.emplace_back("units");
+    if (file.dialect_assumed) assumed.emplace_back("dialect");
+    write_list(out, "assumed", assumed);
     if (!file.program.empty()) out << "program = " << quoted(file.program) << '\n';
     out << "units = \"" << (file.inches.value_or(false) ? "inch" : "mm")
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
@@ -372,16 +422,9 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     if (file.strict) out << "strict = true\n";
     if (file.increments) out << "increments = true\n";
     if (file.block_delete) out << "block_delete = true\n";
-    const auto list = [&out](const char* key, const std::vector<std::string>& words) {
-        if (words.empty()) return;
-        out << key << " = [";
-        for (std::size_t i = 0; i < words.size(); ++i)
-            out << (i == 0 ? "" : ", ") << quoted(words[i]);
-        out << "]\n";
-    };
-    list("allow", file.allow);
-    list("accept", file.accept);
-    list("require", file.require);
+    write_list(out, "allow", file.allow);
+    write_list(out, "accept", file.accept);
+    write_list(out, "require", file.require);
     if (file.start) out << "start = " << triple(*file.start) << "  # in G54\n";
     if (!file.offsets.empty()) {
         out << "\n[offsets]\n";
@@ -390,6 +433,10 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
     }
     if (file.stock) {
         out << "\n[stock]\n" << remark(remarks.stock);
+        std::vector<std::string> assumed_of_stock;
+        if (file.stock_assumed) assumed_of_stock.emplace_back("size");
+        if (file.stock_place_assumed) assumed_of_stock.emplace_back("place");
+        write_list(out, "assumed", assumed_of_stock);
         write_stock(out, *file.stock);
     }
     for (std::size_t i = 0; i < file.tools.size(); ++i) {

@@ -311,6 +311,7 @@ void KinematicsReader::take_link(const toml::node& node, const std::string& key)
     if (auto file = mesh.finish()) {
         link.mesh = std::move(file->mesh);
         link.deflection_mm = file->deflection_mm;
+        link.assumed = std::move(file->assumed);
         link.mesh_at = mesh.place();
         link.as_hull = mesh.as_hull();
     }
@@ -490,6 +491,7 @@ std::vector<MachineBody> KinematicsReader::links_that(bool have_a_mesh) const {
         if (link.joint) body.joint = body.moved_by.joints.back();
         body.clearance_mm = link.clearance_mm;
         body.deflection_mm = link.deflection_mm;
+        body.assumed = link.assumed;
         body.mesh_at = link.mesh_at;
         body.as_hull = link.as_hull;
         bodies.push_back(std::move(body));

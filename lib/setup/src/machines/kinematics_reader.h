@@ -64,6 +64,7 @@ private:
         std::optional<std::array<std::uint8_t, 3>> colour;
         double clearance_mm = 0.0;
         double deflection_mm = 0.0;  // of the mesh
+        std::string assumed{};
         std::string mesh_at;
         bool as_hull = false;
     };

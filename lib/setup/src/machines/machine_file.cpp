@@ -89,6 +89,7 @@ verify::Fixture read_fixture(const TomlReader& r, const std::string& folder, Inp
     if (auto file = mesh.finish()) {
         fixture.mesh = std::move(file->mesh);
         fixture.deflection_mm = file->deflection_mm;
+        fixture.assumed = std::move(file->assumed);
         fixture.mesh_at = mesh.place();
         fixture.as_hull = mesh.as_hull();
         for (const cda::Vec3& v : fixture.mesh.vertices)

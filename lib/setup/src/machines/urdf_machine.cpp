@@ -55,6 +55,7 @@ struct UrdfLink {
     std::string name;
     cda::TriangleMesh mesh;  // in its own frame, mm
     double deflection_mm = 0.0;
+    std::string assumed;
     const XMLElement* mesh_at = nullptr;     // the last of them
     const XMLElement* carried_by = nullptr;  // its joint
     std::size_t parent = 0;
@@ -243,6 +244,7 @@ private:
         }
         const double most = std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
         link.deflection_mm = std::max(link.deflection_mm, most * file.deflection_mm);
+        if (link.assumed.empty()) link.assumed = std::move(file.assumed);
         return std::move(file.mesh);
     }
 
@@ -447,6 +449,7 @@ private:
             body.moved_by = moved_by(i, X_MR);
             body.mesh = link.mesh;
             body.deflection_mm = link.deflection_mm;
+            body.assumed = link.assumed;
             body.mesh_at = place_of(link.mesh_at ? link.mesh_at : link.at);
             const Pose X = X_MR * link.X_placed;
             for (Vec3& p : body.mesh.vertices)

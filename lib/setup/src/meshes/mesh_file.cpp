@@ -2,6 +2,7 @@
 #include "ncsim/setup/mesh_file.h"
 
 #include "ncsim/cda/check.h"
+#include "ncsim/cda/shape.h"
 
 #include "meshes/obj_mesh.h"
 #include "meshes/polygons.h"
@@ -308,6 +309,19 @@ std::vector<Vec3> corners_in(std::string_view bytes) {
     return std::move(*corners);
 }
 
+// The text behind the mark that writers of meshes leave in headers, comments and extras: STL, STEP,
+// glTF and VRML; empty if there is none.
+std::string assumptions_in(std::string_view bytes) {
+    constexpr std::size_t kLongest = 400;
+    const std::size_t at = bytes.find(cda::kAssumedMark);
+    if (at == std::string_view::npos) return {};
+    const std::string_view text = bytes.substr(at + cda::kAssumedMark.size(), kLongest);
+    const auto ends = [](char c) { return c < ' ' || c > '~' || c == '"' || c == '\''; };
+    const std::string_view list =
+        text.substr(0, static_cast<std::size_t>(std::ranges::find_if(text, ends) - text.begin()));
+    return fmt::format("written by a run of ncsim that assumed: {}", list);
+}
+
 }  // namespace
 
 SurfaceFile read_surface_file(const std::string& path, InputSet& inputs) {
@@ -321,6 +335,7 @@ SurfaceFile read_surface_file(const std::string& path, InputSet& inputs) {
             file.mesh = weld(corners_in(bytes));
             file.has_unit = is_gltf(bytes);
         }
+        file.assumed = assumptions_in(bytes);
         const cda::TriangleMesh& mesh = file.mesh;
         if (mesh.triangles.empty()) throw Refused{"it has no triangles"};
         if (const std::size_t open = open_edges(mesh); open > 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/setup/stock_file.h"
 
+#include "ncsim/report/plain_text.h"
 #include "ncsim/setup/mesh_file.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,8 @@ cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& p
     deflection_mm = surface.deflection_mm;
     cda::TriangleMesh& mesh = surface.mesh;
     cda::Box box;
+    std::vector<std::string> assumed;
+    if (!surface.assumed.empty()) assumed.push_back(std::move(surface.assumed));
     for (cda::Vec3& p : mesh.vertices) {
         cda::Vec3 turned = file.move;
         for (int i = 0; i < 3; ++i) {
@@ -59,7 +62,9 @@ cda::Shape read_surface(const toolpath::StockFile& file, const cda::Placement& p
         p = turned;
         box.add(p);
     }
-    return cda::shape_of(mesh, cda::Lattice::for_stock(box));
+    cda::Shape shape = cda::shape_of(mesh, cda::Lattice::for_stock(box));
+    shape.assumed = std::move(assumed);
+    return shape;
 }
 
 }  // namespace
@@ -106,9 +111,12 @@ toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& input
     return stock;
 }
 
-void write_stock_file(std::ostream& out, const cda::Shape& stock,
-                      std::span<const cda::Cell> carved) {
-    cda::ShapeWriter writer(out, stock.lattice, stock.outer);
+void write_stock_file(std::ostream& out, const cda::Shape& stock, std::span<const cda::Cell> carved,
+                      const std::vector<std::string>& assumed) {
+    std::vector<std::string> lines;
+    for (const std::string& text : assumed)
+        lines.push_back(report::one_line(text));
+    cda::ShapeWriter writer(out, stock.lattice, stock.outer, lines);
     for (const cda::Cell& cell : stock.carved)
         writer.carve(cell);
     for (const cda::Cell& cell : carved)

@@ -153,19 +153,57 @@ Tool make_tool(const ToolSpec& spec, double assumed_length) {
     return tool;
 }
 
+ToolSpec specified_part(const ToolSpec& spec) {
+    ToolSpec part = spec;
+    part.assumed.clear();
+    for (const std::string& name : spec.assumed) {
+        if (name == "shape") {
+            part = {};
+            part.number = spec.number;
+        }
+        if (name == "kind") part.kind.reset();
+        if (name == "diameter") part.diameter.reset();
+        if (name == "angle") part.angle.reset();
+        if (name == "taper") part.taper.reset();
+        if (name == "length") part.length.reset();
+    }
+    return part;
+}
+
 ToolSpec filled(const ToolSpec& spec, double assumed_length) {
     ToolSpec result = spec;
     if (!spec.pieces.empty()) return result;
+    const auto assume = [&result](const char* name) {
+        if (std::ranges::find(result.assumed, name) == result.assumed.end())
+            result.assumed.emplace_back(name);
+    };
     result.kind = kind_of(spec);
-    if (!spec.diameter) result.diameter = diameter_of(spec);
+    // A corner radius or an angle decides the kind.
+    if (!spec.kind && *result.kind == ToolKind::FlatEndMill) assume("kind");
+    if (!spec.diameter) {
+        result.diameter = diameter_of(spec);
+        assume("diameter");
+    }
     if (*result.kind == ToolKind::Drill || *result.kind == ToolKind::VCutter) {
         result.angle = angle_of(spec, *result.kind);
+        if (!spec.angle) assume("angle");
     }
-    if (!spec.length) result.length = length_of(spec, *result.kind, assumed_length);
+    if (*result.kind == ToolKind::DovetailMill && !spec.taper) {
+        result.taper = kDovetailTaper;
+        assume("taper");
+    }
+    if (!spec.length) {
+        result.length = length_of(spec, *result.kind, assumed_length);
+        if (*result.kind != ToolKind::LollipopMill) assume("length");
+    }
     return result;
 }
 
 bool guesses_shape(const ToolSpec& spec) {
+    if (!spec.assumed.empty()) {
+        const ToolSpec part = specified_part(spec);
+        return !is_complete(part) || guesses_shape(part);
+    }
     if (!spec.pieces.empty()) return false;
     const ToolKind kind = kind_of(spec);
     switch (kind) {
@@ -224,23 +262,24 @@ double least_flute_length(const Tool& tool) {
 }
 
 std::string filled_in(const ToolSpec& spec, double assumed_length) {
-    if (!spec.pieces.empty()) return {};
+    const ToolSpec part = specified_part(spec);
+    if (!part.pieces.empty()) return {};
     std::string result;
     const auto add = [&result](const std::string& what) {
         result += (result.empty() ? "" : ", ") + what;
     };
     const ToolKind kind = kind_of(spec);
-    if (!spec.kind) add("kind " + std::string(name_of(kind)));
-    if (!spec.diameter) add("diameter " + text::number(diameter_of(spec)) + " mm");
+    if (!part.kind) add("kind " + std::string(name_of(kind)));
+    if (!part.diameter) add("diameter " + text::number(diameter_of(spec)) + " mm");
     if (kind == ToolKind::Other) add("the shape of a flat end mill");
-    if ((kind == ToolKind::Drill || kind == ToolKind::VCutter) && !spec.angle) {
+    if ((kind == ToolKind::Drill || kind == ToolKind::VCutter) && !part.angle) {
         add("angle " + text::number(angle_of(spec, kind)) + " deg");
     }
-    if (kind == ToolKind::DovetailMill && !spec.taper)
-        add("taper " + text::number(kDovetailTaper) + " deg");
-    if (!spec.length && kind != ToolKind::LollipopMill)
+    if (kind == ToolKind::DovetailMill && !part.taper)
+        add("taper " + text::number(spec.taper.value_or(kDovetailTaper)) + " deg");
+    if (!part.length && kind != ToolKind::LollipopMill)
         add("length " + text::number(length_of(spec, kind, assumed_length)) + " mm");
-    if (const auto neck = neck_of(spec, kind); neck && !spec.neck_diameter)
+    if (const auto neck = neck_of(spec, kind); neck && !part.neck_diameter)
         add("neck " + text::number(*neck) + " mm");
     return result;
 }

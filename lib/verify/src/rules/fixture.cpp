@@ -32,7 +32,7 @@ void judge_fixture_contact(const Setup& setup, const Move& move, FindingLog& log
                                setup.machine.fixtures[contact.fixture].name)};
         s.certainty = contact.certainty;
         s.rests_on = guesses_of(setup, move, contact.certainty);
-        std::erase(s.rests_on, "stock-guess");  // what is cut has no part in it
+        std::erase(s.rests_on, "stock-guess");  // fixtures do not depend on the stock
         s.box = contact.box;
         s.assumptions = assumptions_of(setup, move);
         log.add("fixture-contact", move, std::move(s));
@@ -46,6 +46,8 @@ void judge_fixture_clearance(const Setup& setup, const Move& move, FindingLog& l
         Sighting s{fmt::format("{} comes closer than {:.6g} mm to the fixture '{}'",
                                what_of(setup, move, contact), fixture.clearance_mm, fixture.name)};
         s.certainty = contact.certainty;
+        s.rests_on = guesses_of(setup, move, contact.certainty);
+        std::erase(s.rests_on, "stock-guess");  // fixtures do not depend on the stock
         s.box = contact.box;
         s.assumptions = assumptions_of(setup, move);
         log.add("fixture-clearance", move, std::move(s));

@@ -115,6 +115,7 @@ void judge_machine_near_miss(const Setup& setup, const Move& move, FindingLog& l
         Sighting s = sighting_of(setup, move, contact,
                                  fmt::format("{} comes closer than {:.6g} mm to {}", contact.second,
                                              contact.clearance_mm, contact.first));
+        s.rests_on = guesses_of_links(setup, move, contact);
         if (contact.amount_mm > 0.0) s.quantity = Quantity{"apart", contact.amount_mm, "mm"};
         log.add("machine-near-miss", move, std::move(s));
     }

@@ -3,6 +3,7 @@
 // Does the program stay within the travels of the machine?
 #include "finding_log.h"
 #include "rule_table.h"
+#include "unknown_length.h"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,10 @@ void judge_over_travel(const Setup& setup, const Move& move, FindingLog& log) {
         s.quantity = Quantity{"by", std::max(below, above), "mm"};
         s.box = move.path;
         s.rests_on = guesses_of_place(setup, move);
+        // A tool of some length keeps Z above its lower end.
+        if (axis == 2 && above <= kRounding && !move.ends_at_nose &&
+            has_unknown_length(setup, move))
+            s.rests_on.emplace_back("length-offset");
         if (move.motion->machine_coordinates && !setup.home_assumption.empty()) {
             s.assumptions.push_back("home: " + setup.home_assumption);
         }

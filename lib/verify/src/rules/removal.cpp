@@ -27,6 +27,7 @@ Sighting over(const Setup& setup, const Move& move, std::string message, Quantit
     s.quantity = std::move(quantity);
     s.box = move.contact;
     s.assumptions = assumptions_of(setup, move);
+    s.rests_on = guesses_of(setup, move);
     return s;
 }
 

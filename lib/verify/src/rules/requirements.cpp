@@ -20,6 +20,16 @@ std::optional<std::string> missing_requirement(const Setup& setup, std::string_v
         if (without.empty()) return std::nullopt;
         return "holder: not told of " + without;
     }
+    if (requirement == "lengths") {
+        std::string without;
+        for (const auto& [number, facts] : setup.tools) {
+            if (!facts.gauge_length_specified && setup.cutting_tools.contains(number))
+                without += fmt::format("{}T{}", without.empty() ? "" : ", ", number);
+        }
+        if (without.empty()) return std::nullopt;
+        return "lengths: not specified for " + without +
+               " (Z in a tool table, offset in a job file)";
+    }
     if (requirement == "fixtures") {
         const bool told = setup.machine.fixtures_told || !setup.machine.fixtures.empty();
         if (told) return std::nullopt;

@@ -136,6 +136,7 @@ void judge_feed_limit(const Setup& setup, const Move& move, FindingLog& log) {
     Sighting s{fmt::format("feed above the {}'s limit of {:.6g} mm/min", most->whose, most->value)};
     s.lasts = true;
     s.quantity = Quantity{"feed", *feed, "mm/min"};
+    if (!setup.units_assumption.empty()) s.rests_on.emplace_back("units-guess");
     log.add("feed-limit", move, std::move(s));
 }
 

@@ -14,17 +14,23 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::cda {
 
 class WorkpieceModel;
 
+/// Stands in mesh files before the reasons for doubt about the run that wrote them.
+inline constexpr std::string_view kAssumedMark = "ncsim assumed: ";
+
 /// outer \ (carved[0] ∪ carved[1] ∪ …)
 struct Shape {
     Lattice lattice;
     Cell outer;
     std::vector<Cell> carved;
+    /// Assumptions of the run that wrote the shape to a file, a line of text each.
+    std::vector<std::string> assumed{};
 };
 
 /// The inside of a closed surface. Corners are rounded to the lattice and triangles that lie in a
@@ -64,7 +70,8 @@ Shape placed(const Shape& shape, const Placement& placement);
 
 /// Writes a shape as text, cell by cell as they come:
 ///
-///     ncsim stock 1
+///     ncsim stock 2
+///     assumed T1: …         an assumption of the run that left it; any number of lines
 ///     unit 1e-05            millimetres
 ///     normal 0 0 1          numbered from 0
 ///     outer 0 500 …         a cell: pairs of a normal's number and a distance, n·x <= d in units
@@ -72,7 +79,9 @@ Shape placed(const Shape& shape, const Placement& placement);
 ///     end 12                how many cells were carved
 class ShapeWriter {
 public:
-    ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer);
+    /// `assumed`: texts of one line.
+    ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& outer,
+                const std::vector<std::string>& assumed = {});
     ~ShapeWriter();
     ShapeWriter(ShapeWriter&&) noexcept;
     void carve(const Cell& cell);
@@ -84,8 +93,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Reads what ShapeWriter writes. Throws std::runtime_error, "LINE: why", for anything else:
-/// numbers out of range, cells without end, a file that breaks off.
+/// Reads what ShapeWriter writes, and version 1 of the format, which did not record assumptions:
+/// Shape::assumed says so.
+/// Throws: std::runtime_error, "LINE: why", for numbers out of range, cells without end, a file
+/// that breaks off, and all other text.
 Shape read_shape(std::istream& in);
 
 }  // namespace ncsim::cda

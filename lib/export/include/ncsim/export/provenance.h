@@ -24,6 +24,9 @@ struct Provenance {
     std::string program;  ///< File name without folders, as formats may quote it.
     /// Text of the lines that entries name, as far as it is known.
     std::map<std::uint32_t, std::string> text{};
+    /// Reasons for doubt about the run, "stock-guess, tool-guess", as files record them behind
+    /// cda::kAssumedMark; empty: none.
+    std::string assumed{};
 
     /// The entry of `origin`; that of the stock for numbers beyond the list.
     Entry of(cda::Origin origin) const;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <string_view>
 
 namespace ncsim::exporter {
 
@@ -23,6 +24,8 @@ namespace ncsim::exporter {
 /// machine has). Throws std::invalid_argument if the mesh is
 /// not closed, std::runtime_error if it has more triangles than the format can count (2^32 - 1) or
 /// coordinates beyond 2^100, or the stream fails.
-void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads = 1);
+/// `assumed`: as Provenance::assumed; the header has room for the first 30 bytes of it.
+void write_stl(std::ostream& out, const cda::TriangleMesh& mesh, std::size_t threads = 1,
+               std::string_view assumed = {});
 
 }  // namespace ncsim::exporter

@@ -24,7 +24,12 @@ std::string text_of(const Checked& checked, const TextOptions& options);
 std::string counts_of(const Checked& checked);
 /// What would prove it: for each reason for doubt its name, ": " and what to tell, a line each.
 std::string remedies_of(const Checked& checked);
-/// What was not asked of it, a line a reason; empty if that is nothing.
+/// Returns "RULE: severity note by --severity".
+std::string demotion_text(const verify::Demotion& demotion);
+/// Returns what the user switched off or accepted, for the line of the verdict: "34 of 36 rules by
+/// --ignore; accepted stock-guess"; empty if nothing.
+std::string scope_of(const Checked& checked);
+/// Returns the rules that were not asked, a line a reason; empty if there are none.
 std::string skipped_of(const Checked& checked);
 
 /// After the programs, each of which has told its own. Of one: what was not asked. Of many: what

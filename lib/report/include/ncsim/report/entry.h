@@ -20,9 +20,11 @@ struct Entry {
     std::string settings;  ///< The ncsim.toml that told some options; empty: none.
     std::string baseline;  ///< The file of known findings; empty: none.
     std::string counts;    ///< For people: "1 error, 0 warnings, 0 notes, 2 doubts".
-    std::string to_tell;   ///< For people: what would prove it, a line a reason for doubt.
-    std::string skipped;   ///< For people: what was not asked, a line a reason.
-    std::string json;      ///< In one line, as are the next two.
+    /// For people: what the user switched off or accepted, "34 of 36 rules"; empty: nothing.
+    std::string scope;
+    std::string to_tell;  ///< For people: what would prove it, a line a reason for doubt.
+    std::string skipped;  ///< For people: what was not asked, a line a reason.
+    std::string json;     ///< In one line, as are the next two.
     std::string sarif;
     std::string junit;
     std::string github;  ///< Annotations, a line each.

@@ -34,6 +34,8 @@ struct ProgramFacts {
     std::string rotation;         ///< How that turns the tool, in words.
     /// Axes X, Y, Z that the program never tells, though it cuts: taken as 0.
     std::array<bool, 3> untold{};
+    bool calls_tools = false;    ///< The program changes tools.
+    bool units_assumed = false;  ///< Neither the program nor the user specifies the unit.
     bool uses_machine_coordinates = false;
     cda::Box tip_positions;                      ///< Of all moves with a known start, mm, in W.
     std::map<int, verify::Distances> distances;  ///< By tool number.

@@ -5,7 +5,6 @@
 
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
-#include "ncsim/verify/selection.h"
 
 namespace ncsim::report {
 
@@ -17,7 +16,6 @@ struct EntryOptions {
     bool warnings_as_errors = false;
     bool json = true, sarif = true, junit = true, github = true, csv = false;
     bool known = false;  ///< For a baseline.
-    verify::Selection selection;
 };
 
 /// `code`: the exit code.

@@ -13,9 +13,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::setup {
+
+/// A reason for doubt about the files and options of a job: `file-origin`, `contradiction`.
+struct JobDoubt {
+    std::string_view reason;  ///< Of verify::reasons(); static.
+    std::string message;
+    gcode::SourceSpan span{};  ///< In the program; line 0: nowhere.
+};
 
 struct Job {
     JobOptions options;  ///< As they were completed from a job file.
@@ -27,6 +35,8 @@ struct Job {
     /// Where the tool stands when the program starts, in G54, mm.
     std::optional<cda::Vec3> start;
     gcode::Diagnostics diagnostics;  ///< Comments that contradict each other.
+    bool units_assumed = true;       ///< The unit of programs without G20 and G21 is not specified.
+    std::vector<JobDoubt> doubts;
 };
 
 /// Reads what `options` names. Throws std::runtime_error if a file cannot be read, the program is

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Job files (TOML 1.0): everything a program does not say about its set-up, so that it can be run
-// again. What `--save-job` writes, `--job` reads.
+// again. What `--save-job` writes, `--job` reads. Values that a run assumed are marked by a list
+// `assumed`, and stay assumptions until the mark is removed.
 #pragma once
 
 #include "ncsim/cda/vec.h"
@@ -31,7 +32,11 @@ struct JobFile {
     std::map<int, cda::Vec3> offsets;  ///< Origins in the machine, by MachineState::system.
     std::string holders;               ///< A file, as written.
     std::optional<toolpath::Stock> stock;
-    std::vector<toolpath::ToolEntry> tools;
+    std::vector<toolpath::ToolEntry> tools;  ///< With ToolSpec::assumed.
+    bool units_assumed = false, dialect_assumed = false;
+    bool stock_assumed = false, stock_place_assumed = false;
+    /// Version 1, of ncsim 0.1, does not record what was assumed.
+    bool has_unknown_origin = false;
 };
 
 /// Throws std::runtime_error with line and column if `file` is no TOML, or says something that is

@@ -31,6 +31,7 @@ struct JobOptions {
     std::optional<cda::Vec3> start;        ///< Where the tool stands at the beginning, in G54.
     /// Origins of coordinate systems in the machine, by gcode::MachineState::system.
     std::map<int, cda::Vec3> offsets;
+    bool inches_assumed = false;           ///< `inches` is marked as assumed in a job file.
     std::optional<bool> inches;            ///< For programs that say neither G20 nor G21; mm.
     bool increments = false;               ///< Numbers without a point count least increments.
     std::vector<std::string> subprograms;  ///< Folders, besides that of the program.

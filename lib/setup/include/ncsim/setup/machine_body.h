@@ -26,6 +26,7 @@ struct MachineBody {
     double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
     std::string mesh_at{};       ///< Where the mesh was told: "mill.toml:12:1".
     bool as_hull = false;        ///< What it may meet is asked of its convex hull.
+    std::string assumed{};       ///< Assumptions of the run that wrote the mesh; empty: none.
 };
 
 /// Its corners with the joints at `values`, machine coordinates.

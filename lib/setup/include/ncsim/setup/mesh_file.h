@@ -20,6 +20,7 @@ struct SurfaceFile {
     std::vector<std::string> face_names{};
     double deflection_mm = 0.0;  ///< How far it may be from what the file means.
     bool has_unit = false;       ///< The file tells in which unit its lengths are; else in mm.
+    std::string assumed{};       ///< Assumptions of the run of ncsim that wrote it; empty: none.
 };
 
 /// Reads STL, binary or text, OBJ and VRML97 with lengths in mm, binary glTF 2.0 (.glb; metres with

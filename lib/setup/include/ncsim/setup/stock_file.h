@@ -11,6 +11,7 @@
 #include <iosfwd>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace ncsim::setup {
 
@@ -27,8 +28,9 @@ cda::Placement parse_turn(const std::string& text);
 /// Throws std::runtime_error, naming the file, if it is neither or is too far from the origin.
 toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& inputs);
 
-/// What is left of `stock` after `carved`, for read_stock_file().
-void write_stock_file(std::ostream& out, const cda::Shape& stock,
-                      std::span<const cda::Cell> carved);
+/// Writes what is left of `stock` after `carved`, for read_stock_file(), with the assumptions of
+/// the run, a text each.
+void write_stock_file(std::ostream& out, const cda::Shape& stock, std::span<const cda::Cell> carved,
+                      const std::vector<std::string>& assumed);
 
 }  // namespace ncsim::setup

@@ -8,6 +8,7 @@
 #include "ncsim/setup/machine_file.h"
 #include "ncsim/simulation/design.h"
 #include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
 #include "ncsim/verify/evidence.h"
 #include "ncsim/verify/machine_bodies.h"
 #include "ncsim/verify/selection.h"
@@ -61,6 +62,12 @@ std::shared_ptr<const verify::MachineBodies> bodies_of(const setup::MachineFile&
 report::Checked check(Plan plan, const Questions& questions = {});
 /// The same into `checked`, which keeps what was known by then if it throws.
 void check(Plan plan, const Questions& questions, report::Checked& checked);
+/// Returns, a text each, the doubts that a verdict on the plan would have about tools, stock and
+/// motions, and the errors of its blocks, for files that the plan's run writes.
+/// Requires: `survey` is that of the plan; take_machine() has applied `machine`.
+/// Cost: one interpretation of the program; nothing is cut.
+std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
+                                        const setup::MachineFile& machine);
 /// Asks plan.tile of the part, and judges nothing. Throws as check() does.
 SeenTile check_tile(Plan plan, const Questions& questions);
 

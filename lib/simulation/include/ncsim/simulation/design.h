@@ -21,6 +21,7 @@ struct Design {
     /// How far the triangles may be from the design, less than the tolerance. What is beyond the
     /// tolerance less this is found.
     double deflection_mm = 0.0;
+    std::string assumed{};  ///< Assumptions of the run that wrote the file; empty: none.
 };
 
 /// Findings of the rules gouge and excess, one for each region, at the line that cut the part

@@ -38,8 +38,18 @@ struct ToolSpec {
     std::vector<ToolSegment> holder;
     std::vector<ToolPiece> pieces;  ///< Where given, they are the tool and the rest is only told.
     std::string description;
+    /// Names of values above that were assumed, not specified: those of kAssumable, or "shape" for
+    /// the whole tool.
+    std::vector<std::string> assumed;
     bool operator==(const ToolSpec&) const = default;
 };
+
+/// Values of a ToolSpec that filled() may assume, by the names that ToolSpec::assumed has for them.
+inline constexpr std::string_view kAssumable[] = {"shape", "kind",  "diameter",
+                                                  "angle", "taper", "length"};
+
+/// Returns `spec` without the values that were assumed: what was specified.
+ToolSpec specified_part(const ToolSpec& spec);
 
 /// Can a tool be made of it? It needs a positive diameter, or pieces; of V-cutters the diameter of
 /// the tip is enough.
@@ -67,7 +77,8 @@ bool tells_holder(const ToolSpec& spec);
 /// drills (DIN 6539), a tenth of face mills; a cone up to its diameter.
 double least_flute_length(const Tool& tool);
 
-/// `spec` with everything make_tool() would fill in.
+/// Returns `spec` with everything make_tool() would fill in, named in ToolSpec::assumed if nothing
+/// that was specified decides it.
 ToolSpec filled(const ToolSpec& spec, double assumed_length);
 
 /// What make_tool() had to fill in, in words, for the assumption sheet: "length 45 mm". Empty if

@@ -82,6 +82,7 @@ struct Finding {
     std::string hint;                      ///< How to mend it.
     std::vector<std::string> assumptions;  ///< What was not told and the verdict rests on.
     bool suppressed = false;  ///< By a comment in the program; told, but does not count.
+    bool demoted = false;     ///< The user lowered the severity of its rule.
     /// Somebody looked at it before and accepted it, outside of the program: why, if that was told.
     /// Does not count either, but a program with accepted errors is not clean.
     std::optional<std::string> accepted;
@@ -94,6 +95,7 @@ struct Finding {
 struct Skipped {
     std::string rule;
     std::string reason;
+    bool deselected = false;  ///< By the user; `reason` says how.
     bool operator==(const Skipped&) const = default;
 };
 

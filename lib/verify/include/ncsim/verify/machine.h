@@ -33,6 +33,7 @@ struct Fixture {
     double deflection_mm = 0.0;  ///< How far the mesh may be from what its file means.
     std::string mesh_at{};       ///< Where the mesh was told: "mill.toml:12:1".
     bool as_hull = false;        ///< Its convex hull stands for the mesh among links.
+    std::string assumed{};       ///< Assumptions of the run that wrote the mesh; empty: none.
     /// Every part of a tool must stay this far away, mm.
     double clearance_mm = 0.0;
 

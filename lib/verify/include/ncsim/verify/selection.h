@@ -11,12 +11,21 @@
 
 namespace ncsim::verify {
 
-/// Which rules are asked, and how much they weigh.
+/// Rules that the user deselected, and severities that the user changed, each with the option that
+/// did it, or its place in a file: "--ignore", "ncsim.toml:3:1".
 struct Selection {
-    std::set<std::string, std::less<>> ignored;
-    std::map<std::string, Severity, std::less<>> severities;
+    struct Weight {
+        Severity severity = Severity::Error;
+        std::string by;
+    };
+    std::map<std::string, std::string, std::less<>> ignored;  ///< By rule.
+    std::map<std::string, Weight, std::less<>> severities;    ///< By rule.
+    /// What accepted the reasons of Setup::accepted.
+    std::string accepted_by = "--accept";
 
     bool includes(std::string_view id) const { return !ignored.contains(id); }
+    /// Replaces the option `option` by the place that it comes from.
+    void set_origin(std::string_view option, const std::string& place);
 };
 
 }  // namespace ncsim::verify

@@ -32,7 +32,8 @@ struct ToolFacts {
     /// Up to where its flutes certainly reach, mm above the tip; empty: as high as it is modelled.
     std::optional<double> certain_flutes;
     bool holder_told = false;
-    std::optional<double> max_feed;  ///< mm/min
+    bool gauge_length_specified = false;  ///< From the spindle nose to the tip.
+    std::optional<double> max_feed;       ///< mm/min
     std::optional<double> max_rpm;
     std::optional<double> max_depth;         ///< Along the axis, mm.
     std::optional<double> max_engagement;    ///< Removed volume per path, mm³/mm (= mm²).
@@ -98,8 +99,8 @@ struct Setup {
 };
 
 /// The words that `required` knows.
-inline constexpr std::string_view kRequirements[] = {"holder", "fixtures", "travels", "offsets",
-                                                     "links"};
+inline constexpr std::string_view kRequirements[] = {"holder",  "fixtures", "travels",
+                                                     "offsets", "links",    "lengths"};
 
 /// Does any selected rule look at the part?
 bool needs_part(const Setup& setup);

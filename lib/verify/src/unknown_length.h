@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Unspecified tool lengths, where positions of the tip and of the machine meet.
+#pragma once
+
+#include "ncsim/verify/setup.h"
+
+#include "finding_log.h"
+#include "move.h"
+
+namespace ncsim::verify {
+
+/// True if the program uses length offsets and neither the length of the tool nor the offset that
+/// is active is specified.
+bool has_unknown_length(const Setup& setup, const Move& move);
+
+/// Logs a doubt `length-offset` if some length of the tool, from its specified part up to 100 mm
+/// more, takes Z out of its travel, or the tip into the stock or a fixture at a position that the
+/// program gives in machine coordinates.
+void doubt_unknown_length(const Setup& setup, const Move& move, FindingLog& log);
+
+}  // namespace ncsim::verify
