@@ -8,7 +8,7 @@
 #include "ncsim/simulation/simulate.h"
 #include "ncsim/simulation/survey.h"
 
-#include "plan_options.h"
+#include "options/plan_options.h"
 
 #include <chrono>
 #include <cstdio>

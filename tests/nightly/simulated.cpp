@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nightly/simulated.h"
 
-#include "options.h"
-#include "plan_options.h"
+#include "commands/options.h"
+#include "options/plan_options.h"
 
 #include <unistd.h>
 

@@ -16,8 +16,8 @@
 #include "ncsim/toolpath/sampler.h"
 #include "ncsim/toolpath/trace.h"
 
-#include "picture.h"
-#include "plan_options.h"
+#include "options/plan_options.h"
+#include "run/picture.h"
 #include "support/count.h"
 #include "support/golden.h"
 #include "support/random_shapes.h"
