@@ -20,6 +20,7 @@ if(TARGET ncsim)
       doubts_test.cpp
       draft_test.cpp
       files_test.cpp
+      folders_test.cpp
       full_disk_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp

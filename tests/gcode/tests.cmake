@@ -7,6 +7,7 @@ ncsim_add_test(gcode
     expression_test.cpp
     messages_test.cpp
     parser_test.cpp
+    program_text_test.cpp
     refused_block_test.cpp
     state_test.cpp
     tilted_plane_test.cpp

@@ -189,6 +189,10 @@ Checking::Found Checking::found(std::size_t program, unsigned threads,
             checked.failure = stopped_by_signal();
         Found result{report::entry_of(checked, code, settings.entries), read.files(),
                      read.knows_all()};
+        for (const auto& [file, digest] : result.files) {
+            if (digest && file.find('\n') == std::string::npos && file != programs_[program])
+                result.entry.reads += file + '\n';
+        }
         if (settings.questions.look) looked_at_ = std::move(checked);
         return result;
     } catch (const std::bad_alloc&) {

@@ -106,9 +106,9 @@ bool decides_verdicts(const std::string& name) {
 cli::App* add_check(cli::App& app, CheckOptions& o) {
     cli::App* check = app.add_subcommand(
         "check", "Verify programs: is each of them safe to run? Exit code 1 if not");
-    check->add_option("programs", o.programs, "NC programs, and folders of them")
+    check->add_option("programs", o.programs, "NC programs, and folders: each file in them that reads as a program, whatever its name")
         ->type_name("FILES");
-    check->add_option("--list", o.list, "More of them, a path a line; - is the standard input")
+    check->add_option("--list", o.list, "More of them, a path a line; others are left out and named; - is the standard input")
         ->type_name("FILE");
     check->add_flag("--no-project", o.no_project,
                     "Pass over ncsim.toml, which tells options for the programs below its folder");

@@ -153,13 +153,22 @@ Json check_json_share(const Checked& checked) {
     return to_json(checked);
 }
 
-void write_check_json(std::ostream& out, const Entries& all) {
+void write_check_json(std::ostream& out, const Entries& all, const Scope& scope) {
     JsonStream json(out);
     json.begin_object();
     json.value("version", 1);
     json.value("ncsim", kVersion);
     json.begin_array("programs");
     all([&](const Entry& entry) { json.element(Json::parse(entry.json)); });
+    json.end();
+    json.begin_array("subprograms");
+    for (const CalledFile& file : scope.called)
+        json.element(
+            {{"file", relative_path(file.path)}, {"judged_with", relative_path(file.caller)}});
+    json.end();
+    json.begin_array("left_out");
+    for (const LeftOut& file : scope.left_out)
+        json.element({{"file", relative_path(file.path)}, {"why", file.why}});
     json.end();
     json.end();
 }

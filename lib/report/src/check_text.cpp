@@ -239,7 +239,7 @@ std::string skipped_of(const Checked& checked) {
     return text;
 }
 
-std::string summary_of(const Entries& all, const TextOptions& options) {
+std::string summary_of(const Entries& all, const TextOptions& options, const Scope& scope) {
     std::string text;
     if (options.quiet) return text;
     std::uint64_t programs = 0;
@@ -279,8 +279,8 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
     }
     append(text, "{}: {} clean, ", counted(programs, "program"), words["clean"]);
     if (words["accepted"] > 0) append(text, "{} accepted, ", words["accepted"]);
-    append(text, "{} not proven, {} failed, {} not verified\n", words["not-proven"],
-           words["failed"], words["not-verified"]);
+    append(text, "{} not proven, {} failed, {} not verified{}\n", words["not-proven"],
+           words["failed"], words["not-verified"], counts_of(scope));
     return text;
 }
 

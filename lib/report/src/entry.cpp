@@ -28,6 +28,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("github", entry.github);
     take("csv", entry.csv);
     take("known", entry.known);
+    take("reads", entry.reads);
 }
 
 // How many bytes the character at the head of `text` has; 0 if it is no UTF-8 (RFC 3629).
@@ -90,7 +91,7 @@ std::string with_bytes_back(std::string_view marked) {
 }  // namespace
 
 std::string line_of(const Entry& entry) {
-    Json json{{"code", entry.code}};
+    Json json{{"code", entry.code}, {"is_subprogram", entry.is_subprogram}};
     for_each_text(entry, [&](const char* key, const std::string& text) {
         json[key] = with_bytes_marked(text);
     });
@@ -103,6 +104,8 @@ std::optional<Entry> entry_from(std::string_view line) {
     Entry entry;
     bool is_whole = json.contains("code") && json["code"].is_number_integer();
     if (is_whole) entry.code = json["code"].get<int>();
+    is_whole = is_whole && json.contains("is_subprogram") && json["is_subprogram"].is_boolean();
+    if (is_whole) entry.is_subprogram = json["is_subprogram"].get<bool>();
     for_each_text(entry, [&](const char* key, std::string& text) {
         is_whole = is_whole && json.contains(key) && json[key].is_string();
         if (is_whole) text = with_bytes_back(json[key].get<std::string>());

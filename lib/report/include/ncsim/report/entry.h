@@ -28,6 +28,9 @@ struct Entry {
     std::string github;  ///< Annotations, a line each.
     std::string csv;     ///< Lines of the ledger.
     std::string known;   ///< What a baseline keeps of it, JSON.
+    std::string reads;   ///< Files that were read for the verdict, a line each.
+    /// Only acts when another program calls it.
+    bool is_subprogram = false;
     bool operator==(const Entry&) const = default;
 };
 
