@@ -19,6 +19,7 @@ if(TARGET ncsim)
       diff_test.cpp
       doubts_test.cpp
       draft_test.cpp
+      file_programs_test.cpp
       files_test.cpp
       folders_test.cpp
       full_disk_test.cpp

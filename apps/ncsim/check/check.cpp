@@ -113,8 +113,10 @@ public:
         for (std::size_t i = 0; i < list_.programs.size(); ++i)
             (list_.is_subprogram[i] ? subprograms : programs).push_back(i);
         check(programs, [&](std::size_t, report::Entry entry) {
-            tell(entry);
-            programs_.push_back(std::move(entry));
+            report::for_each_program(entry, [&](const report::Entry& one) {
+                tell(one);
+                programs_.push_back(one);
+            });
         });
         if (!subprograms.empty()) check_uncalled(subprograms);
         progress_.hide();
@@ -170,6 +172,7 @@ private:
             if (!called.contains(list_.programs[i])) uncalled.push_back(i);
         }
         check(uncalled, [&](std::size_t i, report::Entry entry) {
+            entry.more.clear();  // A file that only returns has one program.
             subprograms_[places.at(list_.programs[i])] = std::move(entry);
         });
     }

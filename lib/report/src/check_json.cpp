@@ -19,6 +19,7 @@ using verify::Severity;
 
 Json to_json(const Checked& checked, const Finding& f) {
     Json json{{"rule", f.rule}};
+    if (!checked.program.empty()) json["program"] = checked.program;
     if (!f.code.empty()) json["code"] = f.code;
     json["severity"] = verify::name_of(f.severity);
     json["category"] = verify::name_of(f.category);
@@ -55,6 +56,7 @@ Json to_json(const Checked& checked, const Finding& f) {
 
 Json to_json(const Checked& checked, const verify::Doubt& d) {
     Json json{{"reason", d.reason}, {"message", d.message}, {"file", file_of(checked, d.place)}};
+    if (!checked.program.empty()) json["program"] = checked.program;
     if (d.place.span.line > 0) {
         json["line"] = d.place.span.line;
         json["column"] = d.place.span.column;
@@ -111,6 +113,7 @@ Json baseline_json(const Checked& checked) {
 
 Json to_json(const Checked& checked) {
     Json json{{"file", relative_path(checked.path)}};
+    if (!checked.program.empty()) json["program"] = checked.program;
     if (!checked.failure.empty()) {
         json["verdict"] = "not-verified";
         json["failure"] = checked.failure;

@@ -174,7 +174,7 @@ std::string rules_of(const Lines& skipped) {
 
 std::string text_of(const Checked& checked, const TextOptions& options) {
     std::string text;
-    const std::string path = shown_path(checked.path);
+    const std::string path = shown_path(name_of(checked));
     if (!checked.failure.empty()) {
         append(text, "{}: not verified: {}\n", path, one_line(checked.failure));
         return text;
@@ -257,7 +257,8 @@ std::string summary_of(const Entries& all, const TextOptions& options, const Sco
         skipped.add(entry.skipped);
         to_tell.add(entry.to_tell);
         if (++words[entry.word] > kMostListed || entry.word == "clean") return;
-        listed[entry.word] += "  " + shown_path(entry.path);
+        const std::string program = entry.program.empty() ? "" : " (" + entry.program + ')';
+        listed[entry.word] += "  " + shown_path(entry.path) + one_line(program);
         if (!entry.counts.empty()) listed[entry.word] += ": " + entry.counts;
         listed[entry.word] += '\n';
     });

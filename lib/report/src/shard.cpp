@@ -213,7 +213,7 @@ Entries Shards::entries() const {
             const std::optional<Entry> entry =
                 entry_from(std::string_view(line).substr(line.find(' ') + 1));
             if (!entry) fail(files_[place.file], "it is no result of ncsim check --shard");
-            take(*entry);
+            for_each_program(*entry, take);
         }
     };
 }
