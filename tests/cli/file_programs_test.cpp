@@ -115,6 +115,41 @@ TEST(FileOfPrograms, TakesToolsAndStockOfEach) {
     EXPECT_TRUE(contains(ran.out, "Z -20 to -10")) << ran.out;
 }
 
+TEST(Pages, AreOneForEachProgramAndAnIndex) {
+    Folder folder;
+    folder.write("all/two.nc", two_programs());
+    folder.write("all/sub/a b.nc", kSlot);
+    folder.write("all/sub_a b.nc", kSlot);
+    folder.write("all/notes.txt", "words\n");
+    ASSERT_EQ(folder.run({"check", "all", "--html", "pages/", "-j", "3"}).exit_code, 1);
+    const std::string index = folder.read("pages/index.html");
+    for (const char* row : {"<tr class=\"clean\"><td>clean</td><td><a "
+                            "href=\"all_two.nc~O0100.html\">all/two.nc (O0100)</a>",
+                            "<tr class=\"failed\"><td>failed</td><td><a "
+                            "href=\"all_two.nc~O0101.html\">all/two.nc (O0101)</a>",
+                            "<a href=\"all_sub_a_b.nc~1.html\">all/sub/a b.nc</a>",
+                            "<a href=\"all_sub_a_b.nc~2.html\">all/sub_a b.nc</a>",
+                            "all/notes.txt: text without G-code"})
+        EXPECT_TRUE(contains(index, row)) << row << '\n' << index.substr(index.find("<header"));
+    EXPECT_TRUE(contains(folder.read("pages/all_two.nc~O0101.html"), "O0101: rapid move through"));
+    EXPECT_FALSE(contains(folder.read("pages/all_two.nc~O0100.html"), "O0101: rapid move through"));
+    EXPECT_TRUE(contains(folder.read("pages/all_sub_a_b.nc~1.html"), "all/sub/a b.nc: clean"));
+    // A file as index, in the folder itself; it is the same in the next run.
+    ASSERT_EQ(folder.run({"check", "all", "--html", "all/all.html"}).exit_code, 1);
+    const std::string beside = folder.read("all/all.html");
+    EXPECT_TRUE(contains(beside, "<a href=\"all-pages/all_two.nc~O0101.html\">")) << beside;
+    EXPECT_TRUE(folder.has("all/all-pages/all_two.nc~O0101.html"));
+    ASSERT_EQ(folder.run({"check", "all", "--html", "all/all.html"}).exit_code, 1);
+    EXPECT_TRUE(folder.read("all/all.html") == beside);
+    // One file with two programs, and one program with a page that cannot be read.
+    ASSERT_EQ(folder.run({"check", "all/two.nc", "--html", "two.html"}).exit_code, 1);
+    EXPECT_TRUE(contains(folder.read("two.html"), "<a href=\"two-pages/all_two.nc~O0100.html\">"));
+    ASSERT_EQ(folder.run({"check", "none.nc", "all/two.nc", "--html", "p/"}).exit_code, 2);
+    EXPECT_TRUE(
+        contains(folder.read("p/index.html"), "<td>not-verified</td><td><a href=\"none.nc"));
+    EXPECT_EQ(folder.run({"check", "all", "--html", "all/two.nc"}).exit_code, 2);
+}
+
 TEST(FileOfPrograms, IsReadUpToItsSecondProgramByOtherCommands) {
     Folder folder;
     folder.write("one.nc", kSlot);

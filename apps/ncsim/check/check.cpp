@@ -2,7 +2,6 @@
 #include "check/check.h"
 
 #include "ncsim/report/ledger_csv.h"
-#include "ncsim/report/page.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/rules.h"
 #include "ncsim/report/shard.h"
@@ -12,6 +11,7 @@
 #include "check/check_settings.h"
 #include "check/check_tile.h"
 #include "check/checking.h"
+#include "check/pages.h"
 #include "check/program_list.h"
 #include "check/reports.h"
 #include "run/tile.h"
@@ -205,8 +205,9 @@ int run(CheckOptions options) {
         inputs.expect(path);
     // Before the outputs are begun, whose temporary files may be in a folder of programs.
     const ProgramList list = programs_of(options, inputs);
-    for (const std::string& path : outputs_of(options))
-        outputs.reserve(path);
+    for (const std::string& path : outputs_of(options)) {
+        if (path != options.html) outputs.reserve(path);
+    }
     const std::vector<std::string>& programs = list.programs;
     for (const std::string& program : programs) {
         if (std::ranges::find(options.programs, program) == options.programs.end())
@@ -222,6 +223,9 @@ int run(CheckOptions options) {
         return check_shard(options, list, settings.key(), checking, outputs);
 
     const Interruption interruption;
+    Pages pages(options, programs, outputs);
+    checking.show(
+        [&](std::size_t i, report::Checked checked) { pages.add(i, std::move(checked)); });
     const Reports reports(options, outputs, programs.size() > 1);
     Judgement judgement(options, list, checking, reports);
     judgement.run();
@@ -232,10 +236,7 @@ int run(CheckOptions options) {
     judgement.tell_subprograms(all);
     reports.write(all, scope);
     outputs.write(options.csv, [&](std::ostream& out) { report::write_ledger_csv(out, all); });
-    if (Interruption::signal() == 0) {
-        outputs.write(options.html,
-                      [&](std::ostream& out) { report::write_page(out, checking.looked_at()); });
-    }
+    if (Interruption::signal() == 0) pages.write(all, scope);
     outputs.commit();
     if (Interruption::signal() != 0) {
         say(fmt::format("ncsim: stopped by {}: {} of {} programs were not begun\n",

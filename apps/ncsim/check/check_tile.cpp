@@ -31,7 +31,8 @@ int check_tile(CheckOptions options) {
     simulation::Plan plan =
         plan_to_check(options.programs[0], asked.options, options.threads, read);
     if (plan.job.programs_in_file > 1)
-        throw std::runtime_error("--tile: the file has several programs; tiles are of a single one");
+        throw std::runtime_error(
+            "--tile: the file has several programs; tiles are of a single one");
     plan.tile = cda::TileNumber{number.shard, number.of};
     simulation::SeenTile seen = simulation::check_tile(std::move(plan), asked.questions);
     report::TileFile file;

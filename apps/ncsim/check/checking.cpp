@@ -197,7 +197,7 @@ Checking::Found Checking::found(std::size_t program, unsigned threads,
             } else {
                 result.entry.more.push_back(std::move(entry));
             }
-            if (settings.questions.look) looked_at_ = std::move(checked);
+            if (settings.questions.look && shows_) shows_(program, std::move(checked));
         }
         result.files = read.files();
         result.knows_all = read.knows_all();

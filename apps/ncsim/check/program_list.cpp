@@ -4,6 +4,7 @@
 #include "ncsim/report/shard.h"
 #include "ncsim/setup/program_folder.h"
 
+#include "check/pages.h"
 #include "system/console.h"
 
 #include <fmt/format.h>
@@ -21,32 +22,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files and folders that this run writes, and other runs like it.
+/// True for the name of a verdict in a folder of --cache: the rest of a digest.
+bool is_digest(const std::string& name) {
+    return name.size() == 62 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Files that this run writes, and other runs like it.
 class Written {
 public:
-    explicit Written(const CheckOptions& options) : files_(outputs_of(options)) {
-        for (const std::string* folder : {&options.out, &options.cache}) {
-            std::error_code error;
-            if (!folder->empty()) folders_.push_back(fs::weakly_canonical(*folder, error));
-        }
+    explicit Written(const CheckOptions& options)
+        : files_(outputs_of(options)),
+          shards_(whole(options.out)),
+          verdicts_(whole(options.cache)),
+          pages_(whole(page_folder(options.html))) {
+        files_.push_back(page_file(options.html));
     }
 
     bool contains(const std::string& path) const {
-        const auto is_same = [&](const std::string& file) {
+        const fs::path file = whole(path);
+        const fs::path folder = file.parent_path();
+        if (folder == shards_ && file.extension() == ".ndjson") return true;
+        if (folder == pages_ && file.extension() == ".html") return true;
+        if (folder.parent_path() == verdicts_ && is_digest(file.filename().string())) return true;
+        return std::ranges::any_of(files_, [&](const std::string& output) {
             std::error_code error;
-            return file != "-" && fs::equivalent(path, file, error) && !error;
-        };
-        std::error_code error;
-        const fs::path whole = fs::weakly_canonical(path, error);
-        const auto is_below = [&](const fs::path& folder) {
-            return std::ranges::mismatch(folder, whole).in1 == folder.end();
-        };
-        return std::ranges::any_of(files_, is_same) || std::ranges::any_of(folders_, is_below);
+            return output != "-" && fs::equivalent(path, output, error) && !error;
+        });
     }
 
 private:
+    static fs::path whole(const std::string& path) {
+        std::error_code error;
+        const fs::path result = path.empty() ? fs::path() : fs::weakly_canonical(path, error);
+        return result.has_filename() ? result : result.parent_path();
+    }
+
     std::vector<std::string> files_;
-    std::vector<fs::path> folders_;
+    fs::path shards_, verdicts_, pages_;
 };
 
 std::vector<std::string> lines_of(const std::string& text) {

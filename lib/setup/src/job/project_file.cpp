@@ -157,7 +157,7 @@ bool has_own_project(const fs::path& folder) {
            fs::exists(folder / ".git", ignored);
 }
 
-/// The folder that a pattern names before its first * or ?; nothing if it has another project.
+/// Returns the folder before the first * or ? of `pattern`; empty if another project is there.
 std::optional<fs::path> folder_of_pattern(const fs::path& folder, std::string_view pattern) {
     fs::path result = folder;
     std::vector<std::string> names = names_of(pattern);
