@@ -122,6 +122,36 @@ TEST(Project, ThatCannotBeReadIsNotPassedOver) {
     EXPECT_EQ(folder.run({"check", "plain"}).exit_code, 2);
 }
 
+// A requirement for files that are not there would vanish without a trace.
+TEST(Project, WhosePatternMatchesNoProgramIsAnError) {
+    Folder folder;
+    folder.write("a/one.nc", kSlot);
+    folder.write("a/two.nc", kSlot);
+    folder.write("b/three", kSlot);
+    folder.write("b/notes.md", "# Words\n");
+    folder.write("own/four.nc", kSlot);
+    folder.write("own/ncsim.toml", "version = 1\n");
+    const auto checked = [&](const std::string& patterns, const std::string& program) {
+        folder.write("ncsim.toml", "version = 1\n[[program]]\nfiles = [" + patterns +
+                                       "]\naccept = [\"stock-guess\"]\n");
+        return folder.run({"check", program});
+    };
+    for (const char* program : {".", "a/one.nc", "b/three"}) {
+        for (const char* good :
+             {"\"a/*.nc\"", "\"**/three\", \"a/**\"", "\"a/two.nc\"", "\"b/**\""})
+            EXPECT_EQ(checked(good, program).exit_code, 0) << good << ' ' << program;
+        for (const char* bad : {"c/**", "a/*.tap", "a/tow.nc", "own/**", "b/*.md", "one.nc"}) {
+            const Ran ran = checked("\"a/**\", \"" + std::string(bad) + '"', program);
+            EXPECT_EQ(ran.exit_code, 2) << bad << ' ' << program;
+            EXPECT_TRUE(contains(
+                ran.err, "ncsim.toml:3:18: '" + std::string(bad) + "' matches no NC program"))
+                << ran.err;
+        }
+    }
+    EXPECT_EQ(folder.run({"check", "own/four.nc"}).exit_code, 0);
+    EXPECT_EQ(folder.run({"check", "a/one.nc", "--no-project"}).exit_code, 0);
+}
+
 TEST(Project, IsNotWrittenOver) {
     const Repository folder("machine = \"machines/vice.toml\"\n");
     for (const char* name : {"ncsim.toml", "machines/vice.toml"}) {
@@ -145,6 +175,8 @@ TEST(Project, IsPartOfWhatACacheAndAShardKnow) {
     EXPECT_EQ(folder.run({"check", ".", "--shard", "1/2", "--out", "o"}).exit_code, 0);
     const Ran merged = folder.run({"merge", "o"});
     EXPECT_EQ(merged.exit_code, 1) << merged.err;
+    // Without --out its results would be files of the folder that are left out.
+    folder.shell("rm -r o");
     EXPECT_EQ(merged.out, folder.run({"check", "."}).out);
 }
 

@@ -183,7 +183,7 @@ TEST(Check, TakesFoldersAndTellsAtTheEndWhichProgramsFailed) {
                          "  p1/part 1.nc: 1 error"))
         << ran.out;
     EXPECT_TRUE(contains(ran.out, "11 programs: ")) << ran.out;
-    EXPECT_TRUE(contains(ran.err, "1 .txt in 'p0' left out")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "1 left out: no NC program")) << ran.err;
     // What was not asked is said once, and of what is clean nothing.
     EXPECT_EQ(test::count(ran.out, "over-travel"), 1U) << ran.out;
     EXPECT_FALSE(contains(ran.out, "part 0.nc")) << ran.out;

@@ -19,7 +19,9 @@ if(TARGET ncsim)
       diff_test.cpp
       doubts_test.cpp
       draft_test.cpp
+      file_programs_test.cpp
       files_test.cpp
+      folders_test.cpp
       full_disk_test.cpp
       hostile_text_test.cpp
       in_order_test.cpp

@@ -45,7 +45,12 @@ json check(const json& row, int& exit_code) {
         arguments.push_back(option);
     const Ran ran = folder.run(arguments);
     exit_code = ran.exit_code;
-    return json::parse(folder.read("verdict.json"))["programs"][0];
+    const json programs = json::parse(folder.read("verdict.json"))["programs"];
+    // Of a file with several programs the one that the row is about.
+    for (const json& program : programs) {
+        if (program["verdict"] == row["verdict"]) return program;
+    }
+    return programs[0];
 }
 
 // Rules with errors, and reasons for doubt.

@@ -5,8 +5,10 @@ ncsim_add_test(gcode
     corpus_test.cpp
     dialect_test.cpp
     expression_test.cpp
+    file_programs_test.cpp
     messages_test.cpp
     parser_test.cpp
+    program_text_test.cpp
     refused_block_test.cpp
     state_test.cpp
     tilted_plane_test.cpp

@@ -36,12 +36,30 @@ std::vector<std::string> said_of_a_table_and_a_comment() {
     return out;
 }
 
+// Returns the messages of a file with two programs, a move behind an end, and an uncalled
+// subprogram.
+std::vector<std::string> said_of_a_file_with_two_programs() {
+    const Job job = job_of({"a.nc", "O1\nX1\nM30\nX2\nO2\nX1\nM30\nO3\nX1\nM99\n"});
+    std::vector<std::string> out;
+    for (const gcode::Diagnostic& d : job.diagnostics)
+        out.push_back(test::said(d));
+    return out;
+}
+
 const std::vector<std::string> kSaid = {
     "tool-conflict: this says tool 1 has a diameter of 6 mm, but tool.tbl says 8 mm, which is used",
+    "moves-after-end: this moves the tool, but stands behind the end of the program in line 3, and "
+    "no O number heads it; it is not simulated",
+    "never-called: the subprogram O3 is called by no program of this file; it is not simulated",
+    "other-programs: the file has more programs from here on (O2); only O1, the first, is read. "
+    "ncsim check judges all of them",
 };
 
 TEST(Messages, AreSaidInTheseWords) {
-    EXPECT_EQ(said_of_a_table_and_a_comment(), kSaid);
+    std::vector<std::string> said = said_of_a_table_and_a_comment();
+    for (std::string& one : said_of_a_file_with_two_programs())
+        said.push_back(std::move(one));
+    EXPECT_EQ(said, kSaid);
 }
 
 TEST(Messages, AreAllSaidHere) {

@@ -2,7 +2,6 @@
 #include "check/check.h"
 
 #include "ncsim/report/ledger_csv.h"
-#include "ncsim/report/page.h"
 #include "ncsim/report/plain_text.h"
 #include "ncsim/report/rules.h"
 #include "ncsim/report/shard.h"
@@ -12,6 +11,7 @@
 #include "check/check_settings.h"
 #include "check/check_tile.h"
 #include "check/checking.h"
+#include "check/pages.h"
 #include "check/program_list.h"
 #include "check/reports.h"
 #include "run/tile.h"
@@ -26,9 +26,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <numeric>
+#include <map>
 #include <ostream>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -49,8 +51,9 @@ bool shows_progress(const CheckOptions& options) {
 }
 
 // One shard of them: its result goes to a file, and its exit code tells of the machine alone.
-int check_shard(const CheckOptions& options, const std::vector<std::string>& programs,
-                const std::string& key, Checking& checking, OutputSet& outputs) {
+int check_shard(const CheckOptions& options, const ProgramList& list, const std::string& key,
+                Checking& checking, OutputSet& outputs) {
+    const std::vector<std::string>& programs = list.programs;
     const ShardNumber& number = options.number;
     report::ShardHead head;
     head.list = digest_of_list(programs);
@@ -82,15 +85,114 @@ int check_shard(const CheckOptions& options, const std::vector<std::string>& pro
     checking.run(
         share,
         [&](std::size_t i, report::Entry entry) {
+            entry.is_subprogram = list.is_subprogram[i];
             placed.push_back({i, std::move(entry)});
         },
         [&](std::size_t done) { progress.update(done); });
     progress.hide();
-    outputs.write(path, [&](std::ostream& out) { report::write_shard(out, head, placed); });
+    outputs.write(
+        path, [&](std::ostream& out) { report::write_shard(out, head, list.left_out, placed); });
     outputs.commit();
     say_done(share.size(), "verified");
     return kClean;
 }
+
+// Judges the programs of a list, then the subprograms that none of them calls.
+class Judgement {
+public:
+    Judgement(const CheckOptions& options, const ProgramList& list, Checking& checking,
+              const Reports& reports)
+        : list_(list),
+          checking_(checking),
+          reports_(reports),
+          is_github_(options.github),
+          progress_(list.programs.size(), shows_progress(options), "programs") {}
+
+    void run() {
+        std::vector<std::size_t> programs, subprograms;
+        for (std::size_t i = 0; i < list_.programs.size(); ++i)
+            (list_.is_subprogram[i] ? subprograms : programs).push_back(i);
+        check(programs, [&](std::size_t, report::Entry entry) {
+            report::for_each_program(entry, [&](const report::Entry& one) {
+                tell(one);
+                programs_.push_back(one);
+            });
+        });
+        if (!subprograms.empty()) check_uncalled(subprograms);
+        progress_.hide();
+    }
+
+    // All of them, called or not: the programs, then the subprograms.
+    report::Entries listed() const {
+        return [this](const auto& each) {
+            std::ranges::for_each(programs_, each);
+            std::ranges::for_each(subprograms_, each);
+        };
+    }
+    void tell_subprograms(const report::Entries& all) {
+        all([&](const report::Entry& entry) {
+            if (entry.is_subprogram) tell(entry);
+        });
+    }
+    std::size_t not_begun() const { return not_begun_; }
+
+private:
+    template <class Done>
+    void check(const std::vector<std::size_t>& which, const Done& done) {
+        const std::size_t before = finished_;
+        const std::size_t begun = checking_.run(
+            which,
+            [&](std::size_t i, report::Entry entry) {
+                entry.is_subprogram = list_.is_subprogram[i];
+                done(i, std::move(entry));
+            },
+            [&](std::size_t count) { progress_.update(finished_ = before + count); });
+        for (std::size_t i = begun; i < which.size(); ++i) {
+            report::Entry entry = checking_.not_reached(which[i]);
+            entry.is_subprogram = list_.is_subprogram[which[i]];
+            done(which[i], std::move(entry));
+        }
+        not_begun_ += which.size() - begun;
+    }
+
+    void check_uncalled(const std::vector<std::size_t>& subprograms) {
+        std::map<std::string, std::size_t> places;
+        for (const std::size_t i : subprograms) {
+            report::Entry entry;
+            entry.path = list_.programs[i];
+            entry.is_subprogram = true;
+            places.emplace(entry.path, subprograms_.size());
+            subprograms_.push_back(std::move(entry));
+        }
+        std::set<std::string> called;
+        for (const report::CalledFile& file : report::called_files(listed()))
+            called.insert(file.path);
+        std::vector<std::size_t> uncalled;
+        for (const std::size_t i : subprograms) {
+            if (!called.contains(list_.programs[i])) uncalled.push_back(i);
+        }
+        check(uncalled, [&](std::size_t i, report::Entry entry) {
+            entry.more.clear();  // A file that only returns has one program.
+            subprograms_[places.at(list_.programs[i])] = std::move(entry);
+        });
+    }
+
+    void tell(const report::Entry& entry) {
+        const bool says = !(is_github_ ? entry.github : entry.text).empty();
+        if (says) progress_.hide();
+        reports_.tell(entry);
+        if (says) progress_.draw(finished_);
+    }
+
+    const ProgramList& list_;
+    Checking& checking_;
+    const Reports& reports_;
+    bool is_github_;
+    Progress progress_;
+    std::size_t finished_ = 0;
+    std::size_t not_begun_ = 0;
+    std::vector<report::Entry> programs_, subprograms_;
+};
 
 }  // namespace
 
@@ -101,9 +203,12 @@ int run(CheckOptions options) {
     if (options.github) outputs.claim_standard_output("--github");
     for (const std::string& path : inputs_of(options))
         inputs.expect(path);
-    for (const std::string& path : outputs_of(options))
-        outputs.reserve(path);
-    const std::vector<std::string> programs = programs_of(options, inputs);
+    // Before the outputs are begun, whose temporary files may be in a folder of programs.
+    const ProgramList list = programs_of(options, inputs);
+    for (const std::string& path : outputs_of(options)) {
+        if (path != options.html) outputs.reserve(path);
+    }
+    const std::vector<std::string>& programs = list.programs;
     for (const std::string& program : programs) {
         if (std::ranges::find(options.programs, program) == options.programs.end())
             inputs.expect(program);
@@ -115,40 +220,27 @@ int run(CheckOptions options) {
     if (options.tiles) settings.of(0).questions.tiles = options.tiles;
     Checking checking(options, programs, settings, read);
     if (!options.shard.empty())
-        return check_shard(options, programs, settings.key(), checking, outputs);
+        return check_shard(options, list, settings.key(), checking, outputs);
 
     const Interruption interruption;
+    Pages pages(options, programs, outputs);
+    checking.show(
+        [&](std::size_t i, report::Checked checked) { pages.add(i, std::move(checked)); });
     const Reports reports(options, outputs, programs.size() > 1);
-    std::vector<std::size_t> every(programs.size());
-    std::iota(every.begin(), every.end(), std::size_t{0});
-    std::vector<report::Entry> entries;
-    Progress progress(programs.size(), shows_progress(options), "programs");
-    std::size_t finished = 0;
-    const auto take = [&](report::Entry entry) {
-        const bool says = !(options.github ? entry.github : entry.text).empty();
-        if (says) progress.hide();
-        reports.tell(entry);
-        if (says) progress.draw(finished);
-        entries.push_back(std::move(entry));
-    };
-    const std::size_t begun = checking.run(
-        every, [&](std::size_t, report::Entry entry) { take(std::move(entry)); },
-        [&](std::size_t done) { progress.update(finished = done); });
+    Judgement judgement(options, list, checking, reports);
+    judgement.run();
     if (options.tiles) expect_same_files(options.tile_files, recorded.files());
-    for (std::size_t i = begun; i < programs.size(); ++i)
-        take(checking.not_reached(i));
-    progress.hide();
-    const report::Entries all = [&](const auto& each) { std::ranges::for_each(entries, each); };
-    reports.write(all);
+    const report::Entries listed = judgement.listed();
+    const report::Scope scope{list.left_out, report::called_files(listed)};
+    const report::Entries all = report::without_called(listed, scope.called);
+    judgement.tell_subprograms(all);
+    reports.write(all, scope);
     outputs.write(options.csv, [&](std::ostream& out) { report::write_ledger_csv(out, all); });
-    if (Interruption::signal() == 0) {
-        outputs.write(options.html,
-                      [&](std::ostream& out) { report::write_page(out, checking.looked_at()); });
-    }
+    if (Interruption::signal() == 0) pages.write(all, scope);
     outputs.commit();
     if (Interruption::signal() != 0) {
         say(fmt::format("ncsim: stopped by {}: {} of {} programs were not begun\n",
-                        Interruption::name(), programs.size() - begun, programs.size()));
+                        Interruption::name(), judgement.not_begun(), programs.size()));
         Interruption::pass_on();
         return kEnvironment;
     }

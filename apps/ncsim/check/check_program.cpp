@@ -29,9 +29,10 @@ int exit_code_of(verify::Outcome outcome) {
 }  // namespace
 
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
-                               unsigned threads, setup::InputSet& inputs) {
+                               unsigned threads, setup::InputSet& inputs, std::size_t number) {
     ProgramOptions program = options;
     program.program = path;
+    program.number_in_file = number;
     simulation::Plan plan = plan_for(program, options, inputs);
     if (plan.model.empty()) plan.model = simulation::verifying_model().name;
     plan.threads = threads;
@@ -40,11 +41,17 @@ simulation::Plan plan_to_check(const std::string& path, const CheckOptions& opti
 
 int check_program(report::Checked& checked, const std::string& path, const CheckOptions& options,
                   const simulation::Questions& questions, unsigned threads, setup::InputSet& inputs,
-                  std::stop_token stop) {
+                  std::stop_token stop, std::size_t number, std::size_t& programs) {
     checked.path = setup::name_of_input(path);
     int code = kEnvironment;
     try {
-        simulation::Plan plan = plan_to_check(path, options, threads, inputs);
+        simulation::Plan plan = plan_to_check(path, options, threads, inputs, number);
+        programs = plan.job.programs_in_file;
+        checked.program = plan.job.label;
+        if (programs > 1 && questions.tiles) {
+            throw std::runtime_error(
+                fmt::format("{} programs in one file: tiles are of a single one", programs));
+        }
         plan.budget.stop_with(std::move(stop));
         simulation::check(std::move(plan), questions, checked);
         return exit_code_of(checked.outcome);

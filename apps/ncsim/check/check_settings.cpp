@@ -107,8 +107,10 @@ SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& told,
                                        setup::InputSet& inputs)
     : told_(told), inputs_(inputs), many_(programs.size() > 1) {
     std::map<std::string, std::size_t> numbers;
+    std::map<const setup::ProjectFile*, std::vector<std::string>> programs_of;
     for (const std::string& program : programs) {
         const setup::ProjectFile* project = told.no_project ? nullptr : project_of(program);
+        if (project) programs_of[project].push_back(program);
         std::vector<setup::ProjectSetting> settings;
         if (project) settings = setup::settings_for(*project, program);
         std::string same = project ? project->name : "";
@@ -118,6 +120,8 @@ SettingsOfPrograms::SettingsOfPrograms(const CheckOptions& told,
         if (is_new) fill(settings_.emplace_back(), project, settings);
         number_of_.push_back(number->second);
     }
+    for (const auto& [name, project] : projects_)
+        setup::expect_programs(project, programs_of[&project]);
 }
 
 std::string SettingsOfPrograms::key() const {

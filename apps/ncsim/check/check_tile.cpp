@@ -10,6 +10,7 @@
 #include "run/tile.h"
 #include "system/output.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace ncsim::app {
@@ -29,6 +30,9 @@ int check_tile(CheckOptions options) {
     const CheckSettings& asked = settings.of(0);
     simulation::Plan plan =
         plan_to_check(options.programs[0], asked.options, options.threads, read);
+    if (plan.job.programs_in_file > 1)
+        throw std::runtime_error(
+            "--tile: the file has several programs; tiles are of a single one");
     plan.tile = cda::TileNumber{number.shard, number.of};
     simulation::SeenTile seen = simulation::check_tile(std::move(plan), asked.questions);
     report::TileFile file;

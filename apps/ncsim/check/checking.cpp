@@ -181,15 +181,30 @@ Checking::Found Checking::found(std::size_t program, unsigned threads,
     try {
         CheckSettings& settings = settings_.of(program);
         setup::RecordedInput read(inputs_);
-        report::Checked checked;
-        checked.settings = settings.project;
-        const int code = check_program(checked, programs_[program], settings.options,
-                                       settings.questions, threads, read, stop);
-        if (!checked.failure.empty() && stop.stop_requested() && Interruption::signal() != 0)
-            checked.failure = stopped_by_signal();
-        Found result{report::entry_of(checked, code, settings.entries), read.files(),
-                     read.knows_all()};
-        if (settings.questions.look) looked_at_ = std::move(checked);
+        Found result;
+        std::size_t programs = 1;
+        for (std::size_t number = 0; number < programs; ++number) {
+            report::Checked checked;
+            checked.settings = settings.project;
+            const int code =
+                check_program(checked, programs_[program], settings.options, settings.questions,
+                              threads, read, stop, number, programs);
+            if (!checked.failure.empty() && stop.stop_requested() && Interruption::signal() != 0)
+                checked.failure = stopped_by_signal();
+            report::Entry entry = report::entry_of(checked, code, settings.entries);
+            if (number == 0) {
+                result.entry = std::move(entry);
+            } else {
+                result.entry.more.push_back(std::move(entry));
+            }
+            if (settings.questions.look && shows_) shows_(program, std::move(checked));
+        }
+        result.files = read.files();
+        result.knows_all = read.knows_all();
+        for (const auto& [file, digest] : result.files) {
+            if (digest && file.find('\n') == std::string::npos && file != programs_[program])
+                result.entry.reads += file + '\n';
+        }
         return result;
     } catch (const std::bad_alloc&) {
         return {failed(program, "out of memory", kEnvironment), {}, false};

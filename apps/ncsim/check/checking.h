@@ -17,6 +17,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ncsim::app {
@@ -38,8 +39,10 @@ public:
     /// What there is to say of a program that was not begun.
     report::Entry not_reached(std::size_t program) const;
 
-    /// The program of a page, of which there is but one.
-    const report::Checked& looked_at() const { return looked_at_; }
+    /// Calls `shows` for each program for which a page is asked, from the thread that judged it.
+    void show(std::function<void(std::size_t, report::Checked)> shows) {
+        shows_ = std::move(shows);
+    }
 
 private:
     /// What was found, and what it depends on.
@@ -62,7 +65,7 @@ private:
     const std::vector<std::string>& programs_;
     SettingsOfPrograms& settings_;
     setup::InputSet& inputs_;
-    report::Checked looked_at_;
+    std::function<void(std::size_t, report::Checked)> shows_;
 };
 
 }  // namespace ncsim::app

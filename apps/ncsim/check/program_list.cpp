@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/program_list.h"
 
-#include "ncsim/gcode/subprogram_file.h"
-#include "ncsim/report/plain_text.h"
 #include "ncsim/report/shard.h"
+#include "ncsim/setup/program_folder.h"
 
+#include "check/pages.h"
 #include "system/console.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace ncsim::app {
 
@@ -20,63 +22,117 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> programs_in(const std::string& folder) {
-    std::vector<std::string> programs;
-    std::size_t texts = 0;
-    std::error_code error;
-    fs::recursive_directory_iterator entry(folder, error);
-    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        std::error_code ignored;
-        if (!entry->is_regular_file(ignored) ||
-            !gcode::is_program_file(entry->path().filename().string()))
-            continue;
-        // Texts of all kinds are called so.
-        if (entry->path().extension() == ".txt") {
-            ++texts;
+/// True for the name of a verdict in a folder of --cache: the rest of a digest.
+bool is_digest(const std::string& name) {
+    return name.size() == 62 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+/// Files that this run writes, and other runs like it.
+class Written {
+public:
+    explicit Written(const CheckOptions& options)
+        : files_(outputs_of(options)),
+          shards_(whole(options.out)),
+          verdicts_(whole(options.cache)),
+          pages_(whole(page_folder(options.html))) {
+        files_.push_back(page_file(options.html));
+    }
+
+    bool contains(const std::string& path) const {
+        const fs::path file = whole(path);
+        const fs::path folder = file.parent_path();
+        if (folder == shards_ && file.extension() == ".ndjson") return true;
+        if (folder == pages_ && file.extension() == ".html") return true;
+        if (folder.parent_path() == verdicts_ && is_digest(file.filename().string())) return true;
+        return std::ranges::any_of(files_, [&](const std::string& output) {
+            std::error_code error;
+            return output != "-" && fs::equivalent(path, output, error) && !error;
+        });
+    }
+
+private:
+    static fs::path whole(const std::string& path) {
+        std::error_code error;
+        const fs::path result = path.empty() ? fs::path() : fs::weakly_canonical(path, error);
+        return result.has_filename() ? result : result.parent_path();
+    }
+
+    std::vector<std::string> files_;
+    fs::path shards_, verdicts_, pages_;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string line = text.substr(at, end - at);
+        if (line.ends_with('\r')) line.pop_back();
+        if (!line.empty()) lines.push_back(std::move(line));
+        at = end + 1;
+    }
+    return lines;
+}
+
+class Collector {
+public:
+    explicit Collector(const CheckOptions& options) : written_(options) {}
+
+    void add_named(const std::string& name) {
+        const std::size_t before = list_.programs.size();
+        if (!add_folder(name)) return add(name, false);
+        if (list_.programs.size() == before)
+            throw std::runtime_error(fmt::format("there are no NC programs in '{}'", name));
+    }
+    void add_listed(const std::string& name) {
+        const std::size_t before = list_.programs.size();
+        if (add_folder(name)) {
+            if (list_.programs.size() == before)
+                list_.left_out.push_back({name, "folder without programs"});
+            return;
+        }
+        if (auto why = name == "-" ? std::nullopt : setup::why_no_program(name)) {
+            list_.left_out.push_back({name, std::move(*why)});
         } else {
-            programs.push_back(entry->path().string());
+            add(name, name != "-" && setup::is_subprogram_file(name));
         }
     }
-    if (error) {
-        throw std::runtime_error(
-            fmt::format("cannot read the folder '{}': {}", folder, error.message()));
+    ProgramList take() && { return std::move(list_); }
+
+private:
+    bool add_folder(const std::string& name) {
+        std::error_code ignored;
+        if (!fs::is_directory(name, ignored)) return false;
+        setup::ProgramFolder folder = setup::programs_in_folder(name);
+        for (const std::string& program : folder.programs)
+            add(program, setup::is_subprogram_file(program));
+        for (report::LeftOut& file : folder.left_out) {
+            if (!written_.contains(file.path)) list_.left_out.push_back(std::move(file));
+        }
+        return true;
     }
-    if (programs.empty())
-        throw std::runtime_error(fmt::format("there are no NC programs in '{}'", folder));
-    if (texts > 0) {
-        say(fmt::format("ncsim: {} .txt in '{}' left out: name those that are programs\n", texts,
-                        report::one_line(folder)));
+    void add(const std::string& program, bool is_subprogram) {
+        list_.programs.push_back(program);
+        list_.is_subprogram.push_back(is_subprogram);
     }
-    std::ranges::sort(programs);
-    return programs;
-}
+
+    Written written_;
+    ProgramList list_;
+};
 
 }  // namespace
 
-std::vector<std::string> programs_of(const CheckOptions& options, setup::InputSet& inputs) {
-    std::vector<std::string> named = options.programs;
+ProgramList programs_of(const CheckOptions& options, setup::InputSet& inputs) {
+    Collector collector(options);
+    for (const std::string& name : options.programs)
+        collector.add_named(name);
     if (!options.list.empty()) {
-        const std::string text = inputs.read(options.list);
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find('\n', at), text.size());
-            std::string line = text.substr(at, end - at);
-            if (line.ends_with('\r')) line.pop_back();
-            if (!line.empty()) named.push_back(std::move(line));
-            at = end + 1;
-        }
+        for (const std::string& name : lines_of(inputs.read(options.list)))
+            collector.add_listed(name);
     }
-    std::vector<std::string> programs;
-    for (std::string& name : named) {
-        std::error_code ignored;
-        if (fs::is_directory(name, ignored)) {
-            const std::vector<std::string> inside = programs_in(name);
-            programs.insert(programs.end(), inside.begin(), inside.end());
-        } else {
-            programs.push_back(std::move(name));
-        }
-    }
-    if (programs.empty()) throw std::runtime_error("the list names no programs");
-    return programs;
+    ProgramList list = std::move(collector).take();
+    say(report::text_of(list.left_out));
+    if (list.programs.empty()) throw std::runtime_error("the list names no programs");
+    return list;
 }
 
 std::vector<std::size_t> share_of(const std::vector<std::string>& programs,

@@ -57,10 +57,11 @@ void Reports::tell(const report::Entry& entry) const {
     }
 }
 
-void Reports::write(const report::Entries& all) const {
-    put_text(report::summary_of(all, {options_.notes, options_.quiet, many_}),
+void Reports::write(const report::Entries& all, const report::Scope& scope) const {
+    put_text(report::summary_of(all, {options_.notes, options_.quiet, many_}, scope),
              outputs_.takes_standard_output());
-    outputs_.write(options_.json, [&](std::ostream& out) { report::write_check_json(out, all); });
+    outputs_.write(options_.json,
+                   [&](std::ostream& out) { report::write_check_json(out, all, scope); });
     outputs_.write(options_.sarif, [&](std::ostream& out) { report::write_sarif(out, all); });
     outputs_.write(options_.junit, [&](std::ostream& out) { report::write_junit(out, all); });
     outputs_.write(options_.write_baseline, [&](std::ostream& out) {

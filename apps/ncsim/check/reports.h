@@ -6,6 +6,7 @@
 
 #include "ncsim/report/baseline.h"
 #include "ncsim/report/entry.h"
+#include "ncsim/report/scope.h"
 
 #include "options/report_options.h"
 #include "system/output.h"
@@ -23,7 +24,7 @@ public:
 
     void tell(const report::Entry& entry) const;
     /// The summary, and the files that were asked for.
-    void write(const report::Entries& all) const;
+    void write(const report::Entries& all, const report::Scope& scope) const;
 
 private:
     const ReportOptions& options_;

@@ -57,7 +57,11 @@ std::optional<report::Entry> ResultCache::find(const std::string& program, const
 
 void ResultCache::keep(const std::string& program, const std::string& about,
                        const report::Entry& entry, const setup::ReadFiles& read) {
-    if (entry.word == "not-verified") return;
+    bool is_verdict = true;
+    report::for_each_program(entry, [&](const report::Entry& one) {
+        is_verdict = is_verdict && one.word != "not-verified";
+    });
+    if (!is_verdict) return;
     const std::string files = report::line_of(read);
     const std::string line = report::line_of(entry);
     const std::string bytes =

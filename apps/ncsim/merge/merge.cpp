@@ -66,10 +66,12 @@ int run(MergeOptions options) {
     for (const std::string& path : outputs_of(options))
         outputs.reserve(path);
     const report::Shards shards(files);
-    const report::Entries all = shards.entries();
+    const report::Entries listed = shards.entries();
+    const report::Scope scope{shards.left_out(), report::called_files(listed)};
+    const report::Entries all = report::without_called(listed, scope.called);
     const Reports reports(options, outputs, shards.programs() > 1);
     all([&](const report::Entry& entry) { reports.tell(entry); });
-    reports.write(all);
+    reports.write(all, scope);
     outputs.commit();
     return exit_code_of(all, options.exit_zero);
 }

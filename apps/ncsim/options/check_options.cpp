@@ -107,9 +107,15 @@ bool decides_verdicts(const std::string& name) {
 cli::App* add_check(cli::App& app, CheckOptions& o) {
     cli::App* check = app.add_subcommand(
         "check", "Verify programs: is each of them safe to run? Exit code 1 if not");
-    check->add_option("programs", o.programs, "NC programs, and folders of them")
+    check
+        ->add_option("programs", o.programs,
+                     "NC programs, and folders: each file in them that reads as a program, "
+                     "whatever its name")
         ->type_name("FILES");
-    check->add_option("--list", o.list, "More of them, a path a line; - is the standard input")
+    check
+        ->add_option(
+            "--list", o.list,
+            "More of them, a path a line; others are left out and named; - is the standard input")
         ->type_name("FILE");
     check->add_flag("--no-project", o.no_project,
                     "Pass over ncsim.toml, which tells options for the programs below its folder");
@@ -198,7 +204,11 @@ cli::App* add_check(cli::App& app, CheckOptions& o) {
     add_report_options(*check, o);
     check->add_option("--csv", o.csv, "What every block removed and took, CSV; slower")
         ->type_name("FILE");
-    check->add_option("--html", o.html, "A page about one program, with the part to turn")
+    check
+        ->add_option(
+            "--html", o.html,
+            "A page about the program, with the part to turn; of several programs a page for each "
+            "and an index; DIR/: always an index")
         ->type_name("FILE");
     check->add_flag("--warnings-as-errors", o.warnings_as_errors, "Warnings fail, too");
     return check;
@@ -258,8 +268,6 @@ void complete(CheckOptions& o) {
     require_verifying(o);
     if (o.programs.empty() && o.list.empty())
         throw Refusal{"no program is named: on the command line, or in a --list"};
-    if (!o.html.empty() && (o.programs.size() != 1 || !o.list.empty()))
-        throw Refusal{"--html: a page is about one program"};
     if (!o.html.empty() && o.isolate)
         throw Refusal{"--isolate: what a page shows does not come out of another process"};
     if (o.shard.empty() != o.out.empty())

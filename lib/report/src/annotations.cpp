@@ -42,8 +42,10 @@ const char* command_for(verify::Severity severity) {
 std::string github_annotations(const Checked& checked, bool notes) {
     std::string text;
     if (!checked.failure.empty()) {
-        append(text, "::error file={}::not verified: {}\n",
-               escaped(relative_path(checked.path), true), escaped(checked.failure, false));
+        append(text, "::error file={}::{}not verified: {}\n",
+               escaped(relative_path(checked.path), true),
+               checked.program.empty() ? "" : escaped(checked.program, false) + ": ",
+               escaped(checked.failure, false));
     }
     for (const verify::Finding& f : checked.verdict.findings) {
         if (!f.counts() || (f.severity == verify::Severity::Note && !notes)) continue;

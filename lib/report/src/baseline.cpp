@@ -233,6 +233,15 @@ bool is_kept(const Finding& f) {
     return !f.suppressed && f.severity != Severity::Note;
 }
 
+// A finding of a file with several programs begins with the label of its program: "O0101: …".
+std::string_view label_of(std::string_view message) {
+    const std::size_t end = message.find(": ");
+    const std::string_view label = message.substr(0, end == std::string_view::npos ? 0 : end);
+    const bool is_number = label.size() > 1 && label[0] == 'O' &&
+                           label.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    return is_number || label == "program 1" ? label : std::string_view();
+}
+
 // How a file in the folder of the baseline would name the program.
 std::string seen_from(const std::string& baseline, const std::string& program) {
     namespace fs = std::filesystem;
@@ -295,6 +304,8 @@ void Baseline::accept(Checked& checked, const verify::Selection& selection) cons
     };
     for (std::size_t k = 0; k < known->size(); ++k) {
         const KnownFinding& f = (*known)[k];
+        const std::string_view label = label_of(f.message);
+        if (!checked.program.empty() && !label.empty() && label != checked.program) continue;
         if (is_found[k] || !was_asked(f.rule)) continue;
         std::string what = f.message;
         if (f.quantity) what += ": " + verify::text_of(*f.quantity);
@@ -334,18 +345,22 @@ void write_baseline(std::ostream& out, const std::string& file, const Entries& a
                     const Baseline* before) {
     std::map<std::string, std::vector<KnownFinding>> known;
     if (before) known = before->known_;
+    // All programs of a file share its place.
+    std::map<std::string, std::vector<KnownFinding>> found;
     all([&](const Entry& entry) {
         if (entry.word == "not-verified") return;
-        std::vector<KnownFinding> now;
+        std::vector<KnownFinding>& now = found[seen_from(file, entry.path)];
         for (const Json& finding : Json::parse(entry.known))
             now.push_back(known_from(finding));
-        std::vector<KnownFinding>& kept = known[seen_from(file, entry.path)];
+    });
+    for (auto& [program, now] : found) {
+        std::vector<KnownFinding>& kept = known[program];
         const std::vector<std::size_t> known_as = matched(now, kept);
         for (std::size_t i = 0; i < now.size(); ++i) {
             if (known_as[i] != kNoOne && now[i].why.empty()) now[i].why = kept[known_as[i]].why;
         }
         kept = std::move(now);
-    });
+    }
     // A finding a line: who changes one does not get in the way of who changes another.
     out << "{\"ncsim-baseline\": " << kBaselineFormat << ", \"findings\": [";
     const char* comma = "";

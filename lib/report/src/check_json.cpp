@@ -20,6 +20,7 @@ using verify::Severity;
 
 Json to_json(const Checked& checked, const Finding& f) {
     Json json{{"rule", f.rule}};
+    if (!checked.program.empty()) json["program"] = checked.program;
     if (!f.code.empty()) json["code"] = f.code;
     json["severity"] = verify::name_of(f.severity);
     json["category"] = verify::name_of(f.category);
@@ -57,6 +58,7 @@ Json to_json(const Checked& checked, const Finding& f) {
 
 Json to_json(const Checked& checked, const verify::Doubt& d) {
     Json json{{"reason", d.reason}, {"message", d.message}, {"file", file_of(checked, d.place)}};
+    if (!checked.program.empty()) json["program"] = checked.program;
     if (d.place.span.line > 0) {
         json["line"] = d.place.span.line;
         json["column"] = d.place.span.column;
@@ -113,6 +115,7 @@ Json baseline_json(const Checked& checked) {
 
 Json to_json(const Checked& checked) {
     Json json{{"file", relative_path(checked.path)}};
+    if (!checked.program.empty()) json["program"] = checked.program;
     if (!checked.failure.empty()) {
         json["verdict"] = "not-verified";
         json["failure"] = checked.failure;
@@ -162,13 +165,22 @@ Json check_json_share(const Checked& checked) {
     return to_json(checked);
 }
 
-void write_check_json(std::ostream& out, const Entries& all) {
+void write_check_json(std::ostream& out, const Entries& all, const Scope& scope) {
     JsonStream json(out);
     json.begin_object();
     json.value("version", 1);
     json.value("ncsim", kVersion);
     json.begin_array("programs");
     all([&](const Entry& entry) { json.element(Json::parse(entry.json)); });
+    json.end();
+    json.begin_array("subprograms");
+    for (const CalledFile& file : scope.called)
+        json.element(
+            {{"file", relative_path(file.path)}, {"judged_with", relative_path(file.caller)}});
+    json.end();
+    json.begin_array("left_out");
+    for (const LeftOut& file : scope.left_out)
+        json.element({{"file", relative_path(file.path)}, {"why", file.why}});
     json.end();
     json.end();
 }

@@ -183,7 +183,7 @@ std::string rules_of(const Lines& skipped) {
 
 std::string text_of(const Checked& checked, const TextOptions& options) {
     std::string text;
-    const std::string path = shown_path(checked.path);
+    const std::string path = shown_path(name_of(checked));
     if (!checked.failure.empty()) {
         append(text, "{}: not verified: {}\n", path, one_line(checked.failure));
         return text;
@@ -294,7 +294,7 @@ std::string skipped_of(const Checked& checked) {
     return text;
 }
 
-std::string summary_of(const Entries& all, const TextOptions& options) {
+std::string summary_of(const Entries& all, const TextOptions& options, const Scope& scope) {
     std::string text;
     if (options.quiet) return text;
     std::uint64_t programs = 0;
@@ -314,7 +314,8 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
         to_tell.add(entry.to_tell);
         if (!entry.scope.empty()) scopes.add("  scope    " + entry.scope + '\n');
         if (++words[entry.word] > kMostListed || entry.word == "clean") return;
-        listed[entry.word] += "  " + shown_path(entry.path);
+        const std::string program = entry.program.empty() ? "" : " (" + entry.program + ')';
+        listed[entry.word] += "  " + shown_path(entry.path) + one_line(program);
         if (!entry.scope.empty()) listed[entry.word] += " (" + entry.scope + ")";
         if (!entry.counts.empty()) listed[entry.word] += ": " + entry.counts;
         listed[entry.word] += '\n';
@@ -338,8 +339,8 @@ std::string summary_of(const Entries& all, const TextOptions& options) {
     }
     append(text, "{}: {} clean, ", counted(programs, "program"), words["clean"]);
     if (words["accepted"] > 0) append(text, "{} accepted, ", words["accepted"]);
-    append(text, "{} not proven, {} failed, {} not verified\n", words["not-proven"],
-           words["failed"], words["not-verified"]);
+    append(text, "{} not proven, {} failed, {} not verified{}\n", words["not-proven"],
+           words["failed"], words["not-verified"], counts_of(scope));
     return text;
 }
 

@@ -7,6 +7,10 @@
 
 namespace ncsim::report {
 
+std::string name_of(const Checked& checked) {
+    return checked.program.empty() ? checked.path : checked.path + " (" + checked.program + ')';
+}
+
 std::string file_of(const Checked& checked, const verify::Place& place) {
     const auto& files = checked.verdict.files;
     if (place.file == 0 || place.file >= files.size()) return relative_path(checked.path);

@@ -15,6 +15,7 @@ namespace {
 template <class EntryType, class Take>
 void for_each_text(EntryType& entry, Take take) {
     take("path", entry.path);
+    take("program", entry.program);
     take("word", entry.word);
     take("text", entry.text);
     take("settings", entry.settings);
@@ -29,6 +30,7 @@ void for_each_text(EntryType& entry, Take take) {
     take("github", entry.github);
     take("csv", entry.csv);
     take("known", entry.known);
+    take("reads", entry.reads);
 }
 
 // How many bytes the character at the head of `text` has; 0 if it is no UTF-8 (RFC 3629).
@@ -90,26 +92,58 @@ std::string with_bytes_back(std::string_view marked) {
 
 }  // namespace
 
-std::string line_of(const Entry& entry) {
-    Json json{{"code", entry.code}};
+namespace {
+
+Json json_of(const Entry& entry) {
+    Json json{{"code", entry.code}, {"is_subprogram", entry.is_subprogram}};
     for_each_text(entry, [&](const char* key, const std::string& text) {
         json[key] = with_bytes_marked(text);
     });
-    return to_line(json);
+    json["more"] = Json::array();
+    for (const Entry& more : entry.more)
+        json["more"].push_back(json_of(more));
+    return json;
 }
 
-std::optional<Entry> entry_from(std::string_view line) {
-    const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object()) return std::nullopt;
+std::optional<Entry> entry_of(const Json& json) {
+    if (!json.is_object() || !json.contains("code") || !json["code"].is_number_integer() ||
+        !json.contains("is_subprogram") || !json["is_subprogram"].is_boolean() ||
+        !json.contains("more") || !json["more"].is_array())
+        return std::nullopt;
     Entry entry;
-    bool is_whole = json.contains("code") && json["code"].is_number_integer();
-    if (is_whole) entry.code = json["code"].get<int>();
+    entry.code = json["code"].get<int>();
+    entry.is_subprogram = json["is_subprogram"].get<bool>();
+    bool is_whole = true;
     for_each_text(entry, [&](const char* key, std::string& text) {
         is_whole = is_whole && json.contains(key) && json[key].is_string();
         if (is_whole) text = with_bytes_back(json[key].get<std::string>());
     });
+    for (const Json& one : json["more"]) {
+        std::optional<Entry> more = entry_of(one);
+        if (!more || !more->more.empty()) return std::nullopt;
+        entry.more.push_back(*std::move(more));
+    }
     if (!is_whole) return std::nullopt;
     return entry;
+}
+
+}  // namespace
+
+std::string line_of(const Entry& entry) {
+    return to_line(json_of(entry));
+}
+
+std::optional<Entry> entry_from(std::string_view line) {
+    return entry_of(Json::parse(line, nullptr, false));
+}
+
+void for_each_program(const Entry& entry, const std::function<void(const Entry&)>& take) {
+    if (entry.more.empty()) return take(entry);
+    Entry first = entry;
+    first.more.clear();
+    take(first);
+    for (const Entry& more : entry.more)
+        take(more);
 }
 
 }  // namespace ncsim::report

@@ -114,7 +114,8 @@ void put_case(std::string& text, const Case& c, const std::string& program) {
 }  // namespace
 
 Json junit_share(const Checked& checked, bool warnings_as_errors) {
-    const std::string program = relative_path(checked.path);
+    const std::string of_file = checked.program.empty() ? "" : " (" + checked.program + ')';
+    const std::string program = relative_path(checked.path) + of_file;
     if (!checked.failure.empty()) {
         const std::string suite = fmt::format(
             " <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" "

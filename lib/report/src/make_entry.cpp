@@ -12,6 +12,7 @@ namespace ncsim::report {
 Entry entry_of(const Checked& checked, int code, const EntryOptions& options) {
     Entry entry;
     entry.path = checked.path;
+    entry.program = checked.program;
     entry.word = checked.word;
     entry.code = code;
     entry.text = text_of(checked, {options.notes, options.quiet, options.many});

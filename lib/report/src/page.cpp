@@ -288,13 +288,18 @@ std::string pictures_html(const Look& look) {
     return text + "</section>\n";
 }
 
+std::string title_of(const Checked& checked) {
+    const std::string program = checked.program.empty() ? "" : " (" + checked.program + ')';
+    return relative_path(checked.path) + program;
+}
+
 std::string header_html(const Checked& checked) {
     const verify::Verdict& v = checked.verdict;
     const std::string scope = scope_of(checked);
     std::string text = fmt::format(
         "<header class=\"{0}\"><h1>{1}: {0}{8}</h1><p>errors {2}, warnings {3}, notes {4}, "
         "suppressed {5}, doubts {6} · ncsim {7}</p>",
-        checked.word, escaped(relative_path(checked.path)), v.count(Severity::Error),
+        checked.word, escaped(title_of(checked)), v.count(Severity::Error),
         v.count(Severity::Warning), v.count(Severity::Note), v.suppressed(), v.open_doubts(),
         kVersion, scope.empty() ? "" : fmt::format(" ({})", escaped(scope)));
     if (!checked.failure.empty()) text += "<p>not verified: " + escaped(checked.failure) + "</p>";
@@ -336,7 +341,7 @@ void write_page(std::ostream& out, const Checked& checked) {
     }
     out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<title>"
-        << valid_utf8(escaped(relative_path(checked.path))) << " · ncsim check</title>\n<style>\n"
+        << valid_utf8(escaped(title_of(checked))) << " · ncsim check</title>\n<style>\n"
         << kPageStyle << "</style></head>\n<body>\n"
         << valid_utf8(body);
     if (verified) {
@@ -345,6 +350,57 @@ void write_page(std::ostream& out, const Checked& checked) {
             << kPageScript << "</script>\n";
     }
     out << "</body></html>\n";
+}
+
+namespace {
+
+std::string row_html(const Entry& entry, const std::string& link) {
+    const std::string program = entry.program.empty() ? "" : " (" + entry.program + ')';
+    const std::string name = escaped(relative_path(entry.path) + program);
+    return fmt::format("<tr class=\"{0}\"><td>{0}</td><td>{1}</td><td>{2}</td></tr>\n", entry.word,
+                       link.empty() ? name : fmt::format("<a href=\"{}\">{}</a>", link, name),
+                       escaped(entry.counts));
+}
+
+std::string scope_html(const Scope& scope) {
+    std::string text;
+    if (!scope.called.empty()) text += "<section><h2>Judged with a caller</h2><ul>\n";
+    for (const CalledFile& file : scope.called)
+        text += fmt::format("<li>{} (with {})</li>\n", escaped(relative_path(file.path)),
+                            escaped(relative_path(file.caller)));
+    if (!scope.called.empty()) text += "</ul></section>\n";
+    if (!scope.left_out.empty()) text += "<section><h2>Left out</h2><ul>\n";
+    for (const LeftOut& file : scope.left_out)
+        text += fmt::format("<li>{}: {}</li>\n", escaped(relative_path(file.path)), file.why);
+    if (!scope.left_out.empty()) text += "</ul></section>\n";
+    return text;
+}
+
+}  // namespace
+
+void write_page_index(std::ostream& out, const Entries& all,
+                      const std::function<std::string(const Entry&)>& link, const Scope& scope) {
+    std::map<std::string, std::size_t> words;
+    std::size_t programs = 0;
+    std::string rows;
+    all([&](const Entry& entry) {
+        ++words[entry.word];
+        ++programs;
+        rows += row_html(entry, link(entry));
+    });
+    std::string counts;
+    for (const char* word : {"clean", "accepted", "not-proven", "failed", "not-verified"}) {
+        if (words[word] > 0) counts += fmt::format(", {} {}", words[word], word);
+    }
+    out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+           "<meta name=\"viewport\" content=\"width=device-width\">\n<title>ncsim check</title>\n"
+           "<style>\n"
+        << kPageStyle << "</style></head>\n<body>\n"
+        << valid_utf8(fmt::format("<header><h1>ncsim check: {} programs{}</h1><p>ncsim {}</p>"
+                                  "</header>\n<main>\n<section><table>\n{}</table></section>\n{}"
+                                  "</main>\n",
+                                  programs, counts, kVersion, rows, scope_html(scope)))
+        << "</body></html>\n";
 }
 
 }  // namespace ncsim::report

@@ -132,6 +132,7 @@ using Seen = std::map<std::string, int>;
 Json result(const Checked& checked, const Finding& f, const std::string& line, Seen& seen) {
     const std::string path = file_of(checked, f.place);
     std::string identity = f.rule + '\n' + f.code + '\n' + path + '\n';
+    if (!checked.program.empty()) identity += checked.program + '\n';
     identity += trimmed(line);
     const int nth = seen[identity]++;
     Json json{{"ruleId", f.rule},

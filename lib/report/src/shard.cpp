@@ -21,7 +21,7 @@ namespace ncsim::report {
 
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr std::uint64_t kMostPrograms = 100'000'000;
 
 [[noreturn]] void fail(const std::string& file, const std::string& why) {
@@ -31,6 +31,7 @@ constexpr std::uint64_t kMostPrograms = 100'000'000;
 struct Head {
     std::string version;
     ShardHead head;
+    std::vector<LeftOut> left_out;
 };
 
 std::optional<Head> head_from(const std::string& line) {
@@ -40,11 +41,15 @@ std::optional<Head> head_from(const std::string& line) {
         if (whole_number<int>(json.at("ncsim-shard")) != kFormat ||
             whole_number<std::uint64_t>(json.at("programs")) > kMostPrograms)
             return std::nullopt;
+        std::vector<LeftOut> left_out;
+        for (const Json& file : json.at("left_out"))
+            left_out.push_back({file.at(0).get<std::string>(), file.at(1).get<std::string>()});
         return Head{json.at("version").get<std::string>(),
                     {json.at("list").get<std::string>(), json.at("options").get<std::string>(),
                      whole_number<std::uint32_t>(json.at("shard")),
                      whole_number<std::uint32_t>(json.at("of")),
-                     whole_number<std::uint64_t>(json.at("programs"))}};
+                     whole_number<std::uint64_t>(json.at("programs"))},
+                    std::move(left_out)};
     } catch (const Json::exception&) {
         return std::nullopt;
     }
@@ -76,14 +81,19 @@ std::string shard_file_name(std::uint32_t shard, std::uint32_t of) {
     return fmt::format("shard-{0:0{2}}-of-{1:0{2}}.ndjson", shard, of, digits);
 }
 
-void write_shard(std::ostream& out, const ShardHead& head, std::span<const Placed> entries) {
+void write_shard(std::ostream& out, const ShardHead& head, const std::vector<LeftOut>& left_out,
+                 std::span<const Placed> entries) {
+    Json rest = Json::array();
+    for (const LeftOut& file : left_out)
+        rest.push_back(Json::array({file.path, file.why}));
     out << to_line({{"ncsim-shard", kFormat},
                     {"version", kVersion},
                     {"list", head.list},
                     {"options", head.options},
                     {"shard", head.shard},
                     {"of", head.of},
-                    {"programs", head.programs}})
+                    {"programs", head.programs},
+                    {"left_out", std::move(rest)}})
         << '\n';
     for (const Placed& placed : entries)
         out << placed.index << ' ' << line_of(placed.entry) << '\n';
@@ -152,6 +162,10 @@ void Shards::take(std::uint32_t number) {
     if (!head) fail(file, "it is no result of ncsim check --shard");
     if (head->version != kVersion)
         fail(file, fmt::format("it was written by ncsim {}", one_line(head->version)));
+    for (LeftOut& left_out : head->left_out) {
+        if (std::ranges::find(left_out_, left_out) == left_out_.end())
+            left_out_.push_back(std::move(left_out));
+    }
     ShardHead same = head->head;
     same.shard = head_.shard;
     if (number == 0) {
@@ -199,7 +213,7 @@ Entries Shards::entries() const {
             const std::optional<Entry> entry =
                 entry_from(std::string_view(line).substr(line.find(' ') + 1));
             if (!entry) fail(files_[place.file], "it is no result of ncsim check --shard");
-            take(*entry);
+            for_each_program(*entry, take);
         }
     };
 }

@@ -227,6 +227,15 @@ std::string_view verdict_word(verify::Outcome outcome) {
     return "failed";
 }
 
+/// Begins all messages of `verdict` with the label of its program, if the file has several.
+void name_program(verify::Verdict& verdict, const std::string& label) {
+    if (label.empty()) return;
+    for (verify::Finding& f : verdict.findings)
+        f.message = fmt::format("{}: {}", label, f.message);
+    for (verify::Doubt& d : verdict.doubts)
+        d.message = fmt::format("{}: {}", label, d.message);
+}
+
 // A control that stops at a block, or does something else there, does what nobody simulated,
 // whoever accepts that it is a fault.
 void doubt_accepted_blocks(verify::Verdict& verdict,
@@ -509,6 +518,8 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
         if (!checked.look) checked.look.emplace();
         checked.look->source = plan.job.program.text;
     }
+    checked.program = plan.job.label;
+    name_program(checked.verdict, checked.program);
     for (const verify::Finding& f : checked.verdict.findings) {
         std::string line;
         if (f.place.file == 0 && f.place.span.line > 0) {

@@ -69,7 +69,7 @@ Interpretation interpret(const SourceFile& program, const InterpreterOptions& op
     Interpretation result;
     DiagnosticLog log;
     result.files.push_back(program.name);
-    result.dialect = detect_dialect(program);
+    result.dialect = options.of_file ? *options.of_file : detect_dialect(program);
     if (options.dialect != Dialect::Auto) {
         result.dialect.dialect = options.dialect;
         result.dialect.stated = true;

@@ -125,9 +125,20 @@ std::string InputSet::read(const std::string& path, std::uintmax_t most) {
         if (!standard_input_) standard_input_ = read_open(path, STDIN_FILENO, most);
         return *standard_input_;
     }
+    struct stat status {};
+    const bool is_stream = ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+    if (is_stream) {
+        const std::lock_guard lock(mutex_);
+        if (const auto known = streams_.find(path); known != streams_.end()) return known->second;
+    }
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
     if (file.number() < 0) fail(path, errno);
-    return read_open(path, file.number(), most);
+    std::string text = read_open(path, file.number(), most);
+    if (is_stream) {
+        const std::lock_guard lock(mutex_);
+        streams_.emplace(path, text);
+    }
+    return text;
 }
 
 bool InputSet::is_there(const std::string& path) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/setup/job.h"
 
+#include "ncsim/gcode/file_programs.h"
 #include "ncsim/gcode/subprogram_file.h"
 #include "ncsim/report/file_names.h"
 #include "ncsim/setup/coordinate_systems.h"
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -290,6 +292,39 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
     return noted;
 }
 
+/// Chooses one program of the file in `job`. Files of other controls are refused as a whole.
+void choose_program(Job& job, const JobOptions& options) {
+    const gcode::FilePrograms file(job.program, options.block_delete);
+    const std::vector<gcode::FileProgram>& programs = file.programs();
+    if (programs.size() < 2 && file.unreached().empty()) return;
+    auto findings = std::make_shared<gcode::DialectFindings>(gcode::detect_dialect(job.program));
+    const bool is_other = findings->kind != gcode::Kind::Milling;
+    if (is_other && options.dialect == gcode::Dialect::Auto && !options.strict) return;
+    const std::size_t number = options.number_in_file.value_or(0);
+    // The first program reports for the whole file.
+    if (number == 0) {
+        for (const gcode::Unreached& part : file.unreached()) {
+            const std::string end = std::to_string(part.end_line);
+            job.diagnostics.push_back(
+                part.label.empty()
+                    ? gcode::diagnostic_of(Message::MovesAfterEnd, part.span, {end})
+                    : gcode::diagnostic_of(Message::NeverCalled, part.span, {part.label}));
+        }
+    }
+    if (programs.size() < 2) return;
+    if (!options.number_in_file) {
+        std::string others;
+        for (std::size_t i = 1; i < programs.size(); ++i)
+            others += (i == 1 ? "" : ", ") + programs[i].label;
+        job.diagnostics.push_back(gcode::diagnostic_of(Message::OtherPrograms, programs[1].span,
+                                                       {others, programs[0].label}));
+    }
+    job.label = programs.at(number).label;
+    job.programs_in_file = programs.size();
+    job.program.text = file.text_of(number, std::move(job.program.text));
+    job.interpreter.of_file = std::move(findings);
+}
+
 // Combines the program with `options`, tables, comments and the job file.
 Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_file,
              InputSet& inputs) {
@@ -317,8 +352,10 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
     for (const toolpath::ToolSpec& spec : options.tools) {
         job.tools.push_back({spec, toolpath::ToldBy::Option, {}, spec.description});
     }
+    choose_program(job, options);
     toolpath::ProgramNotes notes = toolpath::read_notes(job.program, inches);
-    job.diagnostics = std::move(notes.diagnostics);
+    job.diagnostics.insert(job.diagnostics.end(), notes.diagnostics.begin(),
+                           notes.diagnostics.end());
     for (const toolpath::ToolEntry& entry : from_file.tools)
         add_tool(job, entry);
     for (const toolpath::ToolFile& table : tables) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ncsim/setup/project_file.h"
 
+#include "ncsim/setup/program_folder.h"
+
 #include "files/toml_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -61,8 +65,10 @@ private:
             const std::string name(key.str());
             if (name == "files") {
                 section.files = r_.texts(value, name);
-                for (const toml::node& pattern : r_.list(value, name))
+                for (const toml::node& pattern : r_.list(value, name)) {
                     check_pattern(pattern);
+                    section.places.push_back(r_.place_of(pattern));
+                }
             } else {
                 section.settings.push_back(setting(name, value));
             }
@@ -140,7 +146,67 @@ fs::path place_of(const std::string& program) {
     return fs::absolute(program == "-" ? "stdin" : program).lexically_normal();
 }
 
+/// The folder of a program as patterns see it: empty if the program is not below `folder`.
+std::string seen_below(const fs::path& folder, const std::string& program) {
+    return place_of(program).lexically_relative(folder).generic_string();
+}
+
+bool has_own_project(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(folder / kProjectFileName, ignored)) ||
+           fs::exists(folder / ".git", ignored);
+}
+
+/// Returns the folder before the first * or ? of `pattern`; empty if another project is there.
+std::optional<fs::path> folder_of_pattern(const fs::path& folder, std::string_view pattern) {
+    fs::path result = folder;
+    std::vector<std::string> names = names_of(pattern);
+    names.pop_back();
+    for (const std::string& name : names) {
+        if (name.find_first_of("*?") != std::string::npos) break;
+        result /= name;
+        if (has_own_project(result)) return std::nullopt;
+    }
+    return result;
+}
+
+bool finds_program(const std::string& pattern, const fs::path& folder) {
+    const std::optional<fs::path> top = folder_of_pattern(folder, pattern);
+    if (!top) return false;
+    std::error_code error;
+    fs::recursive_directory_iterator entry(*top, error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored)) {
+            if (has_own_project(entry->path())) entry.disable_recursion_pending();
+            continue;
+        }
+        const std::string path = entry->path().lexically_relative(folder).generic_string();
+        if (matches(pattern, path) && entry->is_regular_file(ignored) &&
+            !why_no_program(entry->path().string()))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
+
+void expect_programs(const ProjectFile& project, const std::vector<std::string>& programs) {
+    const fs::path folder = fs::absolute(project.name).lexically_normal().parent_path();
+    for (const ProjectFile::Section& section : project.sections) {
+        for (std::size_t i = 0; i < section.files.size(); ++i) {
+            const std::string& pattern = section.files[i];
+            const auto is_meant = [&](const std::string& program) {
+                return matches(pattern, seen_below(folder, program));
+            };
+            if (std::ranges::any_of(programs, is_meant) || finds_program(pattern, folder)) continue;
+            throw std::runtime_error(
+                fmt::format("{}: '{}' matches no NC program below the folder of this file; correct "
+                            "the pattern, or remove it",
+                            section.places[i], pattern));
+        }
+    }
+}
 
 std::optional<std::string> find_project_file(const std::string& program) {
     fs::path folder = place_of(program).parent_path();
@@ -170,7 +236,7 @@ ProjectFile read_project_file(const std::string& path, InputSet& inputs) {
 
 std::vector<ProjectSetting> settings_for(const ProjectFile& project, const std::string& program) {
     const fs::path folder = fs::absolute(project.name).lexically_normal().parent_path();
-    const std::string path = place_of(program).lexically_relative(folder).generic_string();
+    const std::string path = seen_below(folder, program);
     std::vector<ProjectSetting> settings;
     for (const ProjectFile::Section& section : project.sections) {
         const auto is_meant = [&](const std::string& pattern) { return matches(pattern, path); };

@@ -72,6 +72,9 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"tool-conflict", "reading-guess"},
         {"compensation-radius-unknown", "radius-guess"},
         {"tool-unknown", "tool-guess"},
+        {"moves-after-end", "not-simulated"},
+        {"never-called", "not-simulated"},
+        {"other-programs", "not-simulated"},
     });
     for (const auto& [known, reason] : kTable) {
         if (known == code) return reason;

@@ -113,6 +113,9 @@ struct InterpreterOptions {
     bool block_delete = false;  ///< Skip blocks that start with '/'.
 
     Dialect dialect = Dialect::Auto;
+    /// Conclusions from the whole file, if the program is one of several in it; null: from the
+    /// program.
+    std::shared_ptr<const DialectFindings> of_file;
     /// RS274/NGC as LinuxCNC runs it: what that control refuses is an error. Otherwise the
     /// program gets what the machine it was written for gives it, with warnings.
     bool strict = false;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "ncsim/report/entry.h"
+#include "ncsim/report/scope.h"
 
 #include <iosfwd>
 
@@ -12,6 +13,6 @@ namespace ncsim::report {
 
 /// Everything (docs/check.schema.json). Lengths in mm, volumes in mm³. Keys are only ever added
 /// within a version.
-void write_check_json(std::ostream& out, const Entries& all);
+void write_check_json(std::ostream& out, const Entries& all, const Scope& scope);
 
 }  // namespace ncsim::report

@@ -5,6 +5,7 @@
 
 #include "ncsim/report/checked.h"
 #include "ncsim/report/entry.h"
+#include "ncsim/report/scope.h"
 
 #include <string>
 
@@ -34,7 +35,7 @@ std::string skipped_of(const Checked& checked);
 
 /// After the programs, each of which has told its own. Of one: what was not asked. Of many: what
 /// to tell and what was not asked, once for all, which ones failed and which are not proven, and
-/// how many of each.
-std::string summary_of(const Entries& all, const TextOptions& options);
+/// how many of each, with the counts of `scope`.
+std::string summary_of(const Entries& all, const TextOptions& options, const Scope& scope);
 
 }  // namespace ncsim::report

@@ -66,6 +66,7 @@ struct NoLonger {
 
 struct Checked {
     std::string path;                        ///< As it was named.
+    std::string program;                     ///< "O0101" of a file with several; else empty.
     std::string_view word = "not-verified";  ///< "clean", "accepted", "not-proven", "failed".
     /// What the word says; only where there is a verdict.
     verify::Outcome outcome = verify::Outcome::NotProven;
@@ -85,6 +86,9 @@ struct Checked {
     std::optional<DesignFacts> design;  ///< Only where the part was compared with one.
     std::optional<Look> look;           ///< Only where a page was asked for.
 };
+
+/// "part.nc (O0101)": the path, and the program if the file has several.
+std::string name_of(const Checked& checked);
 
 /// The file a finding is in, relative.
 std::string file_of(const Checked& checked, const verify::Place& place);

@@ -9,11 +9,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ncsim::report {
 
 struct Entry {
-    std::string path;      ///< As the program was named.
+    std::string path;      ///< As the file was named.
+    std::string program;   ///< "O0101" of a file with several programs; else empty.
     std::string word;      ///< "clean", "accepted", "not-proven", "failed", "not-verified".
     int code = 0;          ///< What the command would end with if it were the only one.
     std::string text;      ///< For people.
@@ -30,12 +32,19 @@ struct Entry {
     std::string github;  ///< Annotations, a line each.
     std::string csv;     ///< Lines of the ledger.
     std::string known;   ///< What a baseline keeps of it, JSON.
+    std::string reads;   ///< Files that were read for the verdict, a line each.
+    /// Only acts when another program calls it.
+    bool is_subprogram = false;
+    std::vector<Entry> more;  ///< The other programs of the file.
     bool operator==(const Entry&) const = default;
 };
 
 /// One line of JSON, and back, byte by byte. Nothing if it is no such line.
 std::string line_of(const Entry& entry);
 std::optional<Entry> entry_from(std::string_view line);
+
+/// Calls `take` for `entry` without the other programs of its file, then for each of those.
+void for_each_program(const Entry& entry, const std::function<void(const Entry&)>& take);
 
 /// Calls its argument for every entry in the order of the programs; may be asked to more than once,
 /// so that nobody has to keep them all.

@@ -5,12 +5,21 @@
 #pragma once
 
 #include "ncsim/report/checked.h"
+#include "ncsim/report/entry.h"
+#include "ncsim/report/scope.h"
 
+#include <functional>
 #include <iosfwd>
+#include <string>
 
 namespace ncsim::report {
 
 /// HTML 5, UTF-8. Loads nothing from anywhere. Requires checked.look unless it was not verified.
 void write_page(std::ostream& out, const Checked& checked);
+
+/// Writes an index of pages: a row for each program with its verdict and the relative address of
+/// its page, as `link` returns it (empty: no page); then the rest of `scope`.
+void write_page_index(std::ostream& out, const Entries& all,
+                      const std::function<std::string(const Entry&)>& link, const Scope& scope);
 
 }  // namespace ncsim::report

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "ncsim/report/entry.h"
+#include "ncsim/report/scope.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +35,9 @@ struct Placed {
 /// "shard-0003-of-0200.ndjson": names sort as numbers do.
 std::string shard_file_name(std::uint32_t shard, std::uint32_t of);
 
-/// `entries` in the order of the list.
-void write_shard(std::ostream& out, const ShardHead& head, std::span<const Placed> entries);
+/// `entries` in the order of the list; `left_out`: the rest of the list.
+void write_shard(std::ostream& out, const ShardHead& head, const std::vector<LeftOut>& left_out,
+                 std::span<const Placed> entries);
 
 /// Is the file the whole result of this shard of this list?
 bool is_whole(const std::string& file, const ShardHead& head);
@@ -56,6 +58,8 @@ public:
 
     std::uint64_t programs() const { return places_.size(); }
     std::size_t files() const { return files_.size(); }
+    /// What any of the shards left out.
+    const std::vector<LeftOut>& left_out() const { return left_out_; }
     /// In the order of the list, one at a time. Throws as the constructor does.
     Entries entries() const;
 
@@ -72,6 +76,7 @@ private:
     std::vector<std::string> files_;
     std::vector<Place> places_;
     ShardHead head_;
+    std::vector<LeftOut> left_out_;
 };
 
 }  // namespace ncsim::report

@@ -51,6 +51,7 @@ private:
 
     mutable std::mutex mutex_;
     std::map<FileId, std::string> read_, forbidden_;  // with the path that was told first
+    std::map<std::string, std::string> streams_;      // what FIFOs gave, which give it once
     std::string conflict_;
     std::mutex standard_input_mutex_;
     std::optional<std::string> standard_input_;

@@ -11,6 +11,7 @@
 #include "ncsim/setup/job_options.h"
 #include "ncsim/toolpath/tool_table.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,10 @@ struct JobDoubt {
 
 struct Job {
     JobOptions options;  ///< As they were completed from a job file.
+    /// In a file with several programs, empty lines replace all but this program.
     gcode::SourceFile program;
+    std::string label;  ///< "O0101" if the file has several programs; otherwise empty.
+    std::size_t programs_in_file = 1;
     gcode::InterpreterOptions interpreter;
     /// From options first, then from a job file, tables, comments: the first of a number counts.
     std::vector<toolpath::ToolEntry> tools;

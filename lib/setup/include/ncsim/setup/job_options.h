@@ -8,6 +8,7 @@
 #include "ncsim/toolpath/stock.h"
 #include "ncsim/toolpath/tool_spec.h"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ namespace ncsim::setup {
 /// The program, and what it does not say itself. Lengths in mm.
 struct JobOptions {
     std::string program;
+    /// Number of the program in its file, from 0; empty: the first one, with a warning about more.
+    std::optional<std::size_t> number_in_file;
     std::optional<toolpath::Stock> stock;
     /// Of stock that comes from a file.
     std::optional<std::string> stock_turn;

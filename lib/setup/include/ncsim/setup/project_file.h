@@ -27,6 +27,7 @@ struct ProjectFile {
     struct Section {
         std::vector<std::string> files;  ///< Patterns; none: all programs.
         std::vector<ProjectSetting> settings;
+        std::vector<std::string> places{};  ///< Of the patterns: "ncsim.toml:5:10".
     };
     std::string name;    ///< Its path.
     std::string folder;  ///< Where it is; patterns and files it names are seen from there.
@@ -42,6 +43,11 @@ ProjectFile read_project_file(const std::string& path, InputSet& inputs);
 
 /// What holds for a program: of settings of one option the last, in the order of the file.
 std::vector<ProjectSetting> settings_for(const ProjectFile& project, const std::string& program);
+
+/// Throws: std::runtime_error with file, line and column if a pattern matches no program: none of
+/// `programs`, which are judged, and none below the folder of the project. A folder with a project
+/// file or a repository of its own has no programs of this project.
+void expect_programs(const ProjectFile& project, const std::vector<std::string>& programs);
 
 /// "parts/**/op?_*.nc": * and ? stand for characters of one name, ** for any folders, also none.
 /// O(pattern · path).

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes the pages of `--html`: one about a single program, or one for each and an index.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/report/entry.h"
+#include "ncsim/report/scope.h"
+
+#include "options/check_options.h"
+#include "system/output.h"
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ncsim::app {
+
+class Pages {
+public:
+    /// All of them must outlive the pages. Nothing is written unless options.html names a file.
+    Pages(const CheckOptions& options, const std::vector<std::string>& programs,
+          OutputSet& outputs);
+
+    /// Takes a program that was judged; `number`: its place in the list. May be called by several
+    /// threads. Throws: std::runtime_error if the page cannot be written.
+    void add(std::size_t number, report::Checked checked);
+    /// Writes the page, or the index of `all`.
+    void write(const report::Entries& all, const report::Scope& scope);
+
+private:
+    using Name = std::pair<std::string, std::string>;  // path and program
+
+    void write_one(std::size_t number, const report::Checked& checked);
+
+    std::string index_;   // the file that --html names
+    std::string folder_;  // of the pages
+    std::string prefix_;  // from the index to a page
+    bool has_index_ = false;
+    OutputSet& outputs_;
+    std::vector<std::string> names_;  // of pages, by program
+    std::mutex mutex_;
+    std::vector<std::pair<std::size_t, report::Checked>> kept_;  // without an index so far
+    std::map<Name, std::string> links_;
+};
+
+/// Where `--html` puts its index or only page: "DIR/index.html" for a folder.
+std::string page_file(const std::string& html);
+/// Where `--html` puts the pages of several programs; empty without `--html`.
+std::string page_folder(const std::string& html);
+
+}  // namespace ncsim::app

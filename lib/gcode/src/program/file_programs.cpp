@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ncsim/gcode/file_programs.h"
+
+#include "ncsim/gcode/parser.h"
+
+#include "program/program_index.h"
+#include "text/characters.h"
+#include "text/line_end.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+namespace ncsim::gcode {
+
+namespace {
+
+constexpr std::string_view kAxes = "XYZABCUVW";
+
+/// True if `line` may contain M2, M02 or M30.
+bool may_end(std::string_view line) {
+    for (std::size_t at = line.find_first_of("Mm"); at != std::string_view::npos;
+         at = line.find_first_of("Mm", at + 1)) {
+        const std::size_t digit = line.find_first_not_of(" \t0", at + 1);
+        if (digit != std::string_view::npos && (line[digit] == '2' || line[digit] == '3'))
+            return true;
+    }
+    return false;
+}
+
+/// True if the file has to be read block by block: two O numbers, or something behind an end.
+bool may_hold_more(std::string_view text) {
+    std::size_t heads = 0;
+    bool has_ended = false;
+    std::size_t closings = 0;
+    text = after_byte_order_mark(text);
+    while (!text.empty()) {
+        const LineEnd end = find_line_end(text);
+        const std::string_view line = text.substr(0, end.length);
+        text.remove_prefix(end.next);
+        std::size_t at = line.find_first_not_of(" \t\0/");
+        if (at == std::string_view::npos) continue;
+        if (line[at] == '%') {
+            has_ended = has_ended || ++closings > 1;
+            continue;
+        }
+        if (has_ended && line.find_first_of("0123456789", at) != std::string_view::npos)
+            return true;
+        if ((line[at] == 'O' || line[at] == 'o' || line[at] == ':') && ++heads > 1) return true;
+        has_ended = has_ended || may_end(line);
+    }
+    return false;
+}
+
+bool is_literal(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+bool has_code(const Block& block, char letter, double number) {
+    return std::ranges::any_of(block.words, [&](const Word& word) {
+        return word.letter == letter && word.literal && word.number == number;
+    });
+}
+
+/// The program that a block calls: "101", empty if it calls none; `any` becomes true if the number
+/// is computed.
+std::string called_by(const Block& block, bool& any) {
+    const bool calls = has_code(block, 'M', 98) || has_code(block, 'G', 65) ||
+                       has_code(block, 'G', 66) || has_code(block, 'G', 150);
+    const Word* p = calls ? find_word(block, 'P') : nullptr;
+    if (!p) return {};
+    if (!p->literal || !(p->number >= 0.0 && p->number < 1e9)) {
+        any = true;
+        return {};
+    }
+    return std::to_string(std::lround(p->number));
+}
+
+bool is_join(ControlWord word) {
+    return word != ControlWord::None && word != ControlWord::ProgramNumber &&
+           word != ControlWord::Goto && word != ControlWord::If;
+}
+
+}  // namespace
+
+/// Lines and programs that blocks name: where a program may go on, and what it calls.
+struct NamedTargets {
+    std::set<std::uint32_t> lines;
+    bool any_line = false;     ///< A jump to a computed line.
+    bool any_program = false;  ///< A call of a computed number.
+
+    void add_line(const Block& block, char letter) {
+        const Word* word = find_word(block, letter);
+        if (!word) return;
+        if (!word->literal) any_line = true;
+        if (word->literal && word->number >= 0.0 && word->number < 4e9)
+            lines.insert(static_cast<std::uint32_t>(word->number));
+    }
+
+    void read(const Block& block) {
+        const ControlWord control = block.control.word;
+        const std::string_view label = block.control.label;
+        if ((control == ControlWord::Goto || control == ControlWord::If) && !label.empty()) {
+            if (is_literal(label)) {
+                lines.insert(
+                    static_cast<std::uint32_t>(std::stoull(std::string(label.substr(0, 9)))));
+            } else {
+                any_line = true;
+            }
+        }
+        if (has_code(block, 'M', 97) || has_code(block, 'M', 99) || has_code(block, 'G', 150))
+            add_line(block, 'P');
+    }
+};
+
+/// Reads the blocks of a file into sections.
+class FileReaderPass {
+public:
+    FileReaderPass(FilePrograms& programs, const SourceFile& file, bool block_delete)
+        : programs_(programs), file_(file), block_delete_(block_delete) {
+        BlockReader reader(file);
+        Block block;
+        while (reader.next(block)) {
+            targets_.read(block);
+            (void)called_by(block, targets_.any_program);
+        }
+    }
+
+    bool run() {
+        programs_.sections_.emplace_back();
+        BlockReader reader(file_);
+        Block block;
+        std::size_t begin = reader.place().offset;
+        while (reader.next(block)) {
+            take(block, begin);
+            begin = reader.place().offset;
+        }
+        last().end = file_.text.size();
+        return targets_.any_program;
+    }
+
+private:
+    FilePrograms::Section& last() { return programs_.sections_.back(); }
+
+    void begin_section(const Block& block, std::size_t begin) {
+        last().end = begin;
+        last().runs_on = is_reached_;
+        FilePrograms::Section& next = programs_.sections_.emplace_back();
+        next.number = plain_label(block.control.label);
+        next.label = "O" + std::string(block.control.label);
+        next.span = block.control.span;
+        next.begin = begin;
+        is_reached_ = true;
+    }
+
+    void take(const Block& block, std::size_t begin) {
+        if (block.kind == BlockKind::Percent) return percent(block);
+        if (block.kind != BlockKind::Words) return;
+        if (block.block_delete && block_delete_) return;
+        const ControlWord control = block.control.word;
+        if (control == ControlWord::Sub) ++subs_;
+        if (control == ControlWord::EndSub && subs_ > 0) --subs_;
+        if (control == ControlWord::ProgramNumber && subs_ == 0) begin_section(block, begin);
+        const bool is_target =
+            block.has_number && (targets_.any_line || targets_.lines.contains(block.number));
+        if (is_target || is_join(control)) is_reached_ = true;
+        if (subs_ > 0) return;
+        has_words_ = has_words_ || !block.words.empty();
+        act(block, control);
+    }
+
+    void act(const Block& block, ControlWord control) {
+        FilePrograms::Section& section = last();
+        section.has_words = section.has_words || !block.words.empty();
+        bool any = false;
+        if (std::string number = called_by(block, any); !number.empty())
+            section.calls.push_back(std::move(number));
+        const bool moves = std::ranges::any_of(block.words, [](const Word& word) {
+            return !word.comma && kAxes.find(word.letter) != std::string_view::npos;
+        });
+        if (moves) {
+            const SourceSpan span = block.words.front().span;
+            if (!section.first_move) section.first_move = span;
+            if (!is_reached_ && !is_reported_) {
+                programs_.unreached_.push_back({span, {}, end_line_});
+                is_reported_ = true;
+            }
+        }
+        const bool is_conditional = control == ControlWord::If;
+        const bool ends = has_code(block, 'M', 2) || has_code(block, 'M', 30);
+        const bool returns = has_code(block, 'M', 99);
+        if (is_reached_) {
+            section.ends = section.ends || ends;
+            section.returns = section.returns || returns;
+        }
+        if ((ends || returns) && !is_conditional) stop(block.line);
+    }
+
+    /// Follows the interpreter: the first '%' opens, a bare one behind it closes.
+    void percent(const Block& block) {
+        if (!has_words_ && !is_opened_) {
+            is_opened_ = true;
+            return;
+        }
+        const bool is_bare = block.text.find_first_not_of(" \t%") == std::string_view::npos;
+        if (is_opened_ && is_bare && has_words_ && is_reached_) {
+            last().ends = true;
+            stop(block.line);
+        }
+    }
+
+    void stop(std::uint32_t line) {
+        if (!is_reached_) return;
+        is_reached_ = false;
+        is_reported_ = false;
+        end_line_ = line;
+    }
+
+    FilePrograms& programs_;
+    const SourceFile& file_;
+    bool block_delete_;
+    NamedTargets targets_;
+    std::size_t subs_ = 0;
+    bool is_reached_ = true;
+    bool is_reported_ = false;
+    bool is_opened_ = false;
+    bool has_words_ = false;
+    std::uint32_t end_line_ = 0;
+};
+
+FilePrograms::FilePrograms(const SourceFile& file, bool block_delete) {
+    if (may_hold_more(file.text)) {
+        FileReaderPass pass(*this, file, block_delete);
+        divide(pass.run());
+    }
+    if (programs_.empty()) programs_.push_back({"program 1", {}});
+}
+
+/// Decides which sections are programs. A section that runs on takes the next one along.
+void FilePrograms::divide(bool calls_anything) {
+    std::set<std::string> called;
+    for (const Section& section : sections_)
+        called.insert(section.calls.begin(), section.calls.end());
+    bool has_first = false;
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+        Section& section = sections_[i];
+        const bool is_joined =
+            i > 0 && sections_[i - 1].program != kNone && sections_[i - 1].runs_on;
+        if (is_joined) {
+            section.program = sections_[i - 1].program;
+            // "%", remarks, then the first O number.
+            if (!sections_[i - 1].has_words && i == 1)
+                programs_.back() = {section.label, section.span};
+            continue;
+        }
+        const bool is_called = called.contains(section.number) && !section.number.empty();
+        if (!has_first || (section.ends && !section.returns && !is_called)) {
+            has_first = true;
+            section.program = programs_.size();
+            programs_.push_back(
+                {section.label.empty() ? "program 1" : section.label, section.span});
+        } else if (section.first_move && !is_called && !calls_anything) {
+            unreached_.push_back({*section.first_move, section.label, 0});
+        }
+    }
+}
+
+std::string FilePrograms::text_of(std::size_t program, std::string text) const {
+    if (programs_.size() < 2) return text;
+    std::set<std::size_t> kept;
+    std::set<std::string> called;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (std::size_t i = 0; i < sections_.size(); ++i) {
+            const Section& section = sections_[i];
+            const bool is_kept = section.program == program || section.program == kNone ||
+                                 called.contains(section.number);
+            if (!is_kept || !kept.insert(i).second) continue;
+            called.insert(section.calls.begin(), section.calls.end());
+            grows = true;
+        }
+    }
+    std::string result;
+    result.reserve(text.size());
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+        const std::string_view piece = std::string_view(text).substr(
+            sections_[i].begin, sections_[i].end - sections_[i].begin);
+        if (kept.contains(i) || (i == 0 && !sections_[0].has_words)) {
+            result += piece;
+        } else {
+            std::ranges::copy_if(piece, std::back_inserter(result),
+                                 [](char c) { return c == '\n' || c == '\r'; });
+        }
+    }
+    return result;
+}
+
+}  // namespace ncsim::gcode

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Accounts for every file that a check met: judged, judged with its caller, or left out.
+#pragma once
+
+#include "ncsim/report/entry.h"
+
+#include <string>
+#include <vector>
+
+namespace ncsim::report {
+
+/// An entry of a folder or a list that is not judged.
+struct LeftOut {
+    std::string path;
+    std::string why;  ///< Its kind: "binary file", "FIFO", "link out of the folder" …
+    bool operator==(const LeftOut&) const = default;
+};
+
+/// A subprogram in a file of its own, judged with the program that calls it.
+struct CalledFile {
+    std::string path;
+    std::string caller;  ///< The first of the list.
+};
+
+struct Scope {
+    std::vector<LeftOut> left_out;
+    std::vector<CalledFile> called;
+};
+
+/// Returns the subprograms of `all` that a judged program reads, in the order of the list. Only an
+/// entry with `is_subprogram` can be one. A subprogram that no judged program reads stands alone,
+/// and what it reads is judged with it.
+std::vector<CalledFile> called_files(const Entries& all);
+
+/// Returns `all` without `called`; subprograms that stand alone come last. `all` must outlive the
+/// result.
+Entries without_called(const Entries& all, const std::vector<CalledFile>& called);
+
+/// Returns one line for each kind of `left_out` with a count and the first names; empty if there is
+/// none.
+std::string text_of(const std::vector<LeftOut>& left_out);
+
+/// Returns "; 1 subprogram, judged with its caller; 3 files left out"; empty if there are none.
+std::string counts_of(const Scope& scope);
+
+}  // namespace ncsim::report
