@@ -13,6 +13,7 @@
 #include "ncsim/simulation/take_machine.h"
 #include "ncsim/verify/verifier.h"
 
+#include "alternatives.h"
 #include "cut_free.h"
 #include "machine_look.h"
 #include "place_kinematics.h"
@@ -126,6 +127,8 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.suppressions = verify::Suppressions(plan.job.program);
     setup.accuracy.tolerance_mm = plan.tool_tolerance;
     setup.path_tolerance_mm = plan.tolerance;
+    if (survey.interpretation.blend_mm > plan.tolerance)
+        setup.blend_mm = survey.interpretation.blend_mm;
     setup.pieces_counted = questions.cut_free;
     setup.air_cuts = questions.air_cuts;
     setup.design = questions.design != nullptr;
@@ -223,6 +226,12 @@ std::string_view verdict_word(verify::Outcome outcome) {
     return "failed";
 }
 
+// In the order of reasons().
+void sort_doubts(verify::Verdict& verdict) {
+    std::ranges::stable_sort(verdict.doubts, {},
+                             [](const verify::Doubt& d) { return verify::find_reason(d.reason); });
+}
+
 // A control that stops at a block, or does something else there, does what nobody simulated,
 // whoever accepts that it is a fault.
 void doubt_accepted_blocks(verify::Verdict& verdict,
@@ -240,8 +249,7 @@ void doubt_accepted_blocks(verify::Verdict& verdict,
         doubt.accepted = accepted.contains(kReason);
         verdict.doubts.push_back(std::move(doubt));
     }
-    std::ranges::stable_sort(verdict.doubts, {},
-                             [](const verify::Doubt& d) { return verify::find_reason(d.reason); });
+    sort_doubts(verdict);
 }
 
 // With warnings as errors.
@@ -251,6 +259,13 @@ verify::Outcome stricter(verify::Outcome outcome, const verify::Verdict& verdict
         return f.accepted && f.severity != verify::Severity::Note;
     });
     return outcome == verify::Outcome::Clean && is_accepted ? verify::Outcome::Accepted : outcome;
+}
+
+void conclude(const Questions& questions, report::Checked& checked) {
+    verify::Outcome outcome = checked.verdict.outcome();
+    if (questions.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
+    checked.word = verdict_word(outcome);
+    checked.outcome = outcome;
 }
 
 }  // namespace
@@ -321,7 +336,28 @@ void observe_frames(Plan& plan, verify::Verifier& verifier) {
 
 }  // namespace
 
-void check(Plan told_plan, const Questions& questions, report::Checked& checked) {
+namespace {
+
+// Reports G64 P; the path is simulated as programmed.
+void note_blend(const Questions& questions, const Survey& survey, const verify::Setup& setup,
+                verify::Verifier& verifier) {
+    if (setup.blend_mm <= 0.0) return;
+    gcode::Diagnostic d;
+    d.severity = gcode::Severity::Note;
+    d.code = "path-blending";
+    d.message =
+        fmt::format("the control may miss corners of the path by {:g} mm (G64 P)", setup.blend_mm);
+    d.span = survey.interpretation.blend.span;
+    if (const std::uint32_t file = survey.interpretation.blend.file; file > 0)
+        d.file = survey.interpretation.files.at(file);
+    verifier.add({d});
+    if (questions.design && setup.blend_mm > questions.design->tolerance_mm)
+        verifier.add_doubt("path-blending", d.message + ", and the design allows less");
+}
+
+// Returns: the readings to compare the verdict with.
+std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& questions,
+                                           report::Checked& checked) {
     checked.path = told_plan.job.program.name;
     Prepared all = prepared(std::move(told_plan), questions);
     Plan& plan = all.plan;
@@ -360,6 +396,7 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
             verifier.add_doubt("start-unknown",
                                fmt::format("the program never tells {}; taken as 0", "XYZ"[axis]));
     }
+    note_blend(questions, survey, told, verifier);
     observe_frames(plan, verifier);
     if (checked.simulated) {
         Verification verification = all.verification();
@@ -410,10 +447,41 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
         questions.baseline->accept(checked, questions.selection);
         doubt_accepted_blocks(checked.verdict, told.accepted);
     }
-    verify::Outcome outcome = checked.verdict.outcome();
-    if (questions.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
-    checked.word = verdict_word(outcome);
-    checked.outcome = outcome;
+    conclude(questions, checked);
+    return alternatives_to(plan, survey);
+}
+
+// Verifies another reading, without pictures and ledger.
+report::Checked check_alternative(const Plan& plan, const Questions& questions,
+                                  const Alternative& alternative) {
+    Plan other = plan;
+    Questions asked = questions;
+    asked.look = asked.ledger = false;
+    asked.tiles = nullptr;
+    alternative.apply(other, asked);
+    report::Checked found;
+    check_one_reading(std::move(other), asked, found);
+    return found;
+}
+
+}  // namespace
+
+void check(Plan plan, const Questions& questions, report::Checked& checked) {
+    const Plan same = plan;
+    const std::vector<Alternative> alternatives =
+        check_one_reading(std::move(plan), questions, checked);
+    // A failed reading decides the verdict.
+    if (alternatives.empty() || checked.outcome == verify::Outcome::Failed) return;
+    const auto accepted = accepted_reasons(same.job.options.accept);
+    for (const Alternative& alternative : alternatives) {
+        const report::Checked other = check_alternative(same, questions, alternative);
+        std::optional<verify::Doubt> doubt = doubt_between(checked, other, alternative);
+        if (!doubt) continue;
+        doubt->accepted = accepted.contains(doubt->reason);
+        checked.verdict.doubts.push_back(std::move(*doubt));
+    }
+    sort_doubts(checked.verdict);
+    conclude(questions, checked);
 }
 
 SeenTile check_tile(Plan told_plan, const Questions& questions) {
