@@ -132,7 +132,8 @@ const std::vector<Case>& cases() {
         {By::Fanuc, "G65 P9023~M30",
          "1:1: warning: O9023 is a program of the control and not in the folder; the call is left "
          "out "
-         "(--subprograms DIR names a folder with it) [macro-missing]"},
+         "(--subprograms DIR names a folder with it; --allow O9023, if it is harmless) "
+         "[macro-missing]"},
         {By::Fanuc,
          "G21 G90 G0 X#101 Y#102 Z#103~X#104 Y#105 Z#106~X#107 Y#108 Z#109~X#110 Y#111 Z#112~"
          "X#113 Y#114 Z#115~X#116 Y#117 Z#118~X#119 Y#120 Z#121~M30",

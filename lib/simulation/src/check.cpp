@@ -473,6 +473,7 @@ void check(Plan plan, const Questions& questions, report::Checked& checked) {
     // A failed reading decides the verdict.
     if (alternatives.empty() || checked.outcome == verify::Outcome::Failed) return;
     const auto accepted = accepted_reasons(same.job.options.accept);
+    checked.word = report::Checked().word;  // until all readings are known
     for (const Alternative& alternative : alternatives) {
         const report::Checked other = check_alternative(same, questions, alternative);
         std::optional<verify::Doubt> doubt = doubt_between(checked, other, alternative);

@@ -153,6 +153,13 @@ bool Runner::is_elsewhere(double number) const {
     return rules_.macro_b && number >= 8000.0 && number <= 9999.0;
 }
 
+/// Reports a call of a program of the control, unless it is declared harmless.
+void Runner::leave_out(double number, SourceSpan span) {
+    if (resolver_.is_allowed('O', number)) return;
+    const std::string label = std::to_string(std::lround(number));
+    log_.add(Message::MacroMissing, span, {tagged("O", label), label});
+}
+
 void Runner::call_subprogram() {
     const Word* p = find_word(block_, 'P');
     const SourceSpan span = command_.span;
@@ -172,7 +179,7 @@ void Runner::call_subprogram() {
     if (!target) {
         const std::optional<Target> sub = find_target(ControlWord::Sub, label, false);
         if (!sub && is_elsewhere(static_cast<double>(number)))
-            return log_.add(Message::MacroMissing, p->span, {tagged("O", label)});
+            return leave_out(static_cast<double>(number), p->span);
         if (!sub || rules_.strict) {
             return fault(sub ? Message::CallForms : Message::ProgramNotFound, p->span,
                          {tagged("O", label)});

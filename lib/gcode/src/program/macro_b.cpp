@@ -121,8 +121,7 @@ void Runner::macro_call(int g) {
     if (!target) {
         if (rules_.macro_b && probe_macro(static_cast<int>(std::lround(*program)), values, span))
             return;
-        if (is_elsewhere(*program))
-            return log_.add(Message::MacroMissing, span, {tagged("O", label)});
+        if (is_elsewhere(*program)) return leave_out(*program, span);
         return fault(Message::ProgramNotFound, span, {tagged("O", label)});
     }
     if (!(runs >= 1.0)) return;

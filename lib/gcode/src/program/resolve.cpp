@@ -83,7 +83,7 @@ std::optional<double> Resolver::value_to_keep(const Word& word, std::string& unk
 std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span, bool open) {
     std::string unknown;
     const std::optional<double> value = value_to_keep(text, span, open, unknown);
-    report_unknown(unknown, span);
+    if (value) report_unknown(unknown, span);
     return value;
 }
 

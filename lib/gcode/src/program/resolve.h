@@ -37,13 +37,14 @@ public:
     std::optional<double> value_to_keep(std::string_view text, SourceSpan span, bool open,
                                         std::string& unknown);
     std::optional<double> value_to_keep(const Word& word, std::string& unknown);
+    /// True for words that are declared harmless: "G187", and "O9023", a program of the control.
+    bool is_allowed(char letter, double value) const;
     /// Reports that the program depends on the variable `name`, unless that is empty.
     void report_unknown(std::string_view name, SourceSpan span);
 
 private:
     bool take_g(const Block& block, const Word& word, double value, Command& command);
     bool take_m(const Word& word, double value, Command& command);
-    bool is_allowed(char letter, double value) const;
     std::string text_of(const Word& word, double value) const;
     bool tolerate(const MessageText& message, SourceSpan span,
                   std::initializer_list<std::string_view> arguments);

@@ -89,6 +89,7 @@ private:
     bool call_code(int m);
     void call_subprogram();
     bool is_elsewhere(double number) const;
+    void leave_out(double number, SourceSpan span);
     bool probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
                      SourceSpan span);
     void act_on_text(const std::string& text, SourceSpan span);
