@@ -259,6 +259,67 @@ TEST(Limits, TooSteepATaperIsRefusedAtOnce) {
     }
 }
 
+// --- Two readings ------------------------------------------------------------------------------
+
+const std::string kSkips = replaced(kSlot, "M30\n", "/G0 Z-1\nG0 X0 Y10\nG0 Z20\nM30\n");
+
+TEST(Readings, OfBlocksWithASlashAreSettledByTheSwitch) {
+    Folder folder;
+    folder.write("slot.nc", kSkips);
+    folder.write("fine.nc", replaced(kSlot, "M30\n", "/M9\nM30\n"));
+    EXPECT_EQ(verdict_of(folder, {"fine.nc"})["verdict"], "clean");
+    const json both = verdict_of(folder, {"slot.nc", "--block-delete", "on"});
+    EXPECT_EQ(both["verdict"], "clean") << both.dump(1);
+    EXPECT_EQ(verdict_of(folder, {"--block-delete", "slot.nc"})["verdict"], "clean");
+    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--block-delete", "off"})["verdict"], "failed");
+    EXPECT_EQ(verdict_of(folder, {"slot.nc"})["verdict"], "failed");
+}
+
+TEST(Readings, ThatFailAreNamed) {
+    Folder folder;
+    folder.write("slot.nc", replaced(kSlot, "G0 Z5.\nM30", "/G0 Z5.\nG0 X0 Y10\nG0 Z20\nM30"));
+    const json program = verdict_of(folder, {"slot.nc"});
+    EXPECT_EQ(open_doubts(program), std::set<std::string>{"block-delete"});
+    EXPECT_TRUE(contains(program["doubts"][0]["message"], "rapid-in-material in line 10"))
+        << program.dump(1);
+    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "block-delete"})["verdict"], "clean");
+}
+
+// --- Values of the control ---------------------------------------------------------------------
+
+TEST(Variables, AreSpecifiedByTheJobOrTheCommandLine) {
+    Folder folder;
+    folder.write("slot.nc", replaced(kSlot, "M30\n", "IF [#500 EQ 1] GOTO 10\nN10 M30\n"));
+    const std::vector<std::string> slot{"slot.nc", "--dialect", "fanuc"};
+    EXPECT_EQ(open_doubts(verdict_of(folder, slot)), std::set<std::string>{"variable-unknown"});
+    std::vector<std::string> more = slot;
+    more.insert(more.end(), {"--variable", "#500=0"});
+    EXPECT_EQ(verdict_of(folder, more)["verdict"], "clean");
+    folder.write("job.toml", "version = 1\n[variables]\n\"#500\" = 0\n");
+    more = slot;
+    more.insert(more.end(), {"--job", "job.toml"});
+    EXPECT_EQ(verdict_of(folder, more)["verdict"], "clean");
+    folder.write("job.toml", "version = 1\n[variables]\nx = 0\n");
+    const Ran ran = folder.run({"check", "slot.nc", "--job", "job.toml"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_TRUE(contains(ran.out + ran.err, "job.toml:3:5: ")) << ran.out;
+    EXPECT_EQ(folder.run({"check", "slot.nc", "--variable", "500"}).exit_code, 2);
+}
+
+TEST(Variables, ThatDecideNothingAreNoDoubt) {
+    Folder folder;
+    folder.write("slot.nc", replaced(kSlot, "M30\n", "#100=#500+1\nM30\n"));
+    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--dialect", "fanuc"})["verdict"], "clean");
+}
+
+TEST(Variables, ThatAreComputedFromUnknownOnesAreUnknown) {
+    Folder folder;
+    folder.write("slot.nc", replaced(kSlot, "M30\n", "#100=#500+20\nG0 Z#100\nM30\n"));
+    const json program = verdict_of(folder, {"slot.nc", "--dialect", "fanuc"});
+    EXPECT_EQ(open_doubts(program), std::set<std::string>{"variable-unknown"});
+    EXPECT_TRUE(contains(program["doubts"][0]["message"], "#500")) << program.dump(1);
+}
+
 // --- What turns --------------------------------------------------------------------------------
 
 TEST(DerivedStock, OfAProgramThatTurnsAIsABarAboutIt) {

@@ -118,6 +118,32 @@ const std::vector<Case>& cases() {
         {By::Turning, "G68.2 J5~G53.1",
          "2:1: error: G53.1 asks for a direction of the tool that this machine cannot give it: it "
          "will not; the program is stopped here [unreachable-orientation]"},
+        {By::Fanuc, "G21 G90 G0 X0 Y0 Z5~IF [#500 EQ 1] GOTO 9~N9 M30",
+         "2:1: warning: #500 decides here, and the program does not set it before; specify its "
+         "value: "
+         "[variables] \"#500\" = … in the job file [variable-unknown]"},
+        {By::Fanuc, "#2001=5.~M30",
+         "1:1: warning: what the control does when #2001 is set is not simulated; the value is "
+         "kept as "
+         "a number [variable-not-applied]"},
+        {By::Fanuc, "#3000=1 (WRONG TOOL)~M30",
+         "1:1: warning: the control stops here with the alarm 1 (WRONG TOOL); what follows is not "
+         "simulated [control-alarm]"},
+        {By::Fanuc, "G65 P9023~M30",
+         "1:1: warning: O9023 is a program of the control and not in the folder; the call is left "
+         "out "
+         "(--subprograms DIR names a folder with it; --allow O9023, if it is harmless) "
+         "[macro-missing]"},
+        {By::Fanuc,
+         "G21 G90 G0 X#101 Y#102 Z#103~X#104 Y#105 Z#106~X#107 Y#108 Z#109~X#110 Y#111 Z#112~"
+         "X#113 Y#114 Z#115~X#116 Y#117 Z#118~X#119 Y#120 Z#121~M30",
+         "7:13: warning: more variables decide here, and the program does not set them before "
+         "[variable-unknown]"},
+        {By::Fanuc, "DPRNT[X#1]~M30",
+         "1:1: note: 'DPRNT[X#1]' shows or prints text and moves nothing [console-text]"},
+        {By::Fanuc, "G65 P9832~M30",
+         "1:1: note: P9832 is taken as the probing macro of that number: it moves nothing "
+         "[probe-macro]"},
         {By::Fanuc, "G17 F100 G0 X0 Y0 Z0 C0~G7.1 C25~G2 Z-5 C10 R9",
          "3:1: error: G2 on a cylinder (G7.1) needs a plane with the cylinder's axis [plane-form]"},
         {By::Turning, "G54.2 P1~G28 A0",

@@ -54,7 +54,9 @@ TEST(Parser, ReadsWordsInOneFixedSpelling) {
         {"Xatan[1]/[2]", "Xatan[1]/[2]"},
         {"#1 = 2 #<Depth Of Cut>=[#1*2]", "#1=2 #<depthofcut>=[#1*2]"},
         {"G1 X1,R2", "G1 X1 ,R2"},
-        {"X1e-3", "X1 E-3"},
+        {"X1 e-3", "X1 E-3"},
+        {"M67e2q3", "M67 E2 Q3"},
+        {"G65P3F600E41", "G65 P3 F600 E41"},
         {"O100 sub", "O100 sub"},
         {"o<Name> call [1] [#2]", "O<name> call [1][#2]"},
         {"o100 while [#1 LT 3]", "O100 while [#1lt3]"},
@@ -102,7 +104,8 @@ TEST(Parser, ToleratesWhatOtherControlsWrite) {
         {"X1) Y2", "X1 Y2 [comment-unopened]"},
         {"X1*23", "X1 [checksum-ignored]"},
         {"$H", "command [console-command]"},
-        {"DPRNT[X#1]", "command [console-command]"},
+        {"DPRNT[X#1]", "command [console-text]"},
+        {"X1e-3", "unreadable [exponent]"},
     };
     for (const Case& c : cases) {
         SCOPED_TRACE(c.text);

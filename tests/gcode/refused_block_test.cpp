@@ -39,7 +39,7 @@ public:
           path_(options_, sink_, log_, result_),
           machine_(options_, rules_, log_, path_, parameters_),
           resolver_(rules_, parameters_, log_, {}) {
-        parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
+        parameters_.set_rules(rules);
     }
 
     // Up to the first line that is refused; false if there is one.

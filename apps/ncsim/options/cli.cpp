@@ -143,6 +143,13 @@ Option* App::add_flag(const std::string& name, bool& value, const std::string& d
     return add(app_->add_flag(name, value, description));
 }
 
+Option* App::add_switch(const std::string& name, std::optional<bool>& value,
+                        const std::string& description) {
+    switches_.push_back(name);
+    return add(app_->add_flag_function(
+        name, [&value](std::int64_t count) { value = count > 0; }, description));
+}
+
 template <class Value>
 Option* App::add_option_function(const std::string& name,
                                  const std::function<void(const Value&)>& take,
@@ -191,7 +198,20 @@ std::size_t App::count(const std::string& name) const {
     return app_->count(name);
 }
 
-App::Outcome App::parse(const std::vector<std::string>& words) {
+/// True if `word` is a switch of this command or of one of its commands.
+bool App::is_switch(const std::string& word) const {
+    return std::ranges::find(switches_, word) != switches_.end() ||
+           std::ranges::any_of(commands_, [&](const auto& c) { return c->is_switch(word); });
+}
+
+App::Outcome App::parse(std::vector<std::string> words) {
+    // "--switch off" is one word for CLI11: a file may follow the switch alone.
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const bool has_value = words[i + 1] == "on" || words[i + 1] == "off";
+        if (!has_value || !is_switch(words[i])) continue;
+        words[i] += "=" + words[i + 1];
+        words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
     try {
         // CLI11 takes them last first.
         app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));

@@ -81,6 +81,9 @@ public:
     template <class Value>
     Option* add_option(const std::string& name, Value& value, const std::string& description);
     Option* add_flag(const std::string& name, bool& value, const std::string& description);
+    /// Flag that may be followed by "on" or "off"; alone it means "on".
+    Option* add_switch(const std::string& name, std::optional<bool>& value,
+                       const std::string& description);
     /// Hands the value to `take`, which may throw. Value: std::string, std::vector<std::string>,
     /// double.
     template <class Value>
@@ -102,15 +105,17 @@ public:
     enum class Outcome : std::uint8_t { Parsed, Help, Version };
     /// Reads `words`, the command line without the name of the program.
     /// Throws: UsageError, and what functions of options throw.
-    Outcome parse(const std::vector<std::string>& words);
+    Outcome parse(std::vector<std::string> words);
 
 private:
     explicit App(CLI::App* command);
     Option* add(CLI::Option* option);
+    bool is_switch(const std::string& word) const;
 
     std::unique_ptr<CLI::App> owned_;  // of the program; commands belong to it
     CLI::App* app_;
     std::deque<Option> options_;
+    std::vector<std::string> switches_;  // names
     std::vector<std::unique_ptr<App>> commands_;
 };
 

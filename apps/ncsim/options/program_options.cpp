@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/program_options.h"
 
+#include "ncsim/setup/job_file.h"
 #include "ncsim/setup/stock_file.h"
 #include "ncsim/simulation/models.h"
 #include "ncsim/toolpath/stock.h"
@@ -8,7 +9,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace ncsim::app {
@@ -69,6 +75,24 @@ std::string read_turn(const std::string& text) {
         throw Refusal{fmt::format("--stock-turn {}", e.what())};
     }
     return text;
+}
+
+std::map<std::string, double> read_variables(const std::vector<std::string>& texts) {
+    std::map<std::string, double> variables;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const auto name = setup::variable_name(std::string_view(text).substr(0, equals));
+        const char* const end = text.data() + text.size();
+        double value = 0.0;
+        const bool is_read = equals != std::string::npos && name &&
+                             std::from_chars(text.data() + equals + 1, end, value) ==
+                                 std::from_chars_result{end, std::errc{}};
+        if (!is_read || !std::isfinite(value)) {
+            throw Refusal{fmt::format("--variable '{}': expected #500=1 or #<_name>=1", text)};
+        }
+        variables[*name] = value;
+    }
+    return variables;
 }
 
 cda::Vec3 read_triple(const char* option, const std::string& text) {
@@ -178,14 +202,22 @@ void add_language_options(cli::App& command, ProgramOptions& options) {
             "--units", [&o](Text unit) { o.inches = read_inches(unit); },
             "Of programs without G20 and G21: mm or inch")
         ->type_name("UNIT");
-    command.add_flag("--increments", o.increments,
-                     "Numbers without a point count 0.001 mm, 0.0001 inch, 0.001 degrees");
+    command.add_switch("--increments", o.increments,
+                       "Numbers without a point count 0.001 mm, 0.0001 inch, 0.001 degrees: on or "
+                       "off");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--variable", [&o](const auto& texts) { o.variables = read_variables(texts); },
+            "Value of a variable at the start, as #500=1 or #<_depth>=2.5")
+        ->type_name("NAME=VALUE")
+        ->one_value_at_a_time();
     command
         .add_option("--subprograms", o.subprograms,
                     "A folder with subprograms, besides that of the program")
         ->type_name("DIR")
         ->one_value_at_a_time();
-    command.add_flag("--block-delete", o.block_delete, "Skip blocks that start with '/'");
+    command.add_switch("--block-delete", o.block_delete,
+                       "Skip blocks that start with '/': on or off");
     command
         .add_option_function<std::string>(
             "--dialect", [&o](Text name) { o.dialect = read_dialect(name); },

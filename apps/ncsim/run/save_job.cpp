@@ -58,6 +58,7 @@ void save_job(std::ostream& out, const setup::Job& job, const simulation::Survey
     file.dialect_assumed = job.options.dialect == gcode::Dialect::Auto;
     file.strict = job.options.strict;
     file.increments = job.options.increments;
+    file.variables = job.options.variables;
     file.block_delete = job.options.block_delete;
     file.allow = job.options.allow;
     file.accept = job.options.accept;

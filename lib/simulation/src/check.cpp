@@ -13,6 +13,7 @@
 #include "ncsim/simulation/take_machine.h"
 #include "ncsim/verify/verifier.h"
 
+#include "alternatives.h"
 #include "cut_free.h"
 #include "machine_look.h"
 #include "place_kinematics.h"
@@ -125,6 +126,8 @@ verify::Setup setup_for(const Plan& plan, const Survey& survey, const Questions&
     setup.suppressions = verify::Suppressions(plan.job.program);
     setup.accuracy.tolerance_mm = plan.tool_tolerance;
     setup.path_tolerance_mm = plan.tolerance;
+    if (survey.interpretation.blend_mm > plan.tolerance)
+        setup.blend_mm = survey.interpretation.blend_mm;
     setup.pieces_counted = questions.cut_free;
     setup.air_cuts = questions.air_cuts;
     setup.design = questions.design != nullptr;
@@ -236,6 +239,12 @@ void name_program(verify::Verdict& verdict, const std::string& label) {
         d.message = fmt::format("{}: {}", label, d.message);
 }
 
+// In the order of reasons().
+void sort_doubts(verify::Verdict& verdict) {
+    std::ranges::stable_sort(verdict.doubts, {},
+                             [](const verify::Doubt& d) { return verify::find_reason(d.reason); });
+}
+
 // A control that stops at a block, or does something else there, does what nobody simulated,
 // whoever accepts that it is a fault.
 void doubt_accepted_blocks(verify::Verdict& verdict,
@@ -253,8 +262,7 @@ void doubt_accepted_blocks(verify::Verdict& verdict,
         doubt.accepted = accepted.contains(kReason);
         verdict.doubts.push_back(std::move(doubt));
     }
-    std::ranges::stable_sort(verdict.doubts, {},
-                             [](const verify::Doubt& d) { return verify::find_reason(d.reason); });
+    sort_doubts(verdict);
 }
 
 // With warnings as errors.
@@ -264,6 +272,13 @@ verify::Outcome stricter(verify::Outcome outcome, const verify::Verdict& verdict
         return f.accepted && f.severity != verify::Severity::Note;
     });
     return outcome == verify::Outcome::Clean && is_accepted ? verify::Outcome::Accepted : outcome;
+}
+
+void conclude(const Questions& questions, report::Checked& checked) {
+    verify::Outcome outcome = checked.verdict.outcome();
+    if (questions.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
+    checked.word = verdict_word(outcome);
+    checked.outcome = outcome;
 }
 
 }  // namespace
@@ -410,6 +425,23 @@ std::string with_line(std::string text, const verify::Place& place) {
     return place.span.line == 0 ? text : fmt::format("{} (line {})", text, place.span.line);
 }
 
+// Reports G64 P; the path is simulated as programmed.
+void note_blend(const Questions& questions, const Survey& survey, const verify::Setup& setup,
+                verify::Verifier& verifier) {
+    if (setup.blend_mm <= 0.0) return;
+    gcode::Diagnostic d;
+    d.severity = gcode::Severity::Note;
+    d.code = "path-blending";
+    d.message =
+        fmt::format("the control may miss corners of the path by {:g} mm (G64 P)", setup.blend_mm);
+    d.span = survey.interpretation.blend.span;
+    if (const std::uint32_t file = survey.interpretation.blend.file; file > 0)
+        d.file = survey.interpretation.files.at(file);
+    verifier.add({d});
+    if (questions.design && setup.blend_mm > questions.design->tolerance_mm)
+        verifier.add_doubt("path-blending", d.message + ", and the design allows less");
+}
+
 }  // namespace
 
 std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
@@ -444,7 +476,11 @@ std::vector<std::string> assumptions_of(const Plan& plan, const Survey& survey,
     return assumed;
 }
 
-void check(Plan told_plan, const Questions& questions, report::Checked& checked) {
+namespace {
+
+// Returns: the readings to compare the verdict with.
+std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& questions,
+                                           report::Checked& checked) {
     checked.path = told_plan.job.program.name;
     Prepared all = prepared(std::move(told_plan), questions);
     Plan& plan = all.plan;
@@ -479,6 +515,7 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
     add_doubts_of_inputs(plan, survey, questions, verifier);
     for (std::string& what : all.not_used)
         verifier.add_doubt("told-not-used", std::move(what));
+    note_blend(questions, survey, told, verifier);
     observe_frames(plan, verifier);
     if (checked.simulated) {
         Verification verification = all.verification();
@@ -531,10 +568,42 @@ void check(Plan told_plan, const Questions& questions, report::Checked& checked)
         questions.baseline->accept(checked, questions.selection);
         doubt_accepted_blocks(checked.verdict, told.accepted);
     }
-    verify::Outcome outcome = checked.verdict.outcome();
-    if (questions.warnings_as_errors) outcome = stricter(outcome, checked.verdict);
-    checked.word = verdict_word(outcome);
-    checked.outcome = outcome;
+    conclude(questions, checked);
+    return alternatives_to(plan, survey);
+}
+
+// Verifies another reading, without pictures and ledger.
+report::Checked check_alternative(const Plan& plan, const Questions& questions,
+                                  const Alternative& alternative) {
+    Plan other = plan;
+    Questions asked = questions;
+    asked.look = asked.ledger = false;
+    asked.tiles = nullptr;
+    alternative.apply(other, asked);
+    report::Checked found;
+    check_one_reading(std::move(other), asked, found);
+    return found;
+}
+
+}  // namespace
+
+void check(Plan plan, const Questions& questions, report::Checked& checked) {
+    const Plan same = plan;
+    const std::vector<Alternative> alternatives =
+        check_one_reading(std::move(plan), questions, checked);
+    // A failed reading decides the verdict.
+    if (alternatives.empty() || checked.outcome == verify::Outcome::Failed) return;
+    const auto accepted = accepted_reasons(same.job.options.accept);
+    checked.word = report::Checked().word;  // until all readings are known
+    for (const Alternative& alternative : alternatives) {
+        const report::Checked other = check_alternative(same, questions, alternative);
+        std::optional<verify::Doubt> doubt = doubt_between(checked, other, alternative);
+        if (!doubt) continue;
+        doubt->accepted = accepted.contains(doubt->reason);
+        checked.verdict.doubts.push_back(std::move(*doubt));
+    }
+    sort_doubts(checked.verdict);
+    conclude(questions, checked);
 }
 
 SeenTile check_tile(Plan told_plan, const Questions& questions) {

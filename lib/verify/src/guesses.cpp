@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 namespace ncsim::verify {
@@ -50,6 +51,41 @@ void doubt_guesses_of_move(const Setup& setup, const Move& move, bool is_watched
     }
     if (move.after_probe && is_watched)
         log.doubt("probe-guess", "moves after a probe stand on what it met", place);
+}
+
+namespace {
+
+double widest_radius(const toolpath::Tool& tool) {
+    double widest = 0.0;
+    for (const toolpath::ToolPiece& piece : tool.pieces) {
+        for (const toolpath::ProfilePoint& p : piece.profile)
+            widest = std::max(widest, p.radius);
+    }
+    return widest;
+}
+
+}  // namespace
+
+void doubt_blend(const Setup& setup, const Move& move, FindingLog& log) {
+    if (setup.blend_mm <= 0.0 || move.path.is_empty() || move.motion->machine_coordinates) return;
+    const auto tool = setup.tools.find(move.motion->tool);
+    const double radius = tool == setup.tools.end() ? 0.0 : widest_radius(tool->second.tool);
+    const double reach = setup.blend_mm + radius;
+    cda::Box near = move.path;
+    near.min = near.min - cda::Vec3{reach, reach, setup.blend_mm};
+    near.max = near.max + cda::Vec3{reach, reach, setup.blend_mm};
+    for (const Fixture& fixture : setup.machine.fixtures) {
+        const cda::Box box = fixture.place();
+        const bool is_near = near.min.x < box.max.x && near.max.x > box.min.x &&
+                             near.min.y < box.max.y && near.max.y > box.min.y &&
+                             near.min.z < box.max.z;
+        if (!is_near) continue;
+        log.doubt(
+            "path-blending",
+            fmt::format("the control may miss corners by {:.6g} mm (G64 P), and '{}' is nearer",
+                        setup.blend_mm, fixture.name),
+            {move.motion->file, move.motion->span});
+    }
 }
 
 void doubt_guesses_of_setup(const Setup& setup, const std::map<int, Watched>& tools,

@@ -156,10 +156,12 @@ void PathFacts::look_at_length(Move& move, double from_mm, double to_mm) const {
     move.length_told = frame_.length_told;
     move.length_offset = tool_offset_.z;
     move.tool_length = frame_.tool_length;
+    // Some posts position at a high feed, above everything.
+    const bool positions =
+        motion.kind == MoveKind::Rapid || (motion.kind == MoveKind::Feed && move.passes_above);
     move.needs_length =
-        !motion.machine_coordinates &&
-        (motion.kind != MoveKind::Rapid || (motion.known_start.z && to_mm < from_mm) ||
-         (!motion.known_start.z && motion.known_end.z));
+        !motion.machine_coordinates && (!positions || (motion.known_start.z && to_mm < from_mm) ||
+                                        (!motion.known_start.z && motion.known_end.z));
 }
 
 // Meets it nothing, whatever is not told of where it comes from and where home is? The
@@ -176,6 +178,11 @@ bool PathFacts::passes_above(const gcode::Motion& motion, const gcode::Position&
     const bool to_home = motion.machine_coordinates && end.z && b.z >= setup_.home_z - kRounding;
     const bool only_z = a.x == b.x && a.y == b.y && start.x == end.x && start.y == end.y;
     if (to_home && only_z) return true;
+    // "G0 Z15" first: the tool comes down from above, or straight up from where it is free.
+    const bool is_first_lift = motion.kind == MoveKind::Rapid && only_z && !start.z && end.z &&
+                               b.z > highest_ && !motion.offset_unknown &&
+                               !motion.machine_coordinates && !motion.start_assumed;
+    if (is_first_lift) return true;
     const bool certain = !motion.start_assumed && !motion.offset_unknown &&
                          (!motion.machine_coordinates || setup_.home_assumption.empty());
     return start.z && end.z && std::min(a.z, b.z) > highest_ && (certain || to_home);

@@ -134,7 +134,10 @@ public:
         const bool is_fault =
             motion.kind == MoveKind::Rapid || !turns_well(motion, is_left_handed(motion.tool));
         move_.volume_known = move_.asked && (volumes_ || is_fault);
-        if (!share_.tile) doubt_guesses_of_move(setup_, move_, now_ != nullptr, needs_part_, log_);
+        if (!share_.tile) {
+            doubt_guesses_of_move(setup_, move_, now_ != nullptr, needs_part_, log_);
+            doubt_blend(setup_, move_, log_);
+        }
         if (machine_.is_empty()) return;
         machine_.begin(motion, path_facts_.tool_length(motion), part, move_.machine);
         keep_links(0);

@@ -114,7 +114,8 @@ MGroup m_group(int number) {
         case 68: return MGroup::Io;
         case 97:
         case 98:
-        case 99: return MGroup::Call;
+        case 99:
+        case 198: return MGroup::Call;
         case 70:
         case 71:
         case 72:
@@ -124,6 +125,18 @@ MGroup m_group(int number) {
         case 430: return MGroup::Kinematics;
         default: return MGroup::Unknown;
     }
+}
+
+bool is_harmless_m(int number, Dialect dialect) {
+    // Rigid tapping, which G84 is here in any case.
+    if (dialect == Dialect::Fanuc) return number == 29;
+    if (dialect != Dialect::Haas) return false;
+    const auto is_in = [number](int first, int last) { return number >= first && number <= last; };
+    // Brakes of rotary axes; user outputs; chips and coolant; gears; display, doors, air, mist and
+    // jets; variation of the spindle speed. Not M16, M36, M46, M50, M82, M86, M96, M109.
+    return is_in(10, 12) || is_in(21, 29) || is_in(31, 35) || is_in(41, 42) || is_in(51, 59) ||
+           is_in(62, 69) || is_in(73, 74) || is_in(76, 77) || is_in(80, 81) || is_in(83, 84) ||
+           is_in(88, 89) || is_in(130, 131) || is_in(138, 139) || is_in(158, 163);
 }
 
 }  // namespace ncsim::gcode

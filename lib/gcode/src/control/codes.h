@@ -4,6 +4,8 @@
 // one group exclude each other in a block.
 #pragma once
 
+#include "ncsim/gcode/dialect.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -118,5 +120,8 @@ constexpr std::size_t kMGroups = 10;
 
 /// The group of an M code.
 MGroup m_group(int number);
+/// True for M codes of a control that move no axis and choose no block: coolant, chips, air, doors,
+/// brakes, outputs.
+bool is_harmless_m(int number, Dialect dialect);
 
 }  // namespace ncsim::gcode

@@ -480,6 +480,10 @@ bool Machine::one_shot(const Command& command) {
 void Machine::stop(const Command& command) {
     const int code = command.group(MGroup::Stop);
     if (code == 2 || code == 30) return finish();
+    stop_at(code);
+}
+
+void Machine::stop_at(int code) {
     // M0, M1, M60. LinuxCNC and grbl leave the spindle alone; others stop it, Haas and most Fanuc
     // machines among them.
     if (rules_.strict || rules_.dialect == Dialect::Grbl) return;

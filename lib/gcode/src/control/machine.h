@@ -21,6 +21,7 @@
 #include "control/paths/compensation.h"
 #include "control/paths/path.h"
 #include "control/rules.h"
+#include "control/system_variable.h"
 #include "text/message.h"
 
 #include <array>
@@ -67,6 +68,13 @@ public:
     /// Where the following motions come from.
     void set_origin(SourceSpan span, std::uint32_t file);
 
+    /// Sets an offset that the program writes as a variable; `is_relative`: `value` was computed
+    /// from an unknown place. False, after a report, if that is not simulated.
+    bool set_variable(const SystemVariable& variable, double value, bool is_relative,
+                      SourceSpan span);
+    /// A stop such as M0.
+    void pause() { stop_at(0); }
+
     /// The end of the program: modes go back to what a control starts a program with.
     void finish();
 
@@ -100,7 +108,9 @@ private:
     bool one_shot(const Command& command);
     bool dwell(const Command& command);
     bool move(const Command& command, Code motion);
+    void note_move_after_cycle(const Command& command, Code motion);
     void stop(const Command& command);
+    void stop_at(int code);
 
     bool home(const Command& command, bool second);
     bool seek_home(const Command& command);
@@ -116,6 +126,10 @@ private:
     ToolTableEntry* register_of(int index);
     bool is_register(const Command& command, int l) const;
     bool set_register(const Command& command, int index, int l);
+    void set_register_value(ToolTableEntry& entry, bool of_length, bool is_wear, double mm,
+                            bool adds);
+    void set_work_variable(const SystemVariable& variable, double value, bool is_relative,
+                           SourceSpan span);
     bool is_diameter(const ToolTableEntry& entry, double mm, bool is_wear) const;
     std::optional<double> told_length(int tool) const;
     void select_system(int system);

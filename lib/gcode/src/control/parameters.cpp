@@ -2,6 +2,7 @@
 #include "control/parameters.h"
 
 #include "control/codes.h"
+#include "text/number.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,65 +28,126 @@ constexpr bool is_in(int n, int first, int count) {
 
 }  // namespace
 
-void Parameters::set_rules(bool vacant, bool strict) {
-    vacant_ = vacant;
-    strict_ = strict;
+void Parameters::set_rules(const Rules& rules) {
+    rules_ = rules;
     locals_.fill(empty());
 }
 
-/// #5061 … #5599 of RS274/NGC; #5001 … #5064 and #4001 … of Fanuc where RS274/NGC has nothing.
-std::optional<double> Parameters::of_machine(int number) const {
+bool Parameters::is_axis_known(std::size_t axis) const {
+    const KnownAxes& known = view.state->known;
+    return axis > kZ || (axis == kX ? known.x : axis == kY ? known.y : known.z);
+}
+
+std::string Parameters::take_unknown() const {
+    std::string name;
+    name.swap(unknown_);
+    return name;
+}
+
+/// Remembers that `key` was read, if its value is unknown.
+void Parameters::note_read(std::string_view key, bool is_set) const {
+    if (!unknown_.empty()) return;
+    if (!is_set) {
+        unknown_ = key;
+    } else if (const auto found = computed_from_.find(key); found != computed_from_.end()) {
+        unknown_ = found->second;
+    }
+}
+
+void Parameters::keep_origin(std::string_view key, std::string_view unknown) {
+    if (!unknown.empty()) {
+        computed_from_.insert_or_assign(std::string(key), std::string(unknown));
+    } else if (const auto found = computed_from_.find(key); found != computed_from_.end()) {
+        computed_from_.erase(found);
+    }
+}
+
+/// #5161 … #5410 of RS274/NGC, and #5221 … of Fanuc.
+std::optional<Parameters::Shown> Parameters::of_offsets(int number) const {
+    const MachineState& state = *view.state;
+    const Store& store = **view.store;
+    const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
+    for (std::size_t i = 0; i < store.homes.size(); ++i) {
+        const int first = i == 0 ? 5161 : 5181;
+        // No option says where home lies; zeros are a default.
+        if (is_in(number, first, 9))
+            return Shown{store.homes[i][axis(first)], store.homes[i] != Axes{}};
+    }
+    if (number == 5210) return Shown{state.offset_92_active ? 1.0 : 0.0};
+    if (is_in(number, 5211, 9)) return Shown{store.stored_92[axis(5211)]};
+    if (number == 5220) return Shown{static_cast<double>(state.system)};
+    if (!is_in(number, 5221, 180)) return std::nullopt;
+    const WorkOffset& offset = store.work_offsets[axis(5221) / 20];
+    const std::size_t item = axis(5221) % 20;
+    if (item == 9) return Shown{offset.rotation, offset.frame[kZ] == 0};
+    if (item > 9) return std::nullopt;
+    // Fanuc shows the units of the program, LinuxCNC those of the machine: here mm.
+    const double unit = rules_.macro_b && !is_rotary(item) ? state.unit_mm() : 1.0;
+    const bool is_known = offset.frame[item > kZ ? std::size_t{kZ} : item] == 0;
+    return Shown{offset.origin[item] / unit, is_known && (rules_.macro_b || !state.inches)};
+}
+
+/// #5001 … #5064 and #4001 … of Fanuc, where RS274/NGC has nothing.
+std::optional<Parameters::Shown> Parameters::of_fanuc(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
-    if (is_in(number, 5420, 9)) return state.position[axis(5420)];
-    if (is_in(number, 5061, 9)) return (*view.store)->probed[axis(5061)];
-    if (number == 5070) return 1.0;  // a probe always makes contact here
-    if (is_in(number, 5161, 9)) return (*view.store)->homes[0][axis(5161)];
-    if (is_in(number, 5181, 9)) return (*view.store)->homes[1][axis(5181)];
-    if (number == 5210) return state.offset_92_active ? 1.0 : 0.0;
-    if (is_in(number, 5211, 9)) return (*view.store)->stored_92[axis(5211)];
-    if (number == 5220) return state.system;
-    if (is_in(number, 5221, 180)) {
-        const int system = (number - 5221) / 20;
-        const int item = (number - 5221) % 20;
-        const WorkOffset& offset = (*view.store)->work_offsets[static_cast<std::size_t>(system)];
-        if (item < 9) return offset.origin[static_cast<std::size_t>(item)];
-        if (item == 9) return offset.rotation;
+    for (const int first : {5001, 5041}) {
+        if (is_in(number, first, 9))
+            return Shown{state.position[axis(first)], is_axis_known(axis(first))};
     }
-    if (number == 5400) return state.tool;
-    if (is_in(number, 5401, 9)) return state.tool_offset[axis(5401)] * state.unit_mm();
-    if (number == 5410) return 2.0 * state.cutter_radius * state.unit_mm();
-    if (strict_) return std::nullopt;
-
-    if (is_in(number, 5001, 9)) return state.position[axis(5001)];
-    if (is_in(number, 5041, 9)) return state.position[axis(5041)];
     if (is_in(number, 5021, 9)) {
         const std::size_t a = axis(5021);
-        return state.position[a] + state.offset_92[a] + state.work_offset[a] + state.tool_offset[a];
+        const bool is_known = is_axis_known(a) && state.frame[a > kZ ? std::size_t{kZ} : a] == 0;
+        return Shown{
+            state.position[a] + state.offset_92[a] + state.work_offset[a] + state.tool_offset[a],
+            is_known};
     }
     switch (number) {
-        case 4001: return std::max(tenths_of(state.motion), 0) / 10.0;
-        case 4003: return state.incremental ? 91.0 : 90.0;
-        case 4006: return state.inches ? 20.0 : 21.0;
+        case 4001: return Shown{std::max(tenths_of(state.motion), 0) / 10.0};
+        case 4003: return Shown{state.incremental ? 91.0 : 90.0};
+        case 4006: return Shown{state.inches ? 20.0 : 21.0};
         case 4009:
-        case 4109: return state.feed;
-        case 4014: return 53.0 + state.system;
-        case 4119: return state.spindle_rpm;
-        case 4120: return state.tool;
+        case 4109: return Shown{state.feed};
+        case 4014: return Shown{53.0 + state.system};
+        case 4119: return Shown{state.spindle_rpm};
+        case 4120: return Shown{static_cast<double>(state.tool), state.tool != 0};
         default: return std::nullopt;
     }
 }
 
-std::optional<double> Parameters::numbered(double number) const {
-    const int n = to_index(number, strict_);
-    if (n < 0 || (n == 0 && strict_)) return std::nullopt;
-    if (n == 0) return empty();
-    if (n <= static_cast<int>(kLocals)) return locals_[static_cast<std::size_t>(n)];
-    if (n >= 4001) {
-        if (const std::optional<double> shown = of_machine(n)) return shown;
+std::optional<Parameters::Shown> Parameters::of_machine(int number) const {
+    const MachineState& state = *view.state;
+    const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
+    if (is_in(number, 5420, 9)) return Shown{state.position[axis(5420)], is_axis_known(axis(5420))};
+    if (is_in(number, 5061, 9)) return Shown{(*view.store)->probed[axis(5061)]};
+    if (number == 5070) return Shown{1.0};  // a probe always makes contact here
+    if (const std::optional<Shown> offset = of_offsets(number)) return offset;
+    if (number == 5400) return Shown{static_cast<double>(state.tool), state.tool != 0};
+    if (is_in(number, 5401, 9)) {
+        return Shown{state.tool_offset[axis(5401)] * state.unit_mm(),
+                     state.length_register == kNoLength || state.length_told};
     }
+    if (number == 5410) return Shown{2.0 * state.cutter_radius * state.unit_mm()};
+    if (rules_.strict) return std::nullopt;
+    return of_fanuc(number);
+}
+
+std::optional<double> Parameters::numbered(double number) const {
+    const int n = to_index(number, rules_.strict);
+    if (n < 0 || (n == 0 && rules_.strict)) return std::nullopt;
+    if (n == 0) return empty();
     const auto i = static_cast<std::size_t>(n);
-    return i < numbers_.size() ? numbers_[i] : empty();
+    bool is_set = i <= kLocals ? locals_set_[i] : i < is_set_.size() && is_set_[i] != 0;
+    double value = i <= kLocals ? locals_[i] : i < numbers_.size() ? numbers_[i] : empty();
+    if (n >= 4001 && !is_set) {
+        if (const std::optional<Shown> shown = of_machine(n)) {
+            value = shown->value;
+            is_set = shown->is_known;
+        }
+    }
+    if (!is_set || !computed_from_.empty())
+        note_read(std::string("#").append(std::to_string(n)), is_set);
+    return value;
 }
 
 bool Parameters::is_read_only(double number) {
@@ -93,35 +155,54 @@ bool Parameters::is_read_only(double number) {
     return n == 0 || is_in(n, 5420, 9) || is_in(n, 5400, 14);
 }
 
-bool Parameters::set_numbered(double number, double value) {
-    const int n = to_index(number, strict_);
+bool Parameters::set_numbered(double number, double value, std::string_view unknown) {
+    const int n = to_index(number, rules_.strict);
     if (n < 1 || is_read_only(number)) return false;
+    if (!unknown.empty() || !computed_from_.empty())
+        keep_origin(std::string("#").append(std::to_string(n)), unknown);
     const auto i = static_cast<std::size_t>(n);
     if (i <= kLocals) {
         locals_[i] = value;
+        locals_set_[i] = true;
         return true;
     }
-    if (i >= numbers_.size()) numbers_.resize(i + 100, empty());
+    if (i >= numbers_.size()) {
+        numbers_.resize(i + 100, empty());
+        is_set_.resize(i + 100, 0);
+    }
     numbers_[i] = value;
+    is_set_[i] = 1;
     return true;
 }
 
-namespace {
+bool Parameters::specify(std::string_view name, double value) {
+    if (name.starts_with("#<") && name.ends_with('>'))
+        return set_named(name.substr(2, name.size() - 3), value);
+    if (!name.starts_with('#')) return false;
+    const PlainNumber number = read_plain_number(name.data() + 1, name.data() + name.size());
+    return number.end == name.data() + name.size() && set_numbered(number.value, value);
+}
 
-/// #<_x> and its kin. Names that only LinuxCNC's configuration knows ("_ini[…]", "_hal[…]") are not
-/// here: nobody can know their values from the program.
-std::optional<double> predefined(std::string_view name, const MachineView& view) {
+void Parameters::show_machine(int number) {
+    const auto i = static_cast<std::size_t>(number);
+    if (i < is_set_.size()) is_set_[i] = 0;
+}
+
+/// #<_x> and its kin. Names of LinuxCNC's configuration ("_ini[…]", "_hal[…]") are missing: their
+/// values do not follow from the program.
+std::optional<Parameters::Shown> Parameters::predefined(std::string_view name) const {
     const MachineState& s = *view.state;
     constexpr std::string_view kNames = "xyzabcuvw";
     const auto axis_of = [&](char c) { return kNames.find(c); };
     if (name.size() == 2 && name[0] == '_' && axis_of(name[1]) != std::string_view::npos) {
-        return s.position[axis_of(name[1])];
+        return Shown{s.position[axis_of(name[1])], is_axis_known(axis_of(name[1]))};
     }
     if (name.size() == 6 && name.starts_with("_abs_") &&
         axis_of(name[5]) != std::string_view::npos) {
         const std::size_t a = axis_of(name[5]);
         if (s.rotation == 0.0 || a > kY) {
-            return s.position[a] + s.offset_92[a] + s.work_offset[a] + s.tool_offset[a];
+            return Shown{s.position[a] + s.offset_92[a] + s.work_offset[a] + s.tool_offset[a],
+                         is_axis_known(a) && s.frame[a > kZ ? std::size_t{kZ} : a] == 0};
         }
         return std::nullopt;  // rotated: computed by the machine
     }
@@ -176,22 +257,29 @@ std::optional<double> predefined(std::string_view name, const MachineView& view)
     };
     const auto* found = std::ranges::find(entries, name, &Entry::name);
     if (found == std::end(entries)) return std::nullopt;
-    return found->value;
+    return Shown{found->value};
 }
-
-}  // namespace
 
 std::optional<double> Parameters::named(std::string_view name) const {
     const bool global = name.starts_with('_');
     const auto& names = global ? global_names_ : local_names_;
-    if (const auto found = names.find(name); found != names.end()) return found->second;
-    if (global) return predefined(name, view);
-    return std::nullopt;
+    const auto key = [&] { return std::string("#<").append(name).append(">"); };
+    if (const auto found = names.find(name); found != names.end()) {
+        if (!computed_from_.empty()) note_read(key(), true);
+        return found->second;
+    }
+    if (!global) return std::nullopt;
+    const std::optional<Shown> shown = predefined(name);
+    if (!shown || !shown->is_known) note_read(key(), false);
+    if (!shown) return std::nullopt;
+    return shown->value;
 }
 
-bool Parameters::set_named(std::string_view name, double value) {
+bool Parameters::set_named(std::string_view name, double value, std::string_view unknown) {
     const bool global = name.starts_with('_');
-    if (strict_ && global && name != "_value" && predefined(name, view)) return false;
+    if (rules_.strict && global && name != "_value" && predefined(name)) return false;
+    if (!unknown.empty() || !computed_from_.empty())
+        keep_origin(std::string("#<").append(name).append(">"), unknown);
     auto& names = global ? global_names_ : local_names_;
     if (const auto found = names.find(name); found != names.end()) {
         found->second = value;
@@ -202,17 +290,38 @@ bool Parameters::set_named(std::string_view name, double value) {
     return true;
 }
 
+namespace {
+
+/// True for "#1" … `count`, and for names that end with their subroutine.
+bool is_local(std::string_view key, std::size_t count) {
+    if (key.starts_with("#<")) return !key.starts_with("#<_");
+    const PlainNumber number = read_plain_number(key.data() + 1, key.data() + key.size());
+    return number.value <= static_cast<double>(count);
+}
+
+}  // namespace
+
 Parameters::Locals Parameters::take_locals(std::size_t count) {
     Locals saved;
     saved.names.swap(local_names_);
     saved.numbers = locals_;
+    saved.is_set = locals_set_;
+    for (auto it = computed_from_.begin(); it != computed_from_.end();) {
+        auto here = it++;
+        if (is_local(here->first, count)) saved.computed_from.insert(computed_from_.extract(here));
+    }
+    // A called program starts with its arguments and nothing else, which is known.
     std::fill_n(locals_.begin() + 1, count, empty());
+    std::fill_n(locals_set_.begin() + 1, count, true);
     return saved;
 }
 
 void Parameters::restore_locals(Locals locals, std::size_t count) {
     local_names_ = std::move(locals.names);
     std::copy_n(locals.numbers.begin() + 1, count, locals_.begin() + 1);
+    std::copy_n(locals.is_set.begin() + 1, count, locals_set_.begin() + 1);
+    std::erase_if(computed_from_, [&](const auto& e) { return is_local(e.first, count); });
+    computed_from_.merge(locals.computed_from);
 }
 
 }  // namespace ncsim::gcode

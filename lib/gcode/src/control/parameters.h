@@ -7,6 +7,7 @@
 #include "ncsim/gcode/state.h"
 
 #include "control/copy_on_write.h"
+#include "control/rules.h"
 #include "control/store.h"
 #include "text/expression.h"
 
@@ -36,18 +37,29 @@ public:
     std::optional<double> numbered(double number) const override;
     std::optional<double> named(std::string_view name) const override;
 
-    /// False: there is no such parameter, or it can only be read.
-    bool set_numbered(double number, double value);
-    bool set_named(std::string_view name, double value);
+    /// `unknown`: the name of the unknown variable that `value` was computed from, if any.
+    /// Returns: false if there is no such parameter, or it can only be read.
+    bool set_numbered(double number, double value, std::string_view unknown = {});
+    bool set_named(std::string_view name, double value, std::string_view unknown = {});
     static bool is_read_only(double number);
+    /// Sets "#500" or "#<_depth>" as the job specifies it. False if there is no such parameter.
+    bool specify(std::string_view name, double value);
+    /// Has #number show the state of the machine again, whatever was assigned to it.
+    void show_machine(int number);
 
-    /// Unset variables are vacant, not 0; the range of numbers is a control's, not RS274's.
-    void set_rules(bool vacant, bool strict);
+    /// The first variable read since the last call whose value is neither in the program nor in
+    /// the job; empty if there is none. Computed values keep the name of the variable they are
+    /// computed from.
+    std::string take_unknown() const;
+
+    void set_rules(const Rules& rules);
 
     /// Calls: the local variables and local names of the caller are put away.
     struct Locals {
         std::array<double, kLocals + 1> numbers{};
+        std::array<bool, kLocals + 1> is_set{};
         std::map<std::string, double, std::less<>> names;
+        std::map<std::string, std::string, std::less<>> computed_from;
     };
     Locals take_locals(std::size_t count);
     void restore_locals(Locals locals, std::size_t count);
@@ -55,13 +67,28 @@ public:
     MachineView view;
 
 private:
-    std::optional<double> of_machine(int number) const;
-    double empty() const { return vacant_ ? kVacant : 0.0; }
+    /// A value of the machine, and whether the program or the job determines it.
+    struct Shown {
+        double value = 0.0;
+        bool is_known = true;
+    };
+    std::optional<Shown> of_machine(int number) const;
+    std::optional<Shown> of_offsets(int number) const;
+    std::optional<Shown> of_fanuc(int number) const;
+    std::optional<Shown> predefined(std::string_view name) const;
+    double empty() const { return rules_.arithmetic.vacant ? kVacant : 0.0; }
+    bool is_axis_known(std::size_t axis) const;
+    void note_read(std::string_view key, bool is_set) const;
+    void keep_origin(std::string_view key, std::string_view unknown);
 
-    bool vacant_ = false;
-    bool strict_ = false;
+    Rules rules_;
     std::array<double, kLocals + 1> locals_{};
-    std::vector<double> numbers_;  // by number; as long as needed
+    std::array<bool, kLocals + 1> locals_set_{};
+    std::vector<double> numbers_;       // by number; as long as needed
+    std::vector<std::uint8_t> is_set_;  // as long as numbers_
+    /// Variables whose values depend on an unknown one, and its name. Keys: "#500", "#<_name>".
+    std::map<std::string, std::string, std::less<>> computed_from_;
+    mutable std::string unknown_;  // see take_unknown()
     std::map<std::string, double, std::less<>> local_names_;
     std::map<std::string, double, std::less<>> global_names_;
 };

@@ -138,10 +138,26 @@ void Runner::leave_frame() {
 bool Runner::call_code(int m) {
     switch (m) {
         case 97: call_lines(); break;
-        case 98: call_subprogram(); break;
+        case 98:
+        case 198: call_subprogram(); break;  // M198: of another memory of the control
         default: return_from_subprogram(); break;
     }
     return true;
+}
+
+/// True for programs that a control keeps for itself, or on another memory: O8xxx and O9xxx of
+/// Fanuc and Haas, and those of M198.
+bool Runner::is_elsewhere(double number) const {
+    if (rules_.strict) return false;
+    if (command_.group(MGroup::Call) == 198) return true;
+    return rules_.macro_b && number >= 8000.0 && number <= 9999.0;
+}
+
+/// Reports a call of a program of the control, unless it is declared harmless.
+void Runner::leave_out(double number, SourceSpan span) {
+    if (resolver_.is_allowed('O', number)) return;
+    const std::string label = std::to_string(std::lround(number));
+    log_.add(Message::MacroMissing, span, {tagged("O", label), label});
 }
 
 void Runner::call_subprogram() {
@@ -162,6 +178,8 @@ void Runner::call_subprogram() {
     const std::string label = std::to_string(number);
     if (!target) {
         const std::optional<Target> sub = find_target(ControlWord::Sub, label, false);
+        if (!sub && is_elsewhere(static_cast<double>(number)))
+            return leave_out(static_cast<double>(number), p->span);
         if (!sub || rules_.strict) {
             return fault(sub ? Message::CallForms : Message::ProgramNotFound, p->span,
                          {tagged("O", label)});

@@ -84,14 +84,19 @@ void Runner::macro_call(int g) {
                                              0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
     std::array<double, Parameters::kLocals + 1> values;
     values.fill(rules_.arithmetic.vacant ? kVacant : 0.0);
+    std::array<std::string, Parameters::kLocals + 1> unknown;  // of each value
     std::optional<double> program;
     double runs = 1.0;
     int triple = 0;  // I J K may come several times: #4 … #6, #7 … #9, …
     char last = 0;
     for (const Word& word : block.words) {
         if (word.letter == 'G' || word.letter == 'O') continue;
-        const std::optional<double> value = resolver_.value_of(word);
+        std::string depends_on;
+        const std::optional<double> value = resolver_.value_to_keep(word, depends_on);
         if (!value) return;
+        int n = 0;
+        if (word.letter == 'P' || word.letter == 'L')
+            resolver_.report_unknown(depends_on, word.span);
         if (word.letter == 'P') {
             program = value;
         } else if (word.letter == 'L') {
@@ -99,13 +104,13 @@ void Runner::macro_call(int g) {
         } else if (word.letter >= 'I' && word.letter <= 'K') {
             if (last != 0 && word.letter <= last) ++triple;
             last = word.letter;
-            const int n = 4 + 3 * triple + (word.letter - 'I');
-            if (n <= static_cast<int>(Parameters::kLocals))
-                values[static_cast<std::size_t>(n)] = *value;
+            n = 4 + 3 * triple + (word.letter - 'I');
         } else if (word.letter >= 'A' && word.letter <= 'Z') {
-            const int n = kLocals[static_cast<std::size_t>(word.letter - 'A')];
-            if (n > 0) values[static_cast<std::size_t>(n)] = *value;
+            n = kLocals[static_cast<std::size_t>(word.letter - 'A')];
         }
+        if (n <= 0 || n > static_cast<int>(Parameters::kLocals)) continue;
+        values[static_cast<std::size_t>(n)] = *value;
+        unknown[static_cast<std::size_t>(n)] = std::move(depends_on);
     }
     const SourceSpan span = block.words.empty() ? block.line_span() : block.words.front().span;
     if (!program || !(*program >= 0.0 && *program < 1e9)) {
@@ -113,7 +118,12 @@ void Runner::macro_call(int g) {
     }
     const std::string label = std::to_string(std::lround(*program));
     const std::optional<Target> target = find_target(ControlWord::ProgramNumber, label, true);
-    if (!target) return fault(Message::ProgramNotFound, span, {tagged("O", label)});
+    if (!target) {
+        if (rules_.macro_b && probe_macro(static_cast<int>(std::lround(*program)), values, span))
+            return;
+        if (is_elsewhere(*program)) return leave_out(*program, span);
+        return fault(Message::ProgramNotFound, span, {tagged("O", label)});
+    }
     if (!(runs >= 1.0)) return;
     Frame frame;
     frame.kind = CallKind::Macro;
@@ -123,7 +133,7 @@ void Runner::macro_call(int g) {
     frame.local_count = Parameters::kLocals;
     frame.locals = parameters_.take_locals(frame.local_count);
     for (std::size_t i = 1; i < values.size(); ++i) {
-        parameters_.set_numbered(static_cast<double>(i), values[i]);
+        parameters_.set_numbered(static_cast<double>(i), values[i], unknown[i]);
     }
     enter(std::move(frame), *target);
 }

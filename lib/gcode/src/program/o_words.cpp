@@ -220,6 +220,7 @@ void Runner::o_call() {
     const std::optional<std::string> label = label_of(control.label, control.span);
     if (!label) return;
     std::array<double, 30> arguments{};
+    std::array<std::string, 30> unknown;  // the variable that each depends on
     std::size_t count = 0;
     std::string_view rest = control.expression;
     while (!rest.empty()) {
@@ -231,6 +232,7 @@ void Runner::o_call() {
             return;
         }
         if (count >= arguments.size()) return fault(Message::CallArguments, control.span);
+        unknown[count] = parameters_.take_unknown();
         arguments[count++] = std::isnan(*value) ? 0.0 : *value;
     }
     const std::optional<Target> target = find_target(ControlWord::Sub, *label, true);
@@ -249,7 +251,7 @@ void Runner::o_call() {
     frame.local_count = 30;
     frame.locals = parameters_.take_locals(frame.local_count);
     for (std::size_t i = 0; i < count; ++i) {
-        parameters_.set_numbered(static_cast<double>(i + 1), arguments[i]);
+        parameters_.set_numbered(static_cast<double>(i + 1), arguments[i], unknown[i]);
     }
     enter(std::move(frame), *target);
 }

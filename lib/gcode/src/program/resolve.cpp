@@ -16,7 +16,7 @@ constexpr double kLargest = 1e12;
 
 }  // namespace
 
-Resolver::Resolver(const Rules& rules, const ParameterSource& parameters, DiagnosticLog& log,
+Resolver::Resolver(const Rules& rules, const Parameters& parameters, DiagnosticLog& log,
                    const InterpreterOptions& options)
     : rules_(rules),
       parameters_(parameters),
@@ -55,10 +55,35 @@ bool Resolver::tolerate(const MessageText& message, SourceSpan span,
     return !rules_.strict;
 }
 
-std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span, bool open) {
+void Resolver::report_unknown(std::string_view name, SourceSpan span) {
+    if (name.empty()) return;
+    constexpr std::size_t kMostNames = 20;  // a program may read whole tables
+    if (named_.size() >= kMostNames && !named_.contains(name))
+        return log_.add(Message::VariablesUnknown, span);
+    named_.emplace(name);
+    log_.add(Message::VariableUnknown, span, {name, name});
+}
+
+std::optional<double> Resolver::value_to_keep(std::string_view text, SourceSpan span, bool open,
+                                              std::string& unknown) {
     ExpressionFault fault;
+    parameters_.take_unknown();
     const std::optional<double> value = evaluate(text, parameters_, rules_.arithmetic, fault, open);
+    unknown = parameters_.take_unknown();
     if (!value) log_.add(Severity::Error, fault.message, span, {fault.argument});
+    return value;
+}
+
+std::optional<double> Resolver::value_to_keep(const Word& word, std::string& unknown) {
+    unknown.clear();
+    if (word.literal) return word.number;
+    return value_to_keep(word.text, word.span, !rules_.strict, unknown);
+}
+
+std::optional<double> Resolver::value_of(std::string_view text, SourceSpan span, bool open) {
+    std::string unknown;
+    const std::optional<double> value = value_to_keep(text, span, open, unknown);
+    if (value) report_unknown(unknown, span);
     return value;
 }
 
@@ -170,6 +195,7 @@ bool Resolver::take_m(const Word& word, double value, Command& command) {
     if (group == MGroup::Unknown || foreign) {
         // M100 … M199 are the user's own on LinuxCNC; without their scripts they are unknown, too.
         if (is_allowed('M', value)) return true;
+        if (is_whole && !rules_.strict && is_harmless_m(number, rules_.dialect)) return true;
         return tolerate(Message::UnknownM, word.span, {text_of(word, value)});
     }
     std::int16_t& slot = command.m[static_cast<std::size_t>(group)];

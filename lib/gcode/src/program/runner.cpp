@@ -17,7 +17,9 @@ Runner::Runner(const SourceFile& program, const InterpreterOptions& options, con
       path_(options, sink, log, result),
       machine_(options, rules, log, path_, parameters_),
       resolver_(rules, parameters_, log, options) {
-    parameters_.set_rules(rules.arithmetic.vacant, rules.strict);
+    parameters_.set_rules(rules);
+    for (const auto& [name, value] : options.variables)
+        parameters_.specify(name, value);
     most_blocks_ = options.limits.repeated_blocks + line_count(program);
     files_.push_back({&program, nullptr, BlockReader(program, {.strict = rules.strict}), nullptr});
 }
@@ -74,7 +76,13 @@ bool Runner::step() {
         if (block_.kind == BlockKind::Percent) return percent();
         return true;
     }
-    if (block_.block_delete && options_.block_delete) return true;
+    if (block_.block_delete) {
+        const bool does_something = block_.control.word != ControlWord::None ||
+                                    !block_.words.empty() || !block_.assignments.empty();
+        if (does_something && !result_.deletable)
+            result_.deletable = {static_cast<std::uint32_t>(current_), block_.line_span()};
+        if (options_.block_delete) return true;
+    }
     if (block_.control.word != ControlWord::None) {
         something_read_ = true;
         if (block_.control.word < ControlWord::If) {
@@ -106,6 +114,7 @@ void Runner::act_on_words() {
         scale_increments();
     } else if (rules_.macro_b) {
         look_for_points();
+        note_points();
     }
     machine_.set_origin(command_.span, static_cast<std::uint32_t>(current_));
     const std::uint64_t motions = path_.count();
@@ -122,6 +131,7 @@ void Runner::act_on_words() {
     }
     if (command_.group(Group::Pocket) == Code::G150 && !hear_outline()) return;
     machine_.execute(command_);
+    note_blend();
     if (machine_.stopped()) {
         result_.refused = true;
         ended_ = true;
@@ -142,6 +152,38 @@ bool has_point(const Block& block, const Word& word) {
 
 }  // namespace
 
+/// True for words whose numbers are lengths or angles.
+bool Runner::counts_increments(const Word& word) const {
+    if (kLengthLetters.find(word.letter) == std::string_view::npos) return false;
+    if (command_.group(Group::OneShot) == Code::G4) return false;
+    // The number of repeats.
+    const Code motion = command_.group(Group::Motion);
+    const bool drills = is_cycle(motion == Code::None ? machine_.state().motion : motion);
+    return !(word.letter == 'K' && rules_.k_repeats && drills);
+}
+
+/// G64 P0.05 of LinuxCNC; on Fanuc G64 has no P.
+void Runner::note_blend() {
+    if (rules_.macro_b || command_.group(Group::PathMode) != Code::G64 || !command_.has('P'))
+        return;
+    const double mm = command_['P'] * machine_.state().unit_mm();
+    if (mm <= result_.blend_mm) return;
+    result_.blend_mm = mm;
+    result_.blend = {static_cast<std::uint32_t>(current_), command_.span};
+}
+
+void Runner::note_points() {
+    if (result_.has_points && result_.without_point) return;
+    for (const Word& word : block_.words) {
+        if (!word.literal || !counts_increments(word)) continue;
+        if (has_point(block_, word)) {
+            result_.has_points = true;
+        } else if (word.number != 0.0 && !result_.without_point) {
+            result_.without_point = {static_cast<std::uint32_t>(current_), word.span};
+        }
+    }
+}
+
 /// Numbers without a point are thousandths of a millimetre or a degree, ten-thousandths of an inch.
 void Runner::scale_increments() {
     const Code units = command_.group(Group::Units);
@@ -149,10 +191,8 @@ void Runner::scale_increments() {
         units == Code::None ? machine_.state().inches : units == Code::G20 || units == Code::G70;
     const bool pattern =
         command_.group(Group::HolePattern) != Code::None;  // J and K are angles there
-    const bool dwells = command_.group(Group::OneShot) == Code::G4;
     for (const Word& word : block_.words) {
-        const bool counts = kLengthLetters.find(word.letter) != std::string_view::npos;
-        if (!counts || dwells || has_point(block_, word)) continue;
+        if (!counts_increments(word) || has_point(block_, word)) continue;
         if (word.comma) {
             // Each stands once: two are an error.
             if (word.letter == 'A') {
@@ -207,11 +247,13 @@ bool Runner::assign(const Block& block) {
         const Assignment* assignment;
         double value;
         double number;
+        std::string unknown;  // the variable that the value depends on
     };
     std::vector<Pending> pending;
     for (const Assignment& assignment : block.assignments) {
+        std::string unknown;
         const std::optional<double> value =
-            resolver_.value_of(assignment.value, assignment.span, !rules_.strict);
+            resolver_.value_to_keep(assignment.value, assignment.span, !rules_.strict, unknown);
         if (!value) return false;
         double number = 0.0;
         if (!assignment.target.starts_with('<')) {
@@ -220,21 +262,55 @@ bool Runner::assign(const Block& block) {
             if (!n) return false;
             number = *n;
         }
-        pending.push_back({&assignment, *value, number});
+        pending.push_back({&assignment, *value, number, std::move(unknown)});
     }
     for (const Pending& p : pending) {
         std::string_view target = p.assignment->target;
         if (target.starts_with('<')) {
             target = target.substr(1, target.size() - 2);
-            if (!parameters_.set_named(target, p.value)) {
+            if (!parameters_.set_named(target, p.value, p.unknown)) {
                 log_.add(Message::ParameterReadOnly, p.assignment->span, {p.assignment->target});
             }
-        } else if (!parameters_.set_numbered(p.number, p.value)) {
+        } else if (!assign_number(*p.assignment, p.number, p.value, p.unknown)) {
             log_.add(Parameters::is_read_only(p.number) ? Message::ParameterReadOnly
                                                         : Message::ParameterRange,
                      p.assignment->span, {target});
         }
+        if (ended_) break;
     }
+    return true;
+}
+
+/// Sets #`number`, and what the control does with that number. False if there is no such parameter.
+bool Runner::assign_number(const Assignment& assignment, double number, double value,
+                           const std::string& unknown) {
+    if (!parameters_.set_numbered(number, value, unknown)) return false;
+    const int n = static_cast<int>(std::lround(number));
+    const SystemVariable variable = system_variable(n, rules_);
+    if (variable.effect == SystemVariable::Effect::Kept) return true;
+    resolver_.report_unknown(unknown, assignment.span);
+    const std::string name = std::string("#").append(std::to_string(n));
+    if (std::isnan(value)) return true;
+    switch (variable.effect) {
+        case SystemVariable::Effect::Alarm: {
+            std::string text(assignment.value);
+            for (const Comment& comment : block_.comments)
+                text.append(" (").append(comment.text).append(")");
+            log_.add(Message::ControlAlarm, assignment.span, {text});
+            machine_.flush();
+            ended_ = true;
+            return true;
+        }
+        case SystemVariable::Effect::Stop: machine_.pause(); return true;
+        case SystemVariable::Effect::NotApplied:
+            if (std::ranges::find(options_.allow, name) != options_.allow.end()) return true;
+            log_.add(Message::VariableNotApplied, assignment.span, {name});
+            return true;
+        default: break;
+    }
+    machine_.set_origin(assignment.span, static_cast<std::uint32_t>(current_));
+    if (machine_.set_variable(variable, value, !unknown.empty(), assignment.span))
+        parameters_.show_machine(n);
     return true;
 }
 

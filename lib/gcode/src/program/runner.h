@@ -10,9 +10,11 @@
 #include "ncsim/gcode/parser.h"
 
 #include "control/machine.h"
+#include "control/system_variable.h"
 #include "program/program_index.h"
 #include "program/resolve.h"
 
+#include <array>
 #include <deque>
 #include <memory>
 
@@ -62,10 +64,15 @@ private:
     bool step();
     bool percent();
     bool assign(const Block& block);
+    bool assign_number(const Assignment& assignment, double number, double value,
+                       const std::string& unknown);
     void tool_change_in_comment();
     void act_on_words();
     void scale_increments();
     void look_for_points();
+    bool counts_increments(const Word& word) const;
+    void note_points();
+    void note_blend();
     void end_program();
 
     // Control words. Each may seek, call or return.
@@ -81,6 +88,11 @@ private:
     // Calls
     bool call_code(int m);
     void call_subprogram();
+    bool is_elsewhere(double number) const;
+    void leave_out(double number, SourceSpan span);
+    bool probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
+                     SourceSpan span);
+    void act_on_text(const std::string& text, SourceSpan span);
     void call_lines();
     bool hear_outline();
     void return_from_subprogram();

@@ -67,6 +67,7 @@ bool LineParser::read_plain() {
         while (next != end && is_blank(*next))
             ++next;
         if (next != end && (is_digit(*next) || *next == '.')) return false;
+        if (number.end != end && upper(*number.end) == 'E') return false;  // perhaps an exponent
         if (letter == 'N') {
             if (!first) return false;
             set_number(number.value);
@@ -196,8 +197,11 @@ bool LineParser::is_console_command() {
         kFanucOutput, [&](std::string_view name) { return text_.starts_with(name); });
     if (c != '$' && c != '?' && c != '!' && c != '~' && c != '<' && c != '&' && !fanuc && !shows)
         return false;
-    block_.kind = tolerate(Message::ConsoleCommand, span(0, text_.size()),
-                           {line_.substr(0, std::min<std::size_t>(line_.size(), 20))})
+    // Text that is shown or printed has no influence on what follows.
+    const bool is_text = (fanuc || shows) && !options_.strict;
+    const std::string_view shown = line_.substr(0, std::min<std::size_t>(line_.size(), 20));
+    if (is_text) report(Message::ConsoleText, span(0, text_.size()), {shown});
+    block_.kind = is_text || tolerate(Message::ConsoleCommand, span(0, text_.size()), {shown})
                       ? BlockKind::Command
                       : BlockKind::Unreadable;
     return true;

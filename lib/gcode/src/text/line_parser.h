@@ -81,6 +81,8 @@ private:
     std::size_t find_outside_brackets(std::size_t from, std::string_view what) const;
 
     // line_values.cpp
+    /// True, after a report, if the number from `start` to here goes on with an exponent.
+    bool has_exponent(std::size_t start);
     bool skip_brackets();
     bool skip_name();
     /// One value: sign, then a number, a parameter, brackets, or a function of brackets.

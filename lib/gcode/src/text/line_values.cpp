@@ -11,6 +11,21 @@
 
 namespace ncsim::gcode {
 
+bool LineParser::has_exponent(std::size_t start) {
+    std::size_t end = at_;
+    const bool follows = end > 0 && end < text_.size() && text_[end] == 'e' &&
+                         (is_digit(text_[end - 1]) || text_[end - 1] == '.') &&
+                         columns_[end] == columns_[end - 1] + 1;  // else a word of its own
+    if (!follows) return false;
+    if (++end < text_.size() && (text_[end] == '-' || text_[end] == '+')) ++end;
+    if (end == text_.size() || !is_digit(text_[end])) return false;
+    while (end < text_.size() && (is_digit(text_[end]) || text_[end] == '.'))
+        ++end;
+    const SourceSpan place = span(start, end);
+    report(Message::Exponent, place, {line_.substr(place.column - 1, place.length)});
+    return reported_ = true;
+}
+
 bool LineParser::skip_brackets() {
     const std::size_t open = at_;
     int depth = 0;

@@ -6,7 +6,19 @@
 #include "text/message.h"
 #include "text/number.h"
 
+#include <algorithm>
+
 namespace ncsim::gcode {
+
+namespace {
+
+/// True for M66 to M68 and G65, G66, of which E is a word.
+bool takes_e(char letter, double number) {
+    return (letter == 'M' && number >= 66.0 && number <= 68.0) ||
+           (letter == 'G' && (number == 65.0 || number == 66.0));
+}
+
+}  // namespace
 
 bool LineParser::read_words() {
     if (at_ < text_.size() && (text_[at_] == 'o' || text_[at_] == ':') && !read_o_word())
@@ -51,6 +63,12 @@ bool LineParser::read_word(std::size_t start, bool comma) {
     const PlainNumber number = read_plain_number(text_.data() + at_, text_.data() + text_.size());
     if (number.end) {
         at_ = static_cast<std::size_t>(number.end - text_.data());
+        // "M67E2Q3", "G65P1F600E41": no exponents.
+        const bool has_e = takes_e(letter, number.value) ||
+                           std::ranges::any_of(block_.words, [](const Word& word) {
+                               return takes_e(word.letter, word.number);
+                           });
+        if (!has_e && has_exponent(start)) return false;
         block_.words.push_back({letter, comma, true, number.value, span(start, at_), {}});
         return true;
     }
@@ -94,6 +112,7 @@ bool LineParser::read_assignment() {
         if (!reported_) report(Message::NumberExpected, span(start, at_), {"="});
         return false;
     }
+    if (has_exponent(start)) return false;
     block_.assignments.push_back({name, text_.substr(value, at_ - value), span(start, at_)});
     return true;
 }

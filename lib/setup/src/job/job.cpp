@@ -141,8 +141,9 @@ JobFile take_job_file(JobOptions& options, InputSet& inputs) {
     if (file.dialect && !file.dialect_assumed && options.dialect == gcode::Dialect::Auto)
         options.dialect = *file.dialect;
     options.strict |= file.strict;
-    options.block_delete |= file.block_delete;
-    options.increments |= file.increments;
+    if (!options.block_delete) options.block_delete = file.block_delete;
+    if (!options.increments) options.increments = file.increments;
+    options.variables.insert(file.variables.begin(), file.variables.end());
     const auto append = [](auto& list, const auto& more) {
         list.insert(list.end(), more.begin(), more.end());
     };
@@ -338,11 +339,12 @@ Job composed(gcode::SourceFile program, JobOptions options, const JobFile& from_
     const bool inches = options.inches.value_or(false);
     job.interpreter.default_units =
         inches ? gcode::DefaultUnits::Inches : gcode::DefaultUnits::Millimetres;
-    job.interpreter.block_delete = options.block_delete;
+    job.interpreter.block_delete = options.block_delete.value_or(false);
     job.interpreter.dialect = options.dialect;
     job.interpreter.strict = options.strict;
     job.interpreter.allow = options.allow;
-    job.interpreter.least_increments = options.increments;
+    job.interpreter.least_increments = options.increments.value_or(false);
+    job.interpreter.variables = options.variables;
     for (gcode::Position& origin : job.interpreter.work_offsets) {
         origin.z = gcode::Length::from_mm(-verify::kHomeHeight);
     }

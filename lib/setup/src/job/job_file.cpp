@@ -80,6 +80,9 @@ public:
         const auto flag = [this](bool& into) {
             return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
         };
+        const auto optional_flag = [this](std::optional<bool>& into) {
+            return [this, &into](const auto& n, const auto& k) { into = r_.yes_or_no(n, k); };
+        };
         // Each of them has to be one of those that are `known`.
         const auto words = [this](std::vector<std::string>& into, auto known,
                                   const char* expected) {
@@ -120,8 +123,10 @@ public:
               }},
              {"dialect", [&](const auto& n, const auto& k) { job.dialect = read_dialect(n, k); }},
              {"strict", flag(job.strict)},
-             {"block_delete", flag(job.block_delete)},
-             {"increments", flag(job.increments)},
+             {"block_delete", optional_flag(job.block_delete)},
+             {"increments", optional_flag(job.increments)},
+             {"variables",
+              [&](const auto& n, const auto& k) { job.variables = read_variables(n, k); }},
              {"allow", words(job.allow, any, "words")},
              {"accept",
               words(job.accept, is_reason, "reasons for doubt, as ncsim rules lists them")},
@@ -173,6 +178,19 @@ private:
             if (name == gcode::name_of(dialect)) return dialect;
         }
         r_.fail(node, "expected auto, rs274, fanuc, haas, grbl or mach3");
+    }
+
+    std::map<std::string, double> read_variables(const toml::node& node,
+                                                 const std::string& key) const {
+        std::map<std::string, double> variables;
+        for (const auto& [name, value] : r_.table(node, key)) {
+            const std::string where = fmt::format("{}.{}", key, name.str());
+            const auto variable = variable_name(name.str());
+            if (!variable)
+                r_.fail(value, fmt::format("'{}': expected \"#500\" or \"#<_name>\"", where));
+            variables.emplace(*variable, r_.number(value, where));
+        }
+        return variables;
     }
 
     toolpath::Stock read_stock_from_file(const toml::table& t, const std::string& key) const {
@@ -401,6 +419,19 @@ void write_stock(std::ostream& out, const toolpath::Stock& stock) {
 
 }  // namespace
 
+std::optional<std::string> variable_name(std::string_view text) {
+    std::string name;
+    for (const char c : text)
+        name += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    if (name.starts_with("#<") && name.ends_with('>') && name.size() > 3) return name;
+    constexpr std::size_t kMostDigits = 5;
+    const bool is_number = name.starts_with('#') && name.size() > 1 &&
+                           name.size() <= kMostDigits + 1 && name[1] != '0' &&
+                           name.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (!is_number) return std::nullopt;
+    return name;
+}
+
 JobFile parse_job_file(const gcode::SourceFile& file) {
     return JobReader(file).read();
 }
@@ -420,8 +451,11 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
         << "\"  # where neither G20 nor G21 stands before the first length\ndialect = \""
         << gcode::name_of(file.dialect.value_or(gcode::Dialect::Auto)) << "\"\n";
     if (file.strict) out << "strict = true\n";
-    if (file.increments) out << "increments = true\n";
-    if (file.block_delete) out << "block_delete = true\n";
+    const auto flag = [&out](const char* key, const std::optional<bool>& value) {
+        if (value) out << key << (*value ? " = true\n" : " = false\n");
+    };
+    flag("increments", file.increments);
+    flag("block_delete", file.block_delete);
     write_list(out, "allow", file.allow);
     write_list(out, "accept", file.accept);
     write_list(out, "require", file.require);
@@ -430,6 +464,11 @@ void write_job_file(std::ostream& out, const JobFile& file, const JobRemarks& re
         out << "\n[offsets]\n";
         for (const auto& [system, origin] : file.offsets)
             out << quoted(name_of_system(system)) << " = " << triple(origin) << '\n';
+    }
+    if (!file.variables.empty()) {
+        out << "\n[variables]\n";
+        for (const auto& [name, value] : file.variables)
+            out << quoted(name) << " = " << number(value) << '\n';
     }
     if (file.stock) {
         out << "\n[stock]\n" << remark(remarks.stock);

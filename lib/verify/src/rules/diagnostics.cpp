@@ -21,6 +21,7 @@ std::string_view rule_of_diagnostic(std::string_view code) {
         {"not-simulated", "unsupported-word"},
         {"corner-word", "unsupported-word"},
         {"unknown-m", "unsupported-word"},
+        {"macro-missing", "unsupported-word"},
         {"unknown-word", "unsupported-word"},
         {"o-word-unknown", "unsupported-word"},
         {"function-unknown", "unsupported-word"},
@@ -36,6 +37,9 @@ std::string_view rule_of_diagnostic(std::string_view code) {
         // Told motion by motion by rules of their own.
         {"start-unknown", ""},
         {"feed-missing", ""},
+        // Reported as doubts only.
+        {"variable-unknown", ""},
+        {"control-alarm", ""},
     });
     for (const auto& [known, rule] : kTable) {
         if (known == code) return rule;
@@ -50,6 +54,11 @@ std::string_view doubt_of_diagnostic(std::string_view code) {
         {"console-command", "left-out"},
         {"g10-form", "left-out"},
         {"parameter-shown", "left-out"},
+        {"variable-not-applied", "left-out"},
+        {"macro-missing", "left-out"},
+        {"variable-timing", "reading-guess"},
+        {"variable-unknown", "variable-unknown"},
+        {"control-alarm", "not-simulated"},
         {"word-unused", "reading-guess"},
         {"word-twice", "reading-guess"},
         {"codes-exclude", "reading-guess"},

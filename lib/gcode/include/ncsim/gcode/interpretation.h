@@ -126,6 +126,8 @@ struct InterpreterOptions {
     /// number stands there.
     bool least_increments = false;
     std::vector<ToolTableEntry> tools;
+    /// What variables are at the start, where the job specifies it: "#500", "#<_depth>".
+    std::map<std::string, double> variables;
     /// How far above the last depth G83 starts to feed again and how far G73 draws back, in units
     /// of the program: a parameter of the machine. Without it 0.254 mm, and never above R.
     std::optional<double> peck_clearance;
@@ -143,6 +145,11 @@ struct InterpreterOptions {
     Limits limits;
 };
 
+struct ProgramPlace {
+    std::uint32_t file = 0;  ///< Index into Interpretation::files.
+    SourceSpan span;
+};
+
 /// What was concluded on the way, for the assumption sheet and for reports.
 struct Interpretation {
     Diagnostics diagnostics;
@@ -156,6 +163,15 @@ struct Interpretation {
     int workpiece_system = 1;
     /// Its origin and rotation; in machine coordinates only where its frame is 0.
     WorkOffset workpiece;
+    /// The first block that starts with '/', of those that were met.
+    std::optional<ProgramPlace> deletable;
+    /// On Fanuc, Haas and kin: the first length or angle without a decimal point that would be
+    /// another one in least increments, and whether others have a point.
+    std::optional<ProgramPlace> without_point;
+    bool has_points = false;
+    /// The largest P of G64, by which LinuxCNC may miss corners, mm, and where it is; 0: none.
+    double blend_mm = 0.0;
+    ProgramPlace blend;
     bool uses_length_offsets = false;  ///< G43 or one of its kin comes in it.
     /// Where joints that are not at 0 have the tip was asked for: the program goes on from there.
     bool asked_for_places = false;

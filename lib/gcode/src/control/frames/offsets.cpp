@@ -118,7 +118,10 @@ bool Machine::set_work_offset(const Command& command) {
     if (state_.cutter_side != CutterSide::Off && system != state_.system && rules_.strict) {
         return fail(Message::ForbiddenWithCompensation, span_of_g(command, code), {"G54 … G59.3"});
     }
-    select_system(system);
+    // LinuxCNC passes over the system that is active: numbers written as variables wait for
+    // another.
+    const bool stays = rules_.dialect == Dialect::Rs274 && system == state_.system;
+    if (!stays) select_system(system);
     return true;
 }
 
@@ -286,21 +289,27 @@ bool Machine::set_register(const Command& command, int index, int l) {
         log_.add(Message::G10Diameter, span_of(command, 'R'), {std::string_view(name.data(), 3)});
         value /= 2.0;
     }
-    Wear& wear = control_.store.change().wear[index];
+    set_register_value(*entry, of_length, is_wear, value, state_.incremental);
+    return true;
+}
+
+/// `mm`: a length or a radius; `adds`: to the old value.
+void Machine::set_register_value(ToolTableEntry& entry, bool of_length, bool is_wear, double mm,
+                                 bool adds) {
+    Wear& wear = control_.store.change().wear[entry.number];
     double& worn = of_length ? wear.length_mm : wear.radius_mm;
     const double sum =
-        of_length ? entry->offset[2].mm() : entry->diameter.value_or(Length()).mm() / 2.0;
+        of_length ? entry.offset[2].mm() : entry.diameter.value_or(Length()).mm() / 2.0;
     double whole = sum - worn;  // without the wear
     double& told = is_wear ? worn : whole;
-    told = state_.incremental ? told + value : value;
+    told = adds ? told + mm : mm;
     if (of_length) {
-        entry->offset[2] = Length::from_mm(whole + worn);
-        entry->length_told = true;
-        if (index == state_.tool) state_.tool_length = gauge_length();
+        entry.offset[2] = Length::from_mm(whole + worn);
+        entry.length_told = true;
+        if (entry.number == state_.tool) state_.tool_length = gauge_length();
     } else {
-        entry->diameter = Length::from_mm(2.0 * (whole + worn));
+        entry.diameter = Length::from_mm(2.0 * (whole + worn));
     }
-    return true;
 }
 
 /// Haas controls can be set to either (setting 40), as a rule to diameters: what is nearer to the
@@ -375,7 +384,6 @@ bool Machine::set_tool_length(const Command& command) {
         choose(Coordinates::Axes);
     }
     const double unit = state_.unit_mm();
-    uses_length_offsets_ |= code != Code::G49;
     state_.length_register = code == Code::G49 ? kNoLength : kStatedLength;
     state_.length_told = code == Code::G43_1;
     Axes offset{};
@@ -384,7 +392,9 @@ bool Machine::set_tool_length(const Command& command) {
             if (command.has(kAxisNames[i])) offset[i] = command[kAxisNames[i]];
         }
     } else if (code != Code::G49) {
-        const int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
+        int h = static_cast<int>(std::clamp(command.get('H', state_.tool), 0.0, 1e9));
+        // H0 is no offset; on LinuxCNC, that of the tool in the spindle.
+        if (h == 0 && (rules_.strict || rules_.linuxcnc_planes)) h = state_.tool;
         if (code == Code::G43_2) {
             offset = state_.tool_offset;
         } else {
@@ -398,6 +408,7 @@ bool Machine::set_tool_length(const Command& command) {
                 offset[i] += sign * entry->offset[i].mm() / unit;
         }
     }
+    uses_length_offsets_ |= state_.length_register != kNoLength;
     if (offset == state_.tool_offset) return true;
     const Axes machine = machine_position();
     state_.tool_offset = offset;

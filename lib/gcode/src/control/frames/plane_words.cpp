@@ -10,7 +10,7 @@ namespace ncsim::gcode {
 namespace {
 
 constexpr int kAboutX = 0, kAboutY = 1, kAboutZ = 2;
-constexpr double kNoLength = 1e-9;  // of unit vectors
+constexpr double kNoVector = 1e-9;  // of unit vectors
 
 Triple minus(const Triple& a, const Triple& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -25,7 +25,7 @@ Triple cross(const Triple& a, const Triple& b) {
 }
 
 // Nothing, if it has no length.
-std::optional<Triple> unit(const Triple& v, double least = kNoLength) {
+std::optional<Triple> unit(const Triple& v, double least = kNoVector) {
     const double length = std::sqrt(dot(v, v));
     if (!(length > least)) return std::nullopt;
     return Triple{v[0] / length, v[1] / length, v[2] / length};

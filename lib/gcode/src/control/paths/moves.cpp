@@ -30,8 +30,8 @@ bool Machine::move(const Command& command, Code motion) {
             if (!command.axis_words || words_taken) return true;
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
             // Others go on as before the cycle: "G80 Z50."
-            warn(Message::AxesAfterG80, command.span, {name_of(state_.last_straight)});
             motion = state_.last_straight;
+            note_move_after_cycle(command, motion);
         } else if (words_taken) {
             return true;  // "G0 G28 Z0": the words belong to G28
         }
@@ -45,9 +45,12 @@ bool Machine::move(const Command& command, Code motion) {
             if (rules_.strict) return fail(Message::AxesWithoutMotion, command.span);
             const bool start = motion == Code::None;
             motion = start ? Code::G0 : state_.last_straight;
-            if (start) state_.motion = Code::G0;
-            warn(start ? Message::AxesBeforeMotion : Message::AxesAfterG80, command.span,
-                 {name_of(motion)});
+            if (start) {
+                state_.motion = Code::G0;
+                warn(Message::AxesBeforeMotion, command.span, {name_of(motion)});
+            } else {
+                note_move_after_cycle(command, motion);
+            }
         }
     }
     if (!state_.first_length_seen && command.axis_words) {
@@ -83,6 +86,15 @@ bool Machine::move(const Command& command, Code motion) {
         case Code::G33_1: return threading(command, motion);
         default: return cycle(command, motion);
     }
+}
+
+/// Reports axis words after G80, which move as `motion`. G80 of Fanuc and Haas leaves G0 or G1 as
+/// it was; elsewhere G0 is the reading that is judged most strictly. Only LinuxCNC refuses them,
+/// and a feed where a control may take G0 is a guess.
+void Machine::note_move_after_cycle(const Command& command, Code motion) {
+    const bool is_certain = rules_.macro_b || (motion == Code::G0 && !rules_.linuxcnc_planes);
+    log_.add(is_certain ? Severity::Note : Severity::Warning, Message::AxesAfterG80, command.span,
+             {name_of(motion)});
 }
 
 /// G5 P10000, G5.1 Q1: modes of Fanuc's kin for fast machining, and no curves; the motion before

@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ncsim::setup {
@@ -25,8 +26,9 @@ struct JobFile {
     std::optional<bool> inches;
     std::optional<gcode::Dialect> dialect;
     bool strict = false;
-    bool block_delete = false;
-    bool increments = false;
+    std::optional<bool> block_delete;
+    std::optional<bool> increments;
+    std::map<std::string, double> variables;  ///< At the start: "#500", "#<_depth>".
     std::vector<std::string> allow, accept, require;
     std::optional<cda::Vec3> start;    ///< Where the tool stands at the beginning, in G54.
     std::map<int, cda::Vec3> offsets;  ///< Origins in the machine, by MachineState::system.
@@ -41,6 +43,9 @@ struct JobFile {
 
 /// Throws std::runtime_error with line and column if `file` is no TOML, or says something that is
 /// not known or makes no sense: a key that is passed over is a set-up that is not what it seems.
+/// Name of a variable as the interpreter has it ("#500", "#<_depth>"); empty if it is none.
+std::optional<std::string> variable_name(std::string_view text);
+
 JobFile parse_job_file(const gcode::SourceFile& file);
 
 /// What a job file tells people beside its values: remarks of one line each.

@@ -34,11 +34,15 @@ struct JobOptions {
     std::optional<cda::Vec3> start;        ///< Where the tool stands at the beginning, in G54.
     /// Origins of coordinate systems in the machine, by gcode::MachineState::system.
     std::map<int, cda::Vec3> offsets;
-    bool inches_assumed = false;           ///< `inches` is marked as assumed in a job file.
-    std::optional<bool> inches;            ///< For programs that say neither G20 nor G21; mm.
-    bool increments = false;               ///< Numbers without a point count least increments.
+    bool inches_assumed = false;  ///< `inches` is marked as assumed in a job file.
+    std::optional<bool> inches;  ///< For programs that say neither G20 nor G21; mm.
+    /// Numbers without a point count least increments; empty: not specified, which is no.
+    std::optional<bool> increments;
     std::vector<std::string> subprograms;  ///< Folders, besides that of the program.
-    bool block_delete = false;
+    /// Skip blocks that start with '/'; empty: not specified, which is no.
+    std::optional<bool> block_delete;
+    /// Values of variables at the start: "#500", "#<_depth>".
+    std::map<std::string, double> variables;
     gcode::Dialect dialect = gcode::Dialect::Auto;
     bool strict = false;             ///< RS274/NGC as LinuxCNC runs it.
     std::vector<std::string> allow;  ///< Words declared harmless: "G187".

@@ -75,6 +75,9 @@ struct Setup {
     toolpath::ToolAccuracy accuracy;
     std::optional<cda::Box> stock;   ///< mm, W.
     double path_tolerance_mm = 0.0;  ///< How far a path may be missed; 0: nobody asks.
+    /// How far the control may miss corners of the path (G64 P), where that is more than the
+    /// tolerance of the path; mm, 0: not at all.
+    double blend_mm = 0.0;
     /// Can the program be simulated? Else why not: geometric rules are skipped then.
     std::optional<std::string> not_simulated;
     /// What was assumed, in words; empty where it was told.

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Probing macros of Renishaw (Inspection Plus) that most controls have, for programs without the
+// macros themselves. Source: Renishaw, Inspection Plus software, programming guide.
+#include "ncsim/gcode/print.h"
+
+#include "program/runner.h"
+
+#include <cmath>
+
+namespace ncsim::gcode {
+namespace {
+
+/// Numbers of the local variables of F, X, Y and Z.
+constexpr std::size_t kF = 9;
+constexpr std::size_t kFirstAxis = 24;
+constexpr double kProbeFeed = 1000.0;  // mm/min, where neither the call nor the program has one
+
+std::string word_text(char letter, double value) {
+    std::string out(1, letter);
+    print_number(out, value);
+    return out;
+}
+
+}  // namespace
+
+/// Runs the block `text` as if it were in the place of the current one.
+void Runner::act_on_text(const std::string& text, SourceSpan span) {
+    const SourceFile inside{{}, text};
+    BlockReader reader(inside);
+    Block block;
+    Command command;
+    if (!reader.next(block) || !resolver_.resolve(block, command)) return;
+    command.span = span;
+    machine_.set_origin(span, static_cast<std::uint32_t>(current_));
+    machine_.execute(command);
+}
+
+/// Makes the moves of the macro `number`; false if it is not known. P9832 and P9833 turn the probe
+/// on and off, P9810 moves to X Y Z and stops at contact, P9811 measures a surface and comes back.
+bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocals + 1>& values,
+                         SourceSpan span) {
+    const std::string name = "P" + std::to_string(number);
+    if (number == 9832 || number == 9833) {
+        log_.add(Message::ProbeMacro, span, {name, "moves nothing"});
+        return true;
+    }
+    if (number != 9810 && number != 9811) return false;
+    std::string there;
+    std::string back;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (std::isnan(values[kFirstAxis + i])) continue;
+        const char letter = "XYZ"[i];
+        there += word_text(letter, values[kFirstAxis + i]);
+        back += word_text(letter, machine_.state().position[i]);
+    }
+    if (there.empty()) return false;
+    const MachineState before = machine_.state();
+    std::string feed;
+    if (!std::isnan(values[kF])) {
+        feed = word_text('F', values[kF]);
+    } else if (!(before.feed > 0.0)) {
+        feed = word_text('F', kProbeFeed / before.unit_mm());
+    }
+    log_.add(Message::ProbeMacro, span,
+             {name, number == 9810 ? "moves there, protected" : "measures there and comes back"});
+    act_on_text("G31" + there + feed, span);
+    if (number == 9811) act_on_text("G90G1" + back, span);
+    MachineState& after = machine_.state();
+    after.motion = before.motion;
+    after.last_straight = before.last_straight;
+    after.incremental = before.incremental;
+    after.feed = before.feed;
+    return true;
+}
+
+}  // namespace ncsim::gcode

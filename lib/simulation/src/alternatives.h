@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Alternative readings of a program, or of how the machine moves. A verdict is proven only if all
+// readings agree.
+#pragma once
+
+#include "ncsim/report/checked.h"
+#include "ncsim/simulation/plan.h"
+#include "ncsim/simulation/survey.h"
+#include "ncsim/verify/doubt.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ncsim::simulation {
+
+struct Questions;
+
+/// Reading besides the one that was verified.
+struct Alternative {
+    std::string_view reason;  ///< Id in verify::reasons(), which has the option that settles it.
+    std::string message;      ///< Condition of the other verdict: "with blocks skipped".
+    verify::Place place;      ///< First place with two readings.
+    std::function<void(Plan&, Questions&)> apply;
+};
+
+/// Returns: readings besides the one of `plan`, except where an option settles the reading.
+std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey);
+
+/// Returns: the most severe difference of `other` from `verdict`, or an empty string.
+std::string difference(const report::Checked& verdict, const report::Checked& other);
+
+/// Returns: the doubt about `verdict` if `other`, the verdict of `alternative`, differs.
+std::optional<verify::Doubt> doubt_between(const report::Checked& verdict,
+                                           const report::Checked& other,
+                                           const Alternative& alternative);
+
+}  // namespace ncsim::simulation

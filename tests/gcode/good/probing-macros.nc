@@ -1,0 +1,10 @@
+; macros of Renishaw; dialect: fanuc
+O1
+G21 G90 G54 G0 X0. Y0. Z50.
+G65 P9832
+G65 P9810 X-45. Z5. F1000.
+G65 P9811 X-40. S1
+G65 P9833
+X0.
+M29 S500
+M30
