@@ -232,6 +232,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
     questions.baseline = made.baseline.get();
     questions.selection = options.selection;
     questions.dog_leg = options.dog_leg;
+    questions.is_rapid_specified = options.given.contains("rapid");
     questions.cut_free = options.cut_free;
     questions.air_cuts = options.air_cuts;
     questions.ledger = !options.csv.empty();

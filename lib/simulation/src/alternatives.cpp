@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "alternatives.h"
 
+#include "ncsim/simulation/check.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,13 +43,50 @@ const verify::Finding* missing_finding(const verify::Verdict& of, const verify::
     return worst;
 }
 
+double widest_radius(const Survey& survey) {
+    double radius = 0.0;
+    for (const auto& [number, used] : survey.tools) {
+        for (const toolpath::ToolPiece& piece : used.tool.pieces) {
+            for (const toolpath::ProfilePoint& p : piece.profile)
+                radius = std::max(radius, p.radius);
+        }
+    }
+    return radius;
+}
+
+// Returns: the first rapid move in several axes whose box comes near the stock or a fixture; only
+// such moves can meet a body on one path and miss it on the other. Null if there is none.
+const report::ProgramFacts::SlantingRapid* first_rapid_near_bodies(const Survey& survey,
+                                                                   const Questions& questions) {
+    if (!survey.is_ready()) return nullptr;
+    std::vector<cda::Box> bodies{survey.stock->box};
+    for (const verify::Fixture& fixture : questions.machine.machine.fixtures)
+        bodies.push_back(fixture.place());
+    const double radius = widest_radius(survey);
+    const auto is_near = [radius](const cda::Box& rapid, const cda::Box& body) {
+        for (int axis = 0; axis < 2; ++axis) {
+            if (rapid.max[axis] + radius <= body.min[axis] ||
+                rapid.min[axis] - radius >= body.max[axis])
+                return false;
+        }
+        return rapid.min.z < body.max.z;
+    };
+    for (const auto& rapid : survey.slanting_rapids) {
+        const bool meets = std::ranges::any_of(
+            bodies, [&](const cda::Box& body) { return is_near(rapid.box, body); });
+        if (meets) return &rapid;
+    }
+    return nullptr;
+}
+
 std::string described(const verify::Finding& finding) {
     return fmt::format("{} in line {}", finding.rule, finding.place.span.line);
 }
 
 }  // namespace
 
-std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey) {
+std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
+                                         const Questions& questions) {
     std::vector<Alternative> found;
     const setup::JobOptions& options = plan.job.options;
     const gcode::Interpretation& read = survey.interpretation;
@@ -65,6 +104,14 @@ std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey)
                              other.job.options.increments = true;
                              other.job.interpreter.least_increments = true;
                          }});
+    }
+    if (const auto* rapid = first_rapid_near_bodies(survey, questions);
+        rapid && !questions.is_rapid_specified) {
+        found.push_back({"rapid-path",
+                         questions.dog_leg ? "with straight rapid moves"
+                                           : "with rapid moves axis by axis (dog-leg)",
+                         {rapid->file, rapid->span},
+                         [](Plan&, Questions& other) { other.dog_leg = !other.dog_leg; }});
     }
     return found;
 }

@@ -28,7 +28,8 @@ struct Alternative {
 };
 
 /// Returns: readings besides the one of `plan`, except where an option settles the reading.
-std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey);
+std::vector<Alternative> alternatives_to(const Plan& plan, const Survey& survey,
+                                         const Questions& questions);
 
 /// Returns: the most severe difference of `other` from `verdict`, or an empty string.
 std::string difference(const report::Checked& verdict, const report::Checked& other);

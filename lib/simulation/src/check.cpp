@@ -569,7 +569,7 @@ std::vector<Alternative> check_one_reading(Plan told_plan, const Questions& ques
         doubt_accepted_blocks(checked.verdict, told.accepted);
     }
     conclude(questions, checked);
-    return alternatives_to(plan, survey);
+    return alternatives_to(plan, survey, questions);
 }
 
 // Verifies another reading, without pictures and ledger.

@@ -96,6 +96,7 @@ public:
             }
             return;
         }
+        note_slanting_rapid(motion, *from, *to, is_turned);
         ToolTrack& track = track_of(motion);
         if (feed) result_.cutting_tools.insert(motion.tool);
         if (feed && track.first_cut.line == 0) track.first_cut = motion.span;
@@ -131,6 +132,18 @@ public:
     gcode::SourceSpan first_cut_from_nowhere() const { return first_cut_from_nowhere_; }
 
 private:
+    void note_slanting_rapid(const gcode::Motion& motion, const gcode::Position& from,
+                             const gcode::Position& to, bool is_turned) {
+        constexpr std::size_t kMost = 100'000;
+        if (motion.kind != gcode::MoveKind::Rapid || is_turned) return;
+        const int axes = int{from.x != to.x} + int{from.y != to.y} + int{from.z != to.z};
+        if (axes < 2 || result_.slanting_rapids.size() == kMost) return;
+        cda::Box box;
+        for (const gcode::Position* p : {&from, &to})
+            box.add(cda::Vec3{p->x.mm(), p->y.mm(), p->z.mm()});
+        result_.slanting_rapids.push_back({box, motion.file, motion.span});
+    }
+
     ToolTrack& track_of(const gcode::Motion& motion) {
         const auto [track, is_new] = tracks_.try_emplace(motion.tool);
         if (is_new) track->second.first = motion.span;

@@ -51,6 +51,8 @@ constexpr auto kReasons = std::to_array<ReasonInfo>({
      "M3 after the stop, or --dialect, if the control goes on"},
     {"below-stock", "A tool goes below the stock, where the table may be.",
      "below_stock in the machine file, or the table as a fixture"},
+    {"rapid-path", "Rapid moves go straight or axis by axis, and the verdict depends on it.",
+     "--rapid linear or --rapid dog-leg"},
     {"contradiction", "Two sources specify different values for one thing.",
      "one value: correct the other source, or remove it"},
     {"file-origin",

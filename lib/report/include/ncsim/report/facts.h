@@ -34,6 +34,14 @@ struct ProgramFacts {
     std::string rotation;         ///< How that turns the tool, in words.
     /// Axes X, Y, Z that the program never tells, though it cuts: taken as 0.
     std::array<bool, 3> untold{};
+    /// Rapid moves of several of X, Y and Z: their boxes, mm in W, and places. A machine may move
+    /// them straight or axis by axis.
+    struct SlantingRapid {
+        cda::Box box;
+        std::uint32_t file = 0;
+        gcode::SourceSpan span;
+    };
+    std::vector<SlantingRapid> slanting_rapids;
     bool calls_tools = false;    ///< The program changes tools.
     bool units_assumed = false;  ///< Neither the program nor the user specifies the unit.
     bool uses_machine_coordinates = false;

@@ -34,11 +34,12 @@ struct Questions {
     const Design* design = nullptr;  ///< What the part is to be; null: nobody tells.
     /// Findings that were accepted before; null: none.
     const report::Baseline* baseline = nullptr;
-    bool dog_leg = false;   ///< Rapid moves go axis by axis.
-    bool cut_free = false;  ///< Look for pieces that are cut free.
-    bool air_cuts = false;  ///< Look for feed moves that remove nothing.
-    bool ledger = false;    ///< Keep a row a block, with exact volumes.
-    bool look = false;      ///< Show the part, too; with the ledger.
+    bool dog_leg = false;             ///< Rapid moves go axis by axis.
+    bool is_rapid_specified = false;  ///< The user specifies `dog_leg`.
+    bool cut_free = false;            ///< Look for pieces that are cut free.
+    bool air_cuts = false;            ///< Look for feed moves that remove nothing.
+    bool ledger = false;              ///< Keep a row a block, with exact volumes.
+    bool look = false;                ///< Show the part, too; with the ledger.
     bool warnings_as_errors = false;
     /// Tools in the options of the job are this program's: one that it does not move is a doubt.
     bool tools_are_meant = true;
