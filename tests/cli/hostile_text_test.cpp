@@ -120,6 +120,31 @@ TEST(HostileText, CommandsForGitHubAreOursAlone) {
     }
 }
 
+// Names of files in what ncsim writes: control characters of Latin-1, and those that turn the
+// direction of writing.
+TEST(HostileText, InNamesOfFilesIsNotWrittenAsItIs) {
+    const std::vector<std::string> characters{"\xc2\x85",     "\xc2\x9b",     "\xe2\x80\x8f",
+                                              "\xe2\x80\xae", "\xe2\x81\xa6", "\xd8\x9c"};
+    std::string name = "a";
+    for (const std::string& character : characters)
+        name += character;
+    name += ".nc";
+    const Folder folder;
+    folder.write(name, kSlot);
+    ASSERT_EQ(
+        folder.run({"run", name, "--vrml", "a.wrl", "--ply", "a.ply", "--save-job", "a.toml", "-q"})
+            .exit_code,
+        0);
+    const Ran shown = folder.run({"check", name});
+    for (const std::string& character : characters) {
+        for (const char* file : {"a.wrl", "a.ply", "a.toml"})
+            EXPECT_EQ(folder.read(file).find(character), std::string::npos) << file;
+        EXPECT_EQ((shown.out + shown.err).find(character), std::string::npos) << shown.out;
+    }
+    // A job file still names the program.
+    EXPECT_EQ(folder.run({"run", "--job", "a.toml", "--stl", "a.stl", "-q"}).exit_code, 0);
+}
+
 TEST(HostileText, InATableIsNoFormula) {
     Folder folder;
     for (const char* name : {"=1+1.nc", "+1.nc", "@a.nc", "\tb.nc", "c\n=2.nc"}) {

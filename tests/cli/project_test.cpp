@@ -152,6 +152,35 @@ TEST(Project, WhosePatternMatchesNoProgramIsAnError) {
     EXPECT_EQ(folder.run({"check", "a/one.nc", "--no-project"}).exit_code, 0);
 }
 
+// A FIFO that nothing writes into never answers.
+TEST(Project, OrAFileThatNamesAPipeDoesNotHang) {
+    for (const char* option : {"machine", "tool-table", "job", "design", "holders", "baseline"}) {
+        Folder folder;
+        folder.write("a.nc", kSlot);
+        folder.write("ncsim.toml", "version = 1\n" + std::string(option) + " = \"pipe\"\n");
+        const Ran ran = folder.shell(R"(mkfifo pipe; timeout 20 "$0" check a.nc)");
+        EXPECT_EQ(ran.exit_code, 2) << option << ran.out;
+        EXPECT_TRUE(contains(ran.err, "ncsim.toml:2:")) << ran.err;
+        EXPECT_TRUE(contains(ran.err, "no regular file")) << ran.err;
+    }
+    Folder folder;
+    folder.write("a.nc", kSlot);
+    EXPECT_EQ(folder.shell(R"(mkfifo ncsim.toml; timeout 20 "$0" check a.nc)").exit_code, 2);
+    folder.write("machine.toml", "[[fixture]]\nname = \"jaw\"\nmesh = \"pipe\"\n");
+    folder.write("job.toml", "version = 1\nholders = \"pipe\"\n");
+    for (const char* option : {"--machine machine.toml", "--job job.toml"}) {
+        const Ran ran =
+            folder.shell("rm -f ncsim.toml pipe; mkfifo pipe; timeout 20 \"$0\" check a.nc " +
+                         std::string(option));
+        EXPECT_EQ(ran.exit_code, 2) << option << ran.out;
+        EXPECT_TRUE(contains(ran.err + ran.out, "no regular file")) << ran.err << ran.out;
+    }
+    // The command line may name one: mkfifo, <(…) of a shell.
+    const Ran named = folder.shell(
+        R"(rm pipe; mkfifo pipe; echo 'T1 P1 D10 ;flat end mill' >pipe & "$0" check a.nc --tool-table pipe)");
+    EXPECT_EQ(named.exit_code, 4) << named.err << named.out;  // its table was read
+}
+
 TEST(Project, IsNotWrittenOver) {
     const Repository folder("machine = \"machines/vice.toml\"\n");
     for (const char* name : {"ncsim.toml", "machines/vice.toml"}) {

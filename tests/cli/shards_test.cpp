@@ -233,6 +233,28 @@ TEST(Cache, KnowsWhatHasNotChanged) {
     EXPECT_FALSE(contains(folder.run(with(command, {"--ignore", "collision"})).out, "part 0.nc"));
 }
 
+// A verdict that was copied to the name of another one is none.
+TEST(Cache, KnowsWhoseAVerdictIs) {
+    namespace fs = std::filesystem;
+    const auto entry_of = [](const Folder& folder) {
+        for (const auto& file : fs::recursive_directory_iterator(folder.path() / "cache")) {
+            if (file.is_regular_file()) return file.path();
+        }
+        return fs::path();
+    };
+    Folder folder;
+    folder.write("good.nc", kSlot);
+    folder.write("bad.nc", replaced(kSlot, "G1 X30. F500.", "G0 X30. F500."));
+    ASSERT_EQ(folder.run({"check", "good.nc", "--cache", "cache"}).exit_code, 0);
+    const std::string good = folder.read(fs::relative(entry_of(folder), folder.path()).string());
+    fs::remove_all(folder.path() / "cache");
+    ASSERT_EQ(folder.run({"check", "bad.nc", "--cache", "cache"}).exit_code, 1);
+    folder.write(fs::relative(entry_of(folder), folder.path()).string(), good);
+    const Ran ran = folder.run({"check", "bad.nc", "--cache", "cache"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "bad.nc: failed: ")) << ran.out;
+}
+
 // What is known of a program is of the files that it calls, too: of those that are not there yet.
 TEST(Cache, KnowsWhichFilesWereRead) {
     Folder folder;

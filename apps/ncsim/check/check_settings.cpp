@@ -44,11 +44,21 @@ std::vector<std::string> words_of(const setup::ProjectSetting& setting, const st
     const std::string name = "--" + setting.option;
     if (setting.is_flag) return setting.is_on ? std::vector{name} : std::vector<std::string>();
     std::vector<std::string> words;
+    // A FIFO without a writer would never answer.
+    const auto refuse_stream = [&](const std::string& file) {
+        std::error_code ignored;
+        const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+        if (std::filesystem::exists(status) && std::filesystem::is_other(status)) {
+            throw error_at(setting,
+                           fmt::format("{} '{}': it is no regular file", setting.option, file));
+        }
+    };
     for (const std::string& value : setting.values) {
         const bool is_file =
             kind->is_file || (setting.option == "stock" && setup::is_stock_file(value));
-        words.push_back(name + '=' +
-                        (is_file && !value.empty() ? setup::seen_in(folder, value) : value));
+        const bool is_path = is_file && !value.empty();
+        if (is_path) refuse_stream(setup::seen_in(folder, value));
+        words.push_back(name + '=' + (is_path ? setup::seen_in(folder, value) : value));
     }
     return words;
 }

@@ -32,19 +32,25 @@ std::string named_anywhere(const std::string& path) {
     return is_absolute ? fs::current_path(ignored).string() + '\n' + path : path;
 }
 
-std::string ResultCache::path_of(const std::string& program, const std::string& about) const {
-    const std::string key = setup::digest_of(fmt::format(
-        "{} {}{} {}{}", common_.size(), common_, about.size(), about, named_anywhere(program)));
+std::string ResultCache::key_of(const std::string& program, const std::string& about) const {
+    return setup::digest_of(fmt::format("{} {}{} {}{}", common_.size(), common_, about.size(),
+                                        about, named_anywhere(program)));
+}
+
+std::string ResultCache::path_of(const std::string& key) const {
     return (fs::path(folder_) / key.substr(0, 2) / key.substr(2)).string();
 }
 
-// Three lines: the files that were read, the entry, the digest of both.
+// Four lines: the key, the files that were read, the entry, the digest of these. With its key a
+// file that was copied to the name of another entry is none.
 std::optional<report::Entry> ResultCache::find(const std::string& program, const std::string& about,
                                                setup::InputSet& inputs) const {
-    std::ifstream in(path_of(program, about), std::ios::binary);
-    std::string files, entry, digest;
-    if (!std::getline(in, files) || !std::getline(in, entry) || !std::getline(in, digest) ||
-        digest != setup::digest_of(files + '\n' + entry)) {
+    const std::string key = key_of(program, about);
+    std::ifstream in(path_of(key), std::ios::binary);
+    std::string owner, files, entry, digest;
+    if (!std::getline(in, owner) || !std::getline(in, files) || !std::getline(in, entry) ||
+        !std::getline(in, digest) || owner != key ||
+        digest != setup::digest_of(owner + '\n' + files + '\n' + entry)) {
         return std::nullopt;
     }
     const auto read = report::file_digests_from(files);
@@ -64,9 +70,10 @@ void ResultCache::keep(const std::string& program, const std::string& about,
     if (!is_verdict) return;
     const std::string files = report::line_of(read);
     const std::string line = report::line_of(entry);
-    const std::string bytes =
-        fmt::format("{}\n{}\n{}\n", files, line, setup::digest_of(files + '\n' + line));
-    const fs::path path = path_of(program, about);
+    const std::string key = key_of(program, about);
+    const std::string text = key + '\n' + files + '\n' + line;
+    const std::string bytes = text + '\n' + setup::digest_of(text) + '\n';
+    const fs::path path = path_of(key);
     static std::atomic<unsigned> number{0};
     const std::string aside = fmt::format("{}.{}.{}.tmp", path.string(), ::getpid(), number++);
     std::error_code error;

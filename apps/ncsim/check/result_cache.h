@@ -34,7 +34,8 @@ public:
               const setup::ReadFiles& read);
 
 private:
-    std::string path_of(const std::string& program, const std::string& about) const;
+    std::string key_of(const std::string& program, const std::string& about) const;
+    std::string path_of(const std::string& key) const;
 
     std::string folder_, common_;
     std::function<void(const std::string&)> complain_;

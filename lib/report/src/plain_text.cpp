@@ -39,7 +39,8 @@ Character first_character(std::string_view text) {
 
 // ASCII's and Latin-1's control characters, separators of lines, and what turns the direction.
 bool is_obeyed(std::uint32_t code) {
-    return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
+    return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e ||
+           code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
            (code >= 0x2066 && code <= 0x2069);
 }
 

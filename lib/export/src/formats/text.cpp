@@ -30,14 +30,27 @@ std::size_t sequence_length(std::string_view text) {
     return out_of_range ? 0 : length;
 }
 
+// Control characters of ASCII and Latin-1, separators of lines, and characters that turn the
+// direction of writing.
+bool is_control(std::string_view character) {
+    std::uint32_t code = static_cast<std::uint8_t>(character[0]);
+    if (code >= 0x80) {
+        code &= 0xFFU >> (character.size() + 1);
+        for (const char c : character.substr(1))
+            code = code << 6 | (static_cast<std::uint8_t>(c) & 0x3FU);
+    }
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x61C || code == 0x200E ||
+           code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
 }  // namespace
 
 std::string printable_utf8(std::string_view text) {
     std::string result;
     while (!text.empty()) {
         const std::size_t length = sequence_length(text);
-        const auto lead = static_cast<std::uint8_t>(text.front());
-        if (length == 0 || lead < 0x20 || lead == 0x7F) {
+        if (length == 0 || is_control(text.substr(0, length))) {
             result += "\xEF\xBF\xBD";
         } else {
             result += text.substr(0, length);

@@ -79,6 +79,10 @@ void InputSet::check() const {
 
 void InputSet::expect(const std::string& path) {
     if (path.empty()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        expected_.insert(path);
+    }
     struct stat status {};
     if (path == kStandardInput) {
         if (expects_standard_input_) {
@@ -127,8 +131,11 @@ std::string InputSet::read(const std::string& path, std::uintmax_t most) {
     }
     struct stat status {};
     const bool is_stream = ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
-    if (is_stream) {
+    if (is_stream && !S_ISDIR(status.st_mode)) {
         const std::lock_guard lock(mutex_);
+        // A file may name anything, and a FIFO without a writer would never answer.
+        if (!expected_.contains(path))
+            fail(path, "it is no regular file, and only the command line may name such a file");
         if (const auto known = streams_.find(path); known != streams_.end()) return known->second;
     }
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));

@@ -3,13 +3,45 @@
 
 #include "ncsim/report/json_string.h"
 
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace ncsim::setup {
 
-// As JSON has it, but for one character.
+namespace {
+
+/// Characters that an editor obeys instead of showing them, as UTF-8 and as escapes of TOML:
+/// U+007F, the control characters of Latin-1, and those that turn the direction of writing.
+std::vector<std::pair<std::string, std::string>> escapes() {
+    std::vector<std::pair<std::string, std::string>> all{{"\x7f", "\\u007F"},
+                                                         {"\xd8\x9c", "\\u061C"}};
+    for (unsigned c = 0x80; c < 0xa0; ++c)
+        all.emplace_back(std::string("\xc2") + static_cast<char>(c), fmt::format("\\u{:04X}", c));
+    for (const auto& [first, last] :
+         {std::pair{0x200eU, 0x200fU}, {0x2028U, 0x202eU}, {0x2066U, 0x2069U}}) {
+        for (unsigned c = first; c <= last; ++c) {
+            std::string character = "\xe2";
+            character += static_cast<char>(0x80U | (c >> 6 & 0x3fU));
+            character += static_cast<char>(0x80U | (c & 0x3fU));
+            all.emplace_back(std::move(character), fmt::format("\\u{:04X}", c));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+// As JSON has it, but for some characters.
 std::string quoted(const std::string& text) {
+    static const auto kEscapes = escapes();
     std::string result = report::json_string(text);
-    for (std::size_t at = 0; (at = result.find('\x7f', at)) != std::string::npos;)
-        result.replace(at, 1, "\\u007F");
+    for (const auto& [character, escape] : kEscapes) {
+        for (std::size_t at = 0; (at = result.find(character, at)) != std::string::npos;)
+            result.replace(at, character.size(), escape);
+    }
     return result;
 }
 

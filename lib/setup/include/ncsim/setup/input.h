@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace ncsim::setup {
@@ -30,6 +31,7 @@ public:
 
     /// All bytes of a file; whoever asks again for the standard input gets the same. Throws if it
     /// cannot be read, is a folder, has more bytes than `most`, or is an output of the same run.
+    /// Throws for a FIFO or a device, unless `path` is expected.
     virtual std::string read(const std::string& path, std::uintmax_t most = kMostBytes);
     /// Is there a file to be read?
     virtual bool is_there(const std::string& path);
@@ -52,6 +54,7 @@ private:
     mutable std::mutex mutex_;
     std::map<FileId, std::string> read_, forbidden_;  // with the path that was told first
     std::map<std::string, std::string> streams_;      // what FIFOs gave, which give it once
+    std::set<std::string> expected_;
     std::string conflict_;
     std::mutex standard_input_mutex_;
     std::optional<std::string> standard_input_;
