@@ -119,8 +119,10 @@ std::optional<Parameters::Shown> Parameters::of_machine(int number) const {
     const MachineState& state = *view.state;
     const auto axis = [&](int first) { return static_cast<std::size_t>(number - first); };
     if (is_in(number, 5420, 9)) return Shown{state.position[axis(5420)], is_axis_known(axis(5420))};
-    if (is_in(number, 5061, 9)) return Shown{(*view.store)->probed[axis(5061)]};
-    if (number == 5070) return Shown{1.0};  // a probe always makes contact here
+    // A probe always makes contact here.
+    const bool has_probed = (*view.store)->has_probed;
+    if (is_in(number, 5061, 9)) return Shown{(*view.store)->probed[axis(5061)], has_probed};
+    if (number == 5070) return Shown{1.0, has_probed};
     if (const std::optional<Shown> offset = of_offsets(number)) return offset;
     if (number == 5400) return Shown{static_cast<double>(state.tool), state.tool != 0};
     if (is_in(number, 5401, 9)) {

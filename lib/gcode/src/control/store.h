@@ -29,8 +29,9 @@ struct Store {
     std::array<Axes, 2> homes{};  ///< Of G28 and G30, machine, mm.
     Axes via{};                   ///< Over which the last G28 went, program coordinates.
     bool has_via = false;
-    Axes stored_92{};        ///< What G92.3 brings back, mm.
-    Axes probed{};           ///< Where the last probe met something, program coordinates.
+    Axes stored_92{};  ///< What G92.3 brings back, mm.
+    Axes probed{};     ///< Where the last probe met something, program coordinates.
+    bool has_probed = false;
     PlaneParts plane_parts;  ///< Of a G68.2 in several blocks.
     /// LinuxCNC: told by G68.2, and taken by the G53.1 to come; active units.
     std::optional<FeatureFrame> told_plane;

@@ -46,6 +46,9 @@ bool Runner::probe_macro(int number, const std::array<double, Parameters::kLocal
         return true;
     }
     if (number != 9810 && number != 9811) return false;
+    // The macros compute with coordinates that G68, G51 and G16 change.
+    const Programmed& programmed = machine_.state().programmed;
+    if (programmed.rotated || programmed.scaled || programmed.polar) return false;
     std::string there;
     std::string back;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -328,7 +328,12 @@ void Runner::tool_change_in_comment() {
         const Word* change = find_word(block, 'M');
         const Word* tool = find_word(block, 'T');
         if (!change || !tool || change->number != 6.0 || !tool->literal) continue;
-        log_.add(Message::ToolChangeInComment, comment.span);
+        // Before the first tool and the first feed, the operator loads it in either reading.
+        const MachineState& state = machine_.state();
+        const bool is_first = state.tool == 0 && state.feed == 0.0;
+        const bool is_certain = is_first || static_cast<double>(state.tool) == tool->number;
+        log_.add(is_certain ? Severity::Note : Severity::Warning, Message::ToolChangeInComment,
+                 comment.span);
         if (!resolver_.resolve(block, command_)) continue;
         command_.span = comment.span;
         machine_.set_origin(comment.span, static_cast<std::uint32_t>(current_));

@@ -47,7 +47,10 @@ bool Machine::set_variable(const SystemVariable& variable, double value, bool is
             control_.store.change().homes[static_cast<std::size_t>(variable.index)][item] = value;
             return true;
         case Effect::Stored92: control_.store.change().stored_92[item] = value; return true;
-        case Effect::Probed: control_.store.change().probed[item] = value; return true;
+        case Effect::Probed:
+            control_.store.change().probed[item] = value;
+            control_.store.change().has_probed = true;
+            return true;
         default: break;
     }
     ToolTableEntry* entry = register_of(variable.index);

@@ -296,6 +296,7 @@ bool Machine::probe(const Command& command, Code motion) {
     warn(Message::ProbeAssumed, command.span, {name_of(motion)});
     path_.straight(state_, end, MoveKind::Probe, mask);
     control_.store.change().probed = state_.position;
+    control_.store.change().has_probed = true;
     return true;
 }
 

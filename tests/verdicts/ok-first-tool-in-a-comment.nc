@@ -1,0 +1,19 @@
+%
+(the only tool change stands in a comment)
+(STOCK/BLOCK,80.,60.,30.,40.,30.,30.)
+G21 G90 G17 G54 G40 G49 G80
+G91 G28 Z0.
+G90
+( M6 T1 )
+S5000 M3
+G0 X-50. Y0.
+G43 H1 Z50.
+G0 Z-2.
+G1 X50. F500.
+G0 Z50.
+G0 Z50.
+M5
+G91 G28 Z0.
+G90
+M30
+%
