@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "alternatives.h"
 
-#include "ncsim/simulation/check.h"
+#include "ncsim/simulation/questions.h"
 
 #include <fmt/format.h>
 

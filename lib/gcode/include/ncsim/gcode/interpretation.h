@@ -47,8 +47,8 @@ struct Limits {
     std::uint32_t call_depth = 64;
 };
 
-/// What is told of a control that keeps the tip in its place while rotary axes turn. Where they are
-/// not at 0 when a mode begins, the place of the tip is not known: that would take geometry.
+/// Tip control: the control keeps the tip in its place while rotary axes turn. If rotary axes are
+/// not at 0 when the mode begins, the position of the tip is unknown: geometry would be needed.
 struct TipControl {
     /// M428 and its kin, which each configuration of LinuxCNC has in its own way.
     std::map<int, Coordinates> m_codes;
@@ -119,7 +119,7 @@ struct InterpreterOptions {
     /// RS274/NGC as LinuxCNC runs it: what that control refuses is an error. Otherwise the
     /// program gets what the machine it was written for gives it, with warnings.
     bool strict = false;
-    /// Words that are known to be harmless, "G187", "M198": they are passed over in silence.
+    /// Harmless words, "G187", "M198", which the interpreter skips without a message.
     std::vector<std::string> allow;
     /// Numbers without a decimal point count least increments, as older controls read them: 0.001
     /// mm, 0.0001 inch, 0.001 degrees. Only of axis words, I J K, R and Q, and only where a plain

@@ -35,7 +35,7 @@ struct JobOptions {
     /// Origins of coordinate systems in the machine, by gcode::MachineState::system.
     std::map<int, cda::Vec3> offsets;
     bool inches_assumed = false;  ///< `inches` is marked as assumed in a job file.
-    std::optional<bool> inches;  ///< For programs that say neither G20 nor G21; mm.
+    std::optional<bool> inches;   ///< For programs that say neither G20 nor G21; mm.
     /// Numbers without a point count least increments; empty: not specified, which is no.
     std::optional<bool> increments;
     std::vector<std::string> subprograms;  ///< Folders, besides that of the program.
