@@ -106,7 +106,7 @@ int put_together(app::Options options, std::optional<report::TileFile> own, int 
     std::mutex asking;
     return app::run_of_tiles(std::move(options), files, order, [&](std::size_t number) {
         const auto rank = static_cast<int>(order[number]);
-        if (rank == 0) return tile;
+        if (rank == 0) return std::string(tile);
         const std::scoped_lock lock(asking);
         ask(Request::Tile, rank);
         return receive(rank);

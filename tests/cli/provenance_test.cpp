@@ -137,14 +137,16 @@ TEST_P(Provenance, OfADesignOrAFixtureIsADoubt) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(EachGuess, Provenance, testing::Range<std::size_t>(0, guesses().size()),
-                         [](const auto& info) {
-                             std::string name = guesses()[info.param].name;
-                             std::erase(name, '-');
-                             return name;
-                         });
+std::string name_of(const testing::TestParamInfo<std::size_t>& test) {
+    std::string name = guesses()[test.param].name;
+    std::erase(name, '-');
+    return name;
+}
 
-TEST(Provenance, OfARunWithEverythingSpecifiedIsNoDoubt) {
+INSTANTIATE_TEST_SUITE_P(EachGuess, Provenance, testing::Range<std::size_t>(0, guesses().size()),
+                         name_of);
+
+TEST(ProvenanceOfFiles, OfARunWithEverythingSpecifiedIsNoDoubt) {
     Folder folder;
     folder.write("first.nc", kSlot);
     folder.write("second.nc", kSecond);
@@ -158,7 +160,7 @@ TEST(Provenance, OfARunWithEverythingSpecifiedIsNoDoubt) {
         EXPECT_EQ(verdict_of(folder, {"second.nc", "--stock", stock})["verdict"], "clean") << stock;
 }
 
-TEST(Provenance, IsGoneWhenTheUserRemovesTheMark) {
+TEST(ProvenanceOfFiles, IsGoneWhenTheUserRemovesTheMark) {
     Folder folder;
     folder.write("first.nc", replaced(kSlot, "(STOCK/BLOCK,40.,30.,10.,20.,15.,10.)\n", ""));
     folder.run({"tools", "first.nc", "--save-job", "a.toml"});
@@ -174,7 +176,7 @@ TEST(Provenance, IsGoneWhenTheUserRemovesTheMark) {
         << ran.err << ran.out;
 }
 
-TEST(Provenance, OfFilesOfVersion01IsUnknown) {
+TEST(ProvenanceOfFiles, OfFilesOfVersion01IsUnknown) {
     Folder folder;
     folder.write("first.nc", kSlot);
     folder.write("second.nc", kSecond);

@@ -40,12 +40,14 @@ TEST(Shards, DealEachProgramOnceAndEvenly) {
 
 TEST(Entry, ComesBackFromItsLine) {
     Entry entry{"a \"b\"\n.nc",
+                "O0101",
                 "failed",
                 1,
                 "text\n\twith ümläuts",
                 "ncsim.toml",
                 "known.json",
                 "1 error",
+                "34 of 36 rules by --ignore",
                 "x: y\n",
                 "  skipped",
                 R"({"a":[1,2.5,"\u0001"]})",
@@ -53,7 +55,10 @@ TEST(Entry, ComesBackFromItsLine) {
                 "{}",
                 "::error\n",
                 "1,2\n",
-                "[]"};
+                "[]",
+                "sub.nc\n",
+                true,
+                {}};
     const std::string line = line_of(entry);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(entry_from(line), entry);

@@ -112,7 +112,7 @@ public:
         std::vector<std::size_t> programs, subprograms;
         for (std::size_t i = 0; i < list_.programs.size(); ++i)
             (list_.is_subprogram[i] ? subprograms : programs).push_back(i);
-        check(programs, [&](std::size_t, report::Entry entry) {
+        check(programs, [&](std::size_t, const report::Entry& entry) {
             report::for_each_program(entry, [&](const report::Entry& one) {
                 tell(one);
                 programs_.push_back(one);

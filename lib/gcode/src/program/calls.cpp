@@ -173,7 +173,8 @@ void Runner::call_subprogram() {
     if (!target && !rules_.strict && !command_.has('L') && number > 9999) {
         // Old Fanuc form: P68003 is six times O8003.
         target = find_target(ControlWord::ProgramNumber, std::to_string(number % 10'000), true);
-        if (target) runs = static_cast<double>(number / 10'000), number %= 10'000;
+        const std::uint64_t repeats = number / 10'000;
+        if (target) runs = static_cast<double>(repeats), number %= 10'000;
     }
     const std::string label = std::to_string(number);
     if (!target) {

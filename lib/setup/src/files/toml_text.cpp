@@ -36,9 +36,9 @@ std::vector<std::pair<std::string, std::string>> escapes() {
 
 // As JSON has it, but for some characters.
 std::string quoted(const std::string& text) {
-    static const auto kEscapes = escapes();
+    static const auto replacements = escapes();
     std::string result = report::json_string(text);
-    for (const auto& [character, escape] : kEscapes) {
+    for (const auto& [character, escape] : replacements) {
         for (std::size_t at = 0; (at = result.find(character, at)) != std::string::npos;)
             result.replace(at, character.size(), escape);
     }

@@ -295,7 +295,7 @@ std::optional<toolpath::StockEntry> choose_stock(const JobOptions& options, cons
 
 /// Chooses one program of the file in `job`. Files of other controls are refused as a whole.
 void choose_program(Job& job, const JobOptions& options) {
-    const gcode::FilePrograms file(job.program, options.block_delete);
+    const gcode::FilePrograms file(job.program, options.block_delete.value_or(false));
     const std::vector<gcode::FileProgram>& programs = file.programs();
     if (programs.size() < 2 && file.unreached().empty()) return;
     auto findings = std::make_shared<gcode::DialectFindings>(gcode::detect_dialect(job.program));
