@@ -3,6 +3,7 @@
 // The verdict of a part in tiles: that of one check, to the byte, or an error. What may differ is
 // where a contact is told to be, which is a point of many; the tables compare all but these.
 #include "cli/run_program.h"
+#include "cli/verdict_table.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,12 +24,6 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 const fs::path kSource = NCSIM_SOURCE_DIR;
-
-std::string text_of(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 Words operator+(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -91,8 +86,7 @@ void expect_one_verdict(const Folder& folder, const Words& program, const std::v
 }
 
 const json& table() {
-    static const json rows = json::parse(text_of(kSource / "tests" / "verdicts" / "index.json"));
-    return rows;
+    return verdict_rows();
 }
 
 class VerdictsOfTiles : public testing::TestWithParam<std::size_t> {};
@@ -108,14 +102,8 @@ TEST_P(VerdictsOfTiles, AreThoseOfOneCheck) {
     expect_one_verdict(folder, program, {2, 7});
 }
 
-std::string name_of(const testing::TestParamInfo<std::size_t>& test) {
-    std::string name = fs::path(table()[test.param]["program"].get<std::string>()).stem().string();
-    std::ranges::replace(name, '-', '_');
-    return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Programs, VerdictsOfTiles, testing::Range(std::size_t{0}, table().size()),
-                         name_of);
+                         name_of_row);
 
 TEST(CheckTiles, AreOneCheckOfSamples) {
     const Folder folder;

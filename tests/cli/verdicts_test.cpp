@@ -3,6 +3,7 @@
 // Small programs that crash a machine in ways that really happen, and some that are fine: each has
 // the verdict of a machinist, and stands in docs/verification.md.
 #include "cli/run_program.h"
+#include "cli/verdict_table.h"
 
 #include <gtest/gtest.h>
 
@@ -32,8 +33,7 @@ std::string text_of(const fs::path& path) {
 }
 
 const json& table() {
-    static const json rows = json::parse(text_of(kVerdicts / "index.json"));
-    return rows;
+    return verdict_rows();
 }
 
 json check(const json& row, int& exit_code) {
@@ -84,19 +84,8 @@ TEST_P(Verdicts, IsThatOfAMachinist) {
     }
 }
 
-std::string name_of(const testing::TestParamInfo<std::size_t>& test) {
-    const auto program = table()[test.param]["program"].get<std::string>();
-    std::string name = fs::path(program).stem().string();
-    std::ranges::replace(name, '-', '_');
-    // A program may be in several rows, with other options.
-    std::size_t before = 0;
-    for (std::size_t i = 0; i < test.param; ++i)
-        before += table()[i]["program"] == program ? 1 : 0;
-    return before == 0 ? name : name + "_" + std::to_string(before + 1);
-}
-
 INSTANTIATE_TEST_SUITE_P(Programs, Verdicts, testing::Range(std::size_t{0}, table().size()),
-                         name_of);
+                         name_of_row);
 
 TEST(VerdictTable, HasEveryProgram) {
     std::set<std::string> named;
