@@ -156,7 +156,8 @@ TEST(Check, LeadsG28AndG30WhereTheMachineSays) {
                  machine + "home = [0, -100, -297]\ntool_change = [-401.5, -150, 0]\n");
     const auto check = [&folder](const char* program, const char* file) {
         return folder
-            .run({"check", program, "--machine", file, "-q", "--select", "collision,travel"})
+            .run({"check", program, "--machine", file, "-q", "--select", "collision,travel",
+                  "--rapid", "linear"})
             .out;
     };
     EXPECT_EQ(check("home.nc", "m.toml"), "") << "machine zero, up and away";
@@ -283,9 +284,9 @@ TEST(Check, TellsWhatIsLeftBeyondTheDesign) {
     ASSERT_EQ(folder.run({"run", "deeper.nc", "-q", "--stl", "design.stl"}).exit_code, 0);
     const Ran ran =
         folder.run({"check", "slot.nc", "--design", "design.stl", "--design-tol", "0.05"});
-    EXPECT_EQ(ran.exit_code, 0) << ran.out;
+    EXPECT_EQ(ran.exit_code, 1) << ran.out;
     EXPECT_TRUE(contains(ran.out,
-                         "slot.nc:8:1: warning: material is left that the design does not have, "
+                         "slot.nc:8:1: error: material is left that the design does not have, "
                          "beside what was cut by lines 8: thickness "))
         << ran.out;
     const Ran kept =
@@ -412,11 +413,10 @@ TEST(Check, FindsTheBlockThatCutsAPieceFree) {
         "G1 Y0.\nG1 Y-6.\nG1 Y-7.\nG0 Z5.\nM30\n";
     folder.write("ring.nc", ring);
     const Ran ran = folder.run({"check", "ring.nc", "--cut-free"});
-    EXPECT_EQ(ran.exit_code, 0);
-    EXPECT_TRUE(
-        contains(ran.out,
-                 "ring.nc:10:1: warning: a piece of the part is cut free: left of it at the "
-                 "end 500 mm3 [part-cut-free]"))
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_TRUE(contains(ran.out,
+                         "ring.nc:10:1: error: a piece of the part is cut free: left of it at the "
+                         "end 500 mm3 [part-cut-free]"))
         << ran.out;
     // Walls that a deeper pass takes over: it is the one before that frees the piece.
     std::string again = ring;

@@ -64,12 +64,12 @@ TEST(Doubts, ThatSomebodyAcceptsAreToldAndDoNotCount) {
     Folder folder;
     folder.write("slot.nc", kNoStart);
     const json program = verdict_of(folder, {"slot.nc", "--accept", "start-unknown"});
-    EXPECT_EQ(program["verdict"], "clean");
+    EXPECT_EQ(program["verdict"], "accepted");
     ASSERT_EQ(program["doubts"].size(), 1U);
     EXPECT_EQ(program["doubts"][0]["reason"], "start-unknown");
     EXPECT_TRUE(program["doubts"][0]["accepted"]);
     EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "stock-guess"})["verdict"], "not-proven");
-    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "all"})["verdict"], "clean");
+    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "all"})["verdict"], "accepted");
     EXPECT_EQ(folder.run({"check", "slot.nc", "--accept", "luck"}).exit_code, 2);
 }
 
@@ -138,7 +138,7 @@ TEST(JobFile, TellsStartOffsetsWhatIsAcceptedAndWhatIsRequired) {
     const json told = verdict_of(folder, {"two.nc", "--job", "job.toml"});
     EXPECT_EQ(told["verdict"], "clean") << told.dump(1);
     folder.write("job.toml", "version = 2\naccept = ['offset-guess', 'start-unknown']\n");
-    EXPECT_EQ(verdict_of(folder, {"two.nc", "--job", "job.toml"})["verdict"], "clean");
+    EXPECT_EQ(verdict_of(folder, {"two.nc", "--job", "job.toml"})["verdict"], "accepted");
     folder.write("job.toml", "version = 2\naccept = ['all']\nrequire = ['travels']\n");
     const json required = verdict_of(folder, {"two.nc", "--job", "job.toml"});
     ASSERT_FALSE(required["doubts"].empty());
@@ -282,7 +282,7 @@ TEST(Readings, ThatFailAreNamed) {
     EXPECT_EQ(open_doubts(program), std::set<std::string>{"block-delete"});
     EXPECT_TRUE(contains(program["doubts"][0]["message"], "rapid-in-material in line 10"))
         << program.dump(1);
-    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "block-delete"})["verdict"], "clean");
+    EXPECT_EQ(verdict_of(folder, {"slot.nc", "--accept", "block-delete"})["verdict"], "accepted");
 }
 
 // --- Values of the control ---------------------------------------------------------------------
@@ -295,11 +295,11 @@ TEST(Variables, AreSpecifiedByTheJobOrTheCommandLine) {
     std::vector<std::string> more = slot;
     more.insert(more.end(), {"--variable", "#500=0"});
     EXPECT_EQ(verdict_of(folder, more)["verdict"], "clean");
-    folder.write("job.toml", "version = 1\n[variables]\n\"#500\" = 0\n");
+    folder.write("job.toml", "version = 2\n[variables]\n\"#500\" = 0\n");
     more = slot;
     more.insert(more.end(), {"--job", "job.toml"});
     EXPECT_EQ(verdict_of(folder, more)["verdict"], "clean");
-    folder.write("job.toml", "version = 1\n[variables]\nx = 0\n");
+    folder.write("job.toml", "version = 2\n[variables]\nx = 0\n");
     const Ran ran = folder.run({"check", "slot.nc", "--job", "job.toml"});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_TRUE(contains(ran.out + ran.err, "job.toml:3:5: ")) << ran.out;

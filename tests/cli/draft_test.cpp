@@ -76,8 +76,8 @@ TEST(Draft, MakesAPictureAndSaysWhatItGuessed) {
     // A tool that somebody describes is not guessed.
     const Ran told = folder.run({"run", "a.nc", "--draft", "--tool", "T3=flat:D8"});
     EXPECT_FALSE(contains(told.err, "a guess")) << told.err;
-    // What --draft takes, check takes for nothing.
-    EXPECT_EQ(folder.run({"check", "a.nc", "-q"}).exit_code, 1);
+    // A tool that --draft guesses is missing information for check.
+    EXPECT_EQ(folder.run({"check", "a.nc", "-q"}).exit_code, 4);
 }
 
 TEST(Draft, OfRapidMovesAloneIsADrawing) {

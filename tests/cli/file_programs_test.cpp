@@ -158,7 +158,9 @@ TEST(FileOfPrograms, IsReadUpToItsSecondProgramByOtherCommands) {
     const Ran ran = folder.run({"run", "two.nc", "--stl", "two.stl", "-q"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(contains(ran.err, "more programs from here on (O0101); only program 1")) << ran.err;
-    EXPECT_EQ(folder.read("one.stl"), folder.read("two.stl"));
+    // The header of the second says that a program of its file was not read.
+    constexpr std::size_t kHeader = 80;
+    EXPECT_EQ(folder.read("one.stl").substr(kHeader), folder.read("two.stl").substr(kHeader));
     EXPECT_TRUE(contains(folder.run({"tools", "two.nc"}).err, "more programs from here on"));
     const Ran tile = folder.run({"check", "two.nc", "--tile", "0/2", "--tile-out", "t"});
     EXPECT_EQ(tile.exit_code, 2);

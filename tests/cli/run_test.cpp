@@ -448,7 +448,9 @@ TEST(Run, CutsARoundBarAndKeepsItInTheJob) {
     const Ran again = folder.run({"run", "slot.nc", "--job", "a.toml", "--stl", "b.stl"});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_TRUE(contains(again.err, "a round bar in 40 x 40 x 10 mm")) << again.err;
-    EXPECT_EQ(folder.read("a.stl"), folder.read("b.stl"));
+    // --tool and --stock against comments are another doubt than a job file against them.
+    constexpr std::size_t kHeader = 80;
+    EXPECT_EQ(folder.read("a.stl").substr(kHeader), folder.read("b.stl").substr(kHeader));
 }
 
 TEST(Run, GoesOnWithWhatAnotherProgramHasLeftTurnedOver) {
@@ -566,7 +568,7 @@ TEST(Run, WithoutG20OrG21TheUnitsAreWhatTheUserSays) {
     const Ran mm = folder.run({"run", "part.nc", "--tool", "T1=flat:D1"});
     EXPECT_TRUE(contains(mm.err, "millimetres, assumed")) << mm.err;
     const Ran inch = folder.run({"run", "part.nc", "--tool", "T1=flat:D1", "--units", "inch"});
-    EXPECT_TRUE(contains(inch.err, "inches, assumed")) << inch.err;
+    EXPECT_TRUE(contains(inch.err, "inches, as specified")) << inch.err;
     EXPECT_TRUE(contains(inch.out, "101.6 mm at feed")) << inch.out;
 }
 

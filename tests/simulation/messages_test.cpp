@@ -34,6 +34,8 @@ constexpr Case kCases[] = {
      "tool-unknown: tool 7 is not described; say what it is with --tool T7=flat:D2 or in a comment "
      "such as (T7 D=10. CR=0. - flat end mill); for a first look: --assume-tool flat:D2, a guess "
      "from its moves"},
+    {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Y0 Z1\nT0 M6\nG1 Z-1 F100\nX9\nM2\n",
+     false, "spindle-empty: T0 left the spindle empty before this cut: call a tool"},
     {"(T1 D=6. CR=0. - flat end mill)\nG21 G90 T1 M6\nG0 X0 Z1\nG1 Z-1 F100\nX9\nM2\n", false,
      "axis-untold: the program never tells Y; taken as 0 (--start)"},
     {"G21 G90\nG0 X0 Y0\nG1 X9 F100\nM2\n", true,

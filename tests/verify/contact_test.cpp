@@ -165,13 +165,13 @@ TEST(FixtureContact, IsFoundForTheHolder) {
     EXPECT_EQ(found[0].message, "shank or holder of T1 meets the fixture 'jaw'");
 }
 
-TEST(FixtureClearance, IsAWarningOfItsOwn) {
+TEST(FixtureClearance, IsAnErrorOfItsOwn) {
     const auto verdict = verdict_of(kStart + "G0 Y9 Z-2\nG1 X30\nG0 Y8\n", with_jaw(1.5));
     const auto found = findings_of(verdict, "fixture-clearance");
     ASSERT_EQ(found.size(), 2U) << "the cutter, and the shank above it";
     const Finding& f = found.front();
     EXPECT_EQ(f.place.span.line, 2U);
-    EXPECT_EQ(f.severity, Severity::Warning);
+    EXPECT_EQ(f.severity, Severity::Error);
     EXPECT_TRUE(findings_of(verdict, "fixture-contact").empty());
     const auto far = verdict_of(kStart + "G0 Y8.5 Z-2\nG1 X30\n", with_jaw(1.5));
     EXPECT_TRUE(findings_of(far, "fixture-clearance").empty());

@@ -56,7 +56,6 @@ bool hides_axes(const toolpath::Poses& poses, const gcode::Position& from,
 
 PathFacts::PathFacts(const Setup& setup, const Box& stock) : setup_(setup) {
     if (!stock.is_empty()) highest_ = stock.max.z;
-    at_nose_ = setup.uses_length_offsets;
     for (const Fixture& fixture : setup_.machine.fixtures)
         highest_ = std::max(highest_, fixture.place().max.z);
 }
@@ -89,8 +88,7 @@ void PathFacts::look_at_nose(Move& move, const gcode::Position& from, const gcod
     // A machine position of Z may be where the program has the tip.
     const bool is_upright = from.x == to.x && from.y == to.y;
     if (from.z != to.z || !motion.known_start.z || (motion.machine_coordinates && is_upright)) {
-        at_nose_ = motion.machine_coordinates ||
-                   (frame_.length_register == gcode::kNoLength && setup_.uses_length_offsets);
+        at_nose_ = motion.machine_coordinates;
     }
     move.ends_at_nose = at_nose_;
 }

@@ -32,8 +32,7 @@ private:
     void place_in_machine(Move& move, FindingLog& log) const;
     /// Of one that goes from the one height of the tip to the other.
     void look_at_length(Move& move, double from_mm, double to_mm) const;
-    /// Notes whether Z is a position of the spindle nose, as in machine coordinates and without a
-    /// length offset.
+    /// Notes whether Z is a position of the spindle nose, given in machine coordinates.
     void look_at_nose(Move& move, const gcode::Position& from, const gcode::Position& to);
     bool passes_above(const gcode::Motion& motion, const gcode::Position& from,
                       const gcode::Position& to) const;

@@ -17,8 +17,8 @@ namespace ncsim::verify {
 
 namespace {
 
-// Holders between the spindle nose and the specified part of a tool are up to 100 mm long.
-constexpr double kLongestHolder = 100.0;
+// Holders that are not specified are up to 60 mm long.
+constexpr double kLongestHolder = 60.0;
 constexpr double kRounding = 1e-6;  // mm
 
 struct Lengths {
@@ -32,7 +32,7 @@ Lengths possible_lengths(const ToolFacts& facts) {
         if (!piece.assumed && !facts.certain_flutes)
             least = std::max(least, piece.profile.back().height);
     }
-    return {least, least + kLongestHolder};
+    return {least, least + (facts.holder_told ? 0.0 : kLongestHolder)};
 }
 
 double widest_radius(const toolpath::Tool& tool) {
