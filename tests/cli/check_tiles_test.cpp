@@ -99,6 +99,13 @@ TEST_P(VerdictsOfTiles, AreThoseOfOneCheck) {
     Words program{row["program"]};
     for (const json& option : row["options"])
         program.push_back(option);
+    // A tile is of one program.
+    const Ran several = check_tile(folder, program, 0, 2);
+    fs::remove_all(folder.path() / "tiles");
+    if (contains(several.err, "the file has several programs")) {
+        EXPECT_EQ(several.exit_code, 2);
+        return;
+    }
     expect_one_verdict(folder, program, {2, 7});
 }
 

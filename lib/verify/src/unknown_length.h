@@ -14,9 +14,9 @@ namespace ncsim::verify {
 /// is active is specified.
 bool has_unknown_length(const Setup& setup, const Move& move);
 
-/// Logs a doubt `length-offset` if some length of the tool, from its specified part up to 100 mm
-/// more, takes Z out of its travel, or the tip into the stock or a fixture at a position that the
-/// program gives in machine coordinates.
+/// Logs a doubt `length-offset` if some length of the tool, that of its specified part or up to 60
+/// mm more for a holder that is not specified, takes Z out of its travel, or the tip into the stock
+/// or a fixture at a position that the program gives in machine coordinates.
 void doubt_unknown_length(const Setup& setup, const Move& move, FindingLog& log);
 
 }  // namespace ncsim::verify
