@@ -12,9 +12,9 @@
 namespace ncsim::cda {
 
 /// All of the stock in one block: a cube of `size` units, from the origin.
-class Block {
+class TestBlock {
 public:
-    explicit Block(std::int64_t size)
+    explicit TestBlock(std::int64_t size)
         : size_(size), tree_({{-1, -1, -1}, {2 * size + 1, 2 * size + 1, 2 * size + 1}}) {
         stock_ = box_cell({0, 0, 0}, {size, size, size}, test::kLattice).planes;
     }

@@ -18,7 +18,7 @@ TEST(BlockTree, HasTheMaterialThatNoCellHas) {
     test::Random random(81);
     for (int scene = 0; scene < 60; ++scene) {
         SCOPED_TRACE(scene);
-        Block block(kSize);
+        TestBlock block(kSize);
         std::vector<UnitBox> boxes;
         for (std::int64_t batches = random.between(1, 4); batches > 0; --batches) {
             std::vector<Cell> cells;
@@ -42,7 +42,7 @@ TEST(BlockTree, HasTheMaterialThatNoCellHas) {
 }
 
 TEST(BlockTree, IsEmptyForGoodWhereACellCoversIt) {
-    Block block(kSize);
+    TestBlock block(kSize);
     block.cut({UnitBox{{-1, -1, -1}, {kSize + 1, kSize + 1, kSize + 1}}.cell(Origin{1})});
     bool any = false;
     block.tree().visit([](const HalfBox&) { return true; },
@@ -53,7 +53,7 @@ TEST(BlockTree, IsEmptyForGoodWhereACellCoversIt) {
 }
 
 TEST(BlockTree, ShrinksWhereACellCoversOneSide) {
-    Block block(kSize);
+    TestBlock block(kSize);
     block.cut({UnitBox{{-1, -1, 8}, {kSize + 1, kSize + 1, kSize + 1}}.cell(Origin{1})});
     // The next odd numbers beyond.
     EXPECT_LE(block.tree().box().max[2], 2 * 8 + 3);
@@ -61,7 +61,7 @@ TEST(BlockTree, ShrinksWhereACellCoversOneSide) {
 }
 
 TEST(BlockTree, KeepsOneOfCellsThatCoverEachOther) {
-    Block block(kSize);
+    TestBlock block(kSize);
     std::vector<Cell> cells;
     for (std::uint32_t i = 0; i < 30; ++i)
         cells.push_back(UnitBox{{2, 2, 2}, {5, 5, 5}}.cell(Origin{i + 1}));
@@ -81,7 +81,7 @@ TEST(BlockTree, BooksEachUnitToTheFirstThatTakesIt) {
     test::Random random(82);
     for (int scene = 0; scene < 20; ++scene) {
         SCOPED_TRACE(scene);
-        Block block(kSize);
+        TestBlock block(kSize);
         std::vector<UnitBox> boxes;
         std::vector<Cell> cells;
         std::vector<IncomingCell> incoming(8);

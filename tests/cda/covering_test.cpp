@@ -18,8 +18,8 @@ namespace {
 constexpr std::int64_t kSize = 24;
 
 // Of a window by its corners.
-bool is_covered(const Block& block, const UnitBox& window, const std::vector<IncomingCell>& waiting,
-                std::size_t most_looks = 100000) {
+bool is_covered(const TestBlock& block, const UnitBox& window,
+                const std::vector<IncomingCell>& waiting, std::size_t most_looks = 100000) {
     const std::vector<Plane> planes = window.cell(kStockOrigin).planes;
     const HalfBox bounds{{2 * window.min.x - 1, 2 * window.min.y - 1, 2 * window.min.z - 1},
                          {2 * window.max.x + 1, 2 * window.max.y + 1, 2 * window.max.z + 1}};
@@ -35,7 +35,7 @@ TEST(Covering, ClaimsNothingThatAUnitCubeDenies) {
     int found = 0;
     for (int scene = 0; scene < 400; ++scene) {
         SCOPED_TRACE(scene);
-        Block block(kSize);
+        TestBlock block(kSize);
         std::vector<UnitBox> boxes;
         const auto another = [&] {
             // Most as high as the stock, as those of tools.
@@ -81,7 +81,7 @@ TEST(Covering, ClaimsNothingThatAUnitCubeDenies) {
 }
 
 TEST(Covering, NeedsFewLooksWhereManyCellsCoverEachOther) {
-    Block block(1000);
+    TestBlock block(1000);
     std::vector<IncomingCell> waiting;
     for (std::int64_t x = 0; x < 500; x += 5) {
         waiting.push_back(

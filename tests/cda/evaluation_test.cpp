@@ -14,12 +14,12 @@ namespace {
 constexpr std::int64_t kSize = 10;
 constexpr double kHalf = 0.5 * kSize;
 
-Evaluation evaluated(const Block& block) {
+Evaluation evaluated(const TestBlock& block) {
     return evaluate(block.tree(), {block.stock(), nullptr, block.table(), {kHalf, kHalf, kHalf}});
 }
 
 TEST(Evaluation, OfAWholeBlockIsItsStock) {
-    const Block block(kSize);
+    const TestBlock block(kSize);
     const Evaluation whole = evaluated(block);
     EXPECT_NEAR(whole.volume, 1000.0, 1e-9);
     // Six faces of four edges.
@@ -32,7 +32,7 @@ TEST(Evaluation, HasTheVolumeThatIsLeft) {
     test::Random random(91);
     for (int scene = 0; scene < 60; ++scene) {
         SCOPED_TRACE(scene);
-        Block block(kSize);
+        TestBlock block(kSize);
         std::vector<Cell> cells;
         for (std::uint32_t i = 1; i < 12; ++i)
             cells.push_back(random_unit_box(random, kSize).cell(Origin{i}));
@@ -57,7 +57,7 @@ TEST(Evaluation, HasTheVolumeThatIsLeft) {
 
 // A wall that two cells share from either side is no wall.
 TEST(Evaluation, LeavesNoMembraneBetweenCellsThatTouch) {
-    Block block(kSize);
+    TestBlock block(kSize);
     block.cut({UnitBox{{2, 2, 2}, {5, 8, 8}}.cell(Origin{1}),
                UnitBox{{5, 2, 2}, {8, 8, 8}}.cell(Origin{2})});
     const Evaluation hollow = evaluated(block);
@@ -70,7 +70,7 @@ TEST(Evaluation, LeavesNoMembraneBetweenCellsThatTouch) {
 
 // Of what lies twice, the first motion has the face.
 TEST(Evaluation, GivesAFaceToTheFirstOfTwo) {
-    Block block(kSize);
+    TestBlock block(kSize);
     block.cut({UnitBox{{2, 2, 4}, {6, 8, 11}}.cell(Origin{7}),
                UnitBox{{2, 2, 4}, {8, 8, 11}}.cell(Origin{3})});
     const Evaluation once = evaluated(block);
@@ -82,7 +82,7 @@ TEST(Evaluation, GivesAFaceToTheFirstOfTwo) {
 // Two passes along one wall: it is that of the deeper one, from top to bottom, although the other
 // came first; the leaf need not know that one.
 TEST(Evaluation, GivesAWallToTheLowerRank) {
-    Block block(kSize);
+    TestBlock block(kSize);
     std::vector<Cell> passes{UnitBox{{2, 2, 8}, {8, 8, 13}}.cell(Origin{3}),
                              UnitBox{{2, 2, 4}, {8, 8, 13}}.cell(Origin{7})};
     passes[0].rank = 8;

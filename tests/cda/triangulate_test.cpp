@@ -178,7 +178,7 @@ TEST(Triangulate, ConvexFacesAreDelaunay) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     for (int trial = 0; trial < 300; ++trial) {
-        std::vector<double> angles(3 + trial % 12);
+        std::vector<double> angles(3 + static_cast<std::size_t>(trial % 12));
         for (double& angle : angles)
             angle = 6.283 * unit(random);
         std::sort(angles.begin(), angles.end());

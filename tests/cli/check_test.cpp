@@ -423,7 +423,7 @@ TEST(Check, FindsTheBlockThatCutsAPieceFree) {
     again.insert(again.find("G0 Z5.\nM30"), "G1 Z-5.5\nG1 X7.\nG1 Y7.\nG1 X-7.\nG1 Y-7.\n");
     folder.write("again.nc", again);
     EXPECT_TRUE(contains(folder.run({"check", "again.nc", "--cut-free"}).out,
-                         "again.nc:10:1: warning: a piece of the part is cut free"));
+                         "again.nc:10:1: error: a piece of the part is cut free"));
     // With a skin of 0.1 mm left it is not.
     std::string skin = ring;
     skin.replace(skin.find("Z-5.\n"), 4, "Z-4.9");

@@ -60,9 +60,9 @@ void expect_verdict(const Judged& judged, std::uint64_t seed) {
     const Folder folder;
     folder.write("part.nc", judged.text);
     folder.write("mill.toml", judged.machine);
-    std::vector<std::string> arguments{"check", "part.nc",  "--machine",    "mill.toml",
-                                       "-q",    "--json",   "verdict.json", "--threads",
-                                       "1",     "--accept", "length-offset"};
+    std::vector<std::string> arguments{
+        "check",     "part.nc", "--machine", "mill.toml",     "-q",      "--json", "verdict.json",
+        "--threads", "1",       "--accept",  "length-offset", "--rapid", "linear"};
     arguments.insert(arguments.end(), judged.options.begin(), judged.options.end());
     const Ran ran = folder.run(arguments);
     ASSERT_TRUE(folder.has("verdict.json")) << "seed " << seed << '\n' << ran.err << judged.machine;

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -116,7 +115,8 @@ OfJoints reach_of(const machine::Chain& chain, const Values& at, const RigidBody
                   double apart) {
     OfJoints reach{};
     Vec3 centre = body.centre();
-    for (const machine::Joint& joint : std::views::reverse(chain.joints)) {
+    for (auto next = chain.joints.rbegin(); next != chain.joints.rend(); ++next) {
+        const machine::Joint& joint = *next;
         const std::size_t letter = *machine::index_of(joint.letter);
         if (joint.turns) {
             const Vec3 out = centre - joint.through;

@@ -23,7 +23,7 @@ RigidBody pieces_of(const std::string& what, const std::string& told_at,
 }  // namespace
 
 MachineBodies::MachineBodies(LinkBodies told) : told_(std::move(told)) {
-    const auto add = [this](const std::string& what, const auto& from) {
+    const auto add = [](const std::string& what, const auto& from) {
         Body body;
         if (!from.mesh.triangles.empty()) {
             body.why_hull = why_as_hull(from.mesh, from.as_hull);
