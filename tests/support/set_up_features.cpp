@@ -113,10 +113,11 @@ void Writer::loop(const Feature& f) {
             const auto found = std::ranges::find(d.lines, head);
             return static_cast<std::size_t>(found - d.lines.begin()) + 2;
         };
-        fault("subprogram missing", "failed", "program-fault", {"no-feed"}, [=](Draft& d) {
-            d.replace(call, "P" + name, "P4711");
-            return call;
-        });
+        fault("subprogram missing", "failed", "program-fault", {"no-feed", "not-simulated"},
+              [=](Draft& d) {
+                  d.replace(call, "P" + name, "P4711");
+                  return call;
+              });
     }
     const bool meets = jaw_top_ && top_ - f.depth - step < *jaw_top_ - mm(0.8);
     if (meets) fault("loop once too often", "failed", "fixture-contact", kCollisions, once_more);

@@ -104,7 +104,7 @@ void Writer::length_faults(std::size_t index) {
     const std::size_t block = draft_.tools[index].length;
     // Only on the way down does the length count.
     const std::size_t where = home_height_ > clear_ ? block : 0;
-    fault("tool that nobody describes", "failed", "tool-undefined", {"not-simulated"},
+    fault("tool without a description", "not-proven", "tool-guess", {"not-simulated"},
           [=](Draft& d) {
               d.tools[index].told = false;
               return std::size_t{0};
