@@ -38,7 +38,7 @@ public:
           options_(options_of(rules)),
           path_(options_, sink_, log_, result_),
           machine_(options_, rules_, log_, path_, parameters_),
-          resolver_(rules_, parameters_, log_, {}) {
+          resolver_(rules_, parameters_, log_, options_) {
         parameters_.set_rules(rules);
     }
 

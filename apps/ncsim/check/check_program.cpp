@@ -30,7 +30,7 @@ int exit_code_of(verify::Outcome outcome) {
 
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
                                unsigned threads, setup::InputSet& inputs, std::size_t number) {
-    ProgramOptions program = options;
+    ProgramOptions program = static_cast<const ProgramOptions&>(options);
     program.program = path;
     program.number_in_file = number;
     simulation::Plan plan = plan_for(program, options, inputs);

@@ -63,7 +63,7 @@ std::vector<std::string> words_of(const setup::ProjectSetting& setting, const st
     return words;
 }
 
-CheckOptions parsed(std::vector<std::string> words) {
+CheckOptions parsed(const std::vector<std::string>& words) {
     Command command = parse_options(words);
     if (const auto* farewell = std::get_if<Farewell>(&command)) {
         std::string what = farewell->text.substr(0, farewell->text.find('\n'));
@@ -207,7 +207,7 @@ void SettingsOfPrograms::fill(CheckSettings& made, const setup::ProjectFile* pro
             end = words.insert(end, more.begin(), more.end()) +
                   static_cast<std::ptrdiff_t>(more.size());
         }
-        made.options = parsed(std::move(words));
+        made.options = parsed(words);
         for (const setup::ProjectSetting& setting : settings) {
             if (!told_.given.contains(setting.option))
                 made.options.selection.set_origin("--" + setting.option, setting.where);

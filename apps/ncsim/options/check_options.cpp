@@ -80,8 +80,8 @@ std::string known_requirement(const char* option, const std::string& name) {
 
 // Lists may be given with commas and more than once.
 cli::Option* add_list(cli::App& command, const char* name, const char* type, const char* what,
-                      std::function<void(const std::vector<std::string>&)> take) {
-    return command.add_option_function<std::vector<std::string>>(name, std::move(take), what)
+                      const std::function<void(const std::vector<std::string>&)>& take) {
+    return command.add_option_function<std::vector<std::string>>(name, take, what)
         ->type_name(type)
         ->delimiter(',')
         ->one_value_at_a_time();
@@ -94,12 +94,12 @@ std::string long_name(const cli::Option& option) {
 
 // Others say where results go, how the work is shared, or how much of it there may be.
 bool decides_verdicts(const std::string& name) {
-    static const std::set<std::string, std::less<>> kOthers{
+    static const std::set<std::string, std::less<>> others{
         "programs",  "list",       "shard",          "shards",  "out",     "redo",
         "cache",     "jobs",       "json",           "sarif",   "junit",   "csv",
         "html",      "github",     "write-baseline", "isolate", "threads", "max-time",
         "exit-zero", "max-memory", "no-project",     "tile",    "tile-out"};
-    return !kOthers.contains(name);
+    return !others.contains(name);
 }
 
 }  // namespace
@@ -310,7 +310,7 @@ std::set<std::string> given_to(const cli::App& command) {
 }
 
 std::optional<OptionKind> kind_of_check_option(const std::string& name) {
-    static const std::map<std::string, OptionKind> kKinds = [] {
+    static const std::map<std::string, OptionKind> kinds_of_options = [] {
         const std::set<std::string, std::less<>> of_one_run{"help", "notes", "quiet", "save-job"};
         const std::set<std::string, std::less<>> limits{"max-time", "max-memory"};
         cli::App app("", "");
@@ -325,8 +325,8 @@ std::optional<OptionKind> kind_of_check_option(const std::string& name) {
         }
         return kinds;
     }();
-    const auto found = kKinds.find(name);
-    return found == kKinds.end() ? std::nullopt : std::optional(found->second);
+    const auto found = kinds_of_options.find(name);
+    return found == kinds_of_options.end() ? std::nullopt : std::optional(found->second);
 }
 
 cli::App* add_rules(cli::App& app, RulesOptions& options) {

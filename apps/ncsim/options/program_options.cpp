@@ -312,7 +312,7 @@ std::vector<std::string> words_of(const cli::App& command,
             continue;
         }
         for (const std::string& value : option->values())
-            words.push_back("--" + name + "=" + value);
+            words.push_back(fmt::format("--{}={}", name, value));
     }
     if (!programs.empty()) words.emplace_back("--");
     words.insert(words.end(), programs.begin(), programs.end());

@@ -302,9 +302,9 @@ cli::App* add_run(cli::App& app, Options& options) {
 }
 
 std::vector<std::string> words_of_part(const cli::App& command) {
-    static const std::set<std::string, std::less<>> kOthers{
+    static const std::set<std::string, std::less<>> others{
         "tile", "tile-out", "redo", "threads", "quiet", "max-time", "max-memory"};
-    return words_of(command, [](const std::string& name) { return !kOthers.contains(name); });
+    return words_of(command, [](const std::string& name) { return !others.contains(name); });
 }
 
 namespace {
