@@ -60,7 +60,7 @@ ShapeWriter::ShapeWriter(std::ostream& out, const Lattice& lattice, const Cell& 
                          const std::vector<std::string>& assumed)
     : state_(new State{out, {}}) {
     std::array<char, 32> unit{};  // the shortest text that gives the same number
-    const auto end = std::to_chars(unit.data(), unit.data() + unit.size(), lattice.unit_mm).ptr;
+    char* const end = std::to_chars(unit.data(), unit.data() + unit.size(), lattice.unit_mm).ptr;
     out << kMagic << '\n';
     for (std::size_t i = 0; i < std::min(assumed.size(), kMostAssumed); ++i)
         out << "assumed " << std::string_view(assumed[i]).substr(0, kLongestAssumed) << '\n';

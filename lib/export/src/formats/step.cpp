@@ -518,6 +518,7 @@ private:
         std::string rows;
         for (const auto& points : patch.net) {
             std::vector<Entity> row;
+            row.reserve(points.size());
             for (const Vec3& p : points)
                 row.push_back(point(p));
             rows += (rows.empty() ? "(" : ",") + list(row);
