@@ -217,7 +217,7 @@ private:
         }
         told.remove_prefix(kPackage.size());
         told.remove_prefix(std::min(told.find('/') + 1, told.size()));
-        const std::string below = seen_in(folder_, std::string(told));
+        std::string below = seen_in(folder_, std::string(told));
         std::error_code ignored;
         if (std::filesystem::exists(below, ignored)) return below;
         return seen_in(folder_, "../" + std::string(told));

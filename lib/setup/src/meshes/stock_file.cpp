@@ -114,6 +114,7 @@ toolpath::Stock read_stock_file(const toolpath::StockFile& file, InputSet& input
 void write_stock_file(std::ostream& out, const cda::Shape& stock, std::span<const cda::Cell> carved,
                       const std::vector<std::string>& assumed) {
     std::vector<std::string> lines;
+    lines.reserve(assumed.size());
     for (const std::string& text : assumed)
         lines.push_back(report::one_line(text));
     cda::ShapeWriter writer(out, stock.lattice, stock.outer, lines);
