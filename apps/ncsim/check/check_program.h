@@ -14,8 +14,8 @@
 
 namespace ncsim::app {
 
-/// What `path` and the options say is to be verified; `threads` evaluate at a time. `number`: which
-/// program of a file with several, from 0.
+/// Returns the plan of the program at `path`; `threads` evaluate at a time. `number`: index of the
+/// program in a file with several.
 simulation::Plan plan_to_check(const std::string& path, const CheckOptions& options,
                                unsigned threads, setup::InputSet& inputs, std::size_t number = 0);
 

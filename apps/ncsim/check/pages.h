@@ -47,9 +47,9 @@ private:
     std::map<Name, std::string> links_;
 };
 
-/// Where `--html` puts its index or only page: "DIR/index.html" for a folder.
+/// Returns the file of the index or only page of `--html`: "DIR/index.html" for a folder.
 std::string page_file(const std::string& html);
-/// Where `--html` puts the pages of several programs; empty without `--html`.
+/// Returns the folder of the pages of several programs; empty without `--html`.
 std::string page_folder(const std::string& html);
 
 }  // namespace ncsim::app

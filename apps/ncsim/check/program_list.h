@@ -30,7 +30,7 @@ struct ProgramList {
 /// Throws: std::runtime_error if the list or a folder cannot be read, or has no programs.
 ProgramList programs_of(const CheckOptions& options, setup::InputSet& inputs);
 
-/// Those of them that are this shard's, ascending.
+/// Returns the indices of the programs of this shard, ascending.
 std::vector<std::size_t> share_of(const std::vector<std::string>& programs,
                                   const ShardNumber& number);
 

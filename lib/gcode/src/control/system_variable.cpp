@@ -43,7 +43,7 @@ SystemVariable of_rs274(int n) {
     return {};
 }
 
-/// Of G54 … G59, and of G54.1 Pn. Axes 1 to 4 are X, Y, Z, A.
+/// Returns the offset of G54 … G59 or G54.1 Pn that #`n` is. Axes 1 to 4 are X, Y, Z, A.
 std::optional<SystemVariable> work_offset_of_fanuc(int n, bool haas) {
     constexpr int kExtended = 9;
     struct Systems {

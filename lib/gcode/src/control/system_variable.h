@@ -31,7 +31,7 @@ struct SystemVariable {
     std::size_t item = 0;  ///< An axis, or 9: the rotation of a system.
 };
 
-/// What the control of `rules` does when #`number` is set.
+/// Returns the action of the control of `rules` if #`number` is set.
 SystemVariable system_variable(int number, const Rules& rules);
 
 }  // namespace ncsim::gcode

@@ -34,7 +34,7 @@ std::vector<std::pair<std::string, std::string>> escapes() {
 
 }  // namespace
 
-// As JSON has it, but for some characters.
+// Returns `text` as a string of JSON, with more characters escaped.
 std::string quoted(const std::string& text) {
     static const auto replacements = escapes();
     std::string result = report::json_string(text);

@@ -126,7 +126,7 @@ struct InterpreterOptions {
     /// number stands there.
     bool least_increments = false;
     std::vector<ToolTableEntry> tools;
-    /// What variables are at the start, where the job specifies it: "#500", "#<_depth>".
+    /// Values of variables at the start that the job specifies: "#500", "#<_depth>".
     std::map<std::string, double> variables;
     /// How far above the last depth G83 starts to feed again and how far G73 draws back, in units
     /// of the program: a parameter of the machine. Without it 0.254 mm, and never above R.

@@ -58,7 +58,7 @@ public:
 
     std::uint64_t programs() const { return places_.size(); }
     std::size_t files() const { return files_.size(); }
-    /// What any of the shards left out.
+    /// Files that any of the shards left out.
     const std::vector<LeftOut>& left_out() const { return left_out_; }
     /// In the order of the list, one at a time. Throws as the constructor does.
     Entries entries() const;

@@ -15,13 +15,13 @@
 
 namespace ncsim::simulation {
 
-/// What all tiles of a part were seen to meet, and the part, if it was cut.
+/// Contacts of all tiles of a part, and the part if it was cut.
 struct SeenTiles {
     std::shared_ptr<const CutTiles> cut;  ///< Null: nothing had to be simulated.
     std::shared_ptr<const verify::Evidence> evidence;
 };
 
-/// What is asked, and what the program is verified against beside its job.
+/// Options of a verification, and the set-up except for the job.
 struct Questions {
     verify::Selection selection;
     setup::MachineFile machine;
